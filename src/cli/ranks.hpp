@@ -5,12 +5,19 @@
 #include <string_view>
 
 #include "clca/tasks/ranks.hpp"
+#include "cli/terminal.hpp"
 
 namespace clca::cli {
 
 /// Whether several processes can carry out a command together.
 inline bool is_shared(std::string_view command) {
   return command == "sweep" || command == "boltzmann" || command == "resume";
+}
+
+/// The signal that has stopped this process or, as rank 0 knows, another one; 0: none has.
+inline int stop_signal_of(const tasks::Ranks* ranks) {
+  const int own = stop_signal();
+  return own != 0 || ranks == nullptr ? own : ranks->stopped_by();
 }
 
 /// All of them, in clca-mpi. In clca none: where mpirun has started it for a command that can be

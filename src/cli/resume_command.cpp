@@ -27,7 +27,11 @@ int resume_run(const ResumeOptions& options) {
   run::SavedRun saved =
       as_input([&] { return run::load_run(options.folder, limit, options.until); });
   if (saved.finished) {
-    print_out("the run is done: there is nothing to resume\n{}\n", options.folder);
+    if (options.run.json) {
+      print_summary(options.folder);
+    } else if (!options.run.quiet) {
+      print_out("the run is done: there is nothing to resume\n{}\n", options.folder);
+    }
     return static_cast<int>(ExitCode::done);
   }
   check_memory(saved.scene, limit, threads_here(options.run));

@@ -8,6 +8,7 @@
 #include "cli/command.hpp"
 #include "cli/option_values.hpp"
 #include "cli/progress_line.hpp"
+#include "cli/ranks.hpp"
 #include "cli/terminal.hpp"
 
 namespace clca::cli {
@@ -78,6 +79,12 @@ int serve_gases(const RunCommonOptions& options) {
   return static_cast<int>(ExitCode::done);
 }
 
+void print_summary(const std::filesystem::path& folder) {
+  constexpr double kMaxBytes = 1 << 30;
+  const auto json = store::read_whole(folder / store::kSummaryFile, kMaxBytes);
+  write_out({reinterpret_cast<const char*>(json.data()), json.size()});
+}
+
 int show_run(const std::string& folder, const RunCommonOptions& options, int threads,
              const RunIt& run_it) {
   ProgressLine line;
@@ -102,16 +109,14 @@ int show_run(const std::string& folder, const RunCommonOptions& options, int thr
                                             .ranks = options.ranks},
                                            events);
   if (options.json) {
-    constexpr double kMaxBytes = 1 << 30;
-    const auto json = store::read_whole(used / store::kSummaryFile, kMaxBytes);
-    write_out({reinterpret_cast<const char*>(json.data()), json.size()});
+    print_summary(used);
   } else if (!options.quiet) {
     print_out("{}, state {:016x}\n{}\n", totals(summary), summary.state_hash, used.string());
   }
   if (summary.status == "interrupted" && !options.quiet) {
     line.print(fmt::format("continue with: clca resume {}", text::shell_word(used.string())));
   }
-  return exit_code_of(summary, stop);
+  return exit_code_of(summary, stop_signal_of(options.ranks));
 }
 
 }  // namespace clca::cli

@@ -32,6 +32,9 @@ using RunIt = std::function<store::RunSummary(const run::RunOptions&, const run:
 /// Advances gases for rank 0, as another rank. Returns the exit code.
 int serve_gases(const RunCommonOptions& options);
 
+/// Prints `run.json` of a run folder.
+void print_summary(const std::filesystem::path& folder);
+
 /// Calls `run_it`, shows progress and results; `folder` is the run folder. Returns the exit code.
 int show_run(const std::string& folder, const RunCommonOptions& options, int threads,
              const RunIt& run_it);

@@ -10,6 +10,7 @@
 #include "cli/command.hpp"
 #include "cli/option_values.hpp"
 #include "cli/progress_line.hpp"
+#include "cli/ranks.hpp"
 #include "cli/scene_options.hpp"
 #include "cli/terminal.hpp"
 
@@ -118,8 +119,9 @@ int run_sweep(const SweepCommandOptions& options) {
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     print_totals(totals, seconds.count(), folder);
   }
-  if (stop != 0 && totals.done + totals.failed < totals.runs) {
-    return static_cast<int>(ExitCode::signal_base) + stop;
+  if (const int signal = stop_signal_of(options.ranks);
+      signal != 0 && totals.done + totals.failed < totals.runs) {
+    return static_cast<int>(ExitCode::signal_base) + signal;
   }
   if (totals.failed > 0) {
     print_error("clca: error: {} of {} runs failed\n", totals.failed, totals.runs);

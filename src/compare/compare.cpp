@@ -111,7 +111,10 @@ Comparison comparison(const fs::path& automaton_run, const fs::path& boltzmann_r
                               gas.distributions.end());
   const std::size_t bins = result.distributions[0].shares.size();
   for (const Distribution& distribution : result.distributions) {
-    if (distribution.shares.size() != bins || bins == 0) {
+    if (distribution.samples == 0) {
+      throw CompareError(fmt::format("{}: there are no particles", boltzmann_run.string()));
+    }
+    if (distribution.shares.size() != bins || bins < 2) {
       throw CompareError(fmt::format(
           "{}: the {} energy is in {} bins, that of the automaton in {} (bins: q20 in the scene)",
           boltzmann_run.string(), distribution.name, distribution.shares.size(), bins));

@@ -43,7 +43,7 @@ const store::StageSummary& chosen_stage(const fs::path& run, const store::RunSum
 std::uint64_t sample_count(const fs::path& run, const store::StageSummary& stage) {
   for (const auto& [name, value] : stage.measures) {
     const auto* samples = std::get_if<double>(&value);
-    if (name == "fluctuation_samples" && samples != nullptr && *samples >= 1) {
+    if (name == "fluctuation_samples" && samples != nullptr && *samples >= 1 && *samples < 0x1p64) {
       return static_cast<std::uint64_t>(*samples);
     }
   }

@@ -167,6 +167,7 @@ const EnergyExchange& ContactModel::exchange() const {
   return steps(mechanics()).exchange();
 }
 void ContactModel::set_vessel(const Vessel& vessel) {
+  check_whole();
   steps(mechanics()).set_vessel(vessel);
 }
 

@@ -107,19 +107,6 @@ Parts parts_of(const lattice::Rectangle& region, const Mixture& mixture) {
   return parts;
 }
 
-void check_parts(const State& state, const Mixture& mixture) {
-  for (const std::vector<std::uint32_t>& part : mixture.parts) {
-    const std::vector<std::size_t> weights(part.begin(), part.end());
-    check_counts(state, weights);
-    if (std::all_of(part.begin(), part.end(), [](auto weight) { return weight == 0; })) {
-      throw std::invalid_argument("the weights of a mixture are all zero");
-    }
-  }
-  if (mixture.parts.empty() || (mixture.rows.empty() && mixture.parts.size() > 1)) {
-    throw std::invalid_argument("a mixture needs one part, or a picture of its parts");
-  }
-}
-
 }  // namespace
 
 double trial_bytes(double sites, double orientations) {
@@ -133,6 +120,23 @@ void check_counts(const State& state, std::span<const std::size_t> counts) {
   }
   if (counts.size() != species) {
     throw std::invalid_argument("a fill needs one count for each species");
+  }
+}
+
+void check_mixture(const State& state, const Mixture& mixture) {
+  for (const std::vector<std::uint32_t>& part : mixture.parts) {
+    const std::vector<std::size_t> weights(part.begin(), part.end());
+    check_counts(state, weights);
+    if (std::all_of(part.begin(), part.end(), [](auto weight) { return weight == 0; })) {
+      throw std::invalid_argument("the weights of a mixture are all zero");
+    }
+  }
+  if (mixture.parts.empty() || (mixture.rows.empty() && mixture.parts.size() > 1)) {
+    throw std::invalid_argument("a mixture needs one part, or a picture of its parts");
+  }
+  if (std::any_of(mixture.rows.begin(), mixture.rows.end(),
+                  [](const std::string& row) { return row.empty(); })) {
+    throw std::invalid_argument("a picture needs pixels");
   }
 }
 
@@ -159,7 +163,6 @@ FillResult fill_region(Box& box, const lattice::Rectangle& region,
 
 FillResult fill_with(Box& box, const lattice::Rectangle& region, const Mixture& mixture) {
   const State& state = box.state;
-  check_parts(state, mixture);
   const std::size_t first = state.particles.size();
   const Parts parts = parts_of(region, mixture);
   FillResult result;

@@ -17,6 +17,9 @@ namespace clca::grains {
 /// Throws std::invalid_argument unless there is one count for each species.
 void check_counts(const State& state, std::span<const std::size_t> counts);
 
+/// Throws std::invalid_argument if the mixture is not as described there.
+void check_mixture(const State& state, const Mixture& mixture);
+
 /// Places `counts` particles per species at random in free sites of `region`, larger species first,
 /// in random orientations. A species that no longer fits is placed in part.
 /// Ids are given column by column from the left, upwards. Throws as check_counts and
@@ -33,7 +36,7 @@ FillResult deposit_in(Box& box, const lattice::Rectangle& region,
 
 /// Fills the region with a mixture; at random, or as deposit_in. Where parts of a picture are
 /// deposited, a particle that would come to rest in another part is not placed. Ids as for
-/// fill_region. Throws std::invalid_argument if the mixture is not as described there.
+/// fill_region. The mixture has to be checked.
 FillResult fill_with(Box& box, const lattice::Rectangle& region, const Mixture& mixture);
 
 struct Parts {

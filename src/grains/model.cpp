@@ -75,12 +75,16 @@ Model::~Model() = default;
 Model::Model(Model&&) noexcept = default;
 Model& Model::operator=(Model&&) noexcept = default;
 
-/// Carries out a change; nothing more is changed after one that has failed halfway.
-template <class Change>
-auto Model::whole(Change change) {
+void Model::check_whole() const {
   if (half_changed_) {
     throw std::logic_error("a model cannot go on after a change that failed");
   }
+}
+
+/// Carries out a change; nothing more is changed after one that has failed halfway.
+template <class Change>
+auto Model::whole(Change change) {
+  check_whole();
   half_changed_ = true;
   auto result = change();
   half_changed_ = false;
@@ -125,6 +129,7 @@ FillResult Model::deposit(const lattice::Rectangle& region, std::span<const std:
 }
 
 FillResult Model::fill(const lattice::Rectangle& region, const Mixture& mixture) {
+  check_mixture(grains(), mixture);
   lattice::check(region);
   if (mixture.deposited) {
     check_deposits();
@@ -139,16 +144,27 @@ void Model::check_deposits() const {
 }
 
 void Model::remove_wall(std::size_t wall) {
-  static_cast<void>(grains().walls.at(wall));
-  changed([&](Box& box) {
-    grains::remove_wall(box, wall);
-    return true;
-  });
+  check_whole();
+  if (grains().walls.at(wall).present) {
+    changed([&](Box& box) {
+      grains::remove_wall(box, wall);
+      return true;
+    });
+  }
 }
 
 bool Model::insert_wall(std::size_t wall) {
-  static_cast<void>(grains().walls.at(wall));
-  return changed([&](Box& box) { return grains::insert_wall(box, wall); });
+  check_whole();
+  if (grains().walls.at(wall).present) {
+    return true;
+  }
+  if (!can_insert_wall(mechanics_->box(), wall)) {
+    return false;
+  }
+  return changed([&](Box& box) {
+    grains::insert_wall(box, wall);
+    return true;
+  });
 }
 
 void Model::set_motion(std::size_t wall, bool active) {
@@ -156,15 +172,20 @@ void Model::set_motion(std::size_t wall, bool active) {
   if (!moving.motion) {
     throw std::invalid_argument("a wall without motion cannot be set in motion");
   }
-  moving.travel.active = active;
-  mechanics_->motion_set();
+  whole([&] {
+    moving.travel.active = active;
+    mechanics_->motion_set();
+    return true;
+  });
 }
 
 void Model::set_source(std::size_t source, bool open) {
+  check_whole();
   mechanics_->box().state.sources.at(source).open = open;
 }
 
 void Model::mark_origins() {
+  check_whole();
   State& state = mechanics_->box().state;
   std::transform(state.particles.begin(), state.particles.end(), state.origins.begin(),
                  [](const Particle& particle) { return particle.site(); });

@@ -44,30 +44,27 @@ void remove_wall(Box& box, std::size_t number) {
   leave_to_others(box, vacated);
 }
 
-bool insert_wall(Box& box, std::size_t number) {
-  Wall& wall = box.state.walls.at(number);
-  if (wall.present) {
-    return true;
-  }
+bool can_insert_wall(const Box& box, std::size_t number) {
+  const Wall& wall = box.state.walls.at(number);
   const std::vector<std::size_t> indices = indices_now(box.state, wall);
   const auto moves = [&](Owner owner) {
     return is_wall(owner) && box.state.walls[wall_number(owner)].motion.has_value();
   };
-  const bool blocked = std::any_of(indices.begin(), indices.end(), [&](std::size_t index) {
+  return std::none_of(indices.begin(), indices.end(), [&](std::size_t index) {
     const Owner owner = box.occupancy.owner(index);
     return is_particle(owner) || moves(owner) || (owner != kFree && wall.motion.has_value());
   });
-  if (blocked) {
-    return false;
-  }
+}
+
+void insert_wall(Box& box, std::size_t number) {
+  Wall& wall = box.state.walls.at(number);
   wall.present = true;
-  for (const std::size_t index : indices) {
+  for (const std::size_t index : indices_now(box.state, wall)) {
     const Owner owner = box.occupancy.owner(index);
     if (!is_wall(owner) || wall_number(owner) < number) {  // as in an OccupancyTable built anew
       box.occupancy.take(index, wall_code(number));
     }
   }
-  return true;
 }
 
 }  // namespace clca::grains

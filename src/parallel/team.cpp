@@ -1,10 +1,12 @@
 #include "clca/parallel/team.hpp"
 
+#include <omp.h>
 #include <pthread.h>
 
 #include <cctype>
 #include <cstdlib>
 #include <mutex>
+#include <new>
 #include <optional>
 #include <stdexcept>
 #include <string_view>
@@ -64,6 +66,20 @@ std::mutex& one_at_a_time() {
   return mutex;
 }
 
+/// A child process by fork has one thread, and OpenMP would wait there for the others for ever: its
+/// regions have one thread, too.
+void prepare_forks() {
+  static const int kFailed =
+      ::pthread_atfork([] { one_at_a_time().lock(); }, [] { one_at_a_time().unlock(); },
+                       [] {
+                         one_at_a_time().unlock();
+                         ::omp_set_max_active_levels(0);
+                       });
+  if (kFailed != 0) {
+    throw std::bad_alloc();
+  }
+}
+
 /// How many of `most` threads can exist at once besides this one.
 int startable(int most) {
   const Attributes attributes;
@@ -107,6 +123,7 @@ int start_team(int wanted) {
   int there = 0;
 #pragma omp parallel num_threads(team) reduction(+ : there)
   there += 1;
+  prepare_forks();
   return there;
 }
 

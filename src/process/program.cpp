@@ -26,6 +26,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::chrono::milliseconds kPause(5);
+constexpr int kUnknown = -1;  // exit code
 
 void pause() {
   ::poll(nullptr, 0, static_cast<int>(kPause.count()));
@@ -128,6 +129,10 @@ int Program::wait() {
     end_when_stopped();
     pause();
   }
+  if (code_ == kUnknown) {
+    throw ProcessError(fmt::format(
+        "cannot tell how {} has ended: SIGCHLD is ignored, or another waitpid has asked", name_));
+  }
   return code_;
 }
 
@@ -159,7 +164,6 @@ bool Program::has_ended(int options) {
   }
   child_ = -1;
   constexpr int kSignalBase = 128;
-  constexpr int kUnknown = 255;  // another waitpid has taken its status
   code_ = ended < 0           ? kUnknown
           : WIFEXITED(status) ? WEXITSTATUS(status)
                               : kSignalBase + WTERMSIG(status);

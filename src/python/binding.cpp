@@ -5,19 +5,27 @@
 #include <exception>
 #include <stdexcept>
 
+#include "clca/text/message.hpp"
+#include "python/interpreter.hpp"
 #include "python/scene.hpp"
 
 namespace {
 
-/// Whatever the library reports is a clca.Error; those for a wrong argument are Python's own.
+void raise(const char* type, const std::exception& error) {
+  const auto found = pybind11::module_::import("clca._error").attr(type);
+  PyErr_SetString(found.ptr(), clca::text::printable(error.what()).c_str());
+}
+
+/// Whatever the library reports is a clca.Error.
 void translate(std::exception_ptr failure) {
   try {
     std::rethrow_exception(std::move(failure));
   } catch (const pybind11::builtin_exception&) {
     throw;
   } catch (const std::runtime_error& error) {
-    const auto type = pybind11::module_::import("clca._error").attr("Error");
-    PyErr_SetString(type.ptr(), error.what());
+    raise("Error", error);
+  } catch (const std::invalid_argument& error) {
+    raise("ArgumentError", error);
   }
 }
 
@@ -25,6 +33,7 @@ void translate(std::exception_ptr failure) {
 
 PYBIND11_MODULE(_clca, module) {
   pybind11::register_local_exception_translator(translate);
+  clca::python::watch_end();
   clca::python::add_scene(module);
   clca::python::add_run(module);
   clca::python::add_folder(module);

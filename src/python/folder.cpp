@@ -1,5 +1,6 @@
 // Run folders: summaries, tables and trajectories.
 
+#include <fmt/format.h>
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
@@ -14,6 +15,7 @@
 #include "clca/store/table.hpp"
 #include "clca/store/trajectory.hpp"
 #include "python/arrays.hpp"
+#include "python/interpreter.hpp"
 #include "python/scene.hpp"
 
 namespace clca::python {
@@ -44,6 +46,20 @@ py::dict summary(const fs::path& folder) {
   return result;
 }
 
+/// Texts of a table, which anything may have written.
+template <class Texts>
+py::object texts(const store::ReadTable& table, const Texts& texts) {
+  try {
+    return py::cast(texts);
+  } catch (const py::error_already_set& error) {
+    if (!error.matches(PyExc_UnicodeDecodeError)) {
+      throw;
+    }
+  }
+  throw store::StoreError(
+      fmt::format("cannot read {}: a text in it is no UTF-8", table.file.string()));
+}
+
 /// An array if all cells are numbers or empty and may be, else a list.
 py::object cells_of(const store::ReadTable& table, const std::string& key, bool is_text) {
   if (!is_text) {
@@ -53,7 +69,7 @@ py::object cells_of(const store::ReadTable& table, const std::string& key, bool 
     } catch (const store::StoreError&) {  // some are names
     }
   }
-  return py::cast(*table.find(key));
+  return texts(table, *table.find(key));
 }
 
 /// Columns as (key, values, quantity).
@@ -69,8 +85,8 @@ py::list table(const fs::path& folder, const std::string& name, const std::set<s
   }
   py::list columns;
   for (const std::string& key : table.names) {
-    columns.append(
-        py::make_tuple(key, cells_of(table, key, text.contains(key)), quantity(key, all)));
+    columns.append(py::make_tuple(texts(table, key), cells_of(table, key, text.contains(key)),
+                                  quantity(key, all)));
   }
   return columns;
 }
@@ -96,7 +112,7 @@ class Trajectory {
   py::tuple frame(std::size_t number) {
     std::optional<FrameData> data;
     {
-      const py::gil_scoped_release free;
+      const Released free;
       const std::scoped_lock lock(mutex_);
       const std::size_t in_trajectory = numbers_.at(number);
       const grains::State state = trajectory_.state(in_trajectory);
@@ -137,11 +153,19 @@ class Trajectory {
 
 }  // namespace
 
+}  // namespace clca::python
+
+template <>
+class pybind11::detail::type_caster<clca::python::Trajectory>
+    : public clca::python::HeldCaster<clca::python::Trajectory> {};
+
+namespace clca::python {
+
 void add_folder(py::module_& module) {
   module.def("summary", summary);
   module.def("table", table);
   py::class_<Trajectory>(module, "Trajectory")
-      .def(py::init<fs::path>(), py::call_guard<py::gil_scoped_release>())
+      .def(py::init<fs::path>(), py::call_guard<Released>())
       .def("frames", &Trajectory::frames)
       .def("frame", &Trajectory::frame)
       .def("_kinds", &Trajectory::kinds)

@@ -5,8 +5,9 @@
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
-#include <chrono>
+#include <exception>
 #include <memory>
+#include <stdexcept>
 
 #include "clca/boltzmann/observation.hpp"
 #include "clca/boltzmann/scheme.hpp"
@@ -29,25 +30,41 @@ class Gas {
         gas_(std::make_shared<boltzmann::Gas>(
             boltzmann::make_gas(scene::initial_condition(loaded.of_gas()), seed_))) {}
 
-  const boltzmann::Gas& now() const { return *gas_; }
+  const boltzmann::Gas& now() const {
+    Change::check(busy_);
+    if (failure_) {
+      std::rethrow_exception(failure_);
+    }
+    return *gas_;
+  }
 
   /// Arrays of before keep what they had.
   void advance(double time) {
+    now();
+    const Change change(busy_);
     Interrupt interrupt;
     interrupt.during([&] {
       if (gas_.use_count() > 1) {
         gas_ = std::make_shared<boltzmann::Gas>(*gas_);
       }
-      boltzmann::advance(*gas_, process_, seed_, time, parallel::start_team(threads_),
-                         [&](const boltzmann::Gas& /*gas*/) {
-                           interrupt.look_at_times();
-                           return *interrupt.stop() == 0;
-                         });
+      try {
+        boltzmann::advance(*gas_, process_, seed_, time, parallel::start_team(threads_),
+                           [&](const boltzmann::Gas& /*gas*/) {
+                             interrupt.look_at_times();
+                             return *interrupt.stop() == 0;
+                           });
+      } catch (const std::invalid_argument&) {
+        throw;
+      } catch (...) {
+        failure_ = std::current_exception();  // particles have gone different ways
+        throw;
+      }
     });
   }
 
   /// Rows `first` and the two after it of the motions, one particle a row; no copy.
   py::array part(int first) const {
+    now();
     const py::capsule base(new std::shared_ptr<boltzmann::Gas>(gas_), [](void* pointer) {
       delete static_cast<std::shared_ptr<boltzmann::Gas>*>(pointer);
     });
@@ -63,12 +80,15 @@ class Gas {
   std::uint64_t seed_;
   int threads_;
   std::shared_ptr<boltzmann::Gas> gas_;
+  bool busy_ = false;
+  std::exception_ptr failure_;
 };
 
 py::dict moments(const Gas& gas) {
+  const boltzmann::Gas& now = gas.now();
   const boltzmann::Moments moments = [&] {
-    const py::gil_scoped_release free;
-    return boltzmann::moments(gas.now().motions);
+    const Released free;
+    return boltzmann::moments(now.motions);
   }();
   py::dict result;
   std::apply([&](const auto&... field) { ((result[field.name] = moments.*field.member), ...); },
@@ -77,6 +97,14 @@ py::dict moments(const Gas& gas) {
 }
 
 }  // namespace
+
+}  // namespace clca::python
+
+template <>
+class pybind11::detail::type_caster<clca::python::Gas>
+    : public clca::python::HeldCaster<clca::python::Gas> {};
+
+namespace clca::python {
 
 void add_gas(py::module_& module) {
   constexpr int kSpin = 3;

@@ -13,6 +13,8 @@
 #include <vector>
 
 #include "clca/process/program.hpp"
+#include "clca/text/input_error.hpp"
+#include "python/interpreter.hpp"
 
 namespace clca::python {
 
@@ -22,7 +24,7 @@ class Interrupt {
   const std::atomic<int>* stop() const { return &stop_; }
   /// Does not need the interpreter.
   void look() {
-    const pybind11::gil_scoped_acquire interpreter;
+    const Acquired interpreter;
     if (!raised_ && PyErr_CheckSignals() != 0) {
       raised_.emplace();
       stop_ = SIGINT;
@@ -39,7 +41,7 @@ class Interrupt {
   template <class Work>
   void during(Work work) {
     try {
-      const pybind11::gil_scoped_release free;
+      const Released free;
       work();
     } catch (const process::StoppedError&) {  // of a program that was stopped for that reason
       raise();
@@ -61,6 +63,29 @@ class Interrupt {
   std::atomic<int> stop_ = 0;
   std::optional<pybind11::error_already_set> raised_;
   Clock::time_point due_ = Clock::now() + kInterval;
+};
+
+/// While an object is being changed, with the interpreter or without: other changes, by a signal
+/// handler or another thread, are refused.
+class Change {
+ public:
+  /// `busy` is of the object.
+  explicit Change(bool& busy) : busy_(busy) {
+    check(busy);
+    busy_ = true;
+  }
+  ~Change() { busy_ = false; }
+  Change(const Change&) = delete;
+  Change& operator=(const Change&) = delete;
+
+  static void check(bool busy) {
+    if (busy) {
+      throw text::InputError("another call is at work on this object");
+    }
+  }
+
+ private:
+  bool& busy_;
 };
 
 /// Keeps warnings, to be those of Python.

@@ -30,7 +30,7 @@ run::RunToDraw run_to_draw(const fs::path& folder, const Overrides& overrides) {
 py::array picture(const fs::path& folder, std::uint64_t step, const Overrides& overrides) {
   image::Image image;
   {
-    const py::gil_scoped_release free;
+    const Released free;
     image = run::picture(run_to_draw(folder, overrides), step, run::default_memory_limit());
   }
   return pixels(image);
@@ -56,6 +56,9 @@ py::bytes png(const py::array_t<std::uint8_t, py::array::c_style>& pixels) {
     throw std::invalid_argument("expected rows x columns x 3");
   }
   image::Image image(static_cast<int>(pixels.shape(1)), static_cast<int>(pixels.shape(0)), {});
+  if (image.pixels.empty()) {
+    throw std::invalid_argument("a picture without pixels is no PNG");
+  }
   std::copy_n(pixels.data(), pixels.size(), &image.pixels.data()->red);
   const std::vector<std::uint8_t> bytes = image::encode_png(image, {});
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};

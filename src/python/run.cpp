@@ -48,7 +48,7 @@ std::filesystem::path run_scene(const LoadedScene& loaded,
                                .overwrite = overwrite,
                                .keep = keep};
     if (!keep) {
-      run::check_output(loaded.file, options.folder);
+      run::check_output(loaded.place(), options.folder);
     }
     return carry_out(std::move(options),
                      [&](const run::RunOptions& chosen, const run::RunEvents& events) {

@@ -5,15 +5,21 @@
 
 #include "clca/run/setup.hpp"
 #include "clca/scene/resolve.hpp"
+#include "python/interpreter.hpp"
 
 namespace clca::python {
 
-LoadedScene::LoadedScene(const std::string& source, const std::optional<std::string>& text,
+LoadedScene::LoadedScene(const std::string& source, const std::optional<std::string>& given,
                          const std::vector<scene::Override>& overrides)
-    : file(text ? source : run::scene_file(source)),
-      scene(text ? scene::parse_any(*text, file, overrides)
-                 : scene::parse_any_file(file, overrides)) {
+    : file(given ? source : run::scene_file(source)),
+      text(given ? *given : scene::scene_text(file)),
+      absolute(std::filesystem::absolute(file)),
+      scene(scene::parse_any(text, file, overrides)) {
   run::complete(scene, file, run::default_memory_limit(), run::machine_threads());
+}
+
+std::string LoadedScene::place() const {
+  return std::filesystem::absolute(file) == absolute ? file : absolute.string();
 }
 
 const scene::Scene& LoadedScene::of_grains() const {
@@ -35,7 +41,7 @@ const scene::BoltzmannScene& LoadedScene::of_gas() const {
 void add_scene(py::module_& module) {
   py::class_<LoadedScene>(module, "Scene")
       .def(py::init<std::string, std::optional<std::string>, std::vector<scene::Override>>(),
-           py::call_guard<py::gil_scoped_release>())
+           py::call_guard<Released>())
       .def_property_readonly(
           "name",
           [](const LoadedScene& loaded) {
@@ -49,7 +55,10 @@ void add_scene(py::module_& module) {
             return std::visit([](const auto& scene) { return scene::to_yaml(scene); },
                               loaded.scene);
           },
-          "The scene with every default filled in.");
+          "The scene with every default filled in.")
+      .def_property_readonly("_origin", [](const LoadedScene& loaded) {
+        return py::make_tuple(py::bytes(loaded.place()), py::bytes(loaded.text));
+      });
 }
 
 }  // namespace clca::python

@@ -21,9 +21,15 @@ namespace clca::python {
 
 namespace {
 
-using run::Simulation;
+class Simulation : public run::Simulation {
+ public:
+  using run::Simulation::Simulation;
+
+  bool busy = false;
+};
 
 std::uint64_t step(Simulation& simulation, std::uint64_t steps) {
+  const Change change(simulation.busy);
   Interrupt interrupt;
   std::uint64_t taken = 0;
   interrupt.during([&] {
@@ -39,10 +45,12 @@ std::uint64_t step(Simulation& simulation, std::uint64_t steps) {
 }
 
 void next_stage(Simulation& simulation) {
+  const Change change(simulation.busy);
   if (simulation.stage() + 1 == simulation.scene().stages.size()) {
     throw text::InputError(
         fmt::format("{} is the last stage", simulation.scene().stages[simulation.stage()].name));
   }
+  const Released free;
   simulation.next_stage();
 }
 
@@ -84,16 +92,17 @@ py::list measures_now(const Simulation& simulation, const std::optional<std::str
 py::tuple frame_now(const Simulation& simulation) {
   std::optional<FrameData> data;
   {
-    const py::gil_scoped_release free;
+    const Released free;
     data.emplace(simulation.scene(), simulation.grains(), simulation.contact_frame());
   }
   return std::move(*data).to_python();
 }
 
 py::array picture_now(Simulation& simulation, const std::vector<scene::Override>& overrides) {
+  const Change change(simulation.busy);
   image::Image image;
   {
-    const py::gil_scoped_release free;
+    const Released free;
     image = simulation.picture(frames_of(simulation.scene(), overrides));
   }
   return pixels(image);
@@ -108,18 +117,24 @@ py::array particles(const Simulation& simulation) {
 
 }  // namespace
 
+}  // namespace clca::python
+
+template <>
+class pybind11::detail::type_caster<clca::python::Simulation>
+    : public clca::python::HeldCaster<clca::python::Simulation> {};
+
+namespace clca::python {
+
 void add_simulation(py::module_& module) {
   const auto make = [](const LoadedScene& loaded, int threads) {
     const scene::Scene& scene = loaded.of_grains();
-    const py::gil_scoped_release free;
+    const Released free;
     return std::make_unique<Simulation>(scene, threads);
   };
   py::class_<Simulation>(module, "Simulation")
       .def(py::init(make), py::arg("scene"), py::arg("threads") = 1)
-      .def("step", step, py::arg("steps") = 1,
-           "Takes so many steps, and begins stages where others have ended. Returns how many were "
-           "taken: fewer if the last stage has ended.")
-      .def("next_stage", next_stage, py::call_guard<py::gil_scoped_release>(),
+      .def("_step", step)
+      .def("next_stage", next_stage,
            "Ends the stage here and begins the next one. Throws Error in the last one.")
       .def_property_readonly(
           "steps", [](const Simulation& simulation) { return simulation.grains().step; },
@@ -137,9 +152,12 @@ void add_simulation(py::module_& module) {
             return how.empty() ? py::object(py::none()) : py::str(how);
           },
           "How the stage has ended (settled, steps ...); None while it goes on.")
-      .def_property_readonly("over", &Simulation::is_over, "Whether the last stage has ended.")
-      .def_property_readonly("state_hash", &Simulation::hash,
-                             "As `state_hash` of a run: equal for equal bits.")
+      .def_property_readonly(
+          "over", [](const Simulation& simulation) { return simulation.is_over(); },
+          "Whether the last stage has ended.")
+      .def_property_readonly(
+          "state_hash", [](const Simulation& simulation) { return simulation.hash(); },
+          "As `state_hash` of a run: equal for equal bits.")
       .def_property_readonly(
           "particles", particles,
           "N: all particles as the model has them, by id: column and row of the reference site "

@@ -61,7 +61,7 @@ GasMember gas_member(const tasks::Bytes& answer) {
 
 void serve(const RunOptions& options) {
   options.ranks->begin(version());
-  while (const auto work = options.ranks->wait_for_work()) {
+  while (const auto work = options.ranks->wait_for_work(options.stop)) {
     const store::Checkpoint content = store::parse_checkpoint(*work, kAnySize);
     GasShare share;
     reflection::decode(content.fields, kAnySize, share);

@@ -1,8 +1,10 @@
 #include "clca/run/simulation.hpp"
 
 #include <algorithm>
+#include <exception>
 #include <limits>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 
 #include "clca/parallel/team.hpp"
@@ -52,30 +54,25 @@ class Simulation::Impl {
   bool is_last() const { return stage_ + 1 == scene_.stages.size(); }
   const SceneModel& model() const { return *model_; }
 
+  /// Rethrows what has failed.
+  void check() const {
+    if (failure_) {
+      std::rethrow_exception(failure_);
+    }
+  }
+
   grains::StepReport step() {
-    if (end_) {
-      next_stage();
+    if (end_ && is_last()) {
+      throw std::logic_error("the last stage has ended");
     }
-    const grains::StepReport report = model_->grains().step();
-    history_.add_step(report, model_->state());
-    moving_ = report.moved;
-    observers_.after_step(view());
-    history_.cycles = observers_.find<CycleRecord>()->cycles();
-    end_ = stage_end(stage(), model_->state(), history_);
-    if (end_) {
-      history_.settled = end_ == StageEnd::settled || end_ == StageEnd::stalled;
-      observers_.end_stage(view());
-    }
-    return report;
+    return whole([&] { return take_step(); });
   }
 
   void next_stage() {
     if (is_last()) {
       throw std::logic_error("the last stage has no next one");
     }
-    ++stage_;
-    end_.reset();
-    begin_stage();
+    whole([&] { begin_next_stage(); });
   }
 
   std::shared_ptr<const grains::State> held_grains() const {
@@ -122,6 +119,40 @@ class Simulation::Impl {
     return {scene_, stage(), *model_, history_, observers_, moving_, nullptr, nullptr};
   }
 
+  /// Carries out a change; after one that has failed, state and records do not fit together.
+  template <class Change>
+  std::invoke_result_t<Change> whole(Change change) {
+    try {
+      return change();
+    } catch (...) {
+      failure_ = std::current_exception();
+      throw;
+    }
+  }
+
+  grains::StepReport take_step() {
+    if (end_) {
+      begin_next_stage();
+    }
+    const grains::StepReport report = model_->grains().step();
+    history_.add_step(report, model_->state());
+    moving_ = report.moved;
+    observers_.after_step(view());
+    history_.cycles = observers_.find<CycleRecord>()->cycles();
+    end_ = stage_end(stage(), model_->state(), history_);
+    if (end_) {
+      history_.settled = end_ == StageEnd::settled || end_ == StageEnd::stalled;
+      observers_.end_stage(view());
+    }
+    return report;
+  }
+
+  void begin_next_stage() {
+    ++stage_;
+    end_.reset();
+    begin_stage();
+  }
+
   void begin_stage() {
     if (model_.use_count() > 1) {  // somebody holds the state
       model_ = std::make_shared<SceneModel>(scene_, model_->copied_state(), options_);
@@ -147,50 +178,58 @@ class Simulation::Impl {
   std::optional<StageEnd> end_;
   PictureHistory pictures_;
   std::optional<Drawing> drawing_;
+  std::exception_ptr failure_;
 };
 
 Simulation::Simulation(const scene::Scene& scene, int threads)
     : impl_(std::make_unique<Impl>(scene, threads)) {}
 Simulation::~Simulation() = default;
 
+Simulation::Impl& Simulation::live() const {
+  impl_->check();
+  return *impl_;
+}
+
 const scene::Scene& Simulation::scene() const {
   return impl_->scene();
 }
 std::size_t Simulation::stage() const {
-  return impl_->stage_number();
+  return live().stage_number();
 }
 std::string Simulation::ended() const {
-  return impl_->end() ? to_text(*impl_->end()) : "";
+  const Impl& impl = live();
+  return impl.end() ? to_text(*impl.end()) : "";
 }
 bool Simulation::is_over() const {
-  return impl_->end() && impl_->is_last();
+  const Impl& impl = live();
+  return impl.end() && impl.is_last();
 }
 grains::StepReport Simulation::step() {
-  return impl_->step();
+  return live().step();
 }
 void Simulation::next_stage() {
-  impl_->next_stage();
+  live().next_stage();
 }
 const grains::State& Simulation::grains() const {
-  return impl_->model().state();
+  return live().model().state();
 }
 std::shared_ptr<const grains::State> Simulation::held_grains() const {
-  return impl_->held_grains();
+  return live().held_grains();
 }
 store::ContactFrame Simulation::contact_frame() const {
-  const SceneModel& model = impl_->model();
+  const SceneModel& model = live().model();
   return {.velocities = model.velocities(),
           .spins = model.spins(),
           .forces = model.forces().value_or(std::vector<contact::Force>())};
 }
 std::uint64_t Simulation::hash() const {
-  return impl_->model().hash();
+  return live().model().hash();
 }
 std::vector<store::NamedMeasure> Simulation::measures(std::optional<scene::Measure> wanted) const {
-  return impl_->measures(wanted);
+  return live().measures(wanted);
 }
 image::Image Simulation::picture(const scene::Frames& frames) {
-  return impl_->picture(frames);
+  return live().picture(frames);
 }
 
 }  // namespace clca::run

@@ -24,10 +24,8 @@ bool is_expression(const Value& value) {
 
 /// Shortest text that reads as the number; whole numbers without an exponent.
 std::string number_text(double number) {
-  constexpr double kMaxExact = 9007199254740992;  // 2^53
-  return number == std::floor(number) && std::abs(number) <= kMaxExact
-             ? fmt::format("{}", static_cast<std::int64_t>(number))
-             : fmt::format("{}", number);
+  return number == std::floor(number) && std::abs(number) < 0x1p64 ? fmt::format("{:.0f}", number)
+                                                                   : fmt::format("{}", number);
 }
 
 bool is_letter(char letter) {

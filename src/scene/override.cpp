@@ -33,7 +33,7 @@ std::vector<std::string> split(std::string_view path, const TextLocation& locati
 
 /// True for the maps that hold one key out of several: a new key takes the place of the old one.
 bool is_choice(const std::vector<std::string>& parts, std::size_t depth) {
-  return depth == 3 && ((parts[0] == "stages" && parts[2] == "until") ||
+  return depth == 3 && ((parts[0] == "stages" && (parts[2] == "until" || parts[2] == "vessel")) ||
                         (parts[0] == "species" && parts[2] == "shape"));
 }
 

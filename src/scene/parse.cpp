@@ -120,15 +120,6 @@ Scene of_grains(AnyScene any) {
   return std::get<Scene>(std::move(any));
 }
 
-std::string text_of(const std::filesystem::path& file, const TextLocation& location) {
-  try {
-    const auto bytes = text::read_file(file, kMaxSceneBytes);
-    return {bytes.begin(), bytes.end()};
-  } catch (const text::ReadError& error) {
-    fail(location, fmt::format("cannot read the file: {}", error.what()));
-  }
-}
-
 }  // namespace
 
 AnyScene parse_any(std::string_view text, const std::string& file,
@@ -156,11 +147,20 @@ AnyScene parse_any(std::string_view text, const std::string& file,
   return read_scene(root, file);
 }
 
+std::string scene_text(const std::filesystem::path& file) {
+  try {
+    const auto bytes = text::read_file(file, kMaxSceneBytes);
+    return {bytes.begin(), bytes.end()};
+  } catch (const text::ReadError& error) {
+    const auto origin =
+        std::make_shared<const Origin>(Origin{text::printable(file.string()), true});
+    fail({origin, 1, 1}, fmt::format("cannot read the file: {}", error.what()));
+  }
+}
+
 AnyScene parse_any_file(const std::filesystem::path& file, const std::vector<Override>& overrides,
                         const std::vector<Override>& varied) {
-  const TextLocation start = {
-      std::make_shared<const Origin>(Origin{text::printable(file.string()), true}), 1, 1};
-  return parse_any(text_of(file, start), file.string(), overrides, varied);
+  return parse_any(scene_text(file), file.string(), overrides, varied);
 }
 
 Scene parse(std::string_view text, const std::string& file, const std::vector<Override>& overrides,

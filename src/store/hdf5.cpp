@@ -69,10 +69,12 @@ void describe(const Handle& dataset, std::string_view unit, std::string_view mea
 }
 
 Session::Session() : lock_(library()) {
-  static const herr_t kFirst = H5dont_atexit();  // may be called once
-  check(kFirst, "begin");
+  check(H5Eget_auto2(H5E_DEFAULT, &report_, &report_data_), "errors");
   check(H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr), "errors");
-  check(H5PLset_loading_state(0), "plugins");
+}
+
+Session::~Session() {
+  H5Eset_auto2(H5E_DEFAULT, report_, report_data_);
 }
 
 std::vector<std::uint8_t> image(const std::filesystem::path& path,

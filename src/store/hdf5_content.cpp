@@ -193,6 +193,7 @@ void for_each_named(const std::vector<Hdf5Dataset>& datasets, Call call) {
 void send_datasets(std::span<const std::uint8_t> file, const std::vector<Hdf5Dataset>& datasets,
                    double max_bytes, const process::Child::Send& send) {
   const Session session;
+  check(H5PLset_loading_state(0), "plugins");  // of the child process
   const Handle image = open_image(file);
   std::vector<std::optional<CheckedDataset>> all;
   all.reserve(datasets.size());

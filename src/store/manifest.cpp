@@ -296,6 +296,22 @@ bool ManifestFile::add_file(const std::string& name, const GiveName& give) const
   return false;
 }
 
+bool ManifestFile::replace_file(const std::string& name, const GiveName& give) const {
+  {
+    const Locked locked(*this);
+    if (read().files.contains(name)) {
+      return give(true);
+    }
+  }
+  return add_file(name, give);
+}
+
+void ManifestFile::remove_file(const std::string& name, const std::function<void()>& remove) const {
+  Locked locked(*this);
+  remove();
+  locked.append(line_of("removed", name), Sync::yes);
+}
+
 void ManifestFile::put(std::string_view text) const {
   ::unlinkat(folder_, kManifestNew, 0);  // of a process that was killed: all hold the lock
   const Descriptor file(::openat(
@@ -309,13 +325,15 @@ void ManifestFile::put(std::string_view text) const {
   }
 }
 
-void ManifestFile::replace(const Manifest& seen, Manifest left) const {
+void ManifestFile::replace(const Manifest& seen, Manifest left,
+                           const std::function<bool(const std::string& name)>& is_there) const {
   const Locked locked(*this);
   const Manifest now = read();
   std::string text(kHeader);
   const auto add = [&](std::string_view kind, std::set<std::string> Manifest::*names) {
-    std::set_difference((now.*names).begin(), (now.*names).end(), (seen.*names).begin(),
-                        (seen.*names).end(), std::inserter(left.*names, (left.*names).end()));
+    std::copy_if(
+        (now.*names).begin(), (now.*names).end(), std::inserter(left.*names, (left.*names).end()),
+        [&](const std::string& name) { return !(seen.*names).contains(name) || is_there(name); });
     for (const std::string& name : left.*names) {
       text += line_of(kind, name);
     }

@@ -40,6 +40,11 @@ class ManifestFile {
   /// entry is withdrawn, and the file replaced if it is listed all the same: another process did
   /// that. Returns whether the file has its name.
   bool add_file(const std::string& name, const GiveName& give) const;
+  /// Replaces a file that was listed; one that another process has taken off the list meanwhile is
+  /// added.
+  bool replace_file(const std::string& name, const GiveName& give) const;
+  /// Calls `remove` and takes the file off the list before other processes can list files.
+  void remove_file(const std::string& name, const std::function<void()>& remove) const;
   /// Adds an entry without syncing it: what a power failure loses is an empty folder or a temporary
   /// file that stays.
   void add_folder(const std::string& name) const { append("folder", {name}, Sync::no); }
@@ -48,8 +53,10 @@ class ManifestFile {
   void remove_files(const std::set<std::string>& names) const {
     append("removed", names, Sync::yes);
   }
-  /// Replaces the manifest by `left` and entries that other processes added since `seen` was read.
-  void replace(const Manifest& seen, Manifest left) const;
+  /// Replaces the manifest by `left` and entries that other processes added since `seen` was read,
+  /// or whose files and folders they made again.
+  void replace(const Manifest& seen, Manifest left,
+               const std::function<bool(const std::string& name)>& is_there) const;
   /// Removes a manifest that lists no file and no folder.
   void remove_if_empty() const;
 

@@ -55,8 +55,8 @@ class OutputFolder::State {
   void plan(const std::set<std::string>& names);
   /// Lists a file, unless it is listed, and gives it its name. Replaces only its own.
   bool list_and_name(const std::string& name, const GiveName& give);
-  /// Removes a file from the list.
-  void disown(const std::string& name);
+  /// Removes a file that is listed.
+  void remove(const std::string& name);
   /// The folder of the file `name`, made if needed. Throws StoreError.
   Descriptor make_parent(const std::string& name);
   /// Lists the mark of this process before it makes its first temporary file.
@@ -166,7 +166,7 @@ void OutputFolder::State::plan(const std::set<std::string>& names) {
 bool OutputFolder::State::list_and_name(const std::string& name, const GiveName& give) {
   const std::lock_guard lock(mutex_);
   if (manifest_.files.contains(name)) {
-    return give(true);
+    return manifest_file().replace_file(name, give);
   }
   const bool planned = planned_.contains(name);
   const bool named = planned ? give(false) : manifest_file().add_file(name, give);
@@ -180,10 +180,10 @@ bool OutputFolder::State::list_and_name(const std::string& name, const GiveName&
   return named;
 }
 
-void OutputFolder::State::disown(const std::string& name) {
+void OutputFolder::State::remove(const std::string& name) {
   const std::lock_guard lock(mutex_);
   if (manifest_.files.contains(name)) {
-    manifest_file().remove_files({name});
+    manifest_file().remove_file(name, [&] { tree_.remove(name); });
     manifest_.files.erase(name);
     planned_.erase(name);
   }
@@ -234,7 +234,9 @@ void OutputFolder::State::clear(const std::string& first, const std::string& kep
   const Manifest before = std::exchange(manifest_, left);
   if (before != left) {
     left.files.insert(planned_.begin(), planned_.end());
-    manifest_file().replace(before, left);
+    manifest_file().replace(before, left, [this](const std::string& name) {
+      return tree_.find(name) != Found::nothing;
+    });
     manifest_ = read_manifest();
   }
 }
@@ -434,10 +436,7 @@ void OutputFolder::rename(const std::string& from, const std::string& to) const 
 }
 
 void OutputFolder::remove(const std::string& name) const {
-  if (owns(name)) {
-    state_->tree().remove(prefix_ + name);
-    state_->disown(prefix_ + name);
-  }
+  state_->remove(prefix_ + name);
 }
 
 void OutputFolder::clear(const std::string& first, const std::string& kept) const {

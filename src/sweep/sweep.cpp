@@ -348,7 +348,7 @@ void serve(const Plan& plan, const Options& options) {
   prepare_drawing(plan);
   const Pictures pictures(plan, options);
   options.ranks->begin(command(plan, options));
-  while (const auto work = options.ranks->wait_for_work()) {
+  while (const auto work = options.ranks->wait_for_work(options.stop)) {
     const std::vector<std::size_t> runs = runs_of(*work);
     const std::size_t jobs = std::min(runs.size(), static_cast<std::size_t>(options.jobs));
     const auto execute_one = [&](std::size_t run, const std::atomic<int>& stop) {

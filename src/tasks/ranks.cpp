@@ -49,11 +49,25 @@ void Ranks::dismiss() {
   }
 }
 
-std::optional<Bytes> Ranks::wait_for_work() {
+bool Ranks::is_stop(const Message& message) {
+  if (message.number != kStopped) {
+    return false;
+  }
+  stopped_by_ = message.bytes.at(0);
+  return true;
+}
+
+void Ranks::tell_stop(const std::atomic<int>* signal) {
+  if (signal != nullptr && *signal != 0 && !std::exchange(has_told_stop_, true)) {
+    send(0, kStopped, {static_cast<std::uint8_t>(*signal)});
+  }
+}
+
+std::optional<Bytes> Ranks::wait_for_work(const std::atomic<int>* stop) {
   if (is_dismissed_) {
     return std::nullopt;
   }
-  Message message = wait();
+  Message message = wait(stop);
   is_dismissed_ = message.number == kEnd;
   return is_dismissed_ ? std::nullopt : std::optional(std::move(message.bytes));
 }
@@ -65,12 +79,13 @@ bool Ranks::is_dismissed() {
   return is_dismissed_;
 }
 
-Message Ranks::wait() {
+Message Ranks::wait(const std::atomic<int>* stop) {
   constexpr std::chrono::milliseconds kPause(2);
   while (true) {
     if (auto message = receive()) {
       return *std::move(message);
     }
+    tell_stop(stop);
     std::this_thread::sleep_for(kPause);
   }
 }

@@ -301,6 +301,14 @@ TEST_F(CliTest, AFolderThatCannotBeLockedIsAFailureOfRunAndResume) {
   }
 }
 
+TEST_F(CliTest, ResumingADoneRunPrintsWhatIsAskedFor) {
+  write("small.yaml", kScene);
+  const auto done = run({"run", "small.yaml", "-o", "out", "--json"});
+  EXPECT_EQ(run({"resume", "out", "--json"}).out, done.out);
+  EXPECT_EQ(run({"resume", "out", "--quiet"}).out, "");
+  EXPECT_THAT(run({"resume", "out"}).out, HasSubstr("there is nothing to resume\n"));
+}
+
 TEST_F(CliTest, ALostCheckpointOfTheEndIsCalledSo) {
   write("small.yaml", kScene);
   EXPECT_EQ(run({"run", "small.yaml", "-o", "first"}).code, 0);

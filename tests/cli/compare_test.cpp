@@ -75,6 +75,19 @@ TEST_F(CompareCommand, ARunAgainWithoutFieldsLeavesNoTableBehind) {
   EXPECT_EQ(run({"compare", "shaken", "gas"}).code, 2);
 }
 
+TEST_F(CompareCommand, ARunOfNoParticlesIsExitCodeTwo) {
+  const fs::path file = folder_.path() / "gas/run.json";
+  const auto all = testing::bytes_of(file);
+  std::string text(all.begin(), all.end());
+  const std::string key = "\"particles\": ";
+  const std::size_t at = text.find(key) + key.size();
+  text.replace(at, text.find(',', at) - at, "0");
+  store::write_whole(file, {text.begin(), text.end()});
+  const auto result = run({"compare", "shaken", "gas"});
+  EXPECT_EQ(result.code, 2);
+  EXPECT_THAT(result.err, HasSubstr("gas: there are no particles"));
+}
+
 TEST_F(CompareCommand, WrongInputIsExitCodeTwoWithOneLine) {
   for (const auto& arguments : std::vector<std::vector<std::string>>{
            {"compare", "shaken"},

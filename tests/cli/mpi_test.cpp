@@ -1,6 +1,7 @@
 // clca by mpirun, as a user meets it.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -131,6 +132,18 @@ TEST_F(MpiTest, ASweepOfSeveralRanksLeavesTheTablesOfOneProcess) {
   EXPECT_EQ(std::count(result.out.begin(), result.out.end(), '\n'), 2) << result.out;
   expect_same_tables("one", "ranks", {"runs.csv", "measures.csv", "sweep.json"});
   EXPECT_THAT(together({"-n", "2"}, by_ranks).out, StartsWith("12 runs: 12 done (12 from before)"));
+}
+
+TEST_F(MpiTest, ASignalToOneRankStopsAllWithItsExitCode) {
+  const std::vector<std::string> call = {
+      CLCA_PROGRAM, "boltzmann", "gas.yaml", "-o", "out", "--set", "boltzmann.until=100000",
+      "--set",      "output={}"};
+  const std::string stopped = fmt::format(
+      "{} & until [ -e out/run.json ]; do sleep 0.1; done; sleep 1; kill -TERM $!; wait $!",
+      fmt::join(call, " "));
+  const auto result = each({call, {"/bin/sh", "-c", stopped}});
+  EXPECT_EQ(result.code, 143) << result.err;
+  EXPECT_THAT(text("out/run.json"), HasSubstr("\"status\": \"interrupted\""));
 }
 
 TEST_F(MpiTest, AMistakeIsToldOnce) {

@@ -95,6 +95,15 @@ Lines completions_in(const std::string& shell, const std::string& script,
   return lines_of(result.out);
 }
 
+/// A folder `my folder` and, of it, what is begun on a command line, with quotes or a backslash.
+struct SpacedFolder {
+  SpacedFolder() { fs::create_directory(path); }
+  testing::ScratchFolder outside;
+  fs::path path = outside.path() / "my folder";
+  std::string before = outside.path().string() + "/my";
+  Lines begun = {before + "\\ fo", '"' + before + " fo", '\'' + before + " fo"};
+};
+
 TEST(Completion, WorksInBash) {
   if (!process::find_program("bash")) {
     CLCA_SKIP_AS_MISSING("no bash");
@@ -110,6 +119,12 @@ TEST(Completion, WorksInBash) {
   EXPECT_THAT(in_bash("run --set rules.in"), ElementsAre("rules.inertia="));
   EXPECT_THAT(in_bash("run --set model="), ElementsAre("automaton", "contact", "voids", "baxter"));
   EXPECT_THAT(in_bash("render "), IsSupersetOf({"_clca", "clca.fish"}));
+  EXPECT_THAT(in_bash("run 'some scene' --set \"model=c"), ElementsAre("model=contact"));
+  const SpacedFolder folder;
+  for (const std::string& begun : folder.begun) {
+    EXPECT_THAT(in_bash("plot " + begun), ElementsAre(folder.path)) << begun;
+    EXPECT_THAT(in_bash("run --output=" + begun), ElementsAre(folder.path)) << begun;
+  }
 }
 
 TEST(Completion, WorksInFish) {
@@ -127,6 +142,14 @@ TEST(Completion, WorksInFish) {
   EXPECT_THAT(in_fish("run --set model="), UnorderedElementsAre("model=automaton", "model=contact",
                                                                 "model=voids", "model=baxter"));
   EXPECT_THAT(in_fish("render "), IsSupersetOf({"_clca", "clca.fish"}));
+  EXPECT_THAT(in_fish("run 'some scene' --set \"model=c"), ElementsAre("model=contact"));
+  const SpacedFolder folder;
+  for (const std::string& begun : folder.begun) {
+    EXPECT_THAT(in_fish("plot " + begun), ElementsAre(folder.path.string() + '/')) << begun;
+    EXPECT_THAT(in_fish("run --output=" + begun),
+                ElementsAre("--output=" + folder.path.string() + '/'))
+        << begun;
+  }
 }
 
 TEST(Completion, WorksInZsh) {

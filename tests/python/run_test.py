@@ -36,7 +36,7 @@ class RunTest(ScratchTest):
         scene = clca.Scene(SCENE, seed=9, set={"rules.inertia": numpy.float64(0.5), "output.series": None})
         self.assertIn("seed: 9", scene.to_yaml())
         run = clca.run(scene, set={"rules.inertia": 0.75})
-        self.assertEqual((run.seed, str(run.folder)), (9, "renders/scene"))
+        self.assertEqual((run.seed, run.folder), (9, self.folder / "renders/scene"))
         self.assertIn("inertia: 0.75", (run.folder / "scene.yaml").read_text())
         with self.assertRaises(TypeError):
             clca.Scene(SCENE | {"seed": object()})

@@ -147,6 +147,27 @@ class SimulationTest(ScratchTest):
         with self.assertRaisesRegex(clca.Error, "flow is the last stage"):
             simulation.next_stage()
 
+    def test_one_that_has_failed_says_so_again(self):
+        # 208 of the 280 grains have room.
+        for model in ("automaton", "contact"):
+            fill = {"region": [0, 0, 40, 60]}
+            stages = [{"name": "pack", "fill": fill | {"counts": {"a": 60}}, "until": {"steps": 5}},
+                      {"name": "two", "fill": fill | {"counts": {"a": 280}}, "until": {"steps": 20}}]
+            scene = {"clca": 1, "model": model, "box": {"width": 40, "height": 60}, "species": {"a": {"shape": {"hexagon": 1}}},
+                     "stages": stages, "output": {"frames": None}}
+            for begin in (lambda simulation: simulation.step(30), lambda simulation: simulation.next_stage()):
+                simulation = clca.Simulation(scene)
+                before = simulation.particles
+                with self.assertRaisesRegex(clca.Error, "fill of stage two does not fit"):
+                    begin(simulation)
+                self.assertIn("that has failed", repr(simulation))
+                for call in (lambda: simulation.step(1), lambda: simulation.step(30), lambda: simulation.next_stage(),
+                             lambda: simulation.particles, lambda: simulation.frame, lambda: simulation.measures,
+                             lambda: simulation.state_hash, lambda: simulation.stage, lambda: simulation.picture()):
+                    with self.assertRaisesRegex(clca.Error, "fill of stage two does not fit"):
+                        call()
+                self.assertGreaterEqual(len(before), 60)
+
     def test_pictures_are_those_of_a_run(self):
         frames = {"every": 10, "width": 200, "color_by": "stage_layer"}
         run = clca.run(SCENE, set={"output.frames": frames}, output="run")

@@ -54,8 +54,8 @@ struct StepReport {
   bool settled = false;
 };
 
-/// Runs a State. After an exception other than std::invalid_argument or std::out_of_range the state
-/// is incomplete, and every further change throws std::logic_error.
+/// Runs a State. After std::invalid_argument and std::out_of_range it is as before; after any other
+/// exception the state is incomplete, and every further change throws std::logic_error.
 class Model {
  public:
   Model(const Model&) = delete;
@@ -79,14 +79,15 @@ class Model {
   /// Visscher & Bolsterli 1972). Throws as fill, and if the automaton has a gravity that does not
   /// point down.
   FillResult deposit(const lattice::Rectangle& region, std::span<const std::size_t> counts);
-  /// Fills `region` with a mixture; see Mixture. Throws as deposit() where it is deposited.
+  /// Fills `region` with a mixture. Throws as deposit() where it is deposited, and
+  /// std::invalid_argument if the mixture is not as described there.
   FillResult fill(const lattice::Rectangle& region, const Mixture& mixture);
   // Walls and sources by index; of one that is not there these throw std::out_of_range.
 
   /// Removes a wall; no effect if it is already removed.
   void remove_wall(std::size_t wall);
-  /// Inserts a wall. Returns false and changes nothing if a particle is in its way, or another wall
-  /// while one of the two is a moving wall.
+  /// Inserts a wall; no effect if it is there. Returns false and changes nothing if a particle is
+  /// in its way, or another wall while one of the two is a moving wall.
   bool insert_wall(std::size_t wall);
   /// Starts or stops the motion of a wall. Throws std::invalid_argument if it has none.
   void set_motion(std::size_t wall, bool active);
@@ -102,6 +103,8 @@ class Model {
   Model& operator=(Model&&) noexcept;
 
   Mechanics& mechanics() const { return *mechanics_; }
+  /// Throws std::logic_error after a change that failed halfway.
+  void check_whole() const;
 
  private:
   template <class Change>

@@ -71,7 +71,7 @@ class Program {
   bool feed(std::span<const std::uint8_t> bytes);
   /// Closes its standard input and waits for its end. Returns the exit code, or 128 plus the
   /// signal.
-  /// Throws StoppedError.
+  /// Throws StoppedError, and ProcessError where the system does not tell how it has ended.
   int wait();
 
  private:

@@ -15,7 +15,8 @@
 
 namespace clca::run {
 
-/// Stages follow each other as in a run, with the same bits.
+/// Stages follow each other as in a run, with the same bits. After step() or next_stage() has
+/// failed, all but scene() throws the same exception.
 class Simulation {
  public:
   /// Begins the first stage. Throws as run().
@@ -55,6 +56,9 @@ class Simulation {
 
  private:
   class Impl;
+  /// Throws what has failed before.
+  Impl& live() const;
+
   std::unique_ptr<Impl> impl_;
 };
 

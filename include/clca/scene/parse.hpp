@@ -41,6 +41,9 @@ AnyScene parse_any(std::string_view text, const std::string& file,
                    const std::vector<Override>& overrides = {},
                    const std::vector<Override>& varied = {});
 
+/// The text of a scene. Throws SceneError if the file cannot be read.
+std::string scene_text(const std::filesystem::path& file);
+
 /// Reads and parses a file. Throws SceneError, also if it cannot be read.
 AnyScene parse_any_file(const std::filesystem::path& file,
                         const std::vector<Override>& overrides = {},

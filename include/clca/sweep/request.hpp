@@ -25,7 +25,7 @@ struct Request {
   std::vector<scene::Override> overrides;  ///< for all runs
   std::vector<Variation> variations;
   std::vector<std::uint64_t> seeds;      ///< ascending
-  std::optional<std::string> text = {};  ///< of a scene without a file, which `scene` only names
+  std::optional<std::string> text = {};  ///< in place of that of the file
 };
 
 /// Seeds from `1..16`, `3` or `1,4,9..12`, ascending. Throws scene::SceneError that names

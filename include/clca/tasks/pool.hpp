@@ -83,6 +83,9 @@ class Pool {
     const Clock::time_point end = Clock::now() + most;
     std::vector<Finished> finished;
     do {
+      if (ranks_.rank() > 0) {
+        ranks_.tell_stop(stop_asked_);
+      }
       if ((stop_asked_ != nullptr && *stop_asked_ != 0) || ranks_.is_dismissed()) {
         stop();
       }
@@ -93,7 +96,9 @@ class Pool {
       const auto left = std::chrono::duration_cast<std::chrono::microseconds>(end - Clock::now());
       threads_.wait(ranks_.size() == 1 ? left : std::min(left, kUntilMessages));
       finished = take_ended();
-      take_messages(finished);
+      if (ranks_.rank() == 0) {
+        take_messages(finished);
+      }
     } while (finished.empty() && Clock::now() < end && !this->finished());
     return finished;
   }
@@ -151,16 +156,11 @@ class Pool {
   }
 
   void take_messages(std::vector<Finished>& finished) {
-    while (others_at_work_ > 0) {
-      const auto message = ranks_.receive();
-      if (!message) {
-        return;
-      }
-      if (message->number == Ranks::kEnd) {
+    while (const auto message = ranks_.receive()) {
+      if (ranks_.is_stop(*message)) {
+        stop();
+      } else if (message->number == Ranks::kEnd) {
         --others_at_work_;
-        if (!message->bytes.empty()) {
-          stop();
-        }
       } else {
         ++carried_out_[static_cast<std::size_t>(message->from)];
         finished.push_back({message->number, work_.result(message->number, message->bytes)});
@@ -185,7 +185,7 @@ class Pool {
 };
 
 /// What a rank that is not rank 0 does with its pool: sends the results to rank 0. If it is stopped
-/// all are, by a byte in its last message.
+/// all are.
 inline void serve(Pool<Bytes>& pool, Ranks& ranks) {
   constexpr std::chrono::milliseconds kPause(100);
   while (!pool.finished()) {
@@ -193,7 +193,7 @@ inline void serve(Pool<Bytes>& pool, Ranks& ranks) {
       ranks.send(0, task, result);
     }
   }
-  ranks.send(0, Ranks::kEnd, Bytes(pool.is_stopped() ? 1 : 0));
+  ranks.send(0, Ranks::kEnd, {});
 }
 
 }  // namespace clca::tasks

@@ -1,6 +1,7 @@
 #pragma once
 // The processes that carry out one command together, as mpirun starts them.
 
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -28,11 +29,12 @@ class StartError : public std::runtime_error {
 ///
 /// All ranks call begin(). Rank 0 then sends work to each, as often as there is any, and at last
 /// dismisses them. Of their work they send the results, each under the number of its task, and at
-/// last kEnd.
+/// last kEnd. One that is stopped says so at once, by kStopped.
 class Ranks {
  public:
   /// Number of the last message: of rank 0, and of others about one work.
   static constexpr std::uint64_t kEnd = UINT64_MAX;
+  static constexpr std::uint64_t kStopped = kEnd - 1;
 
   virtual ~Ranks() = default;
 
@@ -64,18 +66,26 @@ class Ranks {
   void hand_out(const std::function<Bytes(int rank)>& work);
   /// For rank 0: there is no more to do, and what others do is to be stopped. Once is enough.
   void dismiss();
-  /// For the others: waits for the next work; none after dismiss().
-  std::optional<Bytes> wait_for_work();
+  /// For rank 0: whether this is not about a task but says that another rank is stopped.
+  bool is_stop(const Message& message);
+  /// For rank 0: the signal that has stopped another rank; 0: none has.
+  int stopped_by() const { return stopped_by_; }
+  /// For the others: tells rank 0, once, that a signal has stopped this one; null and 0: none has.
+  void tell_stop(const std::atomic<int>* signal);
+  /// For the others: waits for the next work; none after dismiss(). Tells of `stop` meanwhile.
+  std::optional<Bytes> wait_for_work(const std::atomic<int>* stop = nullptr);
   /// Whether rank 0 has dismissed the others. They may ask while they work.
   bool is_dismissed();
 
  private:
-  Message wait();
+  Message wait(const std::atomic<int>* stop = nullptr);
   void send_to_others(std::uint64_t number, const std::string& text);
 
   bool has_begun_ = false;
   bool is_at_work_ = false;
   bool is_dismissed_ = false;
+  int stopped_by_ = 0;
+  bool has_told_stop_ = false;
 };
 
 /// A process that carries out a command alone.

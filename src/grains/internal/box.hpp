@@ -58,8 +58,11 @@ bool run_sources(Box& box);
 /// Removes a wall. Its sites go to other walls that cover them.
 void remove_wall(Box& box, std::size_t number);
 
-/// Inserts a wall. Returns false and changes nothing if a particle is in its way, or another wall
-/// while one of the two is a moving wall.
-bool insert_wall(Box& box, std::size_t number);
+/// Whether no particle is in the way of a wall that is not there, nor another wall while one of the
+/// two is a moving wall.
+bool can_insert_wall(const Box& box, std::size_t number);
+
+/// Inserts a wall that is not there and can be inserted.
+void insert_wall(Box& box, std::size_t number);
 
 }  // namespace clca::grains

@@ -22,3 +22,7 @@ class Error(Exception):
         if location:
             self.file, self.message = location[1], location[4]
             self.line, self.column = int(location[2]), int(location[3])
+
+
+class ArgumentError(Error, ValueError):
+    """An argument is wrong."""

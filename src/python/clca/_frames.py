@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from functools import cached_property
-from typing import NamedTuple, overload
+from typing import Any, NamedTuple, overload
 
 import numpy
 from numpy.typing import NDArray
@@ -21,6 +21,11 @@ class Kind(NamedTuple):
     outline: NDArray[numpy.float64]  #: corners x 2: from the centre of mass, anticlockwise, spacings
 
 
+def read_only(array: NDArray[Any]) -> NDArray[Any]:
+    array.flags.writeable = False
+    return array
+
+
 class Look:
     """What all frames of a run share."""
 
@@ -29,8 +34,8 @@ class Look:
         self.walls: dict[str, NDArray[numpy.float64]] = dict(source._walls())
         self.units: dict[str, tuple[str, float]] = source._units()
         self.bodies = source._body_names()
-        self.species = numpy.array([kind.species for kind in self.kinds])
-        self.degrees = numpy.array([kind.degrees for kind in self.kinds])
+        self.species = read_only(numpy.array([kind.species for kind in self.kinds]))
+        self.degrees = read_only(numpy.array([kind.degrees for kind in self.kinds]))
 
 
 class Frame:
@@ -100,18 +105,18 @@ class Frame:
     @property
     def species(self) -> NDArray[numpy.str_]:
         """N: names."""
-        return self._look.species[self.kinds]
+        return read_only(self._look.species[self.kinds])
 
     @property
     def orientation(self) -> NDArray[numpy.int_]:
         """N: degrees clockwise, multiples of 60."""
-        return self._look.degrees[self.kinds]
+        return read_only(self._look.degrees[self.kinds])
 
     @property
     def outlines(self) -> list[NDArray[numpy.float64]]:
         """Of each particle corners x 2, anticlockwise."""
         outlines = [kind.outline for kind in self._look.kinds]
-        return [outlines[kind] + position for kind, position in zip(self.kinds, self.positions)]
+        return [read_only(outlines[kind] + position) for kind, position in zip(self.kinds, self.positions)]
 
     @property
     def walls(self) -> dict[str, tuple[float, float]]:
@@ -133,7 +138,8 @@ class Frame:
         """C: what `other` of `contacts` is: the name of a wall, `box.floor`, `box.top`, `box.left` or `box.right`; empty for
         a particle.
         """
-        return numpy.array([self._look.bodies.get(other, "") for other in self.contacts["other"].tolist()], dtype=str)
+        names = [self._look.bodies.get(other, "") for other in self.contacts["other"].tolist()]
+        return read_only(numpy.array(names, dtype=str))
 
 
 class Frames(Sequence[Frame]):
@@ -144,7 +150,7 @@ class Frames(Sequence[Frame]):
         self._list = trajectory.frames()
         self._look = Look(trajectory)
         #: F: of each frame
-        self.steps = numpy.array([step for step, _, _ in self._list], dtype=numpy.uint64)
+        self.steps = read_only(numpy.array([step for step, _, _ in self._list], dtype=numpy.uint64))
 
     def __len__(self) -> int:
         return len(self._list)

@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+from . import _arguments as arguments
 from . import _clca
+from ._error import Error
 from ._scene import AnyScene, Scene
 
 
@@ -23,7 +25,10 @@ class Gas(_clca.Gas):
         set: Mapping[str, Any] | None = None,
         threads: int | None = None,
     ) -> None:
-        super().__init__(Scene.of(scene, seed, set), threads)
+        super().__init__(Scene.of(scene, seed, set), arguments.threads(threads))
 
     def __repr__(self) -> str:
-        return f"<gas at time {self.time:g}>"
+        try:
+            return f"<gas at time {self.time:g}>"
+        except Error as error:
+            return f"<gas that has failed: {error}>"

@@ -9,6 +9,7 @@ from typing import Any
 import numpy
 
 from . import _clca
+from ._arguments import path
 from ._scene import to_yaml
 
 
@@ -21,7 +22,7 @@ class Picture(numpy.ndarray[Any, numpy.dtype[numpy.uint8]]):
 
     def save(self, file: str | os.PathLike[str]) -> None:
         """Writes a PNG."""
-        Path(file).write_bytes(_clca.png(self))
+        Path(path(file)).write_bytes(_clca.png(self))
 
 
 def overrides(frames: dict[str, Any]) -> list[str]:

@@ -5,14 +5,15 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping
 from functools import cached_property
-from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy
 from numpy.typing import NDArray
 
+from . import _arguments as arguments
 from . import _clca
-from ._error import Error
+from ._arguments import MOST, absolute, path, whole
+from ._error import ArgumentError, Error
 from ._frames import Frames, Kind
 from ._picture import Picture, overrides
 from ._scene import AnyScene, Scene, to_yaml
@@ -29,7 +30,10 @@ class Stage(NamedTuple):
 
 
 class Run:
-    """A run folder. Tables and frames are read when they are asked for."""
+    """A run folder. Tables and frames are read when they are asked for.
+
+    `folder` is absolute, so that it stays the same one.
+    """
 
     kind: str  #: automaton, contact, voids, baxter or boltzmann
     scene: str  #: its name
@@ -42,7 +46,7 @@ class Run:
     state_hash: int  #: of the last state: equal for equal bits
 
     def __init__(self, folder: str | os.PathLike[str]) -> None:
-        self.folder = Path(folder)
+        self.folder = absolute(folder)
         summary = _clca.summary(self.folder)
         self.stages = {
             name: Stage(
@@ -65,6 +69,8 @@ class Run:
     @property
     def tables(self) -> list[str]:
         """Names for `table`."""
+        if not self.folder.is_dir():
+            raise Error(f"cannot read {self.folder}: the folder is not there")
         return sorted(file.stem for file in self.folder.glob("*.csv"))
 
     def table(self, name: str) -> Table:
@@ -103,7 +109,7 @@ class Run:
         """The box at a step of the trajectory. `frames` are keys of `output.frames` in place of the scene's, such as
         `color_by="stage_layer"`, `width=400`. Throws Error.
         """
-        return _clca.picture(self.folder, step, overrides(frames)).view(Picture)
+        return _clca.picture(self.folder, whole("step", step, 0, MOST), overrides(frames)).view(Picture)
 
     def movie(self, file: str | os.PathLike[str], fps: int = 25, duration: float | None = None, **frames: Any) -> None:
         """Writes the pictures of the run, drawn from its trajectory, to FILE.mp4, .webm, .webp, .gif or .png
@@ -111,8 +117,13 @@ class Run:
         frames of the trajectory evenly chosen, at most `fps` per second. Throws Error.
         """
         if duration is not None:
+            if not 0.1 <= duration <= 86_400:
+                raise ArgumentError(f"duration: expected 0.1 to 86400 seconds, found {duration:g}")
             frames = {"every": 1, **frames}
-        _clca.movie(self.folder, Path(file), fps, duration, overrides(frames))
+        _clca.movie(self.folder, path(file), whole("fps", fps, 1, 240), duration, overrides(frames))
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {name: value for name, value in self.__dict__.items() if name != "frames"}  # of an open trajectory
 
 
 def open(folder: str | os.PathLike[str]) -> Run:
@@ -138,10 +149,13 @@ def run(
     Ctrl-C ends the run as on the command line: with complete files and a checkpoint, for `resume`; then it raises
     KeyboardInterrupt. Throws Error. Warnings of the run are Python's.
     """
-    return Run(_clca.run(Scene.of(scene, seed, set), output, threads, keep, overwrite))
+    if keep and overwrite:
+        raise ArgumentError("keep excludes overwrite")
+    folder = None if output is None else path(output)
+    return Run(_clca.run(Scene.of(scene, seed, set), folder, arguments.threads(threads), keep, overwrite))
 
 
 def resume(folder: str | os.PathLike[str], until: Any = None, threads: int | None = None) -> Run:
     """Goes on with a run that was stopped, or prolongs one to `until`, as in a scene. As `clca resume`."""
-    _clca.resume(folder, None if until is None else to_yaml(until), threads)
+    _clca.resume(path(folder), None if until is None else to_yaml(until), arguments.threads(threads))
     return Run(folder)

@@ -11,6 +11,7 @@ from typing import Any
 import numpy
 
 from . import _clca
+from ._arguments import path
 
 
 def plain(value: Any) -> Any:
@@ -34,10 +35,17 @@ def to_yaml(value: Any, indent: int | None = None) -> str:
     return json.dumps(value, ensure_ascii=False, indent=indent)
 
 
+def overrides(seed: int | None, set: Mapping[str, Any] | None) -> dict[str, str]:
+    """Keys and their values in the syntax of a scene."""
+    keys = dict(set or {}) | ({} if seed is None else {"seed": seed})
+    return {key: to_yaml(value) for key, value in keys.items()}
+
+
 class Scene(_clca.Scene):
     """A scene with everything checked, as by `clca check`.
 
-    `source` is a file, the name of a scene that comes with clca, or a dictionary as a scene file has it. `set` replaces
+    `source` is a file, the name of a scene that comes with clca, or a dictionary as a scene file has it; what is changed
+    there afterwards is for the next scene, but pictures and runs that the scene names are read when it is used. `set` replaces
     keys, as `--set`: `{"rules.inertia": 0.5, "stages.flow.max_steps": 500}`. Messages about a dictionary give its lines as
     `json.dumps(source, indent=1)` has them. Throws Error.
     """
@@ -49,27 +57,38 @@ class Scene(_clca.Scene):
         set: Mapping[str, Any] | None = None,
         name: str = "scene",
     ) -> None:
-        self.source = source
-        self.set = dict(set or {}) | ({} if seed is None else {"seed": seed})
-        self._name = name
-        super().__init__(*self.parts(), self.overrides())
+        if isinstance(source, Mapping):
+            file, text = path(name), to_yaml(source, indent=1).encode(errors="surrogatepass")
+        else:
+            file, text = path(source), None
+        self._load(os.fsencode(file), text, overrides(seed, set))
 
-    def parts(self) -> tuple[str, str | None]:
-        """File or name, and the text of a scene without a file."""
-        if isinstance(self.source, Mapping):
-            return self._name, to_yaml(self.source, indent=1)
-        return os.fspath(self.source), None
+    def _load(self, file: bytes, text: bytes | None, overrides: dict[str, str]) -> None:
+        self._overrides = overrides
+        super().__init__(file, text, self._as_options())
 
-    def overrides(self) -> list[str]:
+    def _as_options(self) -> list[bytes]:
         """As for `--set`."""
-        return [f"{key}={to_yaml(value)}" for key, value in self.set.items()]
+        return [f"{key}={value}".encode(errors="surrogatepass") for key, value in self._overrides.items()]
+
+    @classmethod
+    def _again(cls, file: bytes, text: bytes, overrides: dict[str, str]) -> Scene:
+        """From what another one was made of."""
+        scene = cls.__new__(cls)
+        scene._load(file, text, overrides)
+        return scene
 
     @classmethod
     def of(cls, scene: AnyScene, seed: int | None = None, set: Mapping[str, Any] | None = None) -> Scene:
         """`scene`, if it is one, with more keys replaced; else the scene from that source."""
         if not isinstance(scene, Scene):
             return cls(scene, seed, set)
-        return scene if seed is None and not set else cls(scene.source, seed, scene.set | dict(set or {}), scene._name)
+        if seed is None and not set:
+            return scene
+        return cls._again(*scene._origin, scene._overrides | overrides(seed, set))
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Scene._again, (*self._origin, self._overrides)
 
     def __repr__(self) -> str:
         return f"<scene {self.name}>"

@@ -10,6 +10,8 @@ import numpy
 from numpy.typing import NDArray
 
 from . import _clca
+from ._arguments import MOST, whole
+from ._error import Error
 from ._frames import Frame, Kind, Look
 from ._picture import Picture, overrides
 from ._scene import AnyScene, Scene
@@ -19,7 +21,8 @@ from ._table import Table, Value
 class Simulation(_clca.Simulation):
     """A scene of grains, of which you take the steps: with the bits of a run, without its files.
 
-    `scene`, `seed` and `set` are as for `Scene`. Throws Error.
+    `scene`, `seed` and `set` are as for `Scene`. Throws Error. After `step` or `next_stage` has failed, later calls throw
+    the same.
     """
 
     def __init__(
@@ -29,10 +32,19 @@ class Simulation(_clca.Simulation):
         set: Mapping[str, Any] | None = None,
         threads: int = 1,
     ) -> None:
-        super().__init__(Scene.of(scene, seed, set), threads)
+        super().__init__(Scene.of(scene, seed, set), whole("threads", threads, 1, 1024))
 
     def __repr__(self) -> str:
-        return f"<simulation at step {self.steps}, stage {self.stage}>"
+        try:
+            return f"<simulation at step {self.steps}, stage {self.stage}>"
+        except Error as error:
+            return f"<simulation that has failed: {error}>"
+
+    def step(self, steps: int = 1) -> int:
+        """Takes so many steps, and begins stages where others have ended. Returns how many were taken: fewer if the last
+        stage has ended.
+        """
+        return self._step(steps) if type(steps) is int and 0 <= steps <= MOST else self._step(whole("steps", steps, 0, MOST))
 
     @cached_property
     def _look(self) -> Look:

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from . import _clca
+from ._arguments import MOST, at_most_runs, path, whole
 from ._run import Run
 from ._scene import AnyScene, Scene, to_yaml
 from ._table import TEXT, Table
@@ -18,9 +19,9 @@ class Sweep:
     """The runs of a sweep and tables over them."""
 
     def __init__(self, folder: Path, keys: list[str], runs: list[tuple[list[str], int, Path]]) -> None:
-        self.folder = folder
+        self.folder = folder.absolute()
         self.keys = keys  #: that vary
-        self._runs = runs
+        self._runs = [(values, seed, run.absolute()) for values, seed, run in runs]
 
     def __repr__(self) -> str:
         return f"<sweep {self.folder}: {len(self._runs)} runs>"
@@ -85,9 +86,11 @@ def sweep(
     varied = []
     for keys, values in (vary or {}).items():
         if isinstance(keys, str):
-            varied.append(([keys], [[to_yaml(value)] for value in values]))
+            varied.append(([keys], [[to_yaml(value)] for value in at_most_runs(keys, values)]))
         else:
-            varied.append((list(keys), [[to_yaml(value) for value in row] for row in values]))
-    source, text = scene.parts()
-    numbers = [int(seed) for seed in seeds]
-    return Sweep(*_clca.sweep(source, text, scene.overrides(), varied, numbers, output, jobs))
+            rows = at_most_runs(",".join(keys), values)
+            varied.append((list(keys), [[to_yaml(value) for value in row] for row in rows]))
+    numbers = [whole("seeds", seed, 0, MOST) for seed in at_most_runs("seeds", seeds)]
+    folder = None if output is None else path(output)
+    at_a_time = None if jobs is None else whole("jobs", jobs, 1, 1024)
+    return Sweep(*_clca.sweep(*scene._origin, scene._as_options(), varied, numbers, folder, at_a_time))

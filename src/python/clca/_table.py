@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from typing import Any, TypeVar
 
 import numpy
+from numpy.typing import NDArray
 
 T = TypeVar("T")
 
@@ -43,6 +44,15 @@ class Named(dict[str, T]):
         raise KeyError(f"no {self._what} {name!r}; there are {', '.join(self) or 'none'}")
 
 
+def as_array(cells: Any) -> NDArray[Any]:
+    """A column. Texts are of one length, but where a few long ones would take many times the memory of all."""
+    if isinstance(cells, list):
+        longest = max(map(len, cells), default=0)
+        if longest * len(cells) > 8 * sum(map(len, cells)) + 2**20:
+            return numpy.array(cells, dtype=object)
+    return numpy.asarray(cells)
+
+
 class Table(numpy.ndarray[Any, numpy.dtype[Any]]):
     """A structured array: a row for each line, a field for each column.
 
@@ -53,16 +63,25 @@ class Table(numpy.ndarray[Any, numpy.dtype[Any]]):
     descriptions: dict[str, str]
 
     def __new__(cls, columns: list[tuple[str, Any, tuple[str, str, str]]]) -> Table:
-        arrays = [numpy.asarray(cells) for _, cells, _ in columns]
+        arrays = [as_array(cells) for _, cells, _ in columns]
         names = [name for name, _, _ in columns]
         table = numpy.empty(len(arrays[0]), [(n, a.dtype) for n, a in zip(names, arrays)]).view(cls)
         for name, array in zip(names, arrays):
             table[name] = array
+        table.flags.writeable = False
         table.units = {key: unit for key, _, (_, unit, _) in columns}
         table.descriptions = {
             key: ": ".join(filter(None, (name, meaning))) for key, _, (name, _, meaning) in columns
         }
         return table
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        make, arguments, state = super().__reduce__()  # type: ignore[misc]
+        return make, arguments, (state, self.units, self.descriptions)
+
+    def __setstate__(self, state: Any) -> None:
+        array, self.units, self.descriptions = state
+        super().__setstate__(array)
 
     def __array_finalize__(self, other: Any) -> None:
         self.units = getattr(other, "units", {})

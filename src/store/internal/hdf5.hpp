@@ -61,14 +61,19 @@ class Handle {
 /// Adds the attributes `units` and `description` to a dataset, as UTF-8. No unit is written as "1".
 void describe(const Handle& dataset, std::string_view unit, std::string_view meaning);
 
-/// The library, for one thread at a time: no error output, no plugin code. Make one before a child
-/// process that makes one.
+/// The library, for one thread at a time, without error output. Others may use it in this process,
+/// too, so it stays as it was found. Make one before a child process that makes one.
 class Session {
  public:
   Session();
+  ~Session();
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
 
  private:
   std::lock_guard<std::mutex> lock_;
+  H5E_auto2_t report_ = nullptr;  // of errors, by others
+  void* report_data_ = nullptr;
 };
 
 /// The bytes of an HDF5 file that `fill` creates. Throws StoreError: `cannot write PATH: REASON`.

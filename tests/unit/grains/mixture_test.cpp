@@ -81,10 +81,12 @@ TEST(Mixture, LiesInThePartsOfItsPicture) {
 }
 
 TEST(Mixture, NeedsWeightsForEachSpeciesAndAPictureForSeveralParts) {
-  for (const Mixture& wrong : {Mixture{}, Mixture{.parts = {{1}}}, Mixture{.parts = {{0, 0}}},
-                               Mixture{.parts = {{1, 0}, {0, 1}}}}) {
+  for (const Mixture& wrong :
+       {Mixture{}, Mixture{.parts = {{1}}}, Mixture{.parts = {{0, 0}}},
+        Mixture{.parts = {{1, 0}, {0, 1}}}, Mixture{.parts = {{1, 1}}, .rows = {"A", ""}}}) {
     Automaton fresh(box(20, 20));
     EXPECT_THROW(fresh.fill(kAll, wrong), std::invalid_argument);
+    EXPECT_NO_THROW(fresh.fill(kAll, Mixture{.parts = {{1, 1}}})) << "after what was refused";
   }
 }
 

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 #include <omp.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <stdexcept>
 
@@ -20,6 +22,23 @@ TEST(StartTeam, GivesAsManyThreadsAsAreWantedWhereTheyCanBeHad) {
     ++there;
   }
   EXPECT_EQ(there, 3);
+}
+
+TEST(StartTeam, GivesOneThreadInAChildProcess) {
+  start_team(3);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    ::alarm(60);  // in place of waiting for ever
+    int there = 0;
+#pragma omp parallel num_threads(3) reduction(+ : there)
+    there += 1;
+    ::_exit(10 * start_team(3) + there);
+  }
+  int status = 0;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  EXPECT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 11);
+  EXPECT_EQ(start_team(3), 3) << "here as before";
 }
 
 TEST(StartableThreads, AreAsManyAsAreWantedWhereTheyCanBeHad) {

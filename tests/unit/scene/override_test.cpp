@@ -8,6 +8,7 @@
 #include "bad_scenes.hpp"
 #include "clca/scene/format.hpp"
 #include "clca/scene/parse.hpp"
+#include "clca/scene/resolve.hpp"
 #include "scene/sections.hpp"
 
 namespace clca::scene::override_test {
@@ -18,6 +19,10 @@ constexpr std::string_view kTwoStages =
     "stages:\n"
     "  - {name: first, sources: [spout], until: {steps: 9}}\n"
     "  - {name: flow, remove: [right], until: settled}\n";
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
 
 Scene overridden(const std::vector<Override>& overrides) {
   return parse(testing::scene_with(kTwoStages), "scene.yaml", overrides);
@@ -101,6 +106,19 @@ TEST(Override, PutsAnEndInPlaceOfAnother) {
   EXPECT_EQ(overridden({"stages.flow.until.steps=50"}).stages[1].until, Until(UntilSteps{50}));
   EXPECT_EQ(overridden({"stages.first.until.discharged=1"}).stages[0].until,
             Until(UntilDischarged{1}));
+}
+
+TEST(Override, PutsAMotionOfTheVesselInPlaceOfAnother) {
+  const Scene scene = parse(R"(clca: 1
+model: contact
+box: {width: 20, height: 20}
+species: {a: {shape: {hexagon: 1}}}
+stages:
+  - {name: s, fill: {region: [0, 0, 20, 20], counts: {a: 3}}, vessel: {tilt: 5}, until: {steps: 9}}
+output: {}
+)",
+                            "scene", {"stages.s.vessel.rotate.rate=0.001"});
+  EXPECT_THAT(to_yaml(scene), AllOf(HasSubstr("rotate:"), Not(HasSubstr("tilt:"))));
 }
 
 TEST(Override, PutsAShapeInPlaceOfAnother) {

@@ -256,6 +256,38 @@ TEST_F(OutputFolderTest, WhatAnotherProcessListsWhileTheFolderIsClearedStaysList
   EXPECT_THAT(folder().files(), ElementsAre("a.txt", "c.txt"));
 }
 
+TEST_F(OutputFolderTest, AFileThatAnotherProcessRemovedMeanwhileIsListedAgainWhenItIsReplaced) {
+  folder().write("plots/figure.png", "one");
+  const OutputFolder plot = folder();
+  AtomicFile figure = plot.create("plots/figure.png");
+  folder().clear("", "");
+  figure.write(std::string_view("two"));
+  figure.finish();
+  EXPECT_EQ(text("out/plots/figure.png"), "two");
+  EXPECT_TRUE(folder().owns("plots/figure.png"));
+  EXPECT_NO_THROW(folder().write("plots/figure.png", "three"));
+  folder().clear("", "");
+  EXPECT_THAT(names("out"), ElementsAre());
+}
+
+TEST_F(OutputFolderTest, AFileThatAnotherProcessMadeAgainWhileTheFolderIsClearedStaysListed) {
+  folder().write("figure.png", "one");
+  const OutputFolder run = folder();
+  run.write("first", "");
+  // Between the removal of the files and that of their names.
+  const int held = ::open(path("out/.clca.manifest").c_str(), O_RDONLY);
+  ASSERT_EQ(::flock(held, LOCK_EX), 0);
+  std::thread clearing([&] { run.clear("first", ""); });
+  while (fs::exists(path("out/figure.png"))) {
+    std::this_thread::yield();
+  }
+  put("out/figure.png", "two");  // as one that has listed it does
+  ::close(held);
+  clearing.join();
+  EXPECT_TRUE(folder().owns("figure.png"));
+  EXPECT_FALSE(folder().owns("first"));
+}
+
 TEST_F(OutputFolderTest, AManifestThatIsGoneIsNotBegunAnew) {
   const OutputFolder out = folder();
   out.write("a.txt", "x");

@@ -56,7 +56,7 @@ class PoolTest : public ::testing::Test {
                   const std::atomic<int>* stop = nullptr) {
     others_.emplace_back([this, number, threads, own, carry_out, stop] {
       const auto ranks = all_.seen_from(number);
-      while (ranks->wait_for_work()) {
+      while (ranks->wait_for_work(stop)) {
         Pool<Bytes> pool(threads, *ranks, all_tasks(), {.carry_out = carry_out}, stop);
         for (const std::size_t task : own) {
           pool.add(task);
@@ -78,6 +78,7 @@ class PoolTest : public ::testing::Test {
     }
     shares_ = pool.carried_out();
     all_stopped_ = pool.is_stopped();
+    stopped_by_ = ranks.stopped_by();
     return found;
   }
   /// With the other ranks, which end then.
@@ -107,6 +108,7 @@ class PoolTest : public ::testing::Test {
   std::vector<std::thread> others_;
   std::vector<std::size_t> shares_;  // tasks that each rank has carried out
   bool all_stopped_ = false;
+  int stopped_by_ = 0;
 };
 
 TEST_F(PoolTest, CarriesOutAllTasksByThreads) {
@@ -236,9 +238,36 @@ TEST_F(PoolTest, ARankThatIsStoppedBeginsNothingMoreAndStopsAll) {
   const auto found = results_of_ranks();
   EXPECT_EQ(begun, 2);
   EXPECT_TRUE(all_stopped_);
+  EXPECT_EQ(stopped_by_, 15);
   EXPECT_GE(std::count_if(found.begin(), found.end(),
                           [](const auto& one) { return one.second == kNone; }),
             2);
+}
+
+TEST_F(PoolTest, ARankThatIsStoppedTellsAtOnceWhateverItsTasksTake) {
+  std::atomic<int> stop = 0;
+  std::atomic<bool> is_told = false;
+  start_rank(
+      1, 1, {kTasks},
+      [&](std::size_t task, const std::atomic<int>& told) {
+        stop = 15;
+        while (!is_told) {
+          std::this_thread::yield();
+        }
+        return square_as_bytes(task, told);
+      },
+      &stop);
+  start_rank(2);
+  start_rank(3);
+  const auto ranks = all_.seen_from(0);
+  ranks->hand_out([](int /*rank*/) { return Bytes(); });
+  Pool<std::size_t> pool(1, *ranks, {}, {.carry_out = square, .result = number_of}, nullptr);
+  while (!pool.finished()) {
+    pool.take_finished(kPause);
+    is_told = pool.is_stopped();
+  }
+  EXPECT_EQ(ranks->stopped_by(), 15);
+  join();
 }
 
 TEST_F(PoolTest, OnceTheOthersAreDismissedNothingBegins) {
