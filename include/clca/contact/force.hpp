@@ -92,6 +92,8 @@ std::vector<double> loads(std::size_t grain_count, const std::vector<Force>& for
 
 /// Mean mass of the present grains, in sites; 0 if there are none.
 double mean_mass(const grains::State& state);
+/// The same, with the grains that have forces: an outlet may have taken them after the step.
+double mean_mass(const grains::State& state, std::span<const Force> forces);
 
 /// Residual of the force balance of each grain, divided by its weight, by id; 0 for removed grains.
 /// `down`: unit vector, direction of gravity.
