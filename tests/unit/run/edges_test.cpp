@@ -99,7 +99,7 @@ TEST_F(Edges, WhatAFillPutsIntoAnOutletIsInNoRate) {
 model: contact
 box: {width: 30, height: 30}
 species: {a: {shape: {hexagon: 0}}}
-units: {spacing: 0.001, density: 2500}
+units: {spacing: 1 mm, density: 2}
 outlets: {o: {region: [0, 0, 30, 10]}}
 stages:
   - {name: one, fill: {region: [0, 0, 30, 9], counts: {a: 20}}, until: {steps: 2}}
