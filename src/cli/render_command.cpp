@@ -260,7 +260,9 @@ void add_target_options(Command& command, RenderOptions& options) {
               "last longer; --every is 1 unless given")
       .type("SECONDS")
       .values(finite_number());
-  command.option("--fps", &options.redraw.frames_per_second, "Pictures per second of the movie")
+  command
+      .option("--fps", &options.redraw.frames_per_second,
+              "Pictures per second of the movie; of a GIF at most 100")
       .values(whole_number(1, 240))
       .show_default();
   command

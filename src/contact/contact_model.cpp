@@ -33,7 +33,8 @@ double default_fall_height(double box_height) {
 
 double gravity(const Parameters& parameters) {
   const double value = parameters.resolution * parameters.resolution / (2 * parameters.fall_height);
-  if (!(parameters.fall_height > 0 && value <= kMaxGravity && value >= kMinGravity)) {
+  if (!(parameters.resolution > 0 && parameters.fall_height > 0 && value <= kMaxGravity &&
+        value >= kMinGravity)) {
     throw std::invalid_argument("resolution and fall height do not give a time step");
   }
   return to_fixed_point(value, kFractionBits) / static_cast<double>(kSpacing);  // as steps have it

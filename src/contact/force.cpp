@@ -139,7 +139,7 @@ double mean_mass(const grains::State& state) {
       count += 1;
     }
   }
-  return count > 0 ? sum / count : 0;
+  return count > 0 ? sum / count : 1;
 }
 
 std::vector<Force> forces(const State& state, double gravity) {

@@ -13,9 +13,14 @@ namespace clca::grains {
 
 namespace {
 
-/// Removes those of these particles that lie wholly in an outlet. Returns how many.
-std::size_t remove_at_outlets(Mechanics& mechanics, const std::vector<std::uint32_t>& ids) {
+/// Removes those of these particles that lie wholly in an outlet, in the order of their ids: what
+/// is summed over them is the same for each order of `ids`. Returns how many.
+std::size_t remove_at_outlets(Mechanics& mechanics, std::vector<std::uint32_t> ids) {
   Box& box = mechanics.box();
+  std::erase_if(ids, [&](std::uint32_t id) {
+    return outlet_around(box.state, box.state.particles[id]) == box.state.outlets.size();
+  });
+  std::sort(ids.begin(), ids.end());
   std::size_t removed = 0;
   for (const std::uint32_t id : ids) {
     if (count_at_outlet(box.state, id)) {

@@ -52,7 +52,7 @@ bool can_be_carried_out(const Drive& drive) {
 bool can_be_carried_out(const Wave& wave) {
   // target() takes 4 x amplitude x period squared in 64 bits.
   return wave.period > 0 && wave.period <= 10'000'000 && wave.amplitude >= 0 &&
-         wave.amplitude <= 10'000;
+         wave.amplitude <= 10'000 && wave.period >= least_period(wave);
 }
 bool can_be_carried_out(const Shake& shake) {
   return shake.amplitude >= 0 && shake.amplitude < kMaxCoordinate &&
@@ -60,9 +60,10 @@ bool can_be_carried_out(const Shake& shake) {
           (*shake.period > 0 && *shake.period <= static_cast<std::uint64_t>(kMotionSpacing)));
 }
 bool can_be_carried_out(const Path& path) {
-  std::uint64_t last = 0;
+  Path::Point last;
   return std::all_of(path.points.begin(), path.points.end(), [&](const Path::Point& point) {
-    return point.step > std::exchange(last, point.step) && in_reach({point.offset, 0});
+    const Path::Point before = std::exchange(last, point);
+    return point.step > before.step && in_reach({point.offset, 0}) && !is_steep(before, point);
   });
 }
 

@@ -9,8 +9,6 @@ namespace clca::grains {
 
 namespace {
 
-constexpr std::uint64_t kOne = std::uint64_t{1} << 32U;
-
 std::uint16_t draw_kind(const State& state, const Source& source, std::uint32_t number) {
   const auto total =
       std::accumulate(source.weights.begin(), source.weights.end(), std::uint64_t{0});
@@ -48,12 +46,12 @@ bool emit_one(Box& box, Source& source, std::uint32_t number) {
 
 /// False if the source is exhausted or the particle does not fit.
 bool run_source(Box& box, Source& source, std::uint32_t number) {
-  source.credit = std::min(source.credit, kOne) + source.rate;
-  while (source.credit >= kOne && !source.exhausted()) {
+  source.credit = std::min(source.credit, source.unit) + source.rate;
+  while (source.credit >= source.unit && !source.exhausted()) {
     if (!emit_one(box, source, number)) {
       return false;
     }
-    source.credit -= kOne;
+    source.credit -= source.unit;
   }
   return !source.exhausted();
 }

@@ -43,7 +43,7 @@ bool holds(const std::vector<Axial>& sorted, Axial site) {
   return std::binary_search(sorted.begin(), sorted.end(), site);
 }
 
-/// Number of holes of a connected, sorted list of sites. Euler: sites - bonds + filled unit
+/// Whether a connected, sorted list of sites has holes. Euler: sites - bonds + filled unit
 /// triangles = connected parts - holes.
 bool encloses_hole(const std::vector<Axial>& sites) {
   std::size_t bonds = 0;

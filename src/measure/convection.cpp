@@ -47,27 +47,31 @@ void Convection::end_cycle(const grains::State& state) {
 }
 
 void Convection::add(const Displacement& displacement, double left, double right) {
-  const auto add_to = [&](Mean& mean) {
-    mean.weight += displacement.sites;
-    mean.sum += displacement.sites * displacement.vector;
+  const auto add_to = [&](Mean& mean, double share) {
+    mean.weight += share * displacement.sites;
+    mean.sum += share * displacement.sites * displacement.vector;
   };
-  add_to(cells_[grid_.index(displacement.from)]);
+  grid_.share_out(displacement.from,
+                  [&](std::size_t cell, double share) { add_to(cells_[cell], share); });
   const double width = right - left;
   const Eigen::Vector2d at = displacement.from - Eigen::Vector2d((left + right) / 2, 0);
   if (std::abs(at.x()) <= kInside * width + kRounding) {
-    add_to(inside_);
+    add_to(inside_, 1);
   } else if (std::abs(at.x()) >= kAtWalls * width - kRounding) {
-    add_to(at_walls_);
+    add_to(at_walls_, 1);
   }
-  halves_[at.x() < -kRounding ? 0 : 1].add(at, displacement);
+  share_out(1 + at.x() / width, halves_.size(), [&](std::size_t half, double share) {
+    halves_[half].add(at, displacement, share * displacement.sites);
+  });
 }
 
-void Convection::HalfBedSums::add(const Eigen::Vector2d& at, const Displacement& displacement) {
-  weight += displacement.sites;
-  position += displacement.sites * at;
-  drift += displacement.sites * displacement.vector;
-  cross += displacement.sites * cross_product(at, displacement.vector);
-  square += displacement.sites * at.squaredNorm();
+void Convection::HalfBedSums::add(const Eigen::Vector2d& at, const Displacement& displacement,
+                                  double sites) {
+  weight += sites;
+  position += sites * at;
+  drift += sites * displacement.vector;
+  cross += sites * cross_product(at, displacement.vector);
+  square += sites * at.squaredNorm();
 }
 
 // Least squares of the drift against u + omega x (r - <r>); 0 for a half in one point.

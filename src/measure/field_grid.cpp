@@ -19,9 +19,10 @@ std::vector<double> packing_of(const State& state, const Grid& grid) {
   for (int column = 0; column < lattice.columns(); ++column) {
     for (int row = 0; row < lattice.rows(); ++row) {
       const lattice::Site site = {column, row};
-      const std::size_t cell = grid.index(lattice::position(site));
-      filled[cell] += taken[lattice.index(site)] ? 1 : 0;
-      all[cell] += 1;
+      grid.share_out(lattice::position(site), [&](std::size_t cell, double share) {
+        filled[cell] += taken[lattice.index(site)] ? share : 0;
+        all[cell] += share;
+      });
     }
   }
   for (std::size_t cell = 0; cell < filled.size(); ++cell) {
@@ -40,7 +41,7 @@ Fields FieldWindow::fields(const State& now, double cell) const {
   const std::uint64_t steps = now.step - begin_.step();
   const std::vector<RegionMotion> motions = motions_by_region(
       begin_.displacements(now), steps > 0 ? static_cast<double>(steps) : 1, grid.size(),
-      [&](const Eigen::Vector2d& point) { return std::optional(grid.index(point)); });
+      [&](const Eigen::Vector2d& point, const auto& visit) { grid.share_out(point, visit); });
   for (std::size_t index = 0; index < grid.size(); ++index) {
     const RegionMotion& motion = motions[index];
     fields.cells[index] = {.centre = grid.centre(index),
@@ -56,8 +57,8 @@ double fluctuation_energy(const Fields& fields) {
   double sum = 0;
   double particles = 0;
   for (const FieldCell& cell : fields.cells) {
-    sum += cell.fluctuation * static_cast<double>(cell.particles);
-    particles += static_cast<double>(cell.particles);
+    sum += cell.fluctuation * cell.particles;
+    particles += cell.particles;
   }
   return particles > 0 ? sum / particles : 0;
 }

@@ -52,14 +52,17 @@ Eigen::Vector2d Grid::in_cells(const Eigen::Vector2d& point) const {
   return (point - low_).cwiseQuotient(extents_).cwiseProduct(counts);
 }
 
-std::size_t Grid::index(const Eigen::Vector2d& point) const {
+std::array<std::size_t, 2> Grid::cells(const Eigen::Vector2d& point) const {
   const Eigen::Vector2d position = in_cells(point);
-  const auto columns = static_cast<double>(columns_);
-  double column = part_at(position.x());
-  if (periodic_) {
-    column -= columns * std::floor(column / columns);
-  }
-  return nearest_part(part_at(position.y()), rows_) * columns_ + nearest_part(column, columns_);
+  const std::size_t row = nearest_part(part_at(position.y()), rows_);
+  const auto cell = [&](double column) {
+    const auto columns = static_cast<double>(columns_);
+    if (periodic_) {
+      column -= columns * std::floor(column / columns);
+    }
+    return row * columns_ + nearest_part(column, columns_);
+  };
+  return {cell(part_before(position.x())), cell(part_at(position.x()))};
 }
 
 std::vector<Grid::Part> Grid::parts(const Eigen::Vector2d& from,
@@ -73,7 +76,9 @@ std::vector<Grid::Part> Grid::parts(const Eigen::Vector2d& from,
   std::vector<Part> parts;
   for (std::size_t i = 0; i + 1 < shares.size(); ++i) {
     const double middle = (shares[i] + shares[i + 1]) / 2;
-    parts.push_back({.cell = index(from + middle * path), .share = shares[i + 1] - shares[i]});
+    share_out(from + middle * path, [&](std::size_t cell, double share) {
+      parts.push_back({.cell = cell, .share = share * (shares[i + 1] - shares[i])});
+    });
   }
   return parts;
 }

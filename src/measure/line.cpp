@@ -225,8 +225,8 @@ void Line::add_path(const lattice::Shape& shape, const Eigen::Vector2d& from,
     }
   }
   if (const auto passed = crossing(from, to)) {
-    const auto part = static_cast<std::size_t>(passed->position / part_length());
-    ++block.parts[std::min(part, parts() - 1)].particles;
+    share_out(passed->position / part_length(), parts(),
+              [&](std::size_t part, double share) { block.parts[part].particles += share; });
   }
 }
 

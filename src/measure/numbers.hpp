@@ -2,8 +2,12 @@
 // Numbers of several measures. Positions on an edge: of cells, columns, lines. Where an edge lies
 // on a site, rounding must not decide.
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+
+#include "clca/measure/grid.hpp"
 
 namespace clca::measure {
 
@@ -17,6 +21,22 @@ inline constexpr double kRounding = 1e-9;  // lattice spacings, or shares of a p
 /// An edge belongs to the part after it.
 inline double part_at(double position) {
   return std::floor(position + kRounding);
+}
+
+/// Number of the part that ends at an edge; else as part_at().
+inline double part_before(double position) {
+  return std::ceil(position - kRounding) - 1;
+}
+
+/// Calls visit(part, share) for the parts that a position is in, of `count` equal ones: an edge
+/// between two belongs half to each, so that the mirror image of a bed has the mirror image of its
+/// table. A position beyond an end is in the last part there.
+template <class Visit>
+void share_out(double position, std::size_t count, const Visit& visit) {
+  const auto nearest = [=](double part) {
+    return static_cast<std::size_t>(std::clamp(part, 0.0, static_cast<double>(count) - 1));
+  };
+  share_out(nearest(part_before(position)), nearest(part_at(position)), visit);
 }
 
 }  // namespace clca::measure

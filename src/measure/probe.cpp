@@ -33,9 +33,13 @@ std::optional<RegionMotion> motion_in(const lattice::Rectangle& region,
                                       const std::vector<Displacement>& displacements,
                                       double steps) {
   const RegionMotion motion =
-      motions_by_region(displacements, steps, 1, [&](const Eigen::Vector2d& point) {
-        return region.contains(point) ? std::optional<std::size_t>(0) : std::nullopt;
-      }).front();
+      motions_by_region(displacements, steps, 1,
+                        [&](const Eigen::Vector2d& point, const auto& visit) {
+                          if (region.contains(point)) {
+                            visit(0, 1.0);
+                          }
+                        })
+          .front();
   return motion.particles > 0 ? std::optional(motion) : std::nullopt;
 }
 

@@ -122,8 +122,10 @@ std::optional<double> lacey_index(const State& state, double cell) {
   for (const Particle& particle : state.particles) {
     if (particle.present) {
       const double large = state.shape(particle).size() == sizes.largest ? 1 : 0;
-      Count& count = counts[grid.index(grains::centre_in_box(state, particle))];
-      count = {count.all + 1, count.large + large};
+      grid.share_out(grains::centre_in_box(state, particle), [&](std::size_t index, double share) {
+        Count& count = counts[index];
+        count = {count.all + share, count.large + share * large};
+      });
       total = {total.all + 1, total.large + large};
     }
   }

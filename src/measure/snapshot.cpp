@@ -1,7 +1,6 @@
 #include "clca/measure/snapshot.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 #include <stdexcept>
 
 namespace clca::measure {
@@ -29,10 +28,12 @@ Snapshot::Snapshot(const grains::State& state) : step_(state.step), sites_(state
 }
 
 bool Snapshot::precedes(const grains::State& now) const {
-  const auto in_reach = [](const std::optional<lattice::Site>& site) {
+  const auto is_small = [](int coordinate) {
     constexpr int kMaxCoordinate = 1'000'000'000;
-    return !site ||
-           (std::abs(site->column) < kMaxCoordinate && std::abs(site->row) < kMaxCoordinate);
+    return coordinate > -kMaxCoordinate && coordinate < kMaxCoordinate;
+  };
+  const auto in_reach = [&](const std::optional<lattice::Site>& site) {
+    return !site || (is_small(site->column) && is_small(site->row));
   };
   return step_ <= now.step && sites_.size() <= now.particles.size() &&
          std::all_of(sites_.begin(), sites_.end(), in_reach);

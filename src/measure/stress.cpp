@@ -4,6 +4,7 @@
 
 #include "clca/lattice/region.hpp"
 #include "measure/internal/sites.hpp"
+#include "measure/numbers.hpp"
 
 namespace clca::measure {
 
@@ -40,11 +41,19 @@ class Walls {
   }
 
  private:
+  /// Whether the site of a point is such; or of two sites left and right of it, one.
+  template <class Is>
+  static bool at_site(const Eigen::Vector2d& point, const Is& is) {
+    const Eigen::Vector2d aside(kRounding, 0);
+    return is(lattice::nearest_site(point - aside)) || is(lattice::nearest_site(point + aside));
+  }
   bool is_inside(const Eigen::Vector2d& point) const {
-    return state_.lattice.contains(lattice::nearest_site(point));
+    return at_site(point, [&](lattice::Site site) { return state_.lattice.contains(site); });
   }
   bool is_wall(const Eigen::Vector2d& point) const {
-    return is_inside(point) && sites_[state_.lattice.index(lattice::nearest_site(point))];
+    return at_site(point, [&](lattice::Site site) {
+      return state_.lattice.contains(site) && sites_[state_.lattice.index(site)];
+    });
   }
 
   /// How far the side of the box lies from a point against the normal.

@@ -8,6 +8,7 @@
 
 #include "clca/random/draw.hpp"
 #include "measure/internal/sites.hpp"
+#include "measure/numbers.hpp"
 
 namespace clca::measure {
 
@@ -230,9 +231,10 @@ std::vector<double> base_pressure(const Base& base, const std::vector<contact::F
   std::vector<double> bins(Base::kBins, 0);
   for (const contact::Force& force : forces) {
     const double position = (force.point.x() - base.left) / base.width() * Base::kBins;
-    if (!grains::is_particle(force.other) && force.normal.y() > kLeastSlope && position >= 0 &&
-        position < Base::kBins) {
-      bins[static_cast<std::size_t>(position)] += force.on_upper().y();
+    if (!grains::is_particle(force.other) && force.normal.y() > kLeastSlope &&
+        position >= -kRounding && position <= Base::kBins + kRounding) {
+      share_out(position, Base::kBins,
+                [&](std::size_t bin, double share) { bins[bin] += share * force.on_upper().y(); });
     }
   }
   const double mean = std::accumulate(bins.begin(), bins.end(), 0.0) / Base::kBins;

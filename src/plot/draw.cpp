@@ -26,6 +26,21 @@ bool is_whole(const std::vector<std::uint8_t>& bytes, Format format) {
   return text.substr(0, text.find_last_not_of('\n') + 1).ends_with(end);
 }
 
+/// gnuplot writes "]]>" in a text as it is, which XML allows only where a section ends.
+void escape_section_ends(std::vector<std::uint8_t>& svg) {
+  constexpr std::string_view kBegin = "<![CDATA[";  // no text has it: "<" is escaped
+  constexpr std::string_view kEnd = "]]>";
+  std::string text(svg.begin(), svg.end());
+  std::size_t section = text.find(kBegin);
+  for (std::size_t at = text.find(kEnd); at != std::string::npos; at = text.find(kEnd, at + 1)) {
+    if (section > at) {
+      text.replace(at, kEnd.size(), "]]&gt;");
+    }
+    section = text.find(kBegin, at);
+  }
+  svg.assign(text.begin(), text.end());
+}
+
 /// For ids in an SVG.
 std::string identifier(std::string name) {
   std::replace_if(
@@ -107,6 +122,9 @@ std::vector<std::uint8_t> draw(const Figure& figure, const Appearance& appearanc
     std::vector<std::uint8_t> bytes =
         gnuplot(program, figure.run, commands,
                 {figure.script.parent_path() / kStyleFile, figure.script}, stop);
+    if (appearance.format == Format::svg) {
+      escape_section_ends(bytes);
+    }
     if (!is_whole(bytes, appearance.format)) {
       throw PlotError("gnuplot leaves no whole picture");
     }

@@ -16,6 +16,10 @@ namespace {
 
 using Arguments = std::vector<std::string>;
 
+// A GIF counts hundredths of a second, in 16 bits.
+constexpr double kMostGifRate = 100;
+constexpr double kLongestGifPicture = 655;  // s
+
 std::filesystem::path find_ffmpeg() {
   if (const auto file = process::find_program("ffmpeg")) {
     return *file;
@@ -166,6 +170,13 @@ class Movie::Impl {
 
 Movie::Movie(const std::filesystem::path& file, MovieFormat format, int width, int height,
              double frames_per_second, const std::atomic<int>* stop) {
+  if (format == MovieFormat::gif &&
+      (frames_per_second > kMostGifRate || 1 / frames_per_second > kLongestGifPicture)) {
+    throw MovieError(fmt::format(
+        "a GIF has at most {:g} pictures a second, and shows each for at most {:g} s; choose "
+        "another number of pictures, length or format",
+        kMostGifRate, kLongestGifPicture));
+  }
   try {
     impl_ = std::make_unique<Impl>(ffmpeg_arguments(file, format, width, height, frames_per_second),
                                    width, height, stop);

@@ -113,7 +113,7 @@ int decimals_for(std::span<const double> numbers, std::span<const double> errors
   constexpr int kMaxDecimals = 7;
   double smallest = 0;
   for (const double error : errors) {
-    if (error > 0) {
+    if (error > 0 && std::isfinite(error)) {
       smallest = smallest > 0 ? std::min(smallest, error) : error;
     }
   }
@@ -124,7 +124,7 @@ int decimals_for(std::span<const double> numbers, std::span<const double> errors
 
 std::string number_html(double number, double error, int decimals) {
   std::string text = number == 0 ? "0" : with_decimals(number, decimals);
-  if (std::isnan(error)) {
+  if (!std::isfinite(error)) {
     return text;
   }
   const bool is_small = error > 0 && is_scientific(number, decimals);

@@ -13,8 +13,8 @@ namespace {
 /// `quiet`.
 bool may_end_soon(const scene::Stage& stage, std::uint64_t steps, std::uint64_t window,
                   bool quiet) {
-  if (const auto* until = std::get_if<scene::UntilSteps>(&stage.until)) {
-    return steps + window > until->steps;
+  if (const auto end = scene::steps_of(stage.until)) {
+    return steps + window > *end;
   }
   return quiet || steps + window > stage.max_steps ||
          !std::holds_alternative<scene::UntilSettled>(stage.until);
@@ -141,14 +141,16 @@ std::vector<contact::Force> ContactRecord::of_picture(const SceneModel& model) c
 }
 
 std::vector<contact::Force> ContactRecord::of_frame(const SceneModel& model) const {
-  const bool is_pictured = pictures_.every > 0 && (pictures_.due || !stage_.is_empty());
-  return forces_of(is_pictured ? pictures_ : frames_, model);
+  return forces_of(pictures_.due ? pictures_ : frames_, model);
 }
 
 std::vector<contact::Force> ContactRecord::forces_of(const Recurring& recurring,
                                                      const SceneModel& model) const {
-  std::vector<contact::Force> forces =
-      recurring.due && !recurring.window.is_empty() ? recurring.window.means() : at_end(model);
+  const std::vector<contact::Force> now = *model.forces();
+  std::vector<contact::Force> forces = at_end(model);
+  if (recurring.due) {  // whether the stage ends then or not
+    forces = recurring.window.is_empty() ? now : recurring.window.means();
+  }
   const auto bodies = [](const contact::Force& force) {
     return std::minmax({grains::as_owner(force.upper), force.other});
   };
@@ -156,7 +158,6 @@ std::vector<contact::Force> ContactRecord::forces_of(const Recurring& recurring,
   const auto is_present = [&](grains::Owner body) {
     return !grains::is_particle(body) || model.state().particles[grains::particle_id(body)].present;
   };
-  const std::vector<contact::Force> now = *model.forces();
   for (const contact::Force& force : now) {
     if (is_present(grains::as_owner(force.upper)) && is_present(force.other)) {
       there.insert(bodies(force));

@@ -49,8 +49,7 @@ class ContactRecord : public SavedObserver<ContactRecord> {
   /// Means before a picture that is due now; else as at_end(). Of contacts that are
   /// there now.
   std::vector<contact::Force> of_picture(const SceneModel& model) const;
-  /// The same for a trajectory frame: those of a picture with forces if one is drawn, or of the end
-  /// of the stage.
+  /// The same for a trajectory frame: those of a picture with forces if one is due.
   std::vector<contact::Force> of_frame(const SceneModel& model) const;
 
   /// False if this cannot have been recorded in a run that reached `now`.

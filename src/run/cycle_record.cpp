@@ -16,7 +16,7 @@ TableOf<CycleRow> cycles_table(const scene::Scene& scene) {
            {{"cycle", "Cycle", "", "number of those completed in the stage; 0: before the first"},
             &CycleRow::cycle},
            {kStep, [](auto& row) { return row.state().step; }},
-           {kHeightMean, [](auto& row) { return measure::mean_height(row.profile); }},
+           {kHeightMean, [](auto& row) { return height_of(row.profile); }},
            {kReposeAngle, [](auto& row) { return measure::repose_angle(row.profile).mean(); }},
            {kIntruderHeight, [](auto& row) { return measure::intruder_height(row.state()); }},
            {kSegregationIndex, [](auto& row) { return measure::segregation_index(row.state()); }},

@@ -27,7 +27,8 @@ TableOf<FieldRow> fields_table(const scene::Scene& /*scene*/) {
            {{"packing", "Packing", "",
              "share of its sites that particles take at the end of the window"},
             [](auto& row) { return row.cell.packing; }},
-           {{"particles", "Particles", "particles", "that began the window in the cell"},
+           {{"particles", "Particles", "particles",
+             "that began the window in the cell; between two cells half in each"},
             [](auto& row) { return row.cell.particles; }},
            {kVelocity, [](auto& row) { return Eigen::Vector2d(row.cell.velocity * row.speed); }},
            {kFluctuation, [](auto& row) { return row.cell.fluctuation * row.speed * row.speed; }}}};

@@ -39,7 +39,8 @@ TableOf<LineRow> lines_table(const scene::Scene& /*scene*/) {
        {{"filling", "Filling", "",
          "share of the part that particles cover, of what no wall covers; 0 if walls cover all"},
         [](auto& row) { return row.part.filling; }},
-       {{"particles", "Particles", "particles", "whose centre has passed, either way"},
+       {{"particles", "Particles", "particles",
+         "whose centre has passed, either way; on the edge of two parts half in each"},
         [](auto& row) { return row.part.particles; }}}};
 }
 

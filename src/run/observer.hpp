@@ -68,6 +68,7 @@ struct StageView {
   const StageHistory& history;
   const Observers& observers;
   std::size_t moving;                ///< particles, in the last step
+  std::size_t stepped;               ///< of so many, those removed at its end included
   const store::OutputFolder* files;  ///< null: nothing is written
   Log* log;                          ///< null: nobody is told
 };

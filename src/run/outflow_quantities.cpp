@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
 #include <numeric>
 
 #include "clca/measure/outflow.hpp"
@@ -90,6 +91,24 @@ Values discharged(const StageView& stage) {
           std::find(outlets.begin(), outlets.end(), true) != outlets.end()};
 }
 
+/// What each outlet has of its own.
+std::vector<Quantity> own_quantities(const scene::Scene& scene) {
+  std::vector<Quantity> quantities = {kPerStep};
+  const auto conversion = scene::conversion(scene);
+  if (conversion) {
+    quantities.push_back(kPerTime);
+  }
+  if (conversion && conversion->site) {
+    quantities.insert(quantities.end(), {kMassPerTime, kParticlesPerTime});
+  }
+  quantities.push_back(kClogged);
+  return quantities;
+}
+
+std::string name_of(const Quantity& quantity, const scene::Outlet& outlet) {
+  return std::string(quantity.key) + "." + outlet.name;
+}
+
 Named discharged_apart(const StageView& stage) {
   const grains::State& state = stage.model.state();
   const scene::Scene& scene = stage.scene;
@@ -106,25 +125,39 @@ Named discharged_apart(const StageView& stage) {
     results.emplace_back(names[i], static_cast<double>(values[i]));
   }
   const std::vector<bool> outlets = clogged(stage);
+  const std::vector<Quantity> own = own_quantities(scene);
   for (std::size_t outlet = 0; outlets.size() > 1 && outlet < outlets.size(); ++outlet) {
-    const auto of = [&](const Quantity& quantity) {
-      return std::string(quantity.key) + "." + scene.outlets[outlet].name;
-    };
     const measure::Outflow& outflow = stage.history.outlets[outlet];
-    results.emplace_back(of(kPerStep), outflow.sites_per_step());
+    Values of_outlet = {outflow.sites_per_step()};
     if (const auto rate = rate_over_time(scene, outflow)) {
-      results.emplace_back(of(kPerTime), *rate);
+      of_outlet.emplace_back(*rate);
     }
-    if (const Values si = in_si(scene, outflow); !si.empty()) {
-      results.emplace_back(of(kMassPerTime), si[0]);
-      results.emplace_back(of(kParticlesPerTime), si[1]);
+    std::ranges::copy(in_si(scene, outflow), std::back_inserter(of_outlet));
+    of_outlet.emplace_back(bool{outlets[outlet]});
+    for (std::size_t i = 0; i < own.size(); ++i) {
+      results.emplace_back(name_of(own[i], scene.outlets[outlet]), of_outlet[i]);
     }
-    results.emplace_back(of(kClogged), bool{outlets[outlet]});
   }
   return results;
 }
 
 }  // namespace
+
+/// Names of the measures of single outlets, also where there is only one.
+std::vector<std::string> names_by_outlet(const scene::Scene& scene) {
+  std::vector<std::string> names = discharge_names(scene);
+  if (scene.outlets.size() == 1) {
+    names.push_back("discharged." + scene.outlets.front().name);
+  }
+  if (counts_apart(scene)) {
+    for (const scene::Outlet& outlet : scene.outlets) {
+      for (const Quantity& quantity : own_quantities(scene)) {
+        names.push_back(name_of(quantity, outlet));
+      }
+    }
+  }
+  return names;
+}
 
 std::vector<std::string> discharge_names(const scene::Scene& scene) {
   std::vector<std::string> names;

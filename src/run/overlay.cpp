@@ -203,10 +203,12 @@ std::vector<render::FieldArrow> velocity_arrows(const grains::State& state,
   std::map<std::size_t, Sums> cells;
   double enough = 0;
   for (const measure::Displacement& grain : begin.displacements(state)) {
-    Sums& cell = cells[grid.index(grain.from + grain.vector)];
-    cell.sites += grain.sites;
-    cell.displacement += grain.sites * grain.vector;
-    enough = std::max(enough, kMinWeight * cell.sites);
+    grid.share_out(grain.from + grain.vector, [&](std::size_t index, double share) {
+      Sums& cell = cells[index];
+      cell.sites += share * grain.sites;
+      cell.displacement += share * grain.sites * grain.vector;
+      enough = std::max(enough, kMinWeight * cell.sites);
+    });
   }
   const double per_step = scales.step_velocity / static_cast<double>(state.step - begin.step());
   std::vector<render::FieldArrow> result;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "clca/measure/weight_paths.hpp"
 #include "run/contact_record.hpp"
 #include "run/cycle_record.hpp"
 #include "run/frame_painter.hpp"
@@ -65,13 +66,20 @@ class Pictures : public Observer {
 double Pictures::bytes(const scene::Scene& scene, double particles) {
   constexpr int kCaptures = FrameWriter::kMaxWaiting + 2;  // with that on its way and a new one
   const bool has_forces = scene::pictures_show_forces(scene);
-  const double strokes =
-      has_forces ? kCaptures * contact::kContactsPerGrain * sizeof(render::Stroke) : 0;
+  const bool has_paths = scene.output.frames->overlay >= scene::Overlay::weight_inner;
+  const double lines = has_paths    ? measure::kSupportsPerGrain
+                       : has_forces ? contact::kContactsPerGrain
+                                    : 0;
+  const double strokes = kCaptures * lines * sizeof(render::Stroke);
+  const double paths = has_paths
+                           ? measure::weight_paths_bytes(particles, 1) +
+                                 grains::kListRoom * lines * particles * sizeof(render::ForceLine)
+                           : 0;
   const double window =
       scene::pictures_compare_positions(scene)
           ? 2 * measure::Snapshot::bytes_for(particles) + particles * sizeof(measure::Displacement)
           : 0;
-  return FramePainter::bytes(scene, kCaptures) + window + particles * strokes +
+  return FramePainter::bytes(scene, kCaptures) + window + paths + particles * strokes +
          frame_bytes(scene, has_forces, particles);
 }
 

@@ -1,8 +1,10 @@
 #pragma once
 // The measures of a stage: what each is, beside what takes its value.
 
+#include <optional>
 #include <vector>
 
+#include "clca/measure/profile.hpp"
 #include "clca/run/quantity.hpp"
 #include "run/observer.hpp"
 
@@ -26,6 +28,12 @@ inline constexpr Quantity kSegregationIndex = {
     "height of the large ones over the small ones, over half the bed", true};
 inline constexpr Quantity kLaceyIndex = {"lacey_index", "Lacey’s index of mixing", "",
                                          "0 separated, 1 as random"};
+
+/// Value of kHeightMean; none without particles.
+inline std::optional<double> height_of(const std::vector<double>& profile) {
+  const double height = measure::mean_height(profile);
+  return height > 0 ? std::optional(height) : std::nullopt;
+}
 
 /// All of a stage, in the order of the documents; those of one measure in that of run.json.
 const std::vector<QuantityGroup>& stage_quantities();

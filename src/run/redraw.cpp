@@ -167,6 +167,8 @@ class Redraw::Impl {
 
  private:
   void draw_moment(std::size_t number);
+  /// Adds the pictures before this one to the picture over time, also those that no movie shows.
+  void add_over_time(std::size_t end);
   bool stop_asked() const { return options_.stop != nullptr && options_.stop->load() != 0; }
 
   const RedrawOptions options_;
@@ -175,6 +177,7 @@ class Redraw::Impl {
   std::vector<std::vector<double>> times_;  // by run, of its pictures
   std::vector<double> moments_;
   std::optional<SpaceTime> space_time_;
+  std::size_t over_time_ = 0;  // pictures that it has
   // Once drawing begins.
   std::optional<PictureTargets> targets_;
   std::vector<std::optional<std::size_t>> shown_;  // by run, the number of its picture
@@ -232,12 +235,12 @@ std::size_t Redraw::Impl::draw(const RedrawEvents& events) {
   TimeEstimate estimate;
   std::size_t number = 0;
   for (; number < moments_.size() && !stop_asked(); ++number) {
+    const std::size_t picture = picture_at(times_.front(), moments_[number]);
+    add_over_time(picture);
     if (targets_->want(number)) {
       draw_moment(number);
     }
-    if (space_time_) {
-      drawings_.front()->add_to(*space_time_, number);
-    }
+    add_over_time(picture + 1);
     if (events.progress && timer.due()) {
       estimate.update(static_cast<double>(number + 1) / static_cast<double>(moments_.size()));
       events.progress({number + 1, moments_.size(), estimate.seconds_left()});
@@ -250,6 +253,12 @@ std::size_t Redraw::Impl::draw(const RedrawEvents& events) {
     space_time_->finish();
   }
   return number;
+}
+
+void Redraw::Impl::add_over_time(std::size_t end) {
+  for (; space_time_ && over_time_ < end; ++over_time_) {
+    drawings_.front()->add_to(*space_time_, over_time_);
+  }
 }
 
 void Redraw::Impl::draw_moment(std::size_t number) {

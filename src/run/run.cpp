@@ -83,8 +83,8 @@ class Run : public RunBase {
   void show_progress(double moving_share, std::optional<double> seconds_left);
   const scene::Stage& stage() const { return scene_.stages[course_.stage]; }
   StageView view() {
-    return {scene_,         stage(),           model_, history_, observers_,
-            course_.moving, &folder().files(), &log()};
+    return {scene_,          stage(),           model_, history_, observers_, course_.moving,
+            course_.stepped, &folder().files(), &log()};
   }
   double step_seconds() const { return course_.step_seconds + step_clock_.seconds(); }
   double rate() const { return step_seconds() > 0 ? course_.updates / step_seconds() : 0; }
@@ -96,6 +96,7 @@ class Run : public RunBase {
   Observers observers_;
   RunCourse course_;
   StageHistory history_;
+  std::size_t present_ = 0;                          // particles in the box
   bool in_stage_ = false;                            // one that goes on
   std::optional<store::Checkpoint> end_checkpoint_;  // is written with what comes after it
 };
@@ -150,6 +151,7 @@ void Run::run_stage() {
       save(checkpoint_now());  // from here on the other run is not needed
     }
   }
+  present_ = grains::present_count(model_.state());
   const StageEnd end = run_steps();
   const bool last = course_.stage + 1 == scene_.stages.size();
   if (end == StageEnd::interrupted) {
@@ -172,8 +174,8 @@ StageEnd Run::run_steps() {
       return StageEnd::interrupted;
     }
     step();
-    const auto particles = static_cast<double>(model_.state().particles.size());
-    const double moving_share = static_cast<double>(course_.moving) / std::max(1.0, particles);
+    const double moving_share =
+        static_cast<double>(course_.moving) / std::max(1.0, static_cast<double>(course_.stepped));
     max_moving = std::max(max_moving, moving_share);
     if (progress_due()) {
       estimate.update(done_share(stage(), history_, moving_share, max_moving));
@@ -191,7 +193,9 @@ void Run::step() {
   step_clock_.stop();
   history_.add_step(report, model_.state());
   course_.moving = report.moved;
-  course_.updates += static_cast<double>(model_.state().particles.size());
+  course_.stepped = present_ + report.emitted;
+  present_ = course_.stepped - report.removed;
+  course_.updates += static_cast<double>(course_.stepped);
   observers_.after_step(view());
   history_.cycles = observers_.find<CycleRecord>()->cycles();
 }

@@ -10,9 +10,10 @@ namespace clca::run {
 
 /// Progress of a run.
 struct RunCourse {
-  std::uint64_t stage = 0;   ///< that it is in, from 0
-  std::uint64_t moving = 0;  ///< particles, in the last step
-  double updates = 0;        ///< particles x steps
+  std::uint64_t stage = 0;    ///< that it is in, from 0
+  std::uint64_t moving = 0;   ///< particles, in the last step
+  std::uint64_t stepped = 0;  ///< as StageView::stepped
+  double updates = 0;         ///< particles x steps
   double wall_seconds = 0;
   double step_seconds = 0;
   std::uint64_t log_bytes = 0;
@@ -21,7 +22,8 @@ struct RunCourse {
     using reflection::field;
     return std::make_tuple(
         field("stage", &RunCourse::stage), field("moving", &RunCourse::moving),
-        field("updates", &RunCourse::updates), field("wall_seconds", &RunCourse::wall_seconds),
+        field("stepped", &RunCourse::stepped), field("updates", &RunCourse::updates),
+        field("wall_seconds", &RunCourse::wall_seconds),
         field("step_seconds", &RunCourse::step_seconds), field("log_bytes", &RunCourse::log_bytes));
   }
 };

@@ -14,7 +14,8 @@ namespace clca::run {
 
 namespace {
 
-double mean_height(const grains::State& state) {
+/// None of an empty box.
+std::optional<double> mean_height(const grains::State& state) {
   double sum = 0;
   double weight = 0;
   for (const grains::Particle& particle : state.particles) {
@@ -24,7 +25,7 @@ double mean_height(const grains::State& state) {
       weight += sites;
     }
   }
-  return weight > 0 ? sum / weight : 0;
+  return weight > 0 ? std::optional(sum / weight) : std::nullopt;
 }
 
 /// What a row is made of.
@@ -38,8 +39,7 @@ struct SeriesRow {
 };
 
 double moving_share(const StageView& now) {
-  const std::size_t all = grains::present_count(now.model.state());
-  return all > 0 ? static_cast<double>(now.moving) / static_cast<double>(all) : 0.0;
+  return now.stepped > 0 ? static_cast<double>(now.moving) / static_cast<double>(now.stepped) : 0.0;
 }
 
 using scene::kEnergyUnit;
@@ -81,7 +81,8 @@ TableOf<SeriesRow> series_table(const scene::Scene& scene) {
          "that moved by themselves or were pushed out of an overlap in this step, those removed "
          "at its end included; not those that a rigid wall carries"},
         [](auto& row) { return row.now.moving; }},
-       {{"moving_share", "Share moving", "", "of the particles, in this step"},
+       {{"moving_share", "Share moving", "",
+         "of the particles, in this step, those removed at its end included"},
         [](auto& row) { return moving_share(row.now); }},
        {{"mean_height", "Mean height of the particles", "spacings",
          "of their centres, weighted by sites"},
@@ -192,7 +193,7 @@ struct ProbeRow {
   const StageView& now;
   const scene::Probe& probe;
   double filling = 0;
-  std::uint64_t particles = 0;
+  double particles = 0;
   std::optional<Eigen::Vector2d> velocity = {};
   std::optional<double> fluctuation = {};
   std::optional<double> flow = {};

@@ -58,6 +58,7 @@ SeriesRecord::SeriesRecord(const scene::Scene& scene)
 
 void SeriesRecord::prepare(const StageView& now) {
   const grains::State& state = now.model.state();
+  left_ = measure::discharge(state);  // its fill may be in outlets
   clear();
   centre_ = scene::turning_centre(now.scene, now.stage);
   centres_.clear();

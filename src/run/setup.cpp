@@ -10,6 +10,7 @@
 #include <limits>
 #include <system_error>
 #include <thread>
+#include <utility>
 
 #include "clca/lattice/shape.hpp"
 #include "clca/process/data_folder.hpp"
@@ -133,12 +134,13 @@ void check_output(const std::string& file, const std::filesystem::path& folder) 
 
 namespace {
 
-constexpr int kDegreesPerTurn = 60;
+constexpr int kDegreesPerOrientation = 60;
+constexpr double kMaxFraction = 0x1p53;  // of numerator and denominator
 
 std::vector<grains::Kind> kinds_of(const scene::Species& species, std::uint16_t number) {
   std::vector<grains::Kind> kinds;
   for (const int degrees : species.orientations) {
-    grains::Kind kind = {lattice::centred(species.shape.rotated(degrees / kDegreesPerTurn)),
+    grains::Kind kind = {lattice::centred(species.shape.rotated(degrees / kDegreesPerOrientation)),
                          number};
     const bool known = std::any_of(kinds.begin(), kinds.end(), [&](const grains::Kind& other) {
       return other.shape.congruent(kind.shape);
@@ -165,6 +167,27 @@ std::vector<std::uint32_t> kind_weights(const grains::State& state,
   return weights;
 }
 
+/// Sets rate and unit to a fraction: the first convergent of the continued fraction that rounding
+/// could have made this number, so that p particles come in exactly q steps at the rate p/q, and
+/// the sum over any number of steps is right. Fractions of 2^32 keep that as their unit.
+void set_rate(grains::Source& source, double rate) {
+  const double rounding = 2 * (std::nextafter(rate, kMaxFraction) - rate);
+  double p_before = 0;
+  double q_before = 1;
+  double p = 1;
+  double q = 0;
+  double rest = rate;
+  do {
+    const double whole = std::floor(rest);
+    p_before = std::exchange(p, whole * p + p_before);
+    q_before = std::exchange(q, whole * q + q_before);
+    rest = 1 / (rest - whole);
+  } while (std::abs(p / q - rate) > rounding && std::max(p, q) < kMaxFraction);
+  const double times = std::fmod(0x1p32, q) == 0 ? 0x1p32 / q : 1;
+  source.rate = static_cast<std::uint64_t>(times * p);
+  source.unit = static_cast<std::uint64_t>(times * q);
+}
+
 grains::Source make_source(const grains::State& state, const scene::Source& source) {
   grains::Source result;
   if (const auto* point = std::get_if<Eigen::Vector2d>(&source.position)) {
@@ -173,7 +196,7 @@ grains::Source make_source(const grains::State& state, const scene::Source& sour
     result.sites = lattice::sites_in(state.lattice, std::get<lattice::Rectangle>(source.position));
   }
   result.weights = kind_weights(state, source.weights);
-  result.rate = static_cast<std::uint64_t>(std::llround(source.rate * 0x1p32));
+  set_rate(result, source.rate);
   result.count = source.count.value_or(std::numeric_limits<std::uint64_t>::max());
   return result;
 }

@@ -116,7 +116,7 @@ class Simulation::Impl {
 
   const scene::Stage& stage() const { return scene_.stages[stage_]; }
   StageView view() const {
-    return {scene_, stage(), *model_, history_, observers_, moving_, nullptr, nullptr};
+    return {scene_, stage(), *model_, history_, observers_, moving_, stepped_, nullptr, nullptr};
   }
 
   /// Carries out a change; after one that has failed, state and records do not fit together.
@@ -137,6 +137,7 @@ class Simulation::Impl {
     const grains::StepReport report = model_->grains().step();
     history_.add_step(report, model_->state());
     moving_ = report.moved;
+    stepped_ = grains::present_count(model_->state()) + report.removed;
     observers_.after_step(view());
     history_.cycles = observers_.find<CycleRecord>()->cycles();
     end_ = stage_end(stage(), model_->state(), history_);
@@ -162,6 +163,7 @@ class Simulation::Impl {
     prepare_stage(*model_, scene_, stage());
     history_.begin(model_->state());
     moving_ = 0;
+    stepped_ = 0;
     observers_.begin_stage(view());
     run::begin_stage(pictures_, scene_, stage(), model_->state());
     pictures_.window.emplace(model_->state());
@@ -174,6 +176,7 @@ class Simulation::Impl {
   Observers observers_;
   StageHistory history_;
   std::size_t moving_ = 0;  // particles, in the last step
+  std::size_t stepped_ = 0;
   std::size_t stage_ = 0;
   std::optional<StageEnd> end_;
   PictureHistory pictures_;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <stdexcept>
 
@@ -19,6 +20,7 @@
 namespace clca::run {
 
 std::vector<QuantityGroup> outflow_quantities();
+std::vector<std::string> names_by_outlet(const scene::Scene& scene);
 std::vector<QuantityGroup> force_quantities();
 
 namespace {
@@ -64,7 +66,7 @@ Values runout(const StageView& stage) {
 Values packing(const StageView& stage) {
   const grains::State& state = stage.model.state();
   return {store::value_or_null(measure::packing_fraction(state)),
-          measure::mean_height(measure::surface_profile(state))};
+          store::value_or_null(height_of(measure::surface_profile(state)))};
 }
 
 Values moved(const StageView& stage) {
@@ -176,25 +178,20 @@ void add(std::vector<store::NamedMeasure>& results, const std::optional<scene::M
 constexpr std::string_view kSteps = "steps";
 constexpr std::string_view kTime = "time";
 
-/// The measures that expressions of the scene may name, but for those of each outlet.
-std::vector<std::string_view> named_measures(const scene::Scene& scene) {
-  std::vector<std::string_view> names = {kSteps, kTime};
+/// The measures that expressions of the scene may name.
+std::vector<std::string> named_measures(const scene::Scene& scene) {
+  std::vector<std::string> names = {std::string(kSteps), std::string(kTime)};
   for (const QuantityGroup& group : stage_quantities()) {
     if (!group.measure || requests(scene, *group.measure)) {
       for (const Quantity& quantity : group.quantities) {
-        names.push_back(quantity.key);
+        names.emplace_back(quantity.key);
       }
     }
   }
+  if (requests(scene, scene::Measure::outflow)) {
+    std::ranges::move(names_by_outlet(scene), std::back_inserter(names));
+  }
   return names;
-}
-
-/// `discharged.OUTLET` and the like.
-bool is_of_outlet(std::string_view name, const scene::Scene& scene) {
-  return std::ranges::any_of(scene.outlets, [&](const scene::Outlet& outlet) {
-    const std::string of = "." + outlet.name;
-    return name.ends_with(of) || name.find(of + ".") != std::string_view::npos;
-  });
 }
 
 /// Adds what the scene derives from them.
@@ -212,15 +209,18 @@ void add_derived(std::vector<store::NamedMeasure>& results, const StageView& sta
     note({std::string(kTime), conversion->time(stage.history.steps)});
   }
   std::ranges::for_each(results, note);
+  const auto number_of = [&](std::string_view name) -> std::optional<double> {
+    auto found = numbers.find(name);
+    if (found == numbers.end() && stage.scene.outlets.size() == 1) {
+      const std::string of = "." + stage.scene.outlets.front().name;  // as all outlets together
+      found = name.ends_with(of) ? numbers.find(name.substr(0, name.size() - of.size())) : found;
+    }
+    return found != numbers.end() && std::isfinite(found->second) ? std::optional(found->second)
+                                                                  : std::nullopt;
+  };
   for (const scene::DerivedMeasure& derived : stage.scene.derived) {
     results.emplace_back(derived.name,
-                         store::value_or_null(scene::value_of(
-                             derived.value, [&](std::string_view name) -> std::optional<double> {
-                               const auto found = numbers.find(name);
-                               return found != numbers.end() && std::isfinite(found->second)
-                                          ? std::optional(found->second)
-                                          : std::nullopt;
-                             })));
+                         store::value_or_null(scene::value_of(derived.value, number_of)));
     note(results.back());
   }
 }
@@ -282,7 +282,10 @@ std::vector<store::NamedMeasure> stage_measures(const StageView& stage) {
 }
 
 void check_derived(const scene::Scene& scene) {
-  std::vector<std::string_view> known = named_measures(scene);
+  std::vector<std::string> known = named_measures(scene);
+  const auto is_known = [&known](std::string_view name) {
+    return std::ranges::count(known, name) > 0;
+  };
   for (const scene::DerivedMeasure& derived : scene.derived) {
     const auto refuse = [&derived](const std::string& why) {
       throw scene::SceneError(
@@ -291,13 +294,11 @@ void check_derived(const scene::Scene& scene) {
     if (find_quantity(derived.name) != nullptr) {
       refuse("there is a quantity of this name; give it another one");
     }
-    for (const std::string& name : scene::names_in(derived.value)) {
-      const bool is_known = std::ranges::count(known, name) > 0;
-      const bool is_apart = name.find('.') != std::string::npos && is_of_outlet(name, scene) &&
-                            std::ranges::count(known, name.substr(0, name.find('.'))) > 0;
-      if (!is_known && !is_apart) {
+    for (const std::string& name : scene::names_in(derived.value, is_known)) {
+      if (!is_known(name)) {
+        const std::vector<std::string_view> names(known.begin(), known.end());
         refuse(fmt::format("unknown measure {} in {}{}", text::shown(name),
-                           text::shown(derived.value), text::suggestion(name, known)));
+                           text::shown(derived.value), text::suggestion(name, names)));
       }
     }
     known.push_back(derived.name);

@@ -219,10 +219,12 @@ class TableWriter : public RunTable {
   void add(const Row& row, const std::vector<store::Cell>& more = {}) {
     std::vector<store::Cell> cells;
     for (const Column<Row>& column : columns_) {
+      const std::size_t first = cells.size();
       column.add(cells, row);
-      if (auto* value = std::get_if<double>(&cells.back());
-          value != nullptr && scope().conversion) {
-        *value = scope().conversion->in_si(*value, column.info.quantity.unit);
+      for (std::size_t cell = first; scope().conversion && cell < cells.size(); ++cell) {
+        if (auto* value = std::get_if<double>(&cells[cell])) {
+          *value = scope().conversion->in_si(*value, column.info.quantity.unit);
+        }
       }
       if (is_mean(column) && !scope().has_errors) {
         cells.pop_back();

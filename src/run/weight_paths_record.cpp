@@ -70,11 +70,7 @@ class WeightPathsRecord : public Observer {
       : table_(table_scope(scene), weight_paths_table(scene)) {}
 
   static double bytes(const scene::Scene& /*scene*/, double particles) {
-    using measure::SupportedGrain;
-    constexpr double kRules = measure::kWeightRules.size();
-    return particles * (sizeof(SupportedGrain) +
-                        contact::kContactsPerGrain *
-                            (sizeof(SupportedGrain::Support) + kRules * sizeof(contact::Force)));
+    return measure::weight_paths_bytes(particles, measure::kWeightRules.size());
   }
 
   void end_stage(const StageView& now) override {

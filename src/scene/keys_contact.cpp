@@ -72,7 +72,8 @@ Keys<contact::Parameters> friction_keys() {
   using P = contact::Parameters;
   const Type<double> friction = number(0, kMaxContactFriction);
   return {key("friction", &P::friction, friction,
-              "between particles: greatest tangential force over normal force"),
+              "between particles: greatest tangential force over normal force; from 16,384 on all "
+              "the same"),
           key("wall_friction", &P::wall_friction, friction,
               "the same at the box, and at walls without a `friction` of their own"),
           key("rolling_friction", &P::rolling_friction, friction,

@@ -15,9 +15,7 @@ using grains::WallMotion;
 using Program = decltype(WallMotion::program);
 
 void check_wave(const KeyedMap& fields, grains::Wave& wave, const Scene& /*scene*/) {
-  const bool sine = wave.form == grains::Waveform::sine;
-  const std::uint64_t least =
-      (sine ? kSineSteps : kTriangleSteps) * static_cast<std::uint64_t>(wave.amplitude);
+  const std::uint64_t least = grains::least_period(wave);
   if (wave.period < least) {
     fail(fields.at("period").location,
          fmt::format("{}: expected at least {} steps for a {} of amplitude {}, which moves one "
@@ -37,7 +35,7 @@ Type<grains::Wave> wave() {
                     "period", &Wave::period, count(1, kMaxWavePeriod),
                     fmt::format("steps of a cycle: at least {} for each site of amplitude of a "
                                 "sine, {} of a triangle",
-                                kSineSteps, kTriangleSteps))},
+                                grains::kSineSteps, grains::kTriangleSteps))},
        .check = check_wave});
 }
 
@@ -70,12 +68,6 @@ Type<grains::Shake> shake() {
 
 using Point = grains::Path::Point;
 
-/// Whether the way between the points is longer in sites than in steps.
-bool too_steep(const Point& from, const Point& to) {
-  const auto rise = static_cast<std::int64_t>(to.offset) - from.offset;
-  return static_cast<std::uint64_t>(rise < 0 ? -rise : rise) > to.step - from.step;
-}
-
 grains::Path read_points(const Value& value, const std::string& path, const Scene& /*scene*/) {
   grains::Path way;
   Point before;
@@ -87,7 +79,7 @@ grains::Path read_points(const Value& value, const std::string& path, const Scen
       fail(pair[0].location,
            fmt::format("{}: expected a step after {}, found '{}'", path, before.step, point.step));
     }
-    if (too_steep(before, point)) {
+    if (grains::is_steep(before, point)) {
       fail(item.location,
            fmt::format("{}: from [{}, {}] to [{}, {}] is steeper than one site a step", path,
                        before.step, before.offset, point.step, point.offset));

@@ -55,10 +55,48 @@ std::string_view token_at(std::string_view text, std::size_t begin) {
   return text.substr(begin, end - begin);
 }
 
+using IsKnown = std::function<bool(std::string_view name)>;
+
+/// The same where names behind a dot, as of outlets, may have '-': the longest one that is known.
+std::string_view token_at(std::string_view text, std::size_t begin, const IsKnown& is_known) {
+  const std::string_view token = token_at(text, begin);
+  if (!is_letter(token.front()) || token.find('.') == std::string_view::npos) {
+    return token;
+  }
+  std::size_t end = begin;
+  while (end < text.size() &&
+         (is_letter(text[end]) || is_digit(text[end]) || text[end] == '.' || text[end] == '-')) {
+    ++end;
+  }
+  while (end > begin + token.size()) {
+    const bool is_call = end < text.size() && text[end] == '(';
+    if (!is_call && is_known(text.substr(begin, end - begin))) {
+      return text.substr(begin, end - begin);
+    }
+    end = text.rfind('-', end - 1);
+  }
+  return token;
+}
+
+/// Calls visit(token, is_name) for the parts of an expression, in their order.
+template <class Visit>
+void for_each_token(std::string_view expression, const IsKnown& is_known, const Visit& visit) {
+  for (std::size_t at = 0; at < expression.size();) {
+    const std::string_view token = token_at(expression, at, is_known);
+    at += token.size();
+    const bool is_call = at < expression.size() && expression[at] == '(';
+    visit(token, is_letter(token.front()) && !is_call);
+  }
+}
+
 class Evaluator {
  public:
   Evaluator();
   void define(const Entry& entry);
+  /// What stands under `let` is defined one after the other.
+  void begin_let() { let_begins_ = true; }
+  /// All names have been replaced.
+  void expect_no_names() { has_names_ = false; }
   void evaluate(Value& value);
   /// Puts numbers for names that have one into the expressions of a value.
   void name_numbers(Value& value);
@@ -74,6 +112,8 @@ class Evaluator {
 
   mu::Parser parser_;
   std::vector<std::string_view> names_;
+  bool let_begins_ = false;
+  bool has_names_ = true;
 };
 
 // Those of the library have 13 digits.
@@ -170,7 +210,7 @@ void Evaluator::explain(const Value& value, const mu::ParserError& error) const 
     const std::string& token = error.GetToken();  // with a space behind
     const std::string rest = token.substr(0, token.find_last_not_of(' ') + 1);
     const std::string name = rest.substr(0, rest.find_first_of(" +-*/^()<>=!&|?:,"));
-    if (name.empty() || (name.front() != '_' && std::isalpha(name.front()) == 0)) {
+    if (!has_names_ || name.empty() || (name.front() != '_' && std::isalpha(name.front()) == 0)) {
       fail(value.location,
            fmt::format("cannot evaluate {}: {} is not expected", expression, text::shown(rest)));
     }
@@ -178,10 +218,11 @@ void Evaluator::explain(const Value& value, const mu::ParserError& error) const 
       fail(value.location,
            fmt::format("cannot evaluate {}: {} is not a function", expression, text::shown(name)));
     }
-    fail(value.location,
-         fmt::format("unknown name {} in {} ({}){}", text::shown(name), expression,
-                     names_.empty() ? "nothing stands under let" : "known: " + text::listed(names_),
-                     text::suggestion(name, names_)));
+    const std::string known = !names_.empty() ? "known: " + text::listed(names_)
+                              : let_begins_   ? "nothing stands before it under let"
+                                              : "nothing stands under let";
+    fail(value.location, fmt::format("unknown name {} in {} ({}){}", text::shown(name), expression,
+                                     known, text::suggestion(name, names_)));
   }
   std::string reason = text::printable(error.GetMsg());
   reason.resize(std::min({reason.find(" at position"), reason.find('.'), reason.size()}));
@@ -198,14 +239,12 @@ std::string with_numbers(
     std::string_view expression,
     const std::function<std::optional<double>(std::string_view name)>& number_of) {
   std::string result;
-  for (std::size_t at = 0; at < expression.size();) {
-    const std::string_view token = token_at(expression, at);
-    at += token.size();
-    const bool is_call = at < expression.size() && expression[at] == '(';
-    const auto number = is_letter(token.front()) && !is_call ? number_of(token) : std::nullopt;
+  const auto is_known = [&](std::string_view name) { return number_of(name).has_value(); };
+  for_each_token(expression, is_known, [&](std::string_view token, bool is_name) {
+    const auto number = is_name ? number_of(token) : std::nullopt;
     const std::string text = number ? number_text(*number) : std::string(token);
     result += number && *number < 0 ? "(" + text + ")" : text;
-  }
+  });
   return result;
 }
 
@@ -216,20 +255,21 @@ bool is_expression_name(const std::string& name) {
 
 void check_expression(const Value& value) {
   Evaluator evaluator;
+  evaluator.expect_no_names();
   const auto any_number = [&](std::string_view name) {
-    return evaluator.is_known(std::string(name)) ? std::nullopt : std::optional(1.0);
+    return evaluator.is_known(std::string(name)) || name.ends_with('-') ? std::nullopt
+                                                                        : std::optional(1.0);
   };
   evaluator.result_of(with_numbers(value.text.substr(1), any_number), value);
 }
 
-std::vector<std::string> names_in(std::string_view expression) {
+std::vector<std::string> names_in(std::string_view expression, const IsKnown& is_known) {
   const Evaluator evaluator;
   std::vector<std::string> names;
-  with_numbers(expression, [&](std::string_view name) -> std::optional<double> {
-    if (!evaluator.is_known(std::string(name))) {
-      names.emplace_back(name);
+  for_each_token(expression, is_known, [&](std::string_view token, bool is_name) {
+    if (is_name && !evaluator.is_known(std::string(token))) {
+      names.emplace_back(token);
     }
-    return std::nullopt;
   });
   return names;
 }
@@ -237,10 +277,9 @@ std::vector<std::string> names_in(std::string_view expression) {
 std::optional<double> value_of(
     std::string_view expression,
     const std::function<std::optional<double>(std::string_view name)>& values) {
-  for (const std::string& name : names_in(expression)) {
-    if (!values(name)) {
-      return std::nullopt;
-    }
+  const auto has_value = [&](std::string_view name) { return values(name).has_value(); };
+  if (!std::ranges::all_of(names_in(expression, has_value), has_value)) {
+    return std::nullopt;
   }
   Value value = scalar_at({std::make_shared<const Origin>(), 1, 1}, std::string(expression));
   try {
@@ -259,6 +298,7 @@ void evaluate_expressions(Value& root) {
       fail(let->location, fmt::format("let: expected a map, found {}", found(*let)));
     }
     for (Entry& entry : let->entries) {
+      evaluator.begin_let();
       evaluator.evaluate(entry.value);
       evaluator.define(entry);
     }

@@ -51,8 +51,6 @@ inline constexpr int kMaxOffset = 1'000'000;  ///< of a moving wall from home
 /// The sine of a motion takes 4 x amplitude x period squared in 64 bits.
 inline constexpr int kMaxWaveAmplitude = 10'000;
 inline constexpr std::uint64_t kMaxWavePeriod = 10'000'000;
-inline constexpr std::uint64_t kSineSteps = 7;  ///< of a period, for each site of amplitude
-inline constexpr std::uint64_t kTriangleSteps = 4;
 inline constexpr std::uint64_t kMaxShakePeriod = 1'000'000;  ///< steps for each site
 inline constexpr std::size_t kMaxPoints = 100'000;           ///< of a path
 

@@ -26,12 +26,12 @@ Sample sample(const std::vector<double>& values) {
   for (const double value : finite) {
     sum += value - origin;
   }
-  result.mean = origin + sum / count;
+  result.mean = std::isfinite(sum) ? origin + sum / count : kNone;
   double squares = 0;
   for (const double value : finite) {
     squares += (value - result.mean) * (value - result.mean);
   }
-  if (finite.size() > 1) {
+  if (finite.size() > 1 && std::isfinite(squares)) {
     result.standard_deviation = std::sqrt(squares / (count - 1));
     result.standard_error = result.standard_deviation / std::sqrt(count);
   }

@@ -47,7 +47,7 @@ std::size_t edits(std::string_view a, std::string_view b) {
 
 bool is_control(char32_t character) {
   return character < 0x20 || (character >= 0x7F && character < 0xA0) || character == 0x2028 ||
-         character == 0x2029;
+         character == 0x2029 || (character & 0xFFFE) == 0xFFFE;
 }
 
 std::string printable(std::string_view text) {

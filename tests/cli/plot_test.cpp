@@ -289,6 +289,23 @@ TEST_F(PlotCommandTest, TextThatBeginsWithAnApostropheStandsInTheFigureAsItIs) {
   EXPECT_THAT(text("'gas/plots/collisions.svg"), HasSubstr("<text>'Fast' 2_1 heap</text>"));
 }
 
+TEST_F(PlotCommandTest, ATitleThatEndsASectionStaysTextOfAWellFormedFigure) {
+  write_gas(folder_.path() / "gas", "gas");
+  store::RunSummary summary = store::read_summary(folder_.path() / "gas/run.json");
+  summary.title = "]]><script>alert(1)</script>]]>";
+  store::write_whole(folder_.path() / "gas/run.json", store::to_json(summary));
+  EXPECT_EQ(plot({"gas", "--only", "collisions", "--format", "svg"}).err, "");
+  const std::string figure = text("gas/plots/collisions.svg");
+  EXPECT_THAT(figure, HasSubstr("<text>]]&gt;&lt;script>alert(1)&lt;/script>]]&gt;</text>"));
+  std::string outside;  // of sections, where XML has no "]]>"
+  for (std::size_t at = 0; at < figure.size();) {
+    const std::size_t section = std::min(figure.find("<![CDATA[", at), figure.size());
+    outside += figure.substr(at, section - at);
+    at = section == figure.size() ? section : figure.find("]]>", section) + 3;
+  }
+  EXPECT_THAT(outside, Not(HasSubstr("]]>")));
+}
+
 TEST_F(PlotCommandTest, ValuesOfASweepStandUnderTheAxisAsTheyAre) {
   fs::create_directories(folder_.path() / "'sweep");
   store::write_whole(folder_.path() / "'sweep/sweep.json", "{}");

@@ -90,7 +90,8 @@ std::vector<Force> means(const ForceSums& sums);
 /// Sum of normal forces on each grain, by id.
 std::vector<double> loads(std::size_t grain_count, const std::vector<Force>& forces);
 
-/// Mean mass of the present grains, in sites; 0 if there are none.
+/// Mean mass of the present grains, in sites; 1 if there are none: the forces of a step after which
+/// the box is empty are in weights of a site.
 double mean_mass(const grains::State& state);
 
 /// Residual of the force balance of each grain, divided by its weight, by id; 0 for removed grains.

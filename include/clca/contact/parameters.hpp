@@ -11,7 +11,7 @@ namespace clca::contact {
 enum class Rolling : std::uint8_t { none, resistance, free };
 
 struct Parameters {
-  double friction = 0.4;       ///< between grains
+  double friction = 0.4;       ///< between grains; any from 2^14 on is the same, here and below
   double wall_friction = 0.4;  ///< of walls that have none of their own, and of the box
   /// By wall: a friction of its own. May be shorter than the list of walls.
   std::vector<std::optional<double>> friction_by_wall = {};

@@ -35,8 +35,8 @@ struct Options {
   /// checks.
   bool sleeping = true;
   /// Takes the times of the phases unless it is null; measuring has a small cost. Phases of the
-  /// automaton: decide, contest, move (what nobody contests, and on several threads what each
-  /// decides alone), turns (all others, in order). Of the contact model: contacts, order, motion,
+  /// automaton: decide, contest, move (what nobody contests), turns (all others, in
+  /// order). Of the contact model: contacts, order, motion,
   /// warm_start, sweeps, moves. The reference and the other models have none.
   PhaseTimes* phase_times = nullptr;
 };

@@ -29,10 +29,18 @@ enum class Waveform : std::uint8_t { sine, triangle };
 struct Wave {
   Waveform form = Waveform::sine;
   std::int32_t amplitude = 1;
-  std::uint64_t period = 8;  ///< steps; long enough for at most one site per step
+  std::uint64_t period = 8;  ///< steps, at least least_period()
 
   bool operator==(const Wave&) const = default;
 };
+
+/// Steps of a period, for each site of amplitude, in which a wave moves one site a step at most.
+inline constexpr std::uint64_t kSineSteps = 7;
+inline constexpr std::uint64_t kTriangleSteps = 4;
+inline std::uint64_t least_period(const Wave& wave) {
+  return (wave.form == Waveform::sine ? kSineSteps : kTriangleSteps) *
+         static_cast<std::uint64_t>(wave.amplitude);
+}
 
 /// Lifted by `amplitude` sites, dropped back, then a pause; repeated.
 struct Shake {
@@ -58,6 +66,12 @@ struct Path {
 
   bool operator==(const Path&) const = default;
 };
+
+/// Whether the way from a point to a later one is longer in sites than in steps.
+inline bool is_steep(const Path::Point& from, const Path::Point& to) {
+  const std::int64_t rise = std::int64_t{to.offset} - from.offset;
+  return static_cast<std::uint64_t>(rise < 0 ? -rise : rise) > to.step - from.step;
+}
 
 /// A lattice spacing in the unit of positions that are finer than sites.
 inline constexpr std::int64_t kMotionSpacing = 1 << 20;

@@ -111,11 +111,12 @@ struct Push {
 
 /// Emits particles while it is open.
 struct Source {
-  std::vector<lattice::Site> sites = {};  ///< allowed reference sites of a new particle
-  std::vector<std::uint32_t> weights;     ///< per kind; a kind is drawn in proportion
-  std::uint64_t rate = 0;                 ///< particles per step, times 2^32
-  std::uint64_t count = 0;                ///< particles after which it closes for good
-  std::uint64_t credit = 0;               ///< particles due, times 2^32
+  std::vector<lattice::Site> sites = {};         ///< allowed reference sites of a new particle
+  std::vector<std::uint32_t> weights;            ///< per kind; a kind is drawn in proportion
+  std::uint64_t unit = std::uint64_t{1} << 32U;  ///< of rate and credit: one particle
+  std::uint64_t rate = 0;                        ///< particles per step, times `unit`
+  std::uint64_t count = 0;                       ///< particles after which it closes for good
+  std::uint64_t credit = 0;                      ///< particles due, times `unit`
   std::uint64_t emitted = 0;
   bool open = false;
 

@@ -86,7 +86,7 @@ class Convection {
     double cross = 0;   // of position and drift
     double square = 0;  // of position
 
-    void add(const Eigen::Vector2d& at, const Displacement& displacement);
+    void add(const Eigen::Vector2d& at, const Displacement& displacement, double sites);
     double rotation() const;
     static constexpr auto fields() {
       using reflection::field;

@@ -13,7 +13,7 @@ namespace clca::measure {
 struct FieldCell {
   Eigen::Vector2d centre = Eigen::Vector2d::Zero();  ///< lattice spacings
   double packing = 0;                                ///< share of its sites taken by particles now
-  std::size_t particles = 0;                         ///< that the means are over
+  double particles = 0;                              ///< that the means are over
   Eigen::Vector2d velocity = Eigen::Vector2d::Zero();  ///< mean, spacings per step
   /// 1/2 <|v - <v>|^2>: kinetic energy of the fluctuations per unit mass, (spacings per step)^2.
   double fluctuation = 0;

@@ -2,12 +2,24 @@
 // Cells in which fields are measured.
 
 #include <Eigen/Core>
+#include <array>
 #include <cstddef>
 #include <vector>
 
 #include "clca/lattice/lattice.hpp"
 
 namespace clca::measure {
+
+/// Calls visit(part, share) for two parts, half to each, or for the one that both are.
+template <class Visit>
+void share_out(std::size_t before, std::size_t after, const Visit& visit) {
+  if (before == after) {
+    visit(after, 1.0);
+  } else {
+    visit(before, 0.5);
+    visit(after, 0.5);
+  }
+}
 
 /// Equal cells that fill the box, as close to squares of the requested side as whole numbers allow.
 /// The box extends half a spacing (across: half a column) beyond its outermost sites.
@@ -27,7 +39,16 @@ class Grid {
 
   /// Index of the cell that contains a point (lattice spacings); wraps at a periodic boundary. An
   /// edge belongs to the cell right of it or above it, whatever the rounding of the point.
-  std::size_t index(const Eigen::Vector2d& point) const;
+  std::size_t index(const Eigen::Vector2d& point) const { return cells(point)[1]; }
+  /// The cells left and right of the edge that a point is on; else its cell twice.
+  std::array<std::size_t, 2> cells(const Eigen::Vector2d& point) const;
+  /// Calls visit(cell, share) for them, half to each: the mirror image of a bed has the mirror
+  /// image of its fields.
+  template <class Visit>
+  void share_out(const Eigen::Vector2d& point, const Visit& visit) const {
+    const auto [left, right] = cells(point);
+    measure::share_out(left, right, visit);
+  }
   /// Centre of a cell, in lattice spacings.
   Eigen::Vector2d centre(std::size_t index) const;
 

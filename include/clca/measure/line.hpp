@@ -23,8 +23,8 @@ struct LinePartSums {
   double followed = 0;  ///< of these, those that a particle of known velocity covers
   /// Of the followed points, times velocity: across the line, and along it.
   Eigen::Vector2d displacement = Eigen::Vector2d::Zero();
-  double sites = 0;             ///< that have passed to the right, less those to the left
-  std::uint64_t particles = 0;  ///< whose centre has passed, either way
+  double sites = 0;      ///< that have passed to the right, less those to the left
+  double particles = 0;  ///< whose centre has passed, either way
 
   LinePartSums& operator+=(const LinePartSums& other);
   static constexpr auto fields() {
@@ -95,10 +95,11 @@ struct LinePart {
   LineMean across;         ///< velocity, spacings per step
   LineMean along;          ///< likewise, positive in the direction of the line
   double filling = 0;      ///< share that particles cover of what no wall covers; 0 if walls do all
-  std::uint64_t particles = 0;  ///< whose centre has passed, either way
+  double particles = 0;    ///< whose centre has passed, either way
 };
 
-/// A line in a box, cut into parts of equal length. Its end does not belong to it.
+/// A line in a box, cut into parts of equal length. Its end does not belong to it; an edge between
+/// two parts belongs half to each.
 class Line {
  public:
   /// In the box of the state, for particles of its kinds. Throws std::invalid_argument unless the
@@ -107,7 +108,7 @@ class Line {
        std::size_t parts);
 
   /// Adds an observation: what is on the line now, and what has passed it since the snapshot. Each
-  /// particle is taken to have gone straight (Snapshot::start). `velocities` (spacings per step)
+  /// particle is taken to have gone straight (Snapshot::path). `velocities` (spacings per step)
   /// are by id. Throws std::invalid_argument unless the snapshot is of an earlier step and the
   /// occupancy is of this box.
   void observe(const Snapshot& before, const grains::State& now, const grains::Occupancy& occupancy,

@@ -18,7 +18,7 @@ std::vector<double> fillings(const grains::State& state,
 
 /// Means over the particles that start in a region, weighted by their sites.
 struct RegionMotion {
-  std::size_t particles = 0;  ///< at least one
+  double particles = 0;  ///< at least one; half of each on an edge between two regions
   Eigen::Vector2d velocity = Eigen::Vector2d::Zero();
   double fluctuation = 0;  ///< 1/2 <|v - <v>|^2>, the granular temperature
 };

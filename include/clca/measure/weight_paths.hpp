@@ -43,6 +43,17 @@ struct SupportedGrain {
 std::vector<SupportedGrain> supported_grains(const grains::State& state,
                                              const grains::Occupancy& occupancy);
 
+/// The supports of all grains are the edges of a graph in the plane: fewer, over their number.
+inline constexpr double kSupportsPerGrain = 3;
+
+/// Memory of supported_grains() and of the paths by so many rules, at most.
+inline double weight_paths_bytes(double particles, double rules) {
+  return particles *
+         (sizeof(SupportedGrain) + sizeof(Eigen::Vector2d) + grains::kListRoom * sizeof(double) +
+          kSupportsPerGrain * (grains::kListRoom * sizeof(SupportedGrain::Support) +
+                               rules * sizeof(contact::Force)));
+}
+
 struct WeightPaths {
   /// In weights of a grain of mean mass, from the top; each along its normal, without shear.
   std::vector<contact::Force> forces = {};
@@ -66,7 +77,8 @@ struct Base {
 Base base_of(const grains::State& state);
 
 /// The force down on floor and walls in each bin, by contact points, over the mean of the bins. Of
-/// contacts whose normal points up. Empty if that mean is 0.
+/// contacts whose normal points up. Both ends belong to the base; a point between two bins counts
+/// half in each. Empty if that mean is 0.
 std::vector<double> base_pressure(const Base& base, const std::vector<contact::Force>& forces);
 
 /// Of a base_pressure that is not empty: the bin in the middle, less the mean of the three next to

@@ -1,6 +1,6 @@
 #pragma once
-// Values as lists of named fields: said once for each struct, and saving, loading, comparing and
-// hashing follow from it.
+// Values as lists of named fields: said once for each struct, and saving, loading and hashing
+// follow from it.
 //
 // A struct that takes part has a member function
 //

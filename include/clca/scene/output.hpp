@@ -159,8 +159,11 @@ struct Output {
   bool operator==(const Output&) const = default;
 };
 
-/// The names of measures in an expression, as they come: all names but functions and constants.
-std::vector<std::string> names_in(std::string_view expression);
+/// The names of measures in an expression, as they come: all names but functions and constants. One
+/// with '-' behind a dot is a name if it is known, else a difference.
+std::vector<std::string> names_in(
+    std::string_view expression, const std::function<bool(std::string_view name)>& is_known =
+                                     [](std::string_view /*name*/) { return false; });
 
 /// The value of an expression of measures, `values` of which are known; none if one of them has no
 /// value, or the result is not a finite number.

@@ -7,7 +7,8 @@
 
 namespace clca::statistics {
 
-/// NaN if there are too few values: any statistic of none, a spread of one.
+/// NaN if there are too few values: any statistic of none, a spread of one; also if they are so
+/// large that their sum, or that of their squares, is no finite number.
 struct Sample {
   double mean = 0;
   double standard_deviation = 0;  ///< of the sample, over n - 1

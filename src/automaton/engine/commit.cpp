@@ -82,7 +82,7 @@ void Engine::commit(StripWorker& worker) {
   for_each_proposal(worker, &Proposals::falling,
                     [&](MoveProposal& proposal) { commit_unless_contested(worker, proposal); });
   for_each_proposal(worker, &Proposals::sloping, [&](MoveProposal& proposal) {
-    proposal.contested = contested_lead(proposal);
+    proposal.contest(contested_lead(proposal));  // none before: it slopes
     for_each_lead(proposal,
                   [&](Corner at, std::uint64_t) { reservations_.release(at, proposal.access); });
     commit_unless_contested(worker, proposal);

@@ -9,8 +9,8 @@ namespace clca::automaton {
 
 namespace {
 
-std::uint16_t count(std::uint64_t sites) {
-  return sites == 0 ? 0 : static_cast<std::uint16_t>(std::popcount(sites));
+std::uint32_t count(std::uint64_t sites) {
+  return sites == 0 ? 0 : static_cast<std::uint32_t>(std::popcount(sites));
 }
 
 }  // namespace
@@ -33,17 +33,17 @@ void Engine::find_conflicts(StripWorker& worker) {
   for_each_proposal(worker, &Proposals::falling, [&](MoveProposal& proposal) {
     for_each_lead(proposal, [&](Corner at, std::uint64_t sites) {
       if (const std::uint64_t both = reservations_.reserved(at) & sites; both != 0) {
-        proposal.contested += count(both);
+        proposal.contest(count(both));
         reservations_.contest(at, both, proposal.access);
       }
     });
   });
 }
 
-std::uint16_t Engine::contested_lead(const MoveProposal& proposal) const {
-  std::uint16_t result = 0;
+std::uint32_t Engine::contested_lead(const MoveProposal& proposal) const {
+  std::uint32_t result = 0;
   for_each_lead(proposal, [&](Corner at, std::uint64_t sites) {
-    result = static_cast<std::uint16_t>(result + count(reservations_.contested(at) & sites));
+    result += count(reservations_.contested(at) & sites);
   });
   return result;
 }

@@ -87,7 +87,7 @@ class Engine final : public Steps {
   void for_each_lead(const MoveProposal& proposal, Visit visit) const;
   void reserve(StripWorker& worker);
   void find_conflicts(StripWorker& worker);
-  std::uint16_t contested_lead(const MoveProposal& proposal) const;
+  std::uint32_t contested_lead(const MoveProposal& proposal) const;
   void give_turns();
   void give_turn(MoveProposal& proposal);
   void end_conflicts(StripWorker& worker);

@@ -39,10 +39,12 @@ struct MoveProposal {
   std::uint32_t id = 0;
   std::uint32_t byte = 0;  ///< of the corner of its one window, see Bitboard::Corner
   std::uint16_t kind = 0;
-  std::uint16_t contested = 0;        ///< how many of its lead sites others want as well
   grains::Move move = grains::kRest;  ///< kRest at the end of the step if it lost its turn
   grains::Access access = grains::Access::exclusive;
   ConflictOutcome outcome = ConflictOutcome::none;
+  std::uint32_t contested : 24 = 0;  ///< how many of its lead sites others want as well
+
+  void contest(std::uint32_t sites) { contested = (contested + sites) & 0xFFFFFFU; }
 };
 static_assert(sizeof(MoveProposal) == kCacheLine / 2);
 

@@ -17,7 +17,7 @@ class SiteMoves {
   /// Both must outlive this object; the box is that of the state.
   SiteMoves(State& state, grains::Box& box) : state_(state), box_(box) {}
 
-  /// Starts a step: clears the record and all `previous` moves.
+  /// Starts a step: clears the record.
   void begin();
 
   /// An owner that blocks a grain; kFree if there is none.

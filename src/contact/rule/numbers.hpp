@@ -32,7 +32,7 @@ inline std::int32_t rounded(std::int64_t value, int bits) {
   return static_cast<std::int32_t>(scaled(value, bits));
 }
 /// The same for any size: if larger than `most`, a power of two, the result is some number with
-/// absolute value above `most`.
+/// an absolute value of at least `most`.
 inline std::int32_t limited(std::int64_t value, int bits, std::int32_t most) {
   return static_cast<std::int32_t>(std::clamp<std::int64_t>(scaled(value, bits), -most, most));
 }

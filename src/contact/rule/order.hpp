@@ -18,7 +18,7 @@ inline Slope slope(lattice::Direction direction) {
   return {3 * step.x, 2 * step.q + step.x};
 }
 
-/// Twice the coordinate of a site along a direction, as an integer; only for comparison.
+/// Four times the coordinate of a site along a direction, as an integer; only for comparison.
 inline int coordinate_along(lattice::Direction direction, lattice::Site site) {
   const Slope along = slope(direction);
   return along.column * site.column + along.height * lattice::doubled_height(site);

@@ -9,8 +9,8 @@
 
 namespace clca::grains {
 
-/// Each model has two: its definition, for checks, and one that is fast and gives the same bits.
-/// All functions are called once a step at most, but removing().
+/// A model has one, or two: its definition, for checks, and one that is fast and gives the same
+/// bits. No function is called for each particle, but removing() for those that leave.
 class Mechanics {
  public:
   Mechanics() = default;

@@ -131,8 +131,11 @@ TEST(TheContactModel, RefusesParametersOutOfRange) {
   EXPECT_EQ(with([](Parameters& all) { all.rolling_friction = -1; }), reason);
   EXPECT_EQ(with([](Parameters& all) { all.restitution = 1; }), reason);
   EXPECT_EQ(with([](Parameters& all) { all.sweeps = 0; }), reason);
-  EXPECT_EQ(with([](Parameters& all) { all.fall_height = -1; }),
-            "resolution and fall height do not give a time step");
+  for (const auto& change : std::vector<std::function<void(Parameters&)>>{
+           [](Parameters& all) { all.fall_height = -1; },
+           [](Parameters& all) { all.resolution = -all.resolution; }}) {
+    EXPECT_EQ(with(change), "resolution and fall height do not give a time step");
+  }
   EXPECT_EQ(with([&](Parameters& all) { all.friction_by_wall = {nan}; }), reason);
   EXPECT_EQ(with([&](Parameters& all) { all.friction_by_wall = {-1.0}; }), reason);
   EXPECT_EQ(with([&](Parameters& all) {

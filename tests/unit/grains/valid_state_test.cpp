@@ -58,7 +58,9 @@ TEST(AState, IsNotValidWithMotionsThatCannotBeCarriedOut) {
         WallMotion{down, Wave{.amplitude = 1, .period = 0}},
         WallMotion{down, Wave{.amplitude = -1}},
         WallMotion{down, Shake{.amplitude = -1, .wait = 1}}, WallMotion{down, Path{{{0, 1}}}},
-        WallMotion{down, Path{{{4, 1}, {4, 2}}}},
+        WallMotion{down, Path{{{4, 1}, {4, 2}}}}, WallMotion{down, Path{{{4, 1}, {9, 7}}}},
+        WallMotion{down, Path{{{4, -5}}}},
+        WallMotion{down, Wave{.form = Waveform::triangle, .amplitude = 2, .period = 7}},
         WallMotion{static_cast<lattice::Direction>(6), Drive{1, 1}}}) {
     EXPECT_EQ(refusal_after([&](State& state) { set_motion(state, motion); }),
               "the motion of a wall cannot be carried out");

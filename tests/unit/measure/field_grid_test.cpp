@@ -181,7 +181,7 @@ TEST(Fields, ConserveParticlesAndMomentum) {
   EXPECT_LT(momentum.y(), 0);
   EXPECT_TRUE(window.fields(after, 1000).cells[0].velocity.isApprox(momentum / mass));
   for (const double cell : {3.0, 7.0, 1000.0}) {
-    std::size_t particles = 0;
+    double particles = 0;
     const Fields fields = window.fields(after, cell);
     for (const FieldCell& each : fields.cells) {
       particles += each.particles;

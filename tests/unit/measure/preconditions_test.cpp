@@ -55,6 +55,15 @@ TEST(ASnapshot, IsHeldAgainstAStateThatFollowedIt) {
   }
 }
 
+TEST(ASnapshot, OfPlacesThatNoRunReachesIsRefused) {
+  for (const int far : {std::numeric_limits<int>::min(), std::numeric_limits<int>::max()}) {
+    State begin = two_particles();
+    begin.particles[1].row = far;
+    EXPECT_FALSE(Snapshot(begin).precedes(begin)) << far;
+  }
+  EXPECT_TRUE(Snapshot(two_particles()).precedes(two_particles()));
+}
+
 TEST(Displacements, NeedAnOriginOfEachParticle) {
   State state = two_particles();
   EXPECT_EQ(displacements(state).size(), 2U);

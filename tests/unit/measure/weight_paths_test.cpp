@@ -182,6 +182,23 @@ TEST(WeightPaths, ThePressureIsOverItsMeanAndOfTheBaseOnly) {
   EXPECT_TRUE(base_pressure(base, {}).empty());
 }
 
+TEST(WeightPaths, BothEndsBelongToTheBaseAndHalfOfWhatIsBetweenTwoBinsToEach) {
+  for (const int columns : {13, 14}) {
+    std::vector<contact::Force> forces;
+    for (int column = 0; column < columns; ++column) {
+      forces.push_back({.other = contact::kFloor,
+                        .point = {lattice::kColumnPitch * column, 0},
+                        .normal = {0, 1},
+                        .along_normal = 3});
+    }
+    const std::vector<double> pressure =
+        base_pressure({.left = 0, .right = lattice::kColumnPitch * (columns - 1)}, forces);
+    const double end = columns == 13 ? 1 : 1.5 * 13 / 14;  // the whole of one, half of the next
+    EXPECT_NEAR(pressure.front(), end, 1e-12) << columns;
+    EXPECT_NEAR(pressure.back(), end, 1e-12) << columns;
+  }
+}
+
 TEST(WeightPaths, TheBaseLeavesOutAHundredthOfTheSitesOnEitherSide) {
   const grains::State state = wedge();
   const Base base = base_of(state);

@@ -34,6 +34,13 @@ TEST(Escaped, LeavesNothingThatIsMarkup) {
             "a\ufffdb\ufffdc\ufffd[2J");
 }
 
+TEST(Numbers, HaveTheDecimalsOfTheirFiniteErrors) {
+  constexpr double kInfinite = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(decimals_for(std::array{1e307}, std::array{kInfinite}), 0);
+  EXPECT_EQ(decimals_for(std::array{0.25, 3.0}, std::array{kInfinite, 0.02}), 3);
+  EXPECT_EQ(number_html(2.5, kInfinite, 1), "2.5");
+}
+
 TEST(Numbers, HaveFourDigitsAndGroups) {
   EXPECT_EQ(brief(0.123456), "0.1235");
   EXPECT_EQ(brief(34.39), "34.39");

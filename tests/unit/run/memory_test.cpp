@@ -43,6 +43,12 @@ TEST(MemoryOf, CountsThePositionsThatPicturesOfVelocitiesRemember) {
             memory_with({frames}) + 400 * 60);
 }
 
+TEST(MemoryOf, CountsThePathsOfWeightThatPicturesShow) {
+  const std::string frames = "output.frames={width: 100, height: 100}";
+  EXPECT_GE(memory_with({frames, "output.frames.overlay=weight_q"}),
+            memory_with({frames}) + 400 * 1000);
+}
+
 TEST(MemoryOf, CountsWindowsOfForces) {
   const std::string contact = "model=contact";
   const double least = memory_with({contact});

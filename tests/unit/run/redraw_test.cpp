@@ -281,6 +281,22 @@ TEST_F(RedrawTest, AColumnOverTimeHoldsEachFrameUntilTheNext) {
   EXPECT_NE(image.at(63, table), image.at(0, table));
 }
 
+TEST_F(RedrawTest, APictureOverTimeHasAllPicturesWhateverAMovieBesideItShows) {
+  const scene::Scene scene = parse(kFalling, {"output.frames.every=7"});
+  const fs::path run = folder_.path() / "run";
+  run::run(scene, {.folder = run});
+  const auto over_time = [&](const fs::path& movie, std::optional<double> duration) {
+    const fs::path file = folder_.path() / "column.png";
+    Redraw({{scene, run}}, {.movie = movie,
+                            .frames_per_second = 10,
+                            .duration = duration,
+                            .space_time = SpaceTimeOptions{.file = file, .column = 10, .slit = 20}})
+        .draw();
+    return testing::bytes_of(file);
+  };
+  EXPECT_EQ(over_time(folder_.path() / "movie.png", 0.5), over_time("", {}));
+}
+
 TEST_F(RedrawTest, TheSurfaceOverTimeIsWhiteWhereThereAreNoGrains) {
   const scene::Scene scene = parse(kFalling, {"output.frames.every=7"});
   const fs::path run = folder_.path() / "run";

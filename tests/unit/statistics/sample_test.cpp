@@ -30,6 +30,14 @@ TEST(Sample, LeavesOutWhatIsNoNumber) {
   EXPECT_EQ(found.mean, 2);
 }
 
+TEST(Sample, HasNoSpreadThatIsInfinite) {
+  const Sample huge = sample({6e307, 7e307, 5e307});
+  EXPECT_DOUBLE_EQ(huge.mean, 6e307);
+  EXPECT_TRUE(std::isnan(huge.standard_deviation));
+  EXPECT_TRUE(std::isnan(huge.standard_error));
+  EXPECT_TRUE(std::isnan(sample({-1.7e308, 1.7e308}).mean));
+}
+
 TEST(Sample, OfOneOrNoValueHasNoSpread) {
   EXPECT_EQ(sample({4}).mean, 4);
   EXPECT_TRUE(std::isnan(sample({4}).standard_deviation));
