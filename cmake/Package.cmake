@@ -37,11 +37,11 @@ set(about "Grains made of sites of a triangular lattice fall, flow and come to r
 rules or by contact dynamics; a gas of inelastic, rough spheres follows the
 Boltzmann equation. The same scene and seed always give the same bits.")
 set(same "clca (= ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})")
-# libosmesa6 and the font are found at run time.
-clca_package(program clca science "simulator of granular flow in two dimensions" "libosmesa6, fonts-dejavu-core"
+# OSMesa or EGL and the font are found at run time.
+clca_package(program clca science "simulator of granular flow in two dimensions" "libosmesa6 | libegl-mesa0, fonts-dejavu-core"
              "gnuplot-nox | gnuplot, ffmpeg")
 clca_package(development libclca-dev libdevel "simulator of granular flow (static libraries and headers)"
-             "g++, libeigen3-dev, libfmt-dev, libhdf5-dev, libmuparser-dev, libosmesa6-dev, libpango1.0-dev, libpng-dev, \
+             "g++, libeigen3-dev, libfmt-dev, libhdf5-dev, libmuparser-dev, libpango1.0-dev, libpng-dev, \
 libyaml-cpp-dev, nlohmann-json3-dev, pkg-config, zlib1g-dev")
 if(CLCA_BUILD_PYTHON)
   find_package(Python3 REQUIRED COMPONENTS Interpreter)

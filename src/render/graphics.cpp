@@ -17,8 +17,8 @@
 
 #include "clca/render/painter.hpp"
 #include "clca/text/utf8.hpp"
+#include "render/address_space.hpp"
 #include "render/colors.hpp"
-#include "render/context.hpp"
 
 namespace clca::render {
 
@@ -230,15 +230,19 @@ std::vector<std::uint8_t> Graphics::pdf(const std::string& title) {
   return std::move(pdf_);
 }
 
-Image Graphics::image() const {
+Image Graphics::image(const PixelBox& without) const {
   cairo_surface_t* surface = cairo_get_target(cairo_of(cairo_));
   cairo_surface_flush(surface);
-  Image image(width_, height_, {});
+  Image image(width_, height_, kPaper);
   for (int y = 0; y < height_; ++y) {
+    if (y >= without.y && y < without.y + without.height) {
+      continue;
+    }
     const std::uint32_t* row = row_of(surface, y);
+    Rgb* pixels = &image.at(0, y);
     for (int x = 0; x < width_; ++x) {
-      image.at(x, y) = {static_cast<std::uint8_t>(row[x] >> 16U),
-                        static_cast<std::uint8_t>(row[x] >> 8U), static_cast<std::uint8_t>(row[x])};
+      pixels[x] = {static_cast<std::uint8_t>(row[x] >> 16U),
+                   static_cast<std::uint8_t>(row[x] >> 8U), static_cast<std::uint8_t>(row[x])};
     }
   }
   return image;
@@ -398,12 +402,18 @@ Image scaled(const Image& image, int width, int height) {
   return graphics.image();
 }
 
+void paste(const Image& image, Image& picture, int left, int top) {
+  for (int y = 0; y < image.height; ++y) {
+    std::copy_n(image.pixels.data() + std::ptrdiff_t{y} * image.width, image.width,
+                &picture.at(left, top + y));
+  }
+}
+
 Image cropped(const Image& image, const PixelBox& box) {
   Image result(box.width, box.height, {});
   for (int y = 0; y < box.height; ++y) {
-    for (int x = 0; x < box.width; ++x) {
-      result.at(x, y) = image.at(box.x + x, box.y + y);
-    }
+    std::copy_n(image.pixels.data() + std::ptrdiff_t{box.y + y} * image.width + box.x, box.width,
+                &result.at(0, y));
   }
   return result;
 }

@@ -25,8 +25,8 @@ class Graphics {
   enum class Page : std::uint8_t { pdf };
   Graphics(Page page, int width, int height);
 
-  /// What is drawn on a picture.
-  Image image() const;
+  /// What is drawn on a picture; white in the rows of `without`.
+  Image image(const PixelBox& without = {}) const;
   /// The PDF with the page, and a title for viewers. Nothing can be drawn afterwards.
   std::vector<std::uint8_t> pdf(const std::string& title);
 
@@ -95,6 +95,9 @@ class Graphics {
 
 /// `image` resized; see Graphics::draw_image().
 Image scaled(const Image& image, int width, int height);
+
+/// Puts `image` onto `picture`, with its upper left corner at `left`, `top`.
+void paste(const Image& image, Image& picture, int left, int top);
 
 /// The part of `image` in `box`, which lies in it.
 Image cropped(const Image& image, const PixelBox& box);

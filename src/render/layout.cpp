@@ -94,6 +94,7 @@ Layout arrange(int width, int height, const lattice::Rectangle& view, Annotation
 namespace {
 
 constexpr int kMaxSupersampling = 4;
+constexpr int kMaxSize = 32'767;  // of Cairo
 
 /// Of the border that pictures show around the box, in lattice spacings.
 double border_thickness(const lattice::Lattice& lattice) {
@@ -136,23 +137,22 @@ Style completed(Style style, const lattice::Lattice& lattice) {
     style.annotations = Annotations::none;
   }
   const PictureSize size = picture_size(style.width, style.height, style.view, style.annotations);
+  if (std::max(size.width, size.height) > kMaxSize) {
+    throw RenderError(fmt::format("a picture of {} x {} pixels is too large: {} x {} at most",
+                                  size.width, size.height, kMaxSize, kMaxSize));
+  }
   style.width = size.width;
   style.height = size.height;
   return style;
 }
 
 Projection projection_of(const lattice::Rectangle& view, const Layout& layout, int samples,
-                         const lattice::Lattice& lattice, int picture_height) {
+                         int picture_height) {
   Projection projection;
   projection.width = layout.panel.width * samples;
   projection.height = layout.panel.height * samples;
   projection.scale = layout.scale * samples;
   projection.corner = {view.left, view.bottom};
-  const lattice::Rectangle box = whole_box(lattice);
-  const Eigen::Vector2d middle(std::clamp((view.left + view.right) / 2, box.left, box.right),
-                               std::clamp((view.bottom + view.top) / 2, box.bottom, box.top));
-  projection.anchor = lattice::nearest_site(middle);
-  projection.anchor.column -= lattice::is_odd(projection.anchor.column) ? 1 : 0;
   set_outline(projection, layout.scale, picture_height);
   return projection;
 }

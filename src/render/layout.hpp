@@ -35,6 +35,6 @@ Style completed(Style style, const lattice::Lattice& lattice);
 
 /// Projection from the plane to `samples` samples per pixel along each axis.
 Projection projection_of(const lattice::Rectangle& view, const Layout& layout, int samples,
-                         const lattice::Lattice& lattice, int picture_height);
+                         int picture_height);
 
 }  // namespace clca::render

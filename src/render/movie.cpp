@@ -46,7 +46,9 @@ Arguments format_arguments(MovieFormat format) {
   switch (format) {
     case MovieFormat::mp4:
       arguments = video_arguments();
-      append(arguments, {"-c:v", "libx264", "-crf", "18", "-movflags", "+faststart", "-f", "mp4"});
+      // veryfast: half the time, files 4 % larger.
+      append(arguments, {"-c:v", "libx264", "-preset", "veryfast", "-crf", "18", "-movflags",
+                         "+faststart", "-f", "mp4"});
       break;
     case MovieFormat::webm:
       arguments = video_arguments();

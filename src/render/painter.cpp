@@ -7,12 +7,13 @@
 #include <utility>
 
 #include "render/annotations.hpp"
-#include "render/canvas.hpp"
+#include "render/bodies.hpp"
 #include "render/colors.hpp"
 #include "render/graphics.hpp"
 #include "render/layout.hpp"
-#include "render/polygon_painter.hpp"
+#include "render/opengl/polygons.hpp"
 #include "render/projection.hpp"
+#include "render/samples.hpp"
 #include "render/site_lookup.hpp"
 #include "render/wall_appearance.hpp"
 
@@ -28,12 +29,18 @@ void draw_overlay(Graphics& graphics, const Overlay& overlay, const PanelScale& 
   }
 }
 
+Projection without_outlines(Projection projection) {
+  projection.outline_strength = 0;
+  return projection;
+}
+
 }  // namespace
 
 struct Capture::Content {
-  std::shared_ptr<const SampleGrid> samples;  ///< without particles where there are polygons
-  std::optional<PolygonPainter::Instances> polygons;
-  std::vector<Rgb> palette;
+  Image panel;  ///< unless there are polygons
+  // For polygons and vector graphics: all but the particles, and these.
+  Image walls;
+  std::vector<Body> bodies;
   Legend legend;
 };
 
@@ -47,30 +54,31 @@ class Painter::Impl {
       : style_(completed(style, lattice)),
         lattice_(lattice),
         layout_(arrange(style_.width, style_.height, style_.view, style_.annotations)),
-        projection_(
-            projection_of(style_.view, layout_, style.supersampling, lattice, style_.height)),
+        projection_(projection_of(style_.view, layout_, style.supersampling, style_.height)),
         kind_count_(kinds.size()),
-        canvas_(layout_.panel.width, layout_.panel.height, style.supersampling),
-        lookup_(lattice, projection_, style.threads),
-        grids_(projection_.width, projection_.height) {
-    const Canvas::Session session(canvas_);
-    canvas_.require_size(style_.width, style_.height, style.supersampling);
-    polygons_.emplace(canvas_.gl(), lattice, kinds);
+        lookup_(lattice, projection_, style.supersampling, style.threads),
+        walls_(lattice, without_outlines(projection_), 1, style.threads) {
+    for (const grains::Kind& kind : kinds) {
+      outlines_.push_back(outlines(kind.shape).front());
+    }
+    if (style.drawing == Drawing::polygons) {
+      polygons_ = polygon_painter(projection_, style.supersampling,
+                                  projection_.samples_in(whole_box(lattice)), kinds);
+    }
   }
 
   Capture capture(const grains::State& state, const grains::Occupancy& occupancy,
                   const Coloring& coloring) {
     require_match(state, coloring);
     auto content = std::make_shared<Capture::Content>();
-    if (by_polygons(state)) {
-      content->samples = backdrop(state, occupancy);
-      content->polygons = polygons_->instances(projection_, state, occupancy, coloring);
-    } else {
-      const std::shared_ptr<SampleGrid> samples = grids_.take();
-      lookup_.particles(state, occupancy, coloring, *samples);
-      content->samples = samples;
+    if (!polygons_) {
+      content->panel = lookup_.picture(state, occupancy, coloring);
     }
-    content->palette = coloring.palette;
+    if (polygons_ || style_.vector) {
+      content->walls =
+          walls_.picture(state, occupancy, {.rule = ById{}, .palette = {kPaper}, .legend = {}});
+      content->bodies = bodies_in_view(projection_, state, occupancy, coloring);
+    }
     content->legend = coloring.legend;
     // The floor and sides of the box are walls, too.
     add_walls(content->legend, {.standing = true, .moving = any_wall_moves(state)});
@@ -80,11 +88,22 @@ class Painter::Impl {
   Image rasterize(const Capture::Content& captured, const Caption& caption, const Overlay& overlay,
                   double turn) {
     Graphics graphics(style_.width, style_.height);
+    const PixelBox& box = layout_.panel;
+    const Image polygons =
+        polygons_ ? means_over(captured.walls, polygons_(captured.bodies), style_.supersampling)
+                  : Image();
+    const Image& panel = polygons_ ? polygons : captured.panel;
+    const bool bare = overlay.strokes.empty() && overlay.fade == 0 && turn == 0;
     parts_ = draw(graphics, captured, caption, overlay, turn, [&] {
-      graphics.draw_image(rasterized_panel(captured), 0, 0, layout_.panel.width,
-                          layout_.panel.height);
+      if (!bare) {
+        graphics.draw_image(panel, 0, 0, box.width, box.height);
+      }
     });
-    return graphics.image();
+    Image image = graphics.image(bare ? box : PixelBox{});
+    if (bare) {
+      paste(panel, image, box.x, box.y);
+    }
+    return image;
   }
 
   std::vector<std::uint8_t> pdf(const Capture::Content& captured, const Caption& caption,
@@ -133,90 +152,19 @@ class Painter::Impl {
     return {projection_.corner, layout_.scale, layout_.panel.height};
   }
 
-  /// As vector graphics, but for what was looked up: that is a picture with a pixel for each
-  /// sample.
+  /// As vector graphics, but for the walls: those are a picture with a pixel for each sample.
   void draw_panel(Graphics& graphics, const Capture::Content& captured) const {
-    const PixelBox& panel = layout_.panel;
-    const SampleGrid& samples = *captured.samples;
-    const std::vector<Rgb> colors = colors_by_code(captured.palette, projection_.outline_strength);
-    graphics.draw_image(mean_picture(projection_.width, projection_.height, 1,
-                                     [&](int x, int y) { return colors[samples.at(x, y)]; }),
-                        0, 0, panel.width, panel.height);
-    if (captured.polygons) {
-      const lattice::Rectangle box = whole_box(lattice_);
-      // Cairo counts pixels to 8 million.
-      const Eigen::Vector2d size(panel.width, panel.height);
-      const auto in_panel = [&](double x, double y) -> Eigen::Vector2d {
-        return panel_scale().pixel({x, y}).cwiseMax(-size).cwiseMin(2 * size);
-      };
-      const Eigen::Vector2d low = in_panel(box.left, box.top);
-      const Eigen::Vector2d high = in_panel(box.right, box.bottom);
-      const Graphics::Clip clip(graphics, low.x(), low.y(), high.x() - low.x(), high.y() - low.y());
-      polygons_->draw(graphics, projection_, panel_scale(), *captured.polygons);
-    }
-  }
-
-  bool by_polygons(const grains::State& state) const {
-    if (style_.drawing != Drawing::automatic) {
-      return style_.drawing == Drawing::polygons;
-    }
-    // Walls behind polygons are drawn by lookup, moving ones each time.
-    if (any_wall_moves(state)) {
-      return false;
-    }
-    // Both ways give the same picture. With llvmpipe on one thread a triangle costs as much as
-    // about 32 lookup samples, but only in rasterize();
-    // three quarters of a lookup are in capture(), which the simulation waits for. So polygons may
-    // cost twice as much.
-    constexpr std::size_t kSamplesPerTriangle = 16;
-    const std::size_t samples =
-        static_cast<std::size_t>(projection_.width) * static_cast<std::size_t>(projection_.height);
-    return polygons_->need_at_most(samples / kSamplesPerTriangle, projection_, state);
-  }
-
-  /// Cached: walls rarely change, and their lookup costs as much as a full one.
-  std::shared_ptr<const SampleGrid> backdrop(const grains::State& state,
-                                             const grains::Occupancy& occupancy) {
-    if (!backdrop_walls_ || !backdrop_walls_->match(state)) {
-      const std::shared_ptr<SampleGrid> walls = grids_.take();
-      lookup_.walls(state, occupancy, *walls);
-      backdrop_ = walls;
-      backdrop_walls_.emplace(state);
-    }
-    return backdrop_;
-  }
-
-  Image rasterized_panel(const Capture::Content& captured) {
-    const SampleGrid& samples = *captured.samples;
-    const std::vector<Rgb> colors = colors_by_code(captured.palette, projection_.outline_strength);
-    const auto looked_up = [&](int x, int y) { return colors[samples.at(x, y)]; };
-    if (!captured.polygons) {
-      return mean_picture(layout_.panel.width, layout_.panel.height, style_.supersampling,
-                          looked_up);
-    }
-    const Canvas::Session session(canvas_);
-    draw_polygons(*captured.polygons);
-    const std::span<const std::uint8_t> drawn = canvas_.read();
-    return mean_picture(
-        layout_.panel.width, layout_.panel.height, style_.supersampling, [&](int x, int y) {
-          const std::size_t at =
-              4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(samples.width()) +
-                   static_cast<std::size_t>(x));
-          return drawn[at + 3] == 0 ? looked_up(x, y)
-                                    : Rgb{drawn[at], drawn[at + 1], drawn[at + 2]};
-        });
-  }
-
-  /// Draws the polygons; the rest is transparent.
-  void draw_polygons(const PolygonPainter::Instances& instances) {
-    const Gl& gl = canvas_.gl();
-    gl.Disable(GL_SCISSOR_TEST);
-    gl.ClearColor(0, 0, 0, 0);
-    gl.Clear(GL_COLOR_BUFFER_BIT);
-    const SampleBox box = projection_.samples_in(whole_box(lattice_));
-    gl.Scissor(box.x, box.y, box.width, box.height);
-    gl.Enable(GL_SCISSOR_TEST);
-    polygons_->draw(projection_, instances);
+    graphics.draw_image(captured.walls, 0, 0, layout_.panel.width, layout_.panel.height);
+    const lattice::Rectangle box = whole_box(lattice_);
+    // Cairo counts pixels to 8 million.
+    const Eigen::Vector2d size(layout_.panel.width, layout_.panel.height);
+    const auto in_panel = [&](double x, double y) -> Eigen::Vector2d {
+      return panel_scale().pixel({x, y}).cwiseMax(-size).cwiseMin(2 * size);
+    };
+    const Eigen::Vector2d low = in_panel(box.left, box.top);
+    const Eigen::Vector2d high = in_panel(box.right, box.bottom);
+    const Graphics::Clip clip(graphics, low.x(), low.y(), high.x() - low.x(), high.y() - low.y());
+    render::draw(graphics, captured.bodies, outlines_, projection_, panel_scale());
   }
 
   Style style_;
@@ -224,16 +172,11 @@ class Painter::Impl {
   Layout layout_;
   Projection projection_;
   std::size_t kind_count_;
-  // Changed by capture().
-  std::shared_ptr<const SampleGrid> backdrop_;
-  std::optional<WallsAppearance> backdrop_walls_;  // those of the backdrop
-  // Changed by rasterize().
-  Canvas canvas_;
   PictureParts parts_;  // of the last picture
-  // Constant.
   SiteLookup lookup_;
-  std::optional<PolygonPainter> polygons_;
-  GridPool grids_;
+  SiteLookup walls_;               // with a pixel for each sample
+  std::vector<Outline> outlines_;  // by kind
+  PolygonPainter polygons_;        // none for the lookup
 };
 
 Painter::Painter(const Style& style, const lattice::Lattice& lattice,
@@ -262,13 +205,19 @@ Image Painter::legend(const Caption& caption, const Legend& legend) const {
   return impl_->legend(caption, legend);
 }
 
-double Painter::bytes_for(const Style& style, int captures) {
+double Painter::bytes_for(const Style& style, double particles, int captures) {
   const PictureSize size = picture_size(style.width, style.height, style.view, style.annotations);
   const double pixels = static_cast<double>(size.width) * size.height;
-  // On the canvas and as it is read; in the captures and of the walls.
-  const double sample = 2 * 4 + (captures + 1.0) * sizeof(SampleCode);
-  const double pixel = 4 + 2 * sizeof(Rgb);  // in Cairo, of the view and of the picture
-  return pixels * (style.supersampling * style.supersampling * sample + pixel);
+  // In Cairo, of the view in captures and lookup, of the picture; what the lookup remembers.
+  double bytes = pixels * (4 + (captures + 2.0) * sizeof(Rgb) + sizeof(grains::Owner)) +
+                 particles * 4 * sizeof(Sample);
+  if (style.vector || style.drawing == Drawing::polygons) {
+    // Of the walls in captures and lookup, on the canvas and as it is read.
+    const double samples = pixels * style.supersampling * style.supersampling;
+    bytes += samples * ((captures + 1.0) * sizeof(Rgb) + 2 * sizeof(Sample)) +
+             particles * captures * static_cast<double>(sizeof(Body));
+  }
+  return bytes;
 }
 
 int Painter::width() const {

@@ -2,7 +2,6 @@
 // From the plane of the lattice to the samples of the canvas.
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "clca/lattice/region.hpp"
@@ -18,32 +17,17 @@ struct SampleBox {
   int height = 0;
 };
 
-/// Positions are relative to an anchor site near the middle of the view, as shaders use single
-/// precision.
 struct Projection {
   int width = 0;  ///< samples
   int height = 0;
   double scale = 1;             ///< samples a lattice spacing
   Eigen::Vector2d corner;       ///< of the canvas, lower left, in lattice spacings
-  lattice::Site anchor;         ///< in an even column
   double outline_width = 0;     ///< lattice spacings
   double outline_strength = 0;  ///< 0 draws no outline, 1 the darkest one
-
-  /// Lower left corner of the canvas relative to the anchor.
-  Eigen::Vector2d corner_from_anchor() const { return corner - lattice::position(anchor); }
 
   /// The part of the plane that the canvas shows.
   lattice::Rectangle view() const {
     return {corner.x(), corner.y(), corner.x() + width / scale, corner.y() + height / scale};
-  }
-
-  /// Scale and shift from a GridPoint (relative to the anchor) to clip space: scale u, v, shift u,
-  /// v.
-  std::array<double, 4> clip_from_grid() const {
-    const Eigen::Vector2d unit = position(GridPoint{1, 1});
-    const Eigen::Vector2d shift = corner_from_anchor() * scale;
-    return {2 * unit.x() * scale / width, 2 * unit.y() * scale / height, -2 * shift.x() / width - 1,
-            -2 * shift.y() / height - 1};
   }
 
   /// The samples whose centre lies in `rectangle`.

@@ -1,12 +1,13 @@
 #include "render/site_lookup.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <variant>
 
 #include "clca/parallel/first_failure.hpp"
 #include "clca/render/painter.hpp"
+#include "render/colors.hpp"
+#include "render/samples.hpp"
 #include "render/shade.hpp"
 #include "render/wall_appearance.hpp"
 
@@ -18,64 +19,11 @@ using grains::Owner;
 using lattice::Site;
 
 // All standing walls count as one owner, so that no outlines separate them; so do all moving walls.
-constexpr Owner kStandingWall = grains::kBorder;
-constexpr Owner kMovingWall = grains::kBorder + 1;  // the code of no wall
+constexpr Owner kStandingWall = grains::kFree - 1;
+constexpr Owner kMovingWall = grains::kFree - 2;
+constexpr std::size_t kOthers = 3;  // these and kFree
 
-/// Owners of the sites of a state, without particles.
-class WallSites {
- public:
-  WallSites(const grains::State& state, const grains::Occupancy& occupancy)
-      : occupancy_(occupancy) {
-    for (const grains::Wall& wall : state.walls) {
-      moving_.push_back(moves(wall));
-    }
-  }
-
-  Owner owner(std::size_t index) const {
-    const Owner owner = occupancy_.owner(index);
-    return grains::is_particle(owner) ? grains::kFree : owner;
-  }
-  bool any_taken(Site low, Site high) const { return occupancy_.any_taken(low, high); }
-  /// The owner that its seams belong to.
-  Owner whole(Owner owner) const {
-    if (!grains::is_wall(owner) || owner == kMovingWall) {
-      return owner;
-    }
-    const std::size_t wall = grains::wall_number(owner);
-    return wall < moving_.size() && moving_[wall] ? kMovingWall : kStandingWall;
-  }
-  SampleCode code(Owner owner) const {
-    return code_of(owner == grains::kFree        ? Background::paper
-                   : whole(owner) == kMovingWall ? Background::moving_wall
-                                                 : Background::wall);
-  }
-
- private:
-  const grains::Occupancy& occupancy_;
-  std::vector<bool> moving_;
-};
-
-template <class Rule>
-class ParticleSites : public WallSites {
- public:
-  ParticleSites(const grains::State& state, const grains::Occupancy& occupancy, const Rule& rule,
-                std::size_t colors)
-      : WallSites(state, occupancy), shading_{state, occupancy}, rule_(rule), colors_(colors) {}
-
-  Owner owner(std::size_t index) const { return shading_.occupancy.owner(index); }
-  SampleCode code(Owner owner) const {
-    if (!grains::is_particle(owner)) {
-      return WallSites::code(owner);
-    }
-    const std::size_t shade = shading_.shade(rule_, grains::particle_id(owner));
-    return code_of(in_palette(shade, colors_), false);
-  }
-
- private:
-  Shading shading_;
-  const Rule& rule_;
-  std::size_t colors_;
-};
+constexpr Sample kPackedPaper = packed(kPaper);
 
 std::int64_t in_units(double value, int fraction_bits) {
   return static_cast<std::int64_t>(std::floor(std::ldexp(value, fraction_bits)));
@@ -83,27 +31,172 @@ std::int64_t in_units(double value, int fraction_bits) {
 
 }  // namespace
 
-/// A vertical block of samples, in arrays for vector instructions.
-struct SiteLookup::Block {
-  static constexpr std::size_t kMaxSamples = 16;
-  template <class T>
-  using Each = std::array<T, kMaxSamples>;
+/// Colours of all owners in a state.
+class SiteLookup::Colors {
+ public:
+  Colors(const grains::State& state, const grains::Occupancy& occupancy, const Coloring& coloring,
+         double outline_strength)
+      : occupancy_(occupancy), colors_(2 * (state.particles.size() + kOthers)) {
+    for (const grains::Wall& wall : state.walls) {
+      moving_.push_back(moves(wall));
+    }
+    const auto set = [this](Owner owner, Rgb fill, Rgb outline) {
+      colors_[place(owner)] = packed(fill);
+      colors_[place(owner) + 1] = packed(outline);
+    };
+    set(grains::kFree, kPaper, kPaper);
+    for (const bool moving : moving_) {  // so that the table tells of it
+      colors_.push_back(moving ? 1 : 0);
+    }
+    set(kStandingWall, kWallColor, kWallColor);
+    set(kMovingWall, kMovingWallColor, kMovingWallColor);
+    std::vector<Rgb> outlines;
+    for (const Rgb fill : coloring.palette) {
+      outlines.push_back(outline_color(fill, outline_strength));
+    }
+    const Shading shading = {state, occupancy};
+    std::visit(
+        [&](const auto& rule) {
+          for (std::size_t id = 0; id < state.particles.size(); ++id) {
+            if (state.particles[id].present) {
+              const std::size_t shade = in_palette(shading.shade(rule, id), outlines.size());
+              set(static_cast<Owner>(id), coloring.palette[shade], outlines[shade]);
+            }
+          }
+        },
+        coloring.rule);
+  }
 
-  std::size_t count = 0;
-  bool uniform = true;  ///< no sample has two owners
-  Owner least = 0;
-  // Weight of corner a of the lattice triangle (a, b, c) around a sample.
-  Each<Owner> a = {}, b = {}, c = {};
-  Each<std::int32_t> weight_b = {}, weight_c = {};
-  Each<std::int32_t> row = {};
-  Each<std::int32_t> upper = {};
-  Each<Owner> owner = {};
-  Each<std::int32_t> outlined = {};
+  const grains::Occupancy& occupancy() const { return occupancy_; }
+  /// The owner that its seams belong to.
+  Owner whole(Owner owner) const {
+    if (owner >= grains::kFree) {
+      return owner;
+    }
+    const std::size_t wall = grains::wall_number(owner);
+    return wall < moving_.size() && moving_[wall] ? kMovingWall : kStandingWall;
+  }
+  /// That of whole(owner); of the outline after it.
+  static constexpr std::size_t place(Owner owner) {
+    return 2 * static_cast<std::size_t>(owner + static_cast<Owner>(kOthers));
+  }
+  const std::vector<Sample>& all() const { return colors_; }
+  const Sample* data() const { return colors_.data(); }
+  /// All owners below it are standing walls.
+  Owner least() const {
+    return std::find(moving_.begin(), moving_.end(), true) == moving_.end() ? kStandingWall
+                                                                            : grains::kBorder;
+  }
+
+ private:
+  const grains::Occupancy& occupancy_;
+  std::vector<bool> moving_;
+  std::vector<Sample> colors_;
 };
 
-SiteLookup::SiteLookup(const lattice::Lattice& lattice, const Projection& projection, int threads)
+/// Samples side by side, in arrays for vector instructions.
+struct SiteLookup::Block {
+  static constexpr std::size_t kSize = 48;  // a multiple of all numbers of samples in a pixel
+  template <class T>
+  using Each = std::array<T, kSize>;
+
+  // Weights of the corners b and c of the lattice triangle (a, b, c) around a sample.
+  Each<std::int32_t> weight_b, weight_c;
+  Each<Owner> a, b, c;
+  Each<std::int32_t> place;
+};
+
+/// Copies of sites.
+struct SiteLookup::NearSites {
+  static constexpr int kRows = 6;
+  static constexpr std::size_t kEach = lattice::Lattice::kRowPitch * kRows;
+  std::array<Owner, Block::kSize * 2 * kEach> sites;
+  Block::Each<std::int32_t> left, right;
+};
+
+namespace {
+
+// Without branches, for vector instructions.
+constexpr std::int32_t mask(bool condition) {
+  return -static_cast<std::int32_t>(condition);
+}
+constexpr std::int32_t chosen(std::int32_t mask, std::int32_t yes, std::int32_t no) {
+  return no ^ ((yes ^ no) & mask);
+}
+
+/// Rows of the two kinds of columns in a row of samples.
+struct Rows {
+  std::int32_t even_up = 0, odd_up = 0;  // from that row on the left, in weight
+  std::int32_t even_row = 0, odd_row = 0;
+};
+
+/// Returns 0 if all owners are equal.
+Owner take_corners(const Rows& rows, const std::int32_t* __restrict odd,
+                   const std::int32_t* __restrict parts, const std::int32_t* __restrict left,
+                   const std::int32_t* __restrict right, const Owner* __restrict inverted,
+                   Owner least, std::size_t count, std::int32_t* __restrict weight_b,
+                   std::int32_t* __restrict weight_c, Owner* __restrict a, Owner* __restrict b,
+                   Owner* __restrict c) {
+  constexpr std::int32_t kOne = std::int32_t{1} << 30;
+  constexpr std::int32_t kPitch = lattice::Lattice::kRowPitch;
+  const std::int32_t even_up = rows.even_up;
+  const std::int32_t other_up = rows.even_up ^ rows.odd_up;
+  const std::int32_t even_row = kPitch * rows.even_row;
+  const std::int32_t other_row = even_row ^ (kPitch * rows.odd_row);
+  Owner unlike = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::int32_t part = parts[i];
+    const std::int32_t above = (even_up ^ (other_up & odd[i])) - (part >> 1);
+    const std::int32_t below = above >> 31;  // -1 or 0
+    const std::int32_t up = above + (kOne & below);
+    const std::int32_t row = (even_row ^ (other_row & odd[i])) + kPitch * below;
+    const bool upper = part + up >= kOne;
+    weight_b[i] = upper ? kOne - up : part;
+    weight_c[i] = upper ? kOne - part : up;
+    const std::int32_t at_b = right[i] + row;
+    const std::int32_t at_c = left[i] + row + kPitch;
+    const std::int32_t at_a = upper ? at_b + kPitch : at_c - kPitch;
+    a[i] = std::max(~inverted[at_a], least);
+    b[i] = std::max(~inverted[at_b], least);
+    c[i] = std::max(~inverted[at_c], least);
+    unlike |= (a[i] ^ b[i]) | (a[i] ^ c[i]);
+  }
+  return unlike;
+}
+
+/// Finds the owner of at least half of the weight, and whether the edge of its shape is near; puts
+/// the place of its colour, or of that of its outline, into `places`.
+void decide(const Owner* __restrict as, const Owner* __restrict bs, const Owner* __restrict cs,
+            const std::int32_t* __restrict weight_bs, const std::int32_t* __restrict weight_cs,
+            std::size_t count, std::int32_t width, std::int32_t* __restrict places) {
+  constexpr std::int32_t kOne = std::int32_t{1} << 30;
+  constexpr std::int32_t kHalf = kOne / 2;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Owner a = as[i];
+    const Owner b = bs[i];
+    const Owner c = cs[i];
+    const std::int32_t weight_b = weight_bs[i];
+    const std::int32_t weight_c = weight_cs[i];
+    // Of owners with several corners, the first one speaks for all.
+    const std::int32_t of_a =
+        kOne - weight_b - weight_c + (weight_b & mask(b == a)) + (weight_c & mask(c == a));
+    const std::int32_t of_b = weight_b + (weight_c & mask(c == b));
+    const Owner c_or_none = c | mask(weight_c < kHalf);  // kFree has all bits
+    const Owner b_or_c = chosen(mask(of_b >= kHalf), b, c_or_none);
+    const Owner owner = chosen(mask(of_a >= kHalf), a, b_or_c);
+    const std::int32_t most = std::max(of_a, std::max(of_b, weight_c));
+    const std::int32_t line = mask(most - kHalf < width) & 1;
+    places[i] = 2 * (owner + static_cast<Owner>(kOthers)) + line;
+  }
+}
+
+}  // namespace
+
+SiteLookup::SiteLookup(const lattice::Lattice& lattice, const Projection& projection, int samples,
+                       int threads)
     : lattice_(lattice),
       projection_(projection),
+      samples_(samples),
       threads_(threads),
       box_(projection.samples_in(whole_box(lattice))),
       // The weight changes by one over the height of a lattice triangle, the column pitch.
@@ -113,218 +206,204 @@ SiteLookup::SiteLookup(const lattice::Lattice& lattice, const Projection& projec
                          : 0) {
   for (int y = box_.y; y < box_.y + box_.height; ++y) {
     const double height = projection.corner.y() + (y + 0.5) / projection.scale;
-    const GridCoordinate coordinate = coordinate_of(in_units(height, kFractionBits));
-    rows_.push_back(coordinate.whole);
-    parts_.push_back(coordinate.part);
+    const std::int64_t units = in_units(height, kFractionBits);
+    heights_.push_back(
+        {static_cast<int>(units >> kFractionBits), static_cast<std::int32_t>(units & (kOne - 1))});
   }
-}
-
-SiteLookup::GridCoordinate SiteLookup::coordinate_of(std::int64_t units) {
-  return {static_cast<std::int32_t>(units >> kFractionBits),
-          static_cast<std::int32_t>(units & (kOne - 1))};
-}
-
-SiteLookup::ColumnPair SiteLookup::pair_at(int x) const {
-  const double across = projection_.corner.x() + (x + 0.5) / projection_.scale;
-  const std::int64_t column = in_units(across / lattice::kColumnPitch, kFractionBits);
-  const GridCoordinate coordinate = coordinate_of(column);
   // Border owners extend to infinity: floor and side walls have any thickness.
-  const auto in_memory = [this](int wanted) {
-    return lattice_.periodic() ? wanted : std::clamp(wanted, -1, lattice_.columns());
+  const auto in_memory = [&](int wanted) {
+    return lattice.periodic() ? wanted : std::clamp(wanted, -1, lattice.columns());
   };
-  const std::int64_t first_row = coordinate.whole >> 1;  // of the axial height 0
-  return {.left = in_memory(coordinate.whole),
-          .right = in_memory(coordinate.whole + 1),
-          .right_rows_more = lattice::is_odd(coordinate.whole) ? 1 : 0,
-          .part = coordinate.part,
-          .lift = coordinate_of((first_row << kFractionBits) - (column >> 1))};
-}
-
-template <class OwnerAt>
-void SiteLookup::take_corners(const ColumnPair& pair, std::size_t first, Block& block,
-                              OwnerAt owner_at) const {
-#pragma omp simd
-  for (std::size_t i = 0; i < block.count; ++i) {
-    const std::int32_t part = parts_[first + i] + pair.lift.part;
-    const std::int32_t more = part >= kOne ? 1 : 0;
-    const std::int32_t up = part - (more << kFractionBits);
-    const std::int32_t upper = pair.part + up >= kOne ? 1 : 0;
-    block.row[i] = rows_[first + i] + pair.lift.whole + more;
-    block.upper[i] = upper;
-    block.weight_b[i] = upper != 0 ? kOne - up : pair.part;
-    block.weight_c[i] = upper != 0 ? kOne - pair.part : up;
-  }
-  Owner unlike = 0;
-  block.least = 0;
-  for (std::size_t i = 0; i < block.count; ++i) {
-    // Lower left or upper right corner, right one, the one above.
-    const int left_row = block.row[i];
-    const int right_row = left_row + pair.right_rows_more;
-    const bool upper = block.upper[i] != 0;
-    block.a[i] = owner_at(upper, upper ? right_row + 1 : left_row);
-    block.b[i] = owner_at(true, right_row);
-    block.c[i] = owner_at(false, left_row + 1);
-    unlike |= (block.a[i] ^ block.b[i]) | (block.a[i] ^ block.c[i]);
-    block.least = std::min({block.least, block.a[i], block.b[i], block.c[i]});
-  }
-  block.uniform = unlike == 0;
-}
-
-/// Finds the owner of at least half of the weight, and whether the edge of its shape is near.
-void SiteLookup::decide(Block& block) const {
-  constexpr std::int32_t kHalf = kOne / 2;
-  const std::int32_t width = outline_width_;
-#pragma omp simd
-  for (std::size_t i = 0; i < Block::kMaxSamples; ++i) {
-    const Owner a = block.a[i];
-    const Owner b = block.b[i];
-    const Owner c = block.c[i];
-    const std::int32_t weight_b = block.weight_b[i];
-    const std::int32_t weight_c = block.weight_c[i];
-    // Of owners with several corners, the first one speaks for all.
-    const std::int32_t of_a =
-        kOne - weight_b - weight_c + (b == a ? weight_b : 0) + (c == a ? weight_c : 0);
-    const std::int32_t of_b = weight_b + (c == b ? weight_c : 0);
-    const Owner b_or_c = of_b >= kHalf ? b : weight_c >= kHalf ? c : grains::kFree;
-    const Owner owner = of_a >= kHalf ? a : b_or_c;
-    const std::int32_t most = std::max(of_a, std::max(of_b, weight_c));
-    block.owner[i] = owner;
-    block.outlined[i] =
-        static_cast<std::int32_t>(owner >= 0) & static_cast<std::int32_t>(most - kHalf < width);
+  for (int x = box_.x; x < box_.x + box_.width; ++x) {
+    const double across = projection.corner.x() + (x + 0.5) / projection.scale;
+    const std::int64_t units = in_units(across / lattice::kColumnPitch, kFractionBits);
+    const auto column = static_cast<int>(units >> kFractionBits);
+    const int rows_more = lattice::is_odd(column) ? 1 : 0;  // on the right, at the same height
+    columns_.push_back({in_memory(column), in_memory(column + 1)});
+    odd_.push_back(-rows_more);
+    parts_.push_back(static_cast<std::int32_t>(units & (kOne - 1)));
+    const std::size_t here = columns_.size() - 1;
+    if (blocks_.empty() || static_cast<std::size_t>(x) % Block::kSize == 0) {
+      blocks_.push_back({here, here});
+    }
+    blocks_.back().end = here + 1;
+    const std::size_t block = blocks_.back().begin;
+    const auto from_block = [&](lattice::Site site) {
+      return static_cast<std::int32_t>(
+          static_cast<std::ptrdiff_t>(lattice.index(site)) -
+          static_cast<std::ptrdiff_t>(lattice.index({columns_[block][0], 0})));
+    };
+    left_.push_back(from_block({columns_.back()[0], 0}));
+    right_.push_back(from_block({columns_.back()[1], rows_more}));
   }
 }
 
-/// `sites` tells the owner of the site with an index, the owner that stands for several, and the
-/// code of its samples.
-template <class Sites>
-void SiteLookup::look_up_column(const Sites& sites, const ColumnPair& pair,
-                                const std::vector<bool>& empty, std::span<SampleCode> codes) const {
+/// Finds blocks whose sites have changed in the rows of samples from `first` to `last`.
+std::vector<std::uint8_t> SiteLookup::changed_blocks(const grains::Occupancy& occupancy, int first,
+                                                     int last) const {
+  const auto row = [&](int y) { return heights_[static_cast<std::size_t>(y - box_.y)].row; };
+  const int low = std::clamp(row(first) - 2, -1, lattice_.rows());
+  const int high = std::clamp(row(last) + 2, -1, lattice_.rows());
+  const Owner* now = occupancy.inverted_owners().data();
+  std::vector<std::uint8_t> changed;
+  for (const BlockSpan& block : blocks_) {
+    bool same = !sites_.empty();
+    const int left = columns_[block.begin][0];
+    const int right = columns_[block.end - 1][1];
+    const int columns = left <= right ? right - left : right - left + lattice_.columns();
+    for (int column = left; same && column <= left + columns + 1; ++column) {
+      const int there = lattice_.periodic() ? column : std::min(column, lattice_.columns());
+      // Two columns are interleaved.
+      const std::size_t from = lattice_.index({there, low}) / 2 * 2;
+      const std::size_t to = lattice_.index({there, high}) / 2 * 2 + 2;
+      same = std::equal(now + from, now + to, sites_.data() + from);
+    }
+    changed.push_back(same ? 0 : 1);
+  }
+  return changed;
+}
+
+/// Copies the sites of some rows around samples. The border is everywhere below the box and beside
+/// it; above it there is none.
+void SiteLookup::copy_near(const grains::Occupancy& occupancy, std::size_t begin, std::size_t count,
+                           int first_row, NearSites& near) const {
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t side = 0; side < 2; ++side) {
+      const int column = columns_[begin + i][side];
+      const bool outside = !lattice_.periodic() && (column < 0 || column == lattice_.columns());
+      const std::size_t start = (2 * i + side) * NearSites::kEach;
+      for (int k = 0; k < NearSites::kRows; ++k) {
+        const int row = first_row + k;
+        const Owner owner =
+            row >= lattice_.rows() && !outside
+                ? grains::kFree
+                : occupancy.owner(lattice_.index({column, std::clamp(row, -1, lattice_.rows())}));
+        near.sites[start + static_cast<std::size_t>(lattice::Lattice::kRowPitch * k)] = ~owner;
+      }
+      (side == 0 ? near.left : near.right)[i] =
+          static_cast<std::int32_t>(start) -
+          (side == 0 ? 0 : lattice::Lattice::kRowPitch * odd_[begin + i]);
+    }
+  }
+}
+
+template <bool kNearBorder>
+void SiteLookup::draw_samples(const Colors& colors, const Height& height,
+                              std::span<const std::uint8_t> changed, Sample* samples) const {
+  // Sites of odd columns lie half a spacing higher.
+  const bool below = height.part < kHalf;
+  const int row = kNearBorder ? 2 : height.row;
+  const Rows rows = {.even_up = height.part,
+                     .odd_up = height.part + (below ? kHalf : -kHalf),
+                     .even_row = row,
+                     .odd_row = row - (below ? 1 : 0)};
+  const Sample* table = colors.data();
+  const Owner least = colors.least();
   Block block;
-  Owner last = grains::kFree;
-  SampleCode last_code = code_of(Background::paper);
-  const auto look_up = [&](std::size_t first, std::size_t end, auto owner_at) {
-    for (; first < end; first += block.count) {
-      block.count = std::min(Block::kMaxSamples, end - first);
-      take_corners(pair, first, block, owner_at);
-      if (block.uniform) {
-        block.owner = block.a;
-        block.outlined.fill(0);
-      } else {
-        for (std::size_t i = 0; block.least < grains::kFree && i < block.count; ++i) {
-          block.a[i] = sites.whole(block.a[i]);
-          block.b[i] = sites.whole(block.b[i]);
-          block.c[i] = sites.whole(block.c[i]);
-        }
-        decide(block);
-      }
-      for (std::size_t i = 0; i < block.count; ++i) {
-        if (block.owner[i] != last) {
-          last = block.owner[i];
-          last_code = sites.code(last);
-        }
-        codes[first + i] = static_cast<SampleCode>(last_code + block.outlined[i]);
+  [[maybe_unused]] NearSites near;
+  for (std::size_t number = 0; number < blocks_.size(); ++number) {
+    const auto [begin, block_end] = blocks_[number];
+    const std::size_t count = block_end - begin;
+    Sample* drawn = samples + static_cast<std::size_t>(box_.x) + begin;
+    if (changed[number] == 0) {
+      continue;
+    }
+    const Owner* inverted =
+        colors.occupancy().inverted_owners().data() + lattice_.index({columns_[begin][0], 0});
+    if constexpr (kNearBorder) {
+      copy_near(colors.occupancy(), begin, count, height.row - 2, near);
+      inverted = near.sites.data();
+    }
+    const Owner unlike =
+        take_corners(rows, odd_.data() + begin, parts_.data() + begin,
+                     kNearBorder ? near.left.data() : left_.data() + begin,
+                     kNearBorder ? near.right.data() : right_.data() + begin, inverted, least,
+                     count, block.weight_b.data(), block.weight_c.data(), block.a.data(),
+                     block.b.data(), block.c.data());
+    if (unlike == 0 &&
+        std::all_of(block.a.begin(), block.a.begin() + static_cast<std::ptrdiff_t>(count),
+                    [&](Owner owner) { return owner == block.a[0]; })) {
+      std::fill_n(drawn, count, colors.data()[Colors::place(colors.whole(block.a[0]))]);
+      continue;
+    }
+    if (least < kStandingWall) {
+      for (std::size_t i = 0; i < count; ++i) {
+        block.a[i] = colors.whole(block.a[i]);
+        block.b[i] = colors.whole(block.b[i]);
+        block.c[i] = colors.whole(block.c[i]);
       }
     }
-  };
-  const auto end_below = [&](int row) {  // of samples
-    const auto found = std::lower_bound(rows_.begin(), rows_.end(), row - pair.lift.whole);
-    return static_cast<std::size_t>(found - rows_.begin());
-  };
-  const auto near_border = [&](bool right, int row) {
-    const int column = right ? pair.right : pair.left;
-    const bool side = !lattice_.periodic() && (column < 0 || column == lattice_.columns());
-    const Site site = {column, std::clamp(row, -1, lattice_.rows())};
-    return row >= lattice_.rows() && !side ? grains::kFree : sites.owner(lattice_.index(site));
-  };
-  // Inside the box only owners need to be read.
-  const std::size_t floor = end_below(-1);
-  const std::size_t lid = std::max(floor, end_below(lattice_.rows() - 2 - pair.right_rows_more));
-  const std::size_t left = lattice_.index({pair.left, 0});
-  const std::size_t right = lattice_.index({pair.right, 0});
-  look_up(0, floor, near_border);
-  const auto between = [&](bool on_right, int row) {
-    const auto rows = static_cast<std::size_t>(std::ptrdiff_t{row} * lattice::Lattice::kRowPitch);
-    return sites.owner((on_right ? right : left) + rows);
-  };
-  for (std::size_t first = floor; first < lid;) {
-    const std::size_t tile = first / kTileHeight;
-    const std::size_t end = std::min(lid, (tile + 1) * kTileHeight);
-    if (empty[tile]) {
-      std::fill_n(codes.begin() + static_cast<std::ptrdiff_t>(first), end - first,
-                  code_of(Background::paper));
-    } else {
-      look_up(first, end, between);
+    decide(block.a.data(), block.b.data(), block.c.data(), block.weight_b.data(),
+           block.weight_c.data(), count, outline_width_, block.place.data());
+    for (std::size_t i = 0; i < count; ++i) {
+      drawn[i] = table[block.place[i]];
     }
-    first = end;
   }
-  look_up(lid, rows_.size(), near_border);
 }
 
-/// Finds empty tiles with few word reads, for the columns of samples from `first` to `last`, from
-/// below.
-template <class Sites>
-std::vector<bool> SiteLookup::empty_tiles(const Sites& sites, int first, int last) const {
-  // Lattice rows of a column are up to one lower than its samples; rows that are read are up to
-  // three higher.
-  constexpr int kBelow = 1;
-  constexpr int kAbove = 3;
-  const int left = pair_at(first).left;
-  const int right = pair_at(last).right;
-  const bool beyond = left < -1 || right > lattice_.columns();  // of a periodic box
-  std::vector<bool> empty;
-  for (std::size_t tile = 0; tile < rows_.size(); tile += kTileHeight) {
-    const int low = std::max(rows_[tile] - kBelow, -1);
-    const int high = std::min(rows_[std::min(tile + kTileHeight, rows_.size()) - 1] + kAbove,
-                              lattice_.rows() - 1);
-    empty.push_back(!beyond && !sites.any_taken({left, low}, {right, high}));
+Image SiteLookup::picture(const grains::State& state, const grains::Occupancy& occupancy,
+                          const Coloring& coloring) {
+  const Colors colors(state, occupancy, coloring, projection_.outline_strength);
+  const auto pitch = static_cast<std::size_t>(projection_.width);
+  if (colors.all() != colors_) {
+    colors_ = colors.all();
+    sites_.clear();
+    last_ = Image(projection_.width / samples_, projection_.height / samples_, kPaper);
   }
-  return empty;
-}
-
-template <class Sites>
-void SiteLookup::fill(const Sites& sites, SampleGrid& grid) const {
-  const auto below = static_cast<std::size_t>(box_.y);
-  const std::size_t above = below + rows_.size();
-  const auto fill_column = [&](int x, const std::vector<bool>& empty) {
-    const std::span<SampleCode> column = grid.column(x);
-    std::fill_n(column.begin(), below, code_of(Background::paper));
-    look_up_column(sites, pair_at(x), empty, column.subspan(below, rows_.size()));
-    std::fill_n(column.begin() + static_cast<std::ptrdiff_t>(above), column.size() - above,
-                code_of(Background::paper));
-  };
+  Image& image = last_;
+  constexpr int kRows = 16;  // of pixels
   parallel::FirstFailure failure;
 #pragma omp parallel for schedule(dynamic) num_threads(threads_)
-  for (int first = 0; first < grid.width(); first += kTileWidth) {
+  for (int first = 0; first < image.height; first += kRows) {
     failure.guard([&] {
-      const int end = std::min(first + kTileWidth, grid.width());
-      const int from = std::clamp(box_.x, first, end);
-      const int to = std::clamp(box_.x + box_.width, from, end);
-      const std::vector<bool> empty =
-          from < to ? empty_tiles(sites, from, to - 1) : std::vector<bool>();
-      for (int x = first; x < end; ++x) {
-        if (x >= from && x < to) {
-          fill_column(x, empty);
-        } else {
-          std::fill(grid.column(x).begin(), grid.column(x).end(), code_of(Background::paper));
+      const int end = std::min(first + kRows, image.height);
+      const int low = std::max(first * samples_, box_.y);
+      const int high = std::min(end * samples_, box_.y + box_.height) - 1;
+      if (low > high || columns_.empty()) {
+        return;
+      }
+      const std::vector<std::uint8_t> changed = changed_blocks(occupancy, low, high);
+      if (std::find(changed.begin(), changed.end(), 1) == changed.end()) {
+        return;
+      }
+      std::vector<Sample> samples(pitch * static_cast<std::size_t>(samples_), kPackedPaper);
+      for (int row = first; row < end; ++row) {
+        for (int i = 0; i < samples_; ++i) {
+          const int y = row * samples_ + i;
+          Sample* line = samples.data() + pitch * static_cast<std::size_t>(i);
+          if (y < low || y > high) {
+            std::fill_n(line, pitch, kPackedPaper);
+            continue;
+          }
+          const Height& height = heights_[static_cast<std::size_t>(y - box_.y)];
+          if (near_border(height)) {
+            draw_samples<true>(colors, height, changed, line);
+          } else {
+            draw_samples<false>(colors, height, changed, line);
+          }
+        }
+        for (std::size_t number = 0; number < blocks_.size(); ++number) {
+          if (changed[number] == 0) {
+            continue;
+          }
+          const int per = static_cast<int>(Block::kSize) / samples_;
+          const int left = (box_.x + static_cast<int>(blocks_[number].begin)) /
+                           static_cast<int>(Block::kSize) * per;
+          const int count = std::min(per, image.width - left);
+          const std::span<Rgb> pixels(&image.at(left, image.height - 1 - row),
+                                      static_cast<std::size_t>(count));
+          const Sample* from = samples.data() + left * samples_;
+          set_means(pixels, from, pitch, samples_);
         }
       }
     });
   }
   failure.rethrow();
-}
-
-void SiteLookup::particles(const grains::State& state, const grains::Occupancy& occupancy,
-                           const Coloring& coloring, SampleGrid& grid) const {
-  std::visit(
-      [&](const auto& rule) {
-        this->fill(ParticleSites(state, occupancy, rule, coloring.palette.size()), grid);
-      },
-      coloring.rule);
-}
-
-void SiteLookup::walls(const grains::State& state, const grains::Occupancy& occupancy,
-                       SampleGrid& grid) const {
-  fill(WallSites(state, occupancy), grid);
+  const auto now = occupancy.inverted_owners();
+  if (now.size() <= image.pixels.size()) {  // otherwise nearly all changes from picture to picture
+    sites_.assign(now.begin(), now.end());
+  }
+  return image;
 }
 
 }  // namespace clca::render

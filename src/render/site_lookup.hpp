@@ -1,75 +1,80 @@
 #pragma once
-// Finds the owner of the sites around every sample. The cost is per sample: if there are many sites
-// per sample, most are not read.
+// Draws the owner of the sites around every sample. Integer arithmetic: the same picture
+// everywhere. The cost is per sample: if there are many sites per sample, most are not read.
 
+#include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "clca/grains/occupancy.hpp"
 #include "clca/render/coloring.hpp"
 #include "render/projection.hpp"
-#include "render/sample_grid.hpp"
+#include "render/samples.hpp"
 
 namespace clca::render {
 
-/// For one view of one lattice. Integer arithmetic: the same result everywhere.
+/// For one view of one lattice.
 class SiteLookup {
  public:
-  /// `threads`: number of threads that fill a grid.
-  SiteLookup(const lattice::Lattice& lattice, const Projection& projection, int threads);
+  /// `samples` a pixel along each axis. `threads`: that share a picture.
+  SiteLookup(const lattice::Lattice& lattice, const Projection& projection, int samples,
+             int threads);
 
-  /// Fills the grid with walls, floor, side walls and the shades and outlines of particles.
-  void particles(const grains::State& state, const grains::Occupancy& occupancy,
-                 const Coloring& coloring, SampleGrid& grid) const;
-  /// The same without particles.
-  void walls(const grains::State& state, const grains::Occupancy& occupancy,
-             SampleGrid& grid) const;
+  /// Walls, floor, side walls and particles with their outlines.
+  /// Only what has changed since the last picture is drawn anew.
+  Image picture(const grains::State& state, const grains::Occupancy& occupancy,
+                const Coloring& coloring);
 
  private:
   /// Fractions of a column or spacing, and weights, in units of 1/2^kFractionBits.
   static constexpr int kFractionBits = 30;
   static constexpr std::int32_t kOne = std::int32_t{1} << kFractionBits;
-  // Samples of a tile.
-  static constexpr int kTileWidth = 16;
-  static constexpr std::size_t kTileHeight = 64;
+  static constexpr std::int32_t kHalf = kOne / 2;
 
-  /// A coordinate along an axis: `whole` plus the fraction `part`.
-  struct GridCoordinate {
-    std::int32_t whole = 0;
+  /// Of a row of samples.
+  struct Height {
+    int row = 0;
     std::int32_t part = 0;
   };
-  /// The two lattice columns around a column of samples.
-  struct ColumnPair {
-    int left = 0;
-    int right = 0;
-    int right_rows_more = 0;  ///< by which rows at the same axial height differ on the right
-    std::int32_t part = 0;    ///< of the way from left to right
-    GridCoordinate lift;      ///< from the height of a sample to its row on the left
-  };
+  class Colors;
   struct Block;
+  struct NearSites;
 
-  static GridCoordinate coordinate_of(std::int64_t units);
-  ColumnPair pair_at(int x) const;
-  template <class Sites>
-  void fill(const Sites& sites, SampleGrid& grid) const;
-  template <class Sites>
-  std::vector<bool> empty_tiles(const Sites& sites, int first, int last) const;
-  template <class Sites>
-  void look_up_column(const Sites& sites, const ColumnPair& pair, const std::vector<bool>& empty,
-                      std::span<SampleCode> codes) const;
-  template <class OwnerAt>
-  void take_corners(const ColumnPair& pair, std::size_t first, Block& block,
-                    OwnerAt owner_at) const;
-  void decide(Block& block) const;
+  void copy_near(const grains::Occupancy& occupancy, std::size_t begin, std::size_t count,
+                 int first_row, NearSites& near) const;
+  template <bool kNearBorder>
+  void draw_samples(const Colors& colors, const Height& height,
+                    std::span<const std::uint8_t> changed, Sample* samples) const;
+  std::vector<std::uint8_t> changed_blocks(const grains::Occupancy& occupancy, int first,
+                                           int last) const;
+  bool near_border(const Height& height) const {
+    return height.row < 1 || height.row > lattice_.rows() - 4;
+  }
 
   lattice::Lattice lattice_;
   Projection projection_;
+  int samples_;
   int threads_;
   SampleBox box_;
-  // Heights of the rows of samples in box_.
-  std::vector<std::int32_t> rows_;
+  // By column of samples in box_: the lattice columns around it, whether the left one is odd (-1 or
+  // 0), the part of the way between them, and the indices of their sites in row 0.
+  std::vector<std::array<int, 2>> columns_;
+  std::vector<std::int32_t> odd_;
   std::vector<std::int32_t> parts_;
-  std::int32_t outline_width_;  // in weight
+  std::vector<std::int32_t> left_;   // from the first one of the block
+  std::vector<std::int32_t> right_;  // of that of the same axial height
+  std::vector<Height> heights_;      // by row of samples in box_
+  std::int32_t outline_width_;       // in weight
+  struct BlockSpan {
+    std::size_t begin = 0;  // in columns_
+    std::size_t end = 0;
+  };
+  std::vector<BlockSpan> blocks_;
+  // Of the last picture.
+  std::vector<Sample> colors_;
+  std::vector<grains::Owner> sites_;
+  Image last_;
 };
 
 }  // namespace clca::render

@@ -52,10 +52,13 @@ render::Style style_of(const scene::Frames& frames, const lattice::Lattice& latt
           .threads = threads};
 }
 
-render::Painter make_painter(const scene::Scene& scene, const grains::State& state, int threads) {
+render::Painter make_painter(const scene::Scene& scene, const grains::State& state, int threads,
+                             bool vector) {
   const scene::Frames& frames = *scene.output.frames;
   try {
-    return {style_of(frames, state.lattice, threads), state.lattice, state.kinds};
+    render::Style style = style_of(frames, state.lattice, threads);
+    style.vector = vector;
+    return {style, state.lattice, state.kinds};
   } catch (const render::RenderError& error) {
     throw SceneRunError(fmt::format("{}: error: {}", frames.location, error.what()));
   }
@@ -148,17 +151,19 @@ image::PngText scene_metadata(const scene::Scene& scene) {
           {"Seed", fmt::format("{}", scene.seed)}};
 }
 
-FramePainter::FramePainter(const scene::Scene& scene, const grains::State& state, int threads)
+FramePainter::FramePainter(const scene::Scene& scene, const grains::State& state, int threads,
+                           bool vector)
     : scene_(scene),
       frames_(*scene.output.frames),
       conversion_(scene::conversion(scene)),
       scales_(overlay_scales(scene)),
-      painter_(make_painter(scene, state, threads)) {}
+      painter_(make_painter(scene, state, threads, vector)) {}
 
-double FramePainter::bytes(const scene::Scene& scene, int captures) {
+double FramePainter::bytes(const scene::Scene& scene, double particles, int captures) {
   const auto lattice =
       lattice::Lattice::covering(scene.box.width, scene.box.height, scene.box.periodic);
-  return render::Painter::bytes_for(style_of(*scene.output.frames, lattice, 1), captures);
+  return render::Painter::bytes_for(style_of(*scene.output.frames, lattice, 1), particles,
+                                    captures);
 }
 
 CapturedFrame FramePainter::capture(const View& view, const PictureHistory& history) {

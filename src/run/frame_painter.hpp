@@ -83,10 +83,12 @@ class FramePainter {
  public:
   /// `scene` has frames and outlives this object. `threads`: for captures. Throws SceneRunError if
   /// the driver cannot draw it.
-  FramePainter(const scene::Scene& scene, const grains::State& state, int threads);
+  /// `vector`: captures serve pdf().
+  FramePainter(const scene::Scene& scene, const grains::State& state, int threads,
+               bool vector = false);
 
-  /// Memory for pictures of which so many are captured at a time.
-  static double bytes(const scene::Scene& scene, int captures);
+  /// Memory for pictures of so many particles, of which so many are captured at a time.
+  static double bytes(const scene::Scene& scene, double particles, int captures);
 
   /// Reads what the picture needs; the state may change afterwards.
   CapturedFrame capture(const View& view, const PictureHistory& history);

@@ -79,7 +79,7 @@ double Pictures::bytes(const scene::Scene& scene, double particles) {
       scene::pictures_compare_positions(scene)
           ? 2 * measure::Snapshot::bytes_for(particles) + particles * sizeof(measure::Displacement)
           : 0;
-  return FramePainter::bytes(scene, kCaptures) + window + paths + particles * strokes +
+  return FramePainter::bytes(scene, particles, kCaptures) + window + paths + particles * strokes +
          frame_bytes(scene, has_forces, particles);
 }
 

@@ -121,7 +121,8 @@ RunDrawing::RunDrawing(const RunToDraw& run, const RedrawOptions& options, doubl
       trajectory_(run.folder, scene_, initial_, max_bytes),
       run_pictures_(frame_choice(trajectory_.frames(), scene_.output.frames->every)),
       chosen_(chosen(run, options, trajectory_.frames(), run_pictures_)),
-      vessels_(vessels(scene_, trajectory_.frames())) {
+      vessels_(vessels(scene_, trajectory_.frames())),
+      pdf_(options.pdf) {
   const std::uint64_t first = step(0);
   if (first < options.from || first > options.to) {
     note_ = fmt::format("{}: no picture of the steps {} to {}; step {} of the trajectory is drawn",

@@ -32,7 +32,7 @@ class RunDrawing {
   void set_title(const std::string& title) { scene_.title = title; }
 
   /// Call before capture(). Throws SceneRunError if the driver cannot draw the pictures.
-  void prepare() { painter_.emplace(scene_, initial_, 1); }
+  void prepare() { painter_.emplace(scene_, initial_, 1, pdf_); }
   /// `number`: of the picture.
   CapturedFrame capture(std::size_t number);
 
@@ -67,6 +67,7 @@ class RunDrawing {
   std::vector<std::size_t> chosen_;        // frames, among these
   std::vector<contact::Vessel> vessels_;   // by stage, at its start
   std::string note_;
+  bool pdf_;
   std::optional<FramePainter> painter_;
   std::optional<std::size_t> stage_;
   std::uint64_t stage_start_ = 0;  // step

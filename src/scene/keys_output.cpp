@@ -100,8 +100,8 @@ Type<Frames> frames_type() {
             key("view", &Frames::view, rectangle(), "the part of the plane to show")
                 .defaults_to("the whole box"),
             key("drawing", &Frames::drawing, choice(kDrawingNames),
-                "as polygons, or by looking up the site of each pixel, for very many; for speed "
-                "only"),
+                "by looking up the sites around each sample (`auto` too), or as polygons by "
+                "OpenGL, slower; nearly the same picture"),
             key("supersampling", &Frames::supersampling, integer(1, kMaxSupersampling),
                 "samples per pixel along each side"),
             key("caption", &Frames::caption, yes_or_no(),

@@ -39,13 +39,15 @@ void tell(const std::function<void(const std::string&)>& event, const std::strin
 /// Refuses once, before anything is written, what would fail in every run.
 void prepare_drawing(const Plan& plan) {
   const auto drawn =
-      std::find_if(plan.variants.begin(), plan.variants.end(),
-                   [](const Variant& variant) { return variant.scene.output.frames.has_value(); });
+      std::find_if(plan.variants.begin(), plan.variants.end(), [](const Variant& variant) {
+        const auto& frames = variant.scene.output.frames;
+        return frames && frames->drawing == scene::Drawing::polygons;
+      });
   if (drawn == plan.variants.end()) {
     return;
   }
   try {
-    render::prepare_environment();
+    render::prepare_polygons();
   } catch (const render::RenderError& error) {
     throw run::SceneRunError(
         fmt::format("{}: error: {}", drawn->scene.output.frames->location, error.what()));

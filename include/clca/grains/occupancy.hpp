@@ -27,6 +27,8 @@ class Occupancy {
   std::size_t index_count() const { return inverted_owners_.size(); }
   /// The first owner: walls come before particles, lower ids before higher ones.
   Owner owner(std::size_t index) const { return ~inverted_owners_[index]; }
+  /// Bitwise complements of the first owners.
+  std::span<const Owner> inverted_owners() const { return inverted_owners_; }
   /// kFree if there is none.
   Owner second_owner(std::size_t index) const {
     return second_owners_.empty() ? kFree : second_owners_[index];

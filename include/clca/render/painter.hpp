@@ -15,16 +15,16 @@
 
 namespace clca::render {
 
-/// The driver cannot draw this: the picture is too large, or GALLIUM_DRIVER is unknown.
+/// This cannot be drawn: the picture is too large, or nothing here draws polygons.
 class RenderError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// How particles are drawn: as instanced polygons, or by lookup of the site owners around each
-/// sample.
+/// How particles are drawn: by lookup of the site owners around each sample, which is cheaper and
+/// gives the same bytes everywhere, or as polygons by OpenGL.
 /// Both give the same picture except for rounding at edges and for overlaps: polygons lie over
-/// walls, the lookup shows the first owner of a site.
+/// walls, the lookup shows the first owner of a site. `automatic` is the lookup.
 enum class Drawing : std::uint8_t { automatic, polygons, lookup };
 
 /// What stands around the view: nothing, a legend with a scale bar, or these and captions.
@@ -38,7 +38,8 @@ struct Style {
   /// Part of the plane to show, lattice spacings; empty: the whole box.
   lattice::Rectangle view;
   Annotations annotations = Annotations::all;  ///< none without a font
-  int threads = 1;  ///< of Painter::capture(); pictures do not depend on it
+  int threads = 1;      ///< of Painter::capture(); pictures do not depend on it
+  bool vector = false;  ///< captures serve Painter::pdf()
 };
 
 struct Caption {
@@ -47,8 +48,7 @@ struct Caption {
   double spacing = 0;  ///< of the lattice in metres, for the scale bar; 0: it counts spacings
 };
 
-/// What a picture needs of a state. Its size depends on the number of samples, not on the state.
-/// Copies share it.
+/// What a picture needs of a state. Copies share it.
 class Capture {
  public:
   /// With the walls of the state.
@@ -69,8 +69,9 @@ class Painter {
   /// For states on `lattice` with `kinds`. Throws RenderError.
   Painter(const Style& style, const lattice::Lattice& lattice,
           const std::vector<grains::Kind>& kinds);
-  /// Bytes that one takes with so many captures at a time. The style has a view.
-  static double bytes_for(const Style& style, int captures);
+  /// Bytes that one takes at most for so many particles, with so many captures at a time. The style
+  /// has a view.
+  static double bytes_for(const Style& style, double particles, int captures);
   ~Painter();
   Painter(const Painter&) = delete;
   Painter& operator=(const Painter&) = delete;
@@ -78,7 +79,7 @@ class Painter {
   Painter& operator=(Painter&&) noexcept;
 
   /// Reads what the picture needs; the state may change afterwards. `occupancy` belongs to `state`.
-  /// The cost depends on the number of samples, not of particles or sites.
+  /// The cost depends on the number of samples, and on what has changed since the last capture.
   Capture capture(const grains::State& state, const grains::Occupancy& occupancy,
                   const Coloring& coloring);
   /// Makes the picture from a capture of this painter. The content is turned anticlockwise by
@@ -86,8 +87,7 @@ class Painter {
   Image rasterize(const Capture& captured, const Caption& caption, const Overlay& overlay = {},
                   double turn = 0);
 
-  /// The same as vector graphics, which stay sharp in any size. Particles are polygons where the
-  /// capture has them.
+  /// The same as vector graphics, which stay sharp in any size; of captures in Style::vector.
   std::vector<std::uint8_t> pdf(const Capture& captured, const Caption& caption,
                                 const Overlay& overlay = {}, double turn = 0);
 
@@ -111,10 +111,11 @@ class Painter {
 /// The box with its frame: floor and side walls a few spacings thick.
 lattice::Rectangle whole_box(const lattice::Lattice& lattice);
 
-/// Checks the driver settings in the environment, selects single-threaded rasterisation, unless
+/// Checks the settings of OpenGL in the environment, selects single-threaded rasterisation, unless
 /// LP_NUM_THREADS is set, and loads the driver. Throws RenderError.
-/// Each Painter calls this. Programs that draw from several threads call it before they start them.
-void prepare_environment();
+/// Each Painter of polygons calls this. Programs that draw from several threads call it before they
+/// start them.
+void prepare_polygons();
 
 /// A warning if annotations cannot be drawn because no font was found; else empty.
 std::string font_problem();

@@ -7,8 +7,6 @@
 #include <random>
 #include <stdexcept>
 
-#include "render/polygon_painter.hpp"
-
 namespace clca::render::body_test {
 namespace {
 
@@ -166,20 +164,6 @@ TEST(Body, OfALongWallIsCutInTimeThatGrowsWithItsLength) {
     wall.push_back(lattice::Site{column, 0} - lattice::Site{0, 0});
   }
   EXPECT_EQ(area_of(trapezoids(wall)), 6 * kLength + 2 * (kLength - 1));
-}
-
-TEST(Mesh, HoldsTheBodyInItsBox) {
-  for (const Shape& shape : shapes()) {
-    const Mesh result = mesh(shape);
-    const Outline line = outlines(shape).front();
-    for (const GridPoint corner : line) {
-      EXPECT_GE(corner.u, result.low.u);
-      EXPECT_LE(corner.u, result.high.u);
-      EXPECT_GE(corner.v, result.low.v);
-      EXPECT_LE(corner.v, result.high.v);
-    }
-    EXPECT_LT(result.fill_indices, result.indices.size());
-  }
 }
 
 }  // namespace

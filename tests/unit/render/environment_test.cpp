@@ -4,7 +4,7 @@
 #include <cstdlib>
 
 #include "packed_state.hpp"
-#include "render/context.hpp"
+#include "render/opengl/context.hpp"
 
 namespace clca::render::environment_test {
 namespace {
@@ -24,12 +24,22 @@ TEST(Environment, NamesTheValueThatDoesNotWork) {
   EXPECT_THAT(environment_problem(nullptr, "512"), HasSubstr("512"));
 }
 
+TEST(Environment, IsNotLookedAtForTheLookup) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  const auto draw = [] {
+    setenv("GALLIUM_DRIVER", "zink", 1);
+    picture(empty_state(4, 4, false), Drawing::automatic, 16, 16, 1);
+    std::exit(0);
+  };
+  EXPECT_EXIT(draw(), testing::ExitedWithCode(0), "");
+}
+
 TEST(EnvironmentDeathTest, AnUnknownDriverIsAnErrorAndNoCrash) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
   const auto draw = [] {
     setenv("GALLIUM_DRIVER", "zink", 1);
     try {
-      picture(empty_state(4, 4, false), Drawing::lookup, 16, 16, 1);
+      picture(empty_state(4, 4, false), Drawing::polygons, 16, 16, 1);
     } catch (const RenderError&) {
       std::exit(3);
     }

@@ -7,7 +7,6 @@
 #include "clca/render/difference.hpp"
 #include "packed_state.hpp"
 #include "render/colors.hpp"
-#include "render/wall_appearance.hpp"
 
 namespace clca::render::moving_wall_test {
 namespace {
@@ -136,31 +135,6 @@ TEST(MovingWall, IsFollowedByTheBackdrop) {
     EXPECT_EQ(painter.draw(state, grains::Occupancy(state), {}, {}),
               picture(state, Drawing::polygons, 300, 300, 2));
   }
-}
-
-TEST(WallsAppearance, MatchWhenTheSameIsSeen) {
-  const grains::State state = with_moving_wall(false);
-  const WallsAppearance seen(state);
-  grains::State other = state;
-  other.walls[1].travel.clock = 17;
-  other.walls[1].travel.stalls = 3;
-  other.walls[1].travel.active = true;
-  EXPECT_TRUE(seen.match(other));
-  other.walls[1].travel.offset = 1;
-  EXPECT_FALSE(seen.match(other));
-  other = state;
-  other.walls[0].present = false;
-  EXPECT_FALSE(seen.match(other));
-  EXPECT_TRUE(WallsAppearance(other).match(other));
-  EXPECT_FALSE(WallsAppearance(other).match(state));
-  other = state;
-  other.walls[0].sites.pop_back();
-  EXPECT_FALSE(seen.match(other));
-  other = state;
-  other.walls[1].motion.reset();
-  EXPECT_FALSE(seen.match(other));
-  other.walls.pop_back();
-  EXPECT_FALSE(seen.match(other));
 }
 
 TEST(MovingWall, HasAColorUnlikeAnyOther) {

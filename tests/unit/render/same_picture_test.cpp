@@ -1,5 +1,5 @@
 // Polygons and lookup draw one and the same body: they may differ only where a sample lies on an
-// edge, since polygon corners are rounded to 1/256 of a sample and lookup weights to float.
+// edge, since polygon corners are rounded to 1/256 of a sample.
 #include <gtest/gtest.h>
 
 #include "clca/render/difference.hpp"

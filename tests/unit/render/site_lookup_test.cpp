@@ -3,11 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <map>
 
 #include "clca/render/painter.hpp"
 #include "packed_state.hpp"
+#include "render/colors.hpp"
 #include "render/layout.hpp"
 #include "render/wall_appearance.hpp"
 
@@ -45,7 +47,7 @@ Owner whole_owner(const grains::State& state, const grains::Occupancy& occupancy
 }
 
 struct Expected {
-  SampleCode code = 0;
+  Rgb color = kPaper;
   bool sure = false;  ///< not within rounding of an edge
 };
 
@@ -64,7 +66,7 @@ Expected expected_at(const grains::State& state, const grains::Occupancy& occupa
       }
     }
   }
-  Expected result = {code_of(Background::paper), true};
+  Expected result = {kPaper, true};
   for (const auto& [owner, sum] : weights) {
     const double inside = sum - 0.5;
     const double edge = projection.outline_width / lattice::kColumnPitch;
@@ -74,10 +76,9 @@ Expected expected_at(const grains::State& state, const grains::Occupancy& occupa
       const bool outlined = projection.outline_strength > 0 && inside < edge;
       if (grains::is_particle(owner)) {
         const Rgb fill = color(coloring, state, occupancy, grains::particle_id(owner));
-        const auto shade = std::find(coloring.palette.begin(), coloring.palette.end(), fill);
-        result.code = code_of(static_cast<std::size_t>(shade - coloring.palette.begin()), outlined);
+        result.color = outlined ? outline_color(fill, projection.outline_strength) : fill;
       } else {
-        result.code = code_of(owner == kMovingWall ? Background::moving_wall : Background::wall);
+        result.color = owner == kMovingWall ? kMovingWallColor : kWallColor;
       }
     }
   }
@@ -89,8 +90,7 @@ Projection shown(const grains::State& state, int width, int height, int samples,
   const Style style = {
       .width = width, .height = height, .view = view, .annotations = Annotations::none};
   const lattice::Rectangle box = completed(style, state.lattice).view;
-  return projection_of(box, arrange(width, height, box, Annotations::none), samples, state.lattice,
-                       height);
+  return projection_of(box, arrange(width, height, box, Annotations::none), samples, height);
 }
 
 /// A coloring that tells all shades apart.
@@ -104,34 +104,32 @@ Coloring distinct(const ShadeRule& rule) {
   return coloring;
 }
 
-SampleGrid looked_up(const grains::State& state, const Coloring& coloring,
-                     const Projection& projection, int threads) {
-  SampleGrid grid(projection.width, projection.height);
-  SiteLookup(state.lattice, projection, threads)
-      .particles(state, grains::Occupancy(state), coloring, grid);
-  return grid;
+Image looked_up(const grains::State& state, const Coloring& coloring, const Projection& projection,
+                int samples, int threads) {
+  return SiteLookup(state.lattice, projection, samples, threads)
+      .picture(state, grains::Occupancy(state), coloring);
 }
 
+/// Sample by sample.
 void expect_as_defined(const grains::State& state, const Coloring& coloring,
                        const Projection& projection) {
   const grains::Occupancy occupancy(state);
-  const SampleGrid grid = looked_up(state, coloring, projection, 1);
+  const Image image = looked_up(state, coloring, projection, 1, 1);
   const SampleBox box = projection.samples_in(whole_box(state.lattice));
   std::size_t sure = 0;
   std::size_t wrong = 0;
-  for (int x = 0; x < grid.width(); ++x) {
-    for (int y = 0; y < grid.height(); ++y) {
+  for (int x = 0; x < image.width; ++x) {
+    for (int y = 0; y < image.height; ++y) {
       const bool in_box =
           x >= box.x && x < box.x + box.width && y >= box.y && y < box.y + box.height;
       const Expected expected = in_box ? expected_at(state, occupancy, coloring, projection, x, y)
-                                       : Expected{code_of(Background::paper), true};
+                                       : Expected{kPaper, true};
       sure += expected.sure ? 1U : 0U;
-      wrong += expected.sure && grid.at(x, y) != expected.code ? 1U : 0U;
+      wrong += expected.sure && image.at(x, image.height - 1 - y) != expected.color ? 1U : 0U;
     }
   }
   EXPECT_EQ(wrong, 0U);
-  const auto all = static_cast<std::size_t>(grid.width()) * static_cast<std::size_t>(grid.height());
-  EXPECT_GT(sure, all - all / 100);
+  EXPECT_GT(sure, image.pixels.size() - image.pixels.size() / 100);
 }
 
 TEST(SiteLookup, GivesEverySampleTheOwnerOfHalfOfItsWeight) {
@@ -185,27 +183,36 @@ TEST(SiteLookup, ShowsMovingWallsAndTheFirstOwnerWhereTwoOverlap) {
 TEST(SiteLookup, IsTheSameForAnyNumberOfThreads) {
   const grains::State state = packed(120, 90, false).state();
   const Projection projection = shown(state, 320, 240, 2, {});
-  const SampleGrid one = looked_up(state, distinct(ById{}), projection, 1);
+  const Image one = looked_up(state, distinct(ById{}), projection, 2, 1);
   for (const int threads : {8, 3, 2}) {  // LLVM's OpenMP loses memory of a team that grows
-    SampleGrid some = looked_up(state, distinct(ById{}), projection, threads);
-    for (int x = 0; x < one.width(); ++x) {
-      for (int y = 0; y < one.height(); ++y) {
-        ASSERT_EQ(some.at(x, y), one.at(x, y));
-      }
-    }
+    EXPECT_EQ(looked_up(state, distinct(ById{}), projection, 2, threads), one);
   }
 }
 
-TEST(GridPool, GivesAGridToOneAtATimeAndTakesItBack) {
-  std::shared_ptr<SampleGrid> kept;
-  {
-    GridPool pool(30, 20);
-    const SampleGrid* first = pool.take().get();
-    kept = pool.take();
-    EXPECT_EQ(kept.get(), first);
-    EXPECT_NE(pool.take().get(), first);
+TEST(SiteLookup, TakesTheMeanOfTheSamplesOfAPixel) {
+  const grains::State state = packed(60, 40, false).state();
+  const Coloring coloring = distinct(ById{});
+  for (const int samples : {2, 3, 4}) {
+    const Projection projection = shown(state, 101, 67, samples, {});
+    const Image fine = looked_up(state, coloring, projection, 1, 1);
+    const Image image = looked_up(state, coloring, projection, samples, 1);
+    ASSERT_EQ(image.width * samples, fine.width);
+    for (int y = 0; y < image.height; ++y) {
+      for (int x = 0; x < image.width; ++x) {
+        std::array<int, 3> sums = {};
+        for (int i = 0; i < samples * samples; ++i) {
+          const Rgb sample = fine.at(x * samples + i % samples, y * samples + i / samples);
+          sums[0] += sample.red;
+          sums[1] += sample.green;
+          sums[2] += sample.blue;
+        }
+        const auto mean = [&](int sum) {
+          return static_cast<std::uint8_t>((sum + samples * samples / 2) / (samples * samples));
+        };
+        ASSERT_EQ(image.at(x, y), (Rgb{mean(sums[0]), mean(sums[1]), mean(sums[2])}));
+      }
+    }
   }
-  EXPECT_EQ(kept->width(), 30);  // outlives the pool
 }
 
 }  // namespace

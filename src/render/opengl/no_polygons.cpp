@@ -1,0 +1,18 @@
+// For a build without OpenGL.
+
+#include "clca/render/painter.hpp"
+#include "render/opengl/polygons.hpp"
+
+namespace clca::render {
+
+PolygonPainter polygon_painter(const Projection& /*projection*/, int /*samples*/,
+                               const SampleBox& /*box*/, std::span<const grains::Kind> /*kinds*/) {
+  prepare_polygons();
+  return {};
+}
+
+void prepare_polygons() {
+  throw RenderError("this build draws no polygons: it was made without OSMesa and EGL");
+}
+
+}  // namespace clca::render
