@@ -262,7 +262,7 @@ void add_target_options(Command& command, RenderOptions& options) {
       .values(finite_number());
   command
       .option("--fps", &options.redraw.frames_per_second,
-              "Pictures per second of the movie; of a GIF at most 100")
+              "Pictures per second of the movie; of a GIF at most 50")
       .values(whole_number(1, 240))
       .show_default();
   command

@@ -79,8 +79,13 @@ void check_valid(const State& state) {
     }
   }
   const std::size_t grains = state.grains.particles.size();
-  if (state.velocities.size() != grains || state.remainders.size() != grains) {
+  if (state.velocities.size() != grains || state.remainders.size() != grains ||
+      state.from_anchors.size() != grains) {
     fail("there is not one velocity for each grain");
+  }
+  if (std::any_of(state.from_anchors.begin(), state.from_anchors.end(),
+                  [](lattice::Axial from_anchor) { return lattice::length(from_anchor) > 1; })) {
+    fail("a grain is too far from its anchor");
   }
   const auto in_range = [](std::int32_t value, std::int32_t most) {
     return value >= -most && value <= most;
@@ -158,7 +163,7 @@ double ContactModel::gravity() const {
   return steps(mechanics()).gravity();
 }
 bool ContactModel::quiet() const {
-  return steps(mechanics()).state().quiet_steps > 0;
+  return steps(mechanics()).state().quiet_steps > 1;
 }
 Energy ContactModel::energy() const {
   steps(mechanics()).write_back_velocities();
@@ -166,6 +171,12 @@ Energy ContactModel::energy() const {
 }
 const EnergyExchange& ContactModel::exchange() const {
   return steps(mechanics()).exchange();
+}
+const std::vector<Contact>& ContactModel::pushes() const {
+  return steps(mechanics()).cuts().pushes;
+}
+bool ContactModel::too_fast() const {
+  return steps(mechanics()).cuts().too_fast;
 }
 void ContactModel::set_vessel(const Vessel& vessel) {
   check_whole();

@@ -16,8 +16,9 @@ namespace {
 
 using Arguments = std::vector<std::string>;
 
-// A GIF counts hundredths of a second, in 16 bits.
-constexpr double kMostGifRate = 100;
+// A GIF counts hundredths of a second, in 16 bits. Programs show one that is to last a single
+// hundredth for ten.
+constexpr double kMostGifRate = 50;
 constexpr double kLongestGifPicture = 655;  // s
 
 std::filesystem::path find_ffmpeg() {

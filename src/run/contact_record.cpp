@@ -136,16 +136,8 @@ std::vector<contact::Force> ContactRecord::at_end(const SceneModel& model) const
   return stage_.is_empty() ? *model.forces() : stage_.means();
 }
 
-std::vector<contact::Force> ContactRecord::of_picture(const SceneModel& model) const {
-  return forces_of(pictures_, model);
-}
-
-std::vector<contact::Force> ContactRecord::of_frame(const SceneModel& model) const {
-  return forces_of(pictures_.due ? pictures_ : frames_, model);
-}
-
-std::vector<contact::Force> ContactRecord::forces_of(const Recurring& recurring,
-                                                     const SceneModel& model) const {
+std::vector<contact::Force> ContactRecord::shown(const SceneModel& model) const {
+  const Recurring& recurring = pictures_.due ? pictures_ : frames_;
   const std::vector<contact::Force> now = *model.forces();
   std::vector<contact::Force> forces = at_end(model);
   if (recurring.due) {  // whether the stage ends then or not
@@ -185,7 +177,7 @@ std::optional<store::ContactFrame> shown_contact(const scene::Scene& scene, cons
   }
   store::ContactFrame shown;
   if (scene::pictures_show_forces(scene)) {
-    shown.forces = observers.find<ContactRecord>()->of_picture(model);
+    shown.forces = observers.find<ContactRecord>()->shown(model);
   }
   if (scene.output.frames->color_by == scene::ColorBy::speed) {
     shown.velocities = model.velocities();

@@ -46,11 +46,9 @@ class ContactRecord : public SavedObserver<ContactRecord> {
   /// Means over the last steps of the stage as of now; the forces of the last step if there are
   /// none.
   std::vector<contact::Force> at_end(const SceneModel& model) const;
-  /// Means before a picture that is due now; else as at_end(). Of contacts that are
-  /// there now.
-  std::vector<contact::Force> of_picture(const SceneModel& model) const;
-  /// The same for a trajectory frame: those of a picture with forces if one is due.
-  std::vector<contact::Force> of_frame(const SceneModel& model) const;
+  /// Of a picture and a trajectory frame: means before the picture with forces that is due now, or
+  /// before the frame; else as at_end(). Of contacts that are there now.
+  std::vector<contact::Force> shown(const SceneModel& model) const;
 
   /// False if this cannot have been recorded in a run that reached `now`.
   bool precedes(const grains::State& now) const {
@@ -81,7 +79,6 @@ class ContactRecord : public SavedObserver<ContactRecord> {
   };
 
   void prepare(const StageView& now) override;
-  std::vector<contact::Force> forces_of(const Recurring& recurring, const SceneModel& model) const;
 
   scene::Contacts sampling_;
   std::uint64_t most_;  // samples in a window

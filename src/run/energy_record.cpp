@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace clca::run {
 
@@ -31,6 +32,12 @@ void EnergyRecord::begin(const scene::Stage& stage, const SceneModel& model) {
 }
 
 void EnergyRecord::after_step(const StageView& now) {
+  if (now.model.too_fast() && !std::exchange(has_been_too_fast_, true) && now.log != nullptr) {
+    now.log->warning(
+        fmt::format("stage {}, step {}: a grain falls faster than it can move, and loses velocity; "
+                    "choose a larger contact.fall_height",
+                    now.stage.name, now.model.state().step));
+  }
   if (const auto growth = add(now.model, now.model.exchange()); growth && now.log != nullptr) {
     now.log->warning(fmt::format(
         "stage {}, step {}: kinetic and potential energy have grown from {:.0f} to {:.0f}, by "

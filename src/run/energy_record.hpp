@@ -12,7 +12,7 @@ class EnergyRecord : public SavedObserver<EnergyRecord> {
  public:
   explicit EnergyRecord(const scene::Scene& /*scene*/) {}
 
-  /// Warns of energy that grows.
+  /// Warns of energy that grows, and of grains that fall too fast.
   void after_step(const StageView& now) override;
 
   struct Growth {
@@ -45,7 +45,8 @@ class EnergyRecord : public SavedObserver<EnergyRecord> {
         field("is_closed", &EnergyRecord::is_closed_), field("start", &EnergyRecord::start_),
         field("fall", &EnergyRecord::fall_), field("lift", &EnergyRecord::lift_),
         field("exchanged", &EnergyRecord::exchanged_), field("lowest", &EnergyRecord::lowest_),
-        field("growth", &EnergyRecord::growth_), field("has_warned", &EnergyRecord::has_warned_));
+        field("growth", &EnergyRecord::growth_), field("has_warned", &EnergyRecord::has_warned_),
+        field("has_been_too_fast", &EnergyRecord::has_been_too_fast_));
   }
 
  private:
@@ -59,6 +60,7 @@ class EnergyRecord : public SavedObserver<EnergyRecord> {
   double lowest_ = 0;
   double growth_ = 0;
   bool has_warned_ = false;
+  bool has_been_too_fast_ = false;
 };
 
 }  // namespace clca::run

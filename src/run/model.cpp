@@ -46,6 +46,27 @@ AnyRules rules_in(const scene::Scene& scene, const scene::Stage& stage) {
 
 }  // namespace
 
+namespace {
+
+/// Forces of contacts in the last step, with what grains that were held up passed on by their
+/// sites. One for each pair.
+std::vector<contact::Force> with_pushes(const contact::ContactModel& model,
+                                        std::span<const contact::Contact> contacts) {
+  std::vector<contact::Force> of_contacts =
+      contact::forces(model.grains(), contacts, model.gravity());
+  if (model.pushes().empty()) {
+    return of_contacts;
+  }
+  std::vector<contact::Force> all =
+      contact::forces(model.grains(), model.pushes(), model.gravity());
+  all.insert(all.end(), of_contacts.begin(), of_contacts.end());  // last: theirs are the normals
+  contact::ForceSums sums;
+  contact::add(sums, all);
+  return contact::means(sums);
+}
+
+}  // namespace
+
 const grains::State& grains_of(const ModelState& state) {
   const auto* contact = std::get_if<contact::State>(&state);
   return contact != nullptr ? contact->grains : std::get<grains::State>(state);
@@ -141,14 +162,14 @@ std::optional<contact::Energy> SceneModel::energy() const {
 
 std::optional<std::vector<contact::Force>> SceneModel::forces() const {
   if (const auto* contact = std::get_if<contact::ContactModel>(&model_)) {
-    return contact::forces(contact->state(), contact->gravity());
+    return with_pushes(*contact, contact->state().contacts);
   }
   return std::nullopt;
 }
 
 std::vector<contact::Force> SceneModel::wall_forces() const {
   const auto* contact = std::get_if<contact::ContactModel>(&model_);
-  return contact != nullptr ? contact::forces(state(), contact->wall_contacts(), contact->gravity())
+  return contact != nullptr ? with_pushes(*contact, contact->wall_contacts())
                             : std::vector<contact::Force>();
 }
 
@@ -185,6 +206,11 @@ bool SceneModel::quiet() const {
 contact::EnergyExchange SceneModel::exchange() const {
   const auto* contact = std::get_if<contact::ContactModel>(&model_);
   return contact != nullptr ? contact->exchange() : contact::EnergyExchange();
+}
+
+bool SceneModel::too_fast() const {
+  const auto* contact = std::get_if<contact::ContactModel>(&model_);
+  return contact != nullptr && contact->too_fast();
 }
 
 void SceneModel::set_vessel(const scene::Stage& stage) {

@@ -71,6 +71,8 @@ class SceneModel {
   /// See contact::ContactModel::quiet; false for others.
   bool quiet() const;
   contact::EnergyExchange exchange() const;
+  /// See contact::ContactModel::too_fast; false for others.
+  bool too_fast() const;
 
   /// Sets the vessel motion of a stage; no effect for others.
   void set_vessel(const scene::Stage& stage);

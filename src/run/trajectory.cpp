@@ -59,7 +59,7 @@ void TrajectoryOutput::add(const StageView& now, bool begins) {
   }
   store::ContactFrame contact{.velocities = now.model.velocities(), .spins = now.model.spins()};
   if (scene_.output.trajectory->contacts) {
-    contact.forces = now.observers.find<ContactRecord>()->of_frame(now.model);
+    contact.forces = now.observers.find<ContactRecord>()->shown(now.model);
   }
   writer_->add(state, static_cast<std::size_t>(&now.stage - scene_.stages.data()), begins, contact);
   step_ = state.step;

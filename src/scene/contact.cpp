@@ -30,6 +30,21 @@ double area(const Scene& scene, const Fill& fill) {
   return sum * lattice::kColumnPitch;
 }
 
+/// The highest fall that the scene allows, in lattice spacings: from the top of the highest fill to
+/// the floor, or right across a box whose vessel turns.
+double highest_fall(const Scene& scene) {
+  double highest = 0;
+  for (const Stage& stage : scene.stages) {
+    if (stage.vessel && !std::holds_alternative<VesselShake>(*stage.vessel)) {
+      return std::hypot(scene.box.width, scene.box.height);
+    }
+    if (stage.fill) {
+      highest = std::max(highest, std::min(stage.fill->region.top, scene.box.height));
+    }
+  }
+  return highest;
+}
+
 double estimated_fall(const Scene& scene) {
   double filled = 0;
   double width = 0;
@@ -45,8 +60,11 @@ double estimated_fall(const Scene& scene) {
   if (endless || width <= 0 || scene.begin) {
     return contact::default_fall_height(scene.box.height);
   }
-  return std::clamp(filled / (kPacking * width), contact::kMinFallHeight,
-                    contact::default_fall_height(scene.box.height));
+  // What falls from the highest point is to be no faster than a site a step.
+  const double slow_enough =
+      scene.contact.resolution * scene.contact.resolution * highest_fall(scene);
+  return std::max(slow_enough, std::clamp(filled / (kPacking * width), contact::kMinFallHeight,
+                                          contact::default_fall_height(scene.box.height)));
 }
 
 }  // namespace

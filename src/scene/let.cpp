@@ -210,13 +210,14 @@ void Evaluator::explain(const Value& value, const mu::ParserError& error) const 
     const std::string& token = error.GetToken();  // with a space behind
     const std::string rest = token.substr(0, token.find_last_not_of(' ') + 1);
     const std::string name = rest.substr(0, rest.find_first_of(" +-*/^()<>=!&|?:,"));
-    if (!has_names_ || name.empty() || (name.front() != '_' && std::isalpha(name.front()) == 0)) {
-      fail(value.location,
-           fmt::format("cannot evaluate {}: {} is not expected", expression, text::shown(rest)));
-    }
-    if (value.text.find(name + '(') != std::string::npos) {
+    const bool is_name = !name.empty() && (name.front() == '_' || std::isalpha(name.front()) != 0);
+    if (is_name && value.text.find(name + '(') != std::string::npos) {
       fail(value.location,
            fmt::format("cannot evaluate {}: {} is not a function", expression, text::shown(name)));
+    }
+    if (!has_names_ || !is_name) {
+      fail(value.location,
+           fmt::format("cannot evaluate {}: {} is not expected", expression, text::shown(rest)));
     }
     const std::string known = !names_.empty() ? "known: " + text::listed(names_)
                               : let_begins_   ? "nothing stands before it under let"

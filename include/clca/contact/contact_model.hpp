@@ -56,12 +56,19 @@ class ContactModel : public grains::Model {
   const Vessel& vessel() const;
   /// In lattice spacings per step squared.
   double gravity() const;
-  /// Nothing moved in the last step, and all velocities were below what gravity gives in two steps.
+  /// Nothing moved in the last two steps, and all velocities were small: what the contacts have is
+  /// no impact.
   bool quiet() const;
   /// As energy() of state(), without its costs.
   Energy energy() const;
   /// In the last step.
   const EnergyExchange& exchange() const;
+
+  /// Of the last step: what grains that were held up passed on by their sites, see cut_remainders.
+  /// `impact` is the impulse along a direction of the lattice; a pair may have several.
+  const std::vector<Contact>& pushes() const;
+  /// In the last step a grain was faster than it can move, and lost velocity.
+  bool too_fast() const;
 
   /// Throws std::invalid_argument for an invalid vessel. Grains at rest stay at rest relative to
   /// the vessel.

@@ -113,6 +113,9 @@ struct State {
   grains::State grains;
   std::vector<Velocity<std::int32_t>> velocities = {};  ///< by id
   std::vector<Vector> remainders = {};  ///< by id: where grains are, beyond their sites
+  /// By id: from the anchor of a grain to its site. The anchor follows a grain that goes farther
+  /// than to a neighbouring site.
+  std::vector<lattice::Axial> from_anchors = {};
   /// By wall: how far its motion is ahead of the wall, in 2^-20 lattice spacings along its
   /// direction.
   std::vector<std::int64_t> wall_remainders = {};
@@ -120,8 +123,8 @@ struct State {
   std::vector<Contact> contacts = {};
   /// True if walls or grains were changed from outside: contacts are sorted anew.
   bool changed = true;
-  std::uint64_t unmoved_steps = 0;  ///< in a row: no grain or wall moved by a site
-  std::uint64_t quiet_steps = 0;    ///< in a row: unmoved, and with hardly any velocity
+  std::uint64_t unmoved_steps = 0;  ///< in a row: no wall and no anchor of a grain moved
+  std::uint64_t quiet_steps = 0;    ///< in a row: nothing moved by a site, or had much velocity
   Vessel vessel = {};
 
   bool operator==(const State&) const = default;
@@ -129,10 +132,10 @@ struct State {
     using reflection::field;
     return std::make_tuple(
         field("grains", &State::grains), field("velocities", &State::velocities),
-        field("remainders", &State::remainders), field("wall_remainders", &State::wall_remainders),
-        field("contacts", &State::contacts), field("changed", &State::changed),
-        field("unmoved_steps", &State::unmoved_steps), field("quiet_steps", &State::quiet_steps),
-        field("vessel", &State::vessel));
+        field("remainders", &State::remainders), field("from_anchors", &State::from_anchors),
+        field("wall_remainders", &State::wall_remainders), field("contacts", &State::contacts),
+        field("changed", &State::changed), field("unmoved_steps", &State::unmoved_steps),
+        field("quiet_steps", &State::quiet_steps), field("vessel", &State::vessel));
   }
 };
 

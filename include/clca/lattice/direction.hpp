@@ -4,6 +4,9 @@
 #include <array>
 #include <compare>
 #include <cstdint>
+#include <tuple>
+
+#include "clca/reflection/reflection.hpp"
 
 namespace clca::lattice {
 
@@ -44,6 +47,9 @@ struct Axial {
   constexpr auto operator<=>(const Axial&) const = default;
   constexpr Axial operator+(Axial other) const { return {x + other.x, q + other.q}; }
   constexpr Axial operator-(Axial other) const { return {x - other.x, q - other.q}; }
+  static constexpr auto fields() {
+    return std::make_tuple(reflection::field("x", &Axial::x), reflection::field("q", &Axial::q));
+  }
 };
 
 /// One step in `direction`.

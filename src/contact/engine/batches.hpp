@@ -41,6 +41,9 @@ class Batches {
     batch(lane).normal_x[in_batch(lane)] = normal.x;
     batch(lane).normal_y[in_batch(lane)] = normal.y;
   }
+  std::int32_t normal_impulse(std::int32_t lane) const {
+    return batch(lane).impulse.normal[in_batch(lane)];
+  }
   /// Velocity with which the contact is to part.
   std::int32_t& bounce(std::int32_t lane) { return batch(lane).bounce[in_batch(lane)]; }
   /// The contact of a lane as it is now.

@@ -55,8 +55,8 @@ void ContactFinder::load(const std::vector<Contact>& contacts, ContactSlots& slo
   }
 }
 
-std::size_t ContactFinder::update(std::span<const std::uint32_t> moved, WallVelocities walls,
-                                  ContactSlots& slots) {
+void ContactFinder::update(std::span<const std::uint32_t> moved, WallVelocities walls,
+                           ContactSlots& slots) {
   walls_ = std::move(walls);
   moved_.resize(state_.particles.size());
   ids_.clear();
@@ -88,11 +88,9 @@ std::size_t ContactFinder::update(std::span<const std::uint32_t> moved, WallVelo
   }
   std::sort(found_.begin(), found_.end(),
             [](const auto& one, const auto& other) { return one.first < other.first; });
-  const std::size_t first = slots.all().size();
   for (const auto& [key, touch] : found_) {
     slots.add(touch.contact, touch.apart);
   }
-  return first;
 }
 
 void ContactFinder::add_found(const Touch& touch) {
@@ -209,8 +207,7 @@ void ContactFinder::check_walls(std::uint32_t id, ContactSlots& slots) {
   }
 }
 
-void ContactFinder::sort(ContactSlots& slots, std::size_t first_new,
-                         std::vector<std::int32_t>& new_slots) {
+void ContactFinder::sort(ContactSlots& slots) {
   // From the order of the last time, which is nearly right.
   listed_.resize(state_.particles.size());
   std::erase_if(order_, [&](const auto& entry) {
@@ -242,9 +239,6 @@ void ContactFinder::sort(ContactSlots& slots, std::size_t first_new,
               [&](std::int32_t one, std::int32_t other) { return key(one) < key(other); });
     for (const std::int32_t at : of_one_) {
       sorted_.add(slots.contact(at), slots.at(at).apart);
-      if (static_cast<std::size_t>(at) >= first_new) {
-        new_slots.push_back(static_cast<std::int32_t>(sorted_.all().size()) - 1);
-      }
     }
   }
   std::swap(slots, sorted_);

@@ -33,13 +33,11 @@ class ContactFinder {
 
   /// Fills slots from a list of contacts, which may have changed since: all grains count as moved.
   void load(const std::vector<Contact>& contacts, ContactSlots& slots);
-  /// Brings contacts of `moved` grains in line; the new ones are behind the
-  /// others. Returns the number of the first of them. `walls`: their velocities.
-  std::size_t update(std::span<const std::uint32_t> moved, WallVelocities walls,
-                     ContactSlots& slots);
-  /// Puts all in order anew and forgets the empty ones. Adds to `new_slots` those of contacts whose
-  /// slots were `first_new` and behind it.
-  void sort(ContactSlots& slots, std::size_t first_new, std::vector<std::int32_t>& new_slots);
+  /// Brings contacts of `moved` grains in line; the new ones are behind the others. `walls`: their
+  /// velocities.
+  void update(std::span<const std::uint32_t> moved, WallVelocities walls, ContactSlots& slots);
+  /// Puts all in order anew and forgets the empty ones.
+  void sort(ContactSlots& slots);
 
  private:
   /// Of two grains that have both moved one is checked for both.

@@ -73,7 +73,7 @@ std::size_t Engine::move_grains() {
   clock_ = grains::PhaseClock(phase_times_);
   update_contacts();
   set_walls();
-  bounce_new();
+  bounce_loose();
   collide();
   accelerate_all();
   clock_.end("motion");
@@ -88,14 +88,10 @@ void Engine::update_contacts() {
     finder_.set_down(down);
     look_at_all();  // which one of two is the upper one may have changed
   }
-  const std::size_t first_new = finder_.update(changed_, wall_velocities(state_), slots_);
+  finder_.update(changed_, wall_velocities(state_), slots_);
   clock_.end("contacts");
-  new_slots_.clear();
   if (sorts_contacts(state_)) {
-    finder_.sort(slots_, first_new, new_slots_);
-  } else {
-    new_slots_.resize(slots_.all().size() - first_new);
-    std::iota(new_slots_.begin(), new_slots_.end(), static_cast<std::int32_t>(first_new));
+    finder_.sort(slots_);
   }
   state_.changed = false;
   for (const std::uint32_t id : changed_) {
@@ -110,12 +106,20 @@ void Engine::set_walls() {
   }
 }
 
-void Engine::bounce_new() {
+void Engine::bounce_loose() {
   Batches& batches = slots_.batches();
-  for (const std::int32_t slot : new_slots_) {
-    const std::int32_t lane = slots_.at(slot).lane;
-    batches.bounce(lane) =
+  bouncing_.clear();
+  for (std::int32_t at = 0; at < static_cast<std::int32_t>(slots_.all().size()); ++at) {
+    const std::int32_t lane = slots_.at(at).lane;
+    if (lane < 0 || batches.normal_impulse(lane) != 0) {
+      continue;
+    }
+    const std::int32_t velocity =
         bounce(-separation_velocity(batches.touching(lane, bodies_)), rule_.restitution);
+    if (velocity > 0) {
+      batches.bounce(lane) = velocity;
+      bouncing_.push_back(at);
+    }
   }
 }
 
@@ -124,7 +128,7 @@ void Engine::collide() {
   const auto bounce = [&](std::int32_t slot) -> std::int32_t& {
     return slots_.batches().bounce(slots_.at(slot).lane);
   };
-  for (const std::int32_t slot : new_slots_) {
+  for (const std::int32_t slot : bouncing_) {
     if (bounce(slot) == 0) {
       continue;
     }
@@ -165,7 +169,7 @@ void Engine::sweep_contacts() {
   for (int i = 0; i < rule_.sweeps; ++i) {
     batch_.sweep(batches.data(), batches.size(), bodies_.data(), pairs, rule_.law, i % 2 != 0);
   }
-  for (const std::int32_t slot : new_slots_) {
+  for (const std::int32_t slot : bouncing_) {
     slots_.batches().bounce(slots_.at(slot).lane) = 0;
   }
   clock_.end("sweeps");
@@ -195,10 +199,10 @@ void Engine::advance_and_move() {
   mover_.move_all(finder_.down(), candidates_, walls);
   const SiteMoves& moves = mover_.moves();
   moved_ = moves.moved();
-  cut_remainders(state_, moves, rule_, mover_.ids(), velocity_of());
+  set_cuts(cut_remainders(state_, moves, rule_, mover_.ids(), velocity_of()));
   changed_ = moved_;
   changed_.insert(changed_.end(), moves.beside_walls().begin(), moves.beside_walls().end());
-  end_step(state_, walls, moved_.empty(), at_rest);
+  end_step(state_, walls, {.moved = !moved_.empty(), .advanced = moves.advanced()}, at_rest);
 }
 
 void Engine::write_back() {

@@ -48,7 +48,7 @@ class Engine final : public Steps {
   void load_bodies();
   void update_contacts();
   void set_walls();
-  void bounce_new();
+  void bounce_loose();
   void collide();
   void accelerate_all();
   void sweep_contacts();
@@ -65,7 +65,7 @@ class Engine final : public Steps {
   Mover mover_;
   std::size_t first_grain_;  // its body
   std::vector<Body> bodies_;
-  std::vector<std::int32_t> new_slots_;  // contacts that are new in this step
+  std::vector<std::int32_t> bouncing_;  // slots of contacts that bounce in this step
   // Slots and impulses of the impacts of this step, in the order of the slots.
   std::vector<std::pair<std::int32_t, Impulse<std::int32_t>>> impacts_;
   std::vector<std::uint32_t> moved_;       // in the last step, once each

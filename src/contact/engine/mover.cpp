@@ -1,6 +1,8 @@
 #include "contact/engine/mover.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 #include "contact/rule/order.hpp"
 #include "contact/rule/remainders.hpp"
@@ -55,7 +57,7 @@ void Mover::move(Direction direction, std::span<WallMove> walls) {
   }
   do {
     move_ready(direction);
-  } while (move_walls(direction, walls));
+  } while (move_at_once(direction) || move_walls(direction, walls));
 }
 
 void Mover::try_move(std::uint32_t id, grains::Owner in_the_way, Direction direction) {
@@ -75,6 +77,22 @@ void Mover::move_ready(Direction direction) {
     ready_.pop_back();
     try_move(id, moves_.in_the_way(id, direction), direction);
   }
+}
+
+bool Mover::move_at_once(Direction direction) {
+  std::vector<std::uint32_t> blocked;
+  std::copy_if(ids_.begin(), ids_.end(), std::back_inserter(blocked), [&](std::uint32_t id) {
+    return waits(id, direction) && is_move_due(state_.remainders[id], direction);
+  });
+  const std::vector<std::uint32_t> ids = moves_.movable_at_once(std::move(blocked), direction);
+  moves_.move_at_once(ids, direction);
+  for (const std::uint32_t id : ids) {
+    stop_waiting_at_all(id);
+  }
+  for (const std::uint32_t id : ids) {
+    wake(obstacle(id), direction);
+  }
+  return !ids.empty();
 }
 
 /// What has been pushed does not move by itself in the same direction.

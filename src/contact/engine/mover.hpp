@@ -54,6 +54,7 @@ class Mover {
   void move(lattice::Direction direction, std::span<WallMove> walls);
   void try_move(std::uint32_t id, grains::Owner in_the_way, lattice::Direction direction);
   void move_ready(lattice::Direction direction);
+  bool move_at_once(lattice::Direction direction);
   bool move_walls(lattice::Direction direction, std::span<WallMove> walls);
   void wait(std::uint32_t id, lattice::Direction direction, std::size_t obstacle);
   void stop_waiting(Waiting entry);

@@ -13,8 +13,6 @@ namespace {
 struct Disc {
   double inverse_mass = 0;
   double inverse_radius = 0;
-
-  double inverse_inertia() const { return 2 * inverse_mass * inverse_radius * inverse_radius; }
 };
 
 Disc disc(const grains::Kind& kind, double unit) {
@@ -22,21 +20,24 @@ Disc disc(const grains::Kind& kind, double unit) {
   return {unit / sites, std::sqrt(2 * std::numbers::pi / (sites * std::numbers::sqrt3))};
 }
 
-Pair make_pair(const Disc& upper, const Disc& other, Rolling rolling) {
+Pair make_pair(const Disc& upper, const Disc& other) {
+  // Impulses that are remembered make a contact a spring: M / step^2 stiff along the normal. These
+  // are the ratios of the stiffnesses that discrete elements have. Less than what would stop the
+  // bodies at once: M, or M/3 if they turn; some 2 M. Stiffer, friction locks pressure in.
+  constexpr double kShearStiffness = 2.0 / 7;
+  constexpr double kRollingStiffness = 0.3;  // of a moment over the reduced radius squared
   const double mass = 1 / (upper.inverse_mass + other.inverse_mass);
   const double inverse_radius = upper.inverse_radius + other.inverse_radius;  // reduced
-  const double inertia = 1 / (upper.inverse_inertia() + other.inverse_inertia());
   const auto rolling_mass = [&](const Disc& disc) {
-    return to_fixed_point(inertia * inverse_radius * disc.inverse_radius, kMassBits);
+    return to_fixed_point(kRollingStiffness * mass * disc.inverse_radius / inverse_radius,
+                          kMassBits);
   };
   const auto turning = [&](const Disc& disc) {
     return to_fixed_point(disc.inverse_mass * disc.inverse_radius / inverse_radius,
                           kInverseMassBits);
   };
-  // At the rim a disc yields to a force twice as much by turning as by moving.
-  const double shear_mass = rolling == Rolling::none ? mass : mass / 3;
   return {.mass = to_fixed_point(mass, kMassBits),
-          .shear_mass = to_fixed_point(shear_mass, kMassBits),
+          .shear_mass = to_fixed_point(kShearStiffness * mass, kMassBits),
           .upper_inverse_mass = to_fixed_point(upper.inverse_mass, kInverseMassBits),
           .other_inverse_mass = to_fixed_point(other.inverse_mass, kInverseMassBits),
           .upper_rolling_mass = rolling_mass(upper),
@@ -64,13 +65,13 @@ double mass_unit(const std::vector<grains::Kind>& kinds) {
   return unit;
 }
 
-Bodies::Bodies(const std::vector<grains::Kind>& kinds, Rolling rolling) : kinds_(kinds.size()) {
+Bodies::Bodies(const std::vector<grains::Kind>& kinds) : kinds_(kinds.size()) {
   const double unit = mass_unit(kinds);
   for (const grains::Kind& kind : kinds) {
     for (const grains::Kind& other : kinds) {
-      pairs_.push_back(make_pair(disc(kind, unit), disc(other, unit), rolling));
+      pairs_.push_back(make_pair(disc(kind, unit), disc(other, unit)));
     }
-    pairs_.push_back(make_pair(disc(kind, unit), Disc(), rolling));
+    pairs_.push_back(make_pair(disc(kind, unit), Disc()));
   }
 }
 

@@ -30,7 +30,7 @@ using Pair = Coefficients<std::int32_t>;
 
 class Bodies {
  public:
-  Bodies(const std::vector<grains::Kind>& kinds, Rolling rolling);
+  explicit Bodies(const std::vector<grains::Kind>& kinds);
 
   /// `other` is none for a wall.
   const Pair& pair(std::uint16_t kind, std::optional<std::uint16_t> other) const {

@@ -43,6 +43,16 @@ template <class Int>
          at.upper.spin - at.other.spin;
 }
 
+/// Angular velocity of the upper body relative to the other, times the reduced radius.
+inline std::int32_t rolling_velocity(const ContactState<std::int32_t>& at) {
+  const auto part = [](std::int32_t spin, std::int32_t turning, std::int32_t inverse_mass) {
+    return inverse_mass == 0 ? 0 : product(spin, turning) / inverse_mass;  // a wall does not turn
+  };
+  return static_cast<std::int32_t>(
+      part(at.upper.spin, at.pair.upper_turning, at.pair.upper_inverse_mass) -
+      part(at.other.spin, at.pair.other_turning, at.pair.other_inverse_mass));
+}
+
 /// Applies impulses to the velocities of both bodies.
 template <class Int>
 [[gnu::always_inline]] inline void apply(ContactState<Int>& at, const Impulse<Int>& by,
@@ -106,7 +116,8 @@ template <class Int>
         law.turns);
 }
 
-/// Separation velocity after a collision with the velocity `closing`.
+/// Separation velocity after a collision with the velocity `closing`; 0 if that is so small that it
+/// is no impact.
 inline std::int32_t bounce(std::int32_t closing, std::int32_t restitution) {
   constexpr std::int32_t kMinClosingVelocity =
       kSpacing / 32;  // below it large beds would not come to rest

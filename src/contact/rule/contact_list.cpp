@@ -78,7 +78,6 @@ std::vector<Touch> next_contacts(const grains::State& state, const std::vector<C
     }
     known[static_cast<std::size_t>(touch - now.data())] = true;
     Touch& kept = all.emplace_back(*touch);
-    kept.is_new = false;
     kept.contact.impulse = turned ? turned_over(contact.impulse) : contact.impulse;
   }
   const auto first_new = static_cast<std::ptrdiff_t>(all.size());

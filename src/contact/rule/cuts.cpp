@@ -1,6 +1,8 @@
 #include "contact/rule/cuts.hpp"
 
+#include <algorithm>
 #include <optional>
+#include <tuple>
 #include <vector>
 
 #include "contact/rule/remainders.hpp"
@@ -14,7 +16,6 @@ struct Push {
   std::uint32_t id = 0;
   grains::Owner other = 0;
   lattice::Direction direction = {};
-  std::int32_t closing = 0;  // velocity
 };
 
 /// How many pushes a grain takes part in, and the sum of their impulses on it.
@@ -51,7 +52,23 @@ class PushSums {
   std::vector<PushSum> sums_;
 };
 
-/// Cuts the remainder of a grain and calls `visit` with each direction in which it was too long.
+/// Takes from a velocity along a direction what a grain that has free sites in its way was too fast
+/// to move. Returns whether it was: slower than a site a step it can move later.
+bool slow_down(Velocity<std::int32_t>& velocity, std::int32_t excess,
+               lattice::Direction direction) {
+  const std::int32_t speed = along({velocity.x, velocity.y}, unit_of(direction));
+  if (speed <= kSpacing) {
+    return false;
+  }
+  Vector slower = {velocity.x, velocity.y};
+  take(slower, std::min(excess, speed - kSpacing), direction);
+  velocity.x = slower.x;
+  velocity.y = slower.y;
+  return true;
+}
+
+/// Cuts the remainder of a grain and calls `visit` with each direction in which it was too long,
+/// and by how much.
 template <class Visit>
 void cut(Vector& remainder, Visit visit) {
   // Fitted. With 3/4 of a site, dense flow would lose too much of its distance.
@@ -63,33 +80,36 @@ void cut(Vector& remainder, Visit visit) {
     const std::int32_t excess = along(remainder, unit_of(direction)) - kMost;
     if (excess > 0) {
       take(remainder, excess, direction);
-      visit(direction);
+      visit(direction, excess);
     }
   }
 }
 
 }  // namespace
 
-void cut_remainders(State& state, const SiteMoves& moves, const Rule& rule,
+Cuts cut_remainders(State& state, const SiteMoves& moves, const Rule& rule,
                     std::span<const std::uint32_t> ids, const VelocityOf& velocity_of) {
+  Cuts result;
   std::vector<Push> pushes;
   for (const std::uint32_t id : ids) {
-    cut(state.remainders[id], [&](lattice::Direction direction) {
+    cut(state.remainders[id], [&](lattice::Direction direction, std::int32_t excess) {
       const grains::Owner other = moves.in_the_way(id, direction);
-      if (other == grains::kFree) {
-        return;
-      }
-      const Velocity<std::int32_t>& own = velocity_of(grains::as_owner(id));
-      const Velocity<std::int32_t>& its = velocity_of(other);
-      const std::int32_t closing = along({own.x - its.x, own.y - its.y}, unit_of(direction));
-      if (closing > 0) {
-        pushes.push_back({.id = id, .other = other, .direction = direction, .closing = closing});
+      if (other != grains::kFree) {
+        pushes.push_back({.id = id, .other = other, .direction = direction});
+      } else if (slow_down(velocity_of(grains::as_owner(id)), excess, direction)) {
+        result.too_fast = true;
       }
     });
   }
-  if (pushes.empty()) {
-    return;
-  }
+  const auto closing = [&](const Push& push) {
+    const Velocity<std::int32_t>& own = velocity_of(grains::as_owner(push.id));
+    const Velocity<std::int32_t>& its = velocity_of(push.other);
+    return along({own.x - its.x, own.y - its.y}, unit_of(push.direction));
+  };
+  std::erase_if(pushes, [&](const Push& push) { return closing(push) <= 0; });
+  std::sort(pushes.begin(), pushes.end(), [](const Push& one, const Push& other) {
+    return std::tie(one.id, one.direction) < std::tie(other.id, other.direction);
+  });
   PushSums sums(state.grains.particles.size());
   for (const Push& push : pushes) {
     sums.add(push.id);
@@ -107,8 +127,12 @@ void cut_remainders(State& state, const SiteMoves& moves, const Rule& rule,
       inverse += its->pushes * inverse_mass(state, rule, other);
     }
     const auto impulse =
-        clamped((std::int64_t{push.closing} << kInverseMassBits) / inverse, 0, kMaxImpulse);
+        clamped((std::int64_t{closing(push)} << kInverseMassBits) / inverse, 0, kMaxImpulse);
     const UnitVector& unit = unit_of(push.direction);
+    result.pushes.push_back({.upper = push.id,
+                             .other = push.other,
+                             .normal = {-unit.x, -unit.y},
+                             .impact = {.normal = impulse}});
     const std::int32_t x = rounded(product(impulse, unit.x), kUnitBits);
     const std::int32_t y = rounded(product(impulse, unit.y), kUnitBits);
     own.x -= x;
@@ -129,6 +153,7 @@ void cut_remainders(State& state, const SiteMoves& moves, const Rule& rule,
     velocity.x = changed(velocity.x, sum.x);
     velocity.y = changed(velocity.y, sum.y);
   }
+  return result;
 }
 
 }  // namespace clca::contact

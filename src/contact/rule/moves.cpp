@@ -1,5 +1,8 @@
 #include "contact/rule/moves.hpp"
 
+#include <algorithm>
+#include <utility>
+
 #include "contact/rule/order.hpp"
 #include "contact/rule/remainders.hpp"
 
@@ -10,9 +13,11 @@ using lattice::Direction;
 void SiteMoves::begin() {
   moved_.clear();
   beside_walls_.clear();
+  advanced_ = false;
 }
 
-grains::Owner SiteMoves::in_the_way(std::uint32_t id, Direction direction) const {
+template <class Chosen>
+grains::Owner SiteMoves::in_the_way(std::uint32_t id, Direction direction, Chosen chosen) const {
   const grains::Particle& grain = state_.grains.particles[id];
   const lattice::Lattice& lattice = state_.grains.lattice;
   const std::size_t index = lattice.index(grain.site());
@@ -20,16 +25,44 @@ grains::Owner SiteMoves::in_the_way(std::uint32_t id, Direction direction) const
   for (const lattice::Offset offset :
        box_.footprints.of(grain).lead[lattice::index_of(direction)]) {
     const grains::Owner owner = box_.occupancy.owner(lattice.at(index, column, offset));
-    if (owner != grains::kFree) {
+    if (owner != grains::kFree && chosen(owner)) {
       return owner;
     }
   }
   return grains::kFree;
 }
 
+grains::Owner SiteMoves::in_the_way(std::uint32_t id, Direction direction) const {
+  return in_the_way(id, direction, [](grains::Owner /*any*/) { return true; });
+}
+
+std::vector<std::uint32_t> SiteMoves::movable_at_once(std::vector<std::uint32_t> blocked,
+                                                      Direction direction) const {
+  std::sort(blocked.begin(), blocked.end());
+  for (std::vector<std::uint32_t> before; before.size() != blocked.size();) {
+    before = blocked;
+    std::erase_if(blocked, [&](std::uint32_t id) {
+      return in_the_way(id, direction, [&](grains::Owner owner) {
+               return !grains::is_particle(owner) ||
+                      !std::binary_search(before.begin(), before.end(), grains::particle_id(owner));
+             }) != grains::kFree;
+    });
+  }
+  return blocked;
+}
+
 void SiteMoves::move(std::uint32_t id, Direction direction) {
   leave(id, direction);
   enter(id, direction);
+}
+
+void SiteMoves::move_at_once(std::span<const std::uint32_t> ids, Direction direction) {
+  for (const std::uint32_t id : ids) {
+    leave(id, direction);
+  }
+  for (const std::uint32_t id : ids) {
+    enter(id, direction);
+  }
 }
 
 // The two halves of a move.
@@ -49,6 +82,12 @@ void SiteMoves::enter(std::uint32_t id, Direction direction) {
   }
   grain.previous = static_cast<grains::Move>(direction);
   take(state_.remainders[id], kSpacing, direction);
+  lattice::Axial& from_anchor = state_.from_anchors[id];
+  from_anchor = from_anchor + unit(direction);
+  if (length(from_anchor) > 1) {
+    from_anchor = {};
+    advanced_ = true;
+  }
 }
 
 bool SiteMoves::move_walls(Direction direction, std::span<WallMove> walls,
@@ -116,16 +155,30 @@ void move_all(SiteMoves& moves, State& state, Direction down, std::span<WallMove
       }
       return any;
     };
-    bool walls_moved = false;
-    do {
-      while (move_grains()) {
+    const auto move_at_once = [&] {
+      std::vector<std::uint32_t> blocked;
+      for (std::uint32_t id = 0; id < grains.size(); ++id) {
+        if (grains[id].present && !moved[id] && is_move_due(state.remainders[id], direction)) {
+          blocked.push_back(id);
+        }
       }
+      const std::vector<std::uint32_t> ids = moves.movable_at_once(std::move(blocked), direction);
+      moves.move_at_once(ids, direction);
+      for (const std::uint32_t id : ids) {
+        moved[id] = true;
+      }
+      return !ids.empty();
+    };
+    const auto move_walls = [&] {
       std::vector<std::uint32_t> pushed;
-      walls_moved = moves.move_walls(direction, walls, pushed);
+      const bool any = moves.move_walls(direction, walls, pushed);
       for (const std::uint32_t id : pushed) {
         moved[id] = true;
       }
-    } while (walls_moved);
+      return any;
+    };
+    while (move_grains() || move_at_once() || move_walls()) {
+    }
   }
 }
 

@@ -24,6 +24,11 @@ class SiteMoves {
   grains::Owner in_the_way(std::uint32_t id, lattice::Direction direction) const;
   /// Moves a grain into free sites.
   void move(std::uint32_t id, lattice::Direction direction);
+  /// Those of the grains `blocked` that can only move at once: each is blocked by others of them
+  /// alone. Shapes that hook into one another are.
+  std::vector<std::uint32_t> movable_at_once(std::vector<std::uint32_t> blocked,
+                                             lattice::Direction direction) const;
+  void move_at_once(std::span<const std::uint32_t> ids, lattice::Direction direction);
   /// Moves the walls that are due in this direction and have not moved yet, with all grains they
   /// push.
   /// A wall blocked by the border or another wall stays. Returns whether any wall moved; appends
@@ -33,10 +38,15 @@ class SiteMoves {
 
   /// Ids of grains that moved in this step, without duplicates.
   const std::vector<std::uint32_t>& moved() const { return moved_; }
+  /// Whether a grain has left the neighbourhood of its anchor in this step.
+  bool advanced() const { return advanced_; }
   /// Grains next to sites that walls entered or left; may have duplicates.
   const std::vector<std::uint32_t>& beside_walls() const { return beside_walls_; }
 
  private:
+  /// The first owner in the way that `chosen` returns true for; kFree if there is none.
+  template <class Chosen>
+  grains::Owner in_the_way(std::uint32_t id, lattice::Direction direction, Chosen chosen) const;
   void leave(std::uint32_t id, lattice::Direction direction);
   void enter(std::uint32_t id, lattice::Direction direction);
   bool push(const grains::WallStep& step, std::vector<std::uint32_t>& pushed);
@@ -46,6 +56,7 @@ class SiteMoves {
   grains::Box& box_;
   std::vector<std::uint32_t> moved_;
   std::vector<std::uint32_t> beside_walls_;
+  bool advanced_ = false;
 };
 
 /// Moves each grain by one site in every direction in which its remainder is large enough and the

@@ -46,7 +46,7 @@ Rule make_rule(const grains::State& state, const Parameters& parameters, double 
                .law = {.turns = parameters.rolling != Rolling::none,
                        .resists_rolling = parameters.rolling == Rolling::resistance,
                        .rolling_friction = friction(parameters.rolling_friction)},
-               .bodies = Bodies(state.kinds, parameters.rolling)};
+               .bodies = Bodies(state.kinds)};
   for (std::size_t wall = 0; wall < parameters.friction_by_wall.size(); ++wall) {
     if (const std::optional<double> own = parameters.friction_by_wall[wall]) {
       rule.wall_friction[wall] = friction(*own);

@@ -39,11 +39,11 @@ class Velocities {
   Velocity<std::int32_t> side_;
 };
 
-/// Only new contacts bounce.
-void bounce_new(std::vector<Touch>& contacts, const grains::State& grains, const Rule& rule,
-                const VelocityOf& velocity_of) {
+/// Contacts that carry nothing bounce: new ones, and those whose bodies have parted.
+void bounce_loose(std::vector<Touch>& contacts, const grains::State& grains, const Rule& rule,
+                  const VelocityOf& velocity_of) {
   for (Touch& touch : contacts) {
-    if (touch.is_new) {
+    if (touch.contact.impulse.normal == 0) {
       at_contact(touch.contact, grains, rule, velocity_of, [&](const auto& touching) {
         touch.bounce = bounce(-separation_velocity(touching), rule.restitution);
       });
@@ -130,11 +130,15 @@ void scatter(State& state, std::size_t first) {
 void add_motions(State& state) {
   state.velocities.resize(state.grains.particles.size());
   state.remainders.resize(state.grains.particles.size());
+  state.from_anchors.resize(state.grains.particles.size());
 }
 
 State valid(State state) {
   if (state.grains.step == 0 && state.wall_remainders.empty()) {
     state.wall_remainders.resize(state.grains.walls.size());
+  }
+  if (state.from_anchors.empty()) {
+    state.from_anchors.resize(state.grains.particles.size());
   }
   check_valid(state);
   return state;
@@ -168,7 +172,8 @@ bool Steps::advance(grains::StepReport& report) {
   const Vessel vessel = state_.vessel;
   report.moved = move_grains();
   if (wall_positions(state_) != walls) {
-    exchange_.walls = wall_work(state_, wall_contacts(), walls, gravity_);
+    exchange_.walls = wall_work(state_, wall_contacts(), walls, gravity_) +
+                      wall_work(state_, cuts_.pushes, walls, gravity_);
   }
   if (vessel.moves() || !state_.grains.outlets.empty()) {
     write_back_velocities();
@@ -186,6 +191,7 @@ void Steps::removing(std::uint32_t id) {
   exchange_.outlets += energy_of(state_, id, gravity_).sum();
   state_.velocities[id] = {};
   state_.remainders[id] = {};
+  state_.from_anchors[id] = {};
 }
 
 void Steps::reloaded() {
@@ -219,8 +225,8 @@ std::size_t Reference::move_grains() {
   Velocities velocities(state_);
   const VelocityOf velocity_of = std::ref(velocities);
 
-  // 2. New contacts bounce: impacts among few grains at once, others in the sweeps.
-  bounce_new(contacts, state_.grains, rule_, velocity_of);
+  // 2. Contacts without impulse bounce: impacts among few grains at once, others in the sweeps.
+  bounce_loose(contacts, state_.grains, rule_, velocity_of);
   collide(contacts, state_.grains, rule_, velocity_of);
 
   // 3. Gravity and the vessel.
@@ -247,10 +253,10 @@ std::size_t Reference::move_grains() {
   // 9. Remainders of grains that were held up are cut, and momentum is passed on.
   std::vector<std::uint32_t> ids(state_.remainders.size());
   std::iota(ids.begin(), ids.end(), 0U);
-  cut_remainders(state_, moves, rule_, ids, velocity_of);
+  set_cuts(cut_remainders(state_, moves, rule_, ids, velocity_of));
 
   // 10. Walls and vessel end the step.
-  end_step(state_, walls, moved_.empty(), at_rest);
+  end_step(state_, walls, {.moved = !moved_.empty(), .advanced = moves.advanced()}, at_rest);
   return moved_.size();
 }
 

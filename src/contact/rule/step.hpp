@@ -2,10 +2,12 @@
 // One step of lattice contact dynamics: the definition of the model.
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "clca/contact/energy.hpp"
 #include "clca/contact/state.hpp"
+#include "contact/rule/cuts.hpp"
 #include "contact/rule/normal_table.hpp"
 #include "contact/rule/rule.hpp"
 #include "contact/rule/walls.hpp"
@@ -34,6 +36,8 @@ class Steps : public grains::Mechanics {
   const EnergyExchange& exchange() const { return exchange_; }
   /// Throws std::invalid_argument for an invalid vessel.
   void set_vessel(const Vessel& vessel);
+  /// Of the last step.
+  const Cuts& cuts() const { return cuts_; }
   /// Sets velocities and contacts of the state.
   virtual void write_back() {}
   /// The same without contacts.
@@ -56,6 +60,7 @@ class Steps : public grains::Mechanics {
 
   State& own_state() { return state_; }
   const Rule& rule() const { return rule_; }
+  void set_cuts(Cuts cuts) { cuts_ = std::move(cuts); }
 
  private:
   State state_;
@@ -63,6 +68,7 @@ class Steps : public grains::Mechanics {
   double gravity_;  // lattice spacings per step squared
   Rule rule_;
   EnergyExchange exchange_;
+  Cuts cuts_;
 };
 
 /// The definition of a step. Engine does the same faster.

@@ -17,7 +17,6 @@ namespace clca::contact {
 struct Touch {
   Contact contact = {};       ///< with its present normal, and the impulses of the last step
   lattice::Axial apart = {};  ///< from the upper grain to the other; of walls none
-  bool is_new = true;         ///< not there in the last step
   std::int32_t bounce = 0;    ///< the velocity with which its bodies are to separate
 
   /// Order of contacts: by the upper grain, then by the vector to the other one.

@@ -68,17 +68,17 @@ std::vector<WallMove> advance_walls(State& state) {
   return result;
 }
 
-void end_step(State& state, std::span<const WallMove> walls, bool unmoved, bool at_rest) {
+void end_step(State& state, std::span<const WallMove> walls, GrainMoves grains, bool at_rest) {
+  bool walls_moved = state.vessel.moves();
   for (const WallMove& move : walls) {
     grains::Wall& wall = state.grains.walls[move.wall];
     std::int64_t& ahead = state.wall_remainders[move.wall];
     ahead -= move.done ? move.desired * grains::kMotionSpacing : 0;
     take_step(*wall.motion, wall.travel, move.desired, move.done, state.grains.step, ahead);
-    unmoved = unmoved && !move.done;
+    walls_moved = walls_moved || move.done;
   }
-  unmoved = unmoved && !state.vessel.moves();
-  state.unmoved_steps = unmoved ? state.unmoved_steps + 1 : 0;
-  state.quiet_steps = unmoved && at_rest ? state.quiet_steps + 1 : 0;
+  state.unmoved_steps = walls_moved || grains.advanced ? 0 : state.unmoved_steps + 1;
+  state.quiet_steps = walls_moved || grains.moved || !at_rest ? 0 : state.quiet_steps + 1;
   for (const WallMove& move : walls) {
     grains::Wall& wall = state.grains.walls[move.wall];
     grains::end_step(*wall.motion, wall.travel, state.quiet_steps < kQuietSteps);
@@ -98,7 +98,8 @@ bool grains_rest(const State& state, std::int32_t slow) {
   // A remainder grows from -2 to 1/2 along some direction at most 30 degrees off before it moves.
   constexpr std::int64_t kFarthest = std::int64_t{3} * kSpacing;
   return state.quiet_steps >= kQuietSteps ||
-         (slow > 0 && state.unmoved_steps >= static_cast<std::uint64_t>(kFarthest / slow));
+         (slow > 0 && state.unmoved_steps >=
+                          std::max(kQuietSteps, static_cast<std::uint64_t>(kFarthest / slow)));
 }
 
 bool walls_rest(const State& state) {

@@ -35,15 +35,20 @@ WallVelocities wall_velocities(const State& state);
 /// Advances the motions of walls by a step. Returns the desired move of each moving wall.
 std::vector<WallMove> advance_walls(State& state);
 
-/// Ends a step: updates walls and vessel. `unmoved`: no grain moved by a site. `at_rest`: none is
-/// faster than the rest limit.
-void end_step(State& state, std::span<const WallMove> walls, bool unmoved, bool at_rest);
+/// Whether any grain moved by a site in a step, and whether an anchor of one did.
+struct GrainMoves {
+  bool moved = false;
+  bool advanced = false;
+};
+
+/// Ends a step: updates walls and vessel. `at_rest`: no grain is faster than the rest limit.
+void end_step(State& state, std::span<const WallMove> walls, GrainMoves grains, bool at_rest);
 
 /// Counts from here on: something may move again.
 void disturb(State& state);
 
 /// Whether grains have come to rest. `slow`: the rest limit. Grains that are faster for long
-/// without any move are held up, though their contacts let them go on.
+/// without going anywhere are held up, though their contacts let them go on, or hop to and fro.
 bool grains_rest(const State& state, std::int32_t slow);
 
 /// Whether no wall will move while no grain does: each has finished or has been blocked for the

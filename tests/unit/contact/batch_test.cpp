@@ -28,7 +28,7 @@ std::vector<Pair> many_pairs() {
   for (const int radius : {0, 1, 3, 60}) {
     for (const std::optional<int> other :
          {std::optional<int>(0), std::optional<int>(2), std::optional<int>()}) {
-      all.push_back(pair_of(radius, other, Rolling::resistance));
+      all.push_back(pair_of(radius, other));
     }
   }
   return all;

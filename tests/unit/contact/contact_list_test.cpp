@@ -96,13 +96,10 @@ TEST(NextContacts, KeepTheirPlaceAndTheirImpulsesAndNewOnesAreBehind) {
   const auto kept = next_contacts(state, before, now, kDown, false);
   EXPECT_EQ(pairs(kept), (std::vector<Bodies2>{{0, kFloor}, {2, 1}, {1, 0}}));
   EXPECT_EQ(kept[0].contact.impulse, (Impulse<std::int32_t>{5, 4, 3}));
-  EXPECT_FALSE(kept[0].is_new);
-  EXPECT_TRUE(kept[1].is_new && kept[2].is_new);
   EXPECT_EQ(kept[1].contact.impulse, Impulse<std::int32_t>());
 
   const auto sorted = next_contacts(state, before, now, kDown, true);
   EXPECT_EQ(pairs(sorted), (std::vector<Bodies2>{{2, 1}, {1, 0}, {0, kFloor}}));
-  EXPECT_FALSE(sorted[2].is_new);
   EXPECT_EQ(sorted[2].contact.impulse, (Impulse<std::int32_t>{5, 4, 3}));
 }
 
@@ -121,7 +118,6 @@ TEST(NextContacts, OfAPairThatHasTurnedOverKeepTheImpulseWithTheMomentReversed) 
   const auto next = next_contacts(state, before, touches_of(state), kDown, false);
   ASSERT_EQ(pairs(next), (std::vector<Bodies2>{{1, 0}}));
   EXPECT_EQ(next[0].contact.impulse, (Impulse<std::int32_t>{50, -20, -7}));
-  EXPECT_FALSE(next[0].is_new);
 }
 
 }  // namespace

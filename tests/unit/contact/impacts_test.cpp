@@ -1,11 +1,19 @@
 // Grains that hit others: rebounds, energies, impulses.
 
+#include "contact/rule/impacts.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <random>
+#include <stdexcept>
 
 #include "clca/contact/contact_model.hpp"
 #include "contact/internal/mass_unit.hpp"
+#include "contact/rule/normal_table.hpp"
+#include "contact/rule/touching.hpp"
+#include "grains/internal/occupancy_table.hpp"
 #include "support/states.hpp"
 
 namespace clca::contact::impacts_test {
@@ -120,6 +128,123 @@ TEST_P(ImpactsTest, WhatClosesSlowlyBringsNone) {
   for (int step = 0; step < 200; ++step) {
     one.step();
     EXPECT_FALSE(has_impact(one));
+  }
+}
+
+/// Grains of 1 to 61 sites that touch one another and fly about.
+struct Cluster {
+  State state{.grains = testing::empty_state(18, 18)};
+  Rule rule;
+
+  explicit Cluster(std::mt19937_64& random) : rule(make_rule(state.grains, {}, 1.0 / 256)) {
+    const auto draw = [&](int low, int high) {
+      return std::uniform_int_distribution<int>(low, high)(random);
+    };
+    for (int radius = 0; radius <= 4; ++radius) {
+      state.grains.kinds.push_back({lattice::Shape::hexagon(radius), 0});
+    }
+    const auto most = static_cast<std::size_t>(draw(2, 8));
+    grains::OccupancyTable table(state.grains);
+    for (int i = 0; i < 400 && state.grains.particles.size() < most; ++i) {
+      grains::State larger = state.grains;
+      larger.particles.push_back(
+          testing::particle_at(draw(0, 17), draw(0, 17), static_cast<std::uint16_t>(draw(0, 4))));
+      larger.origins.push_back(larger.particles.back().site());
+      try {
+        table = grains::OccupancyTable(larger);
+      } catch (const std::invalid_argument&) {
+        continue;  // no room there
+      }
+      state.grains = std::move(larger);
+      state.velocities.push_back({.x = draw(-kSpacing, kSpacing),
+                                  .y = draw(-kSpacing, kSpacing),
+                                  .spin = draw(-kSpacing, kSpacing)});
+    }
+    const double friction = draw(0, 10) / 10.0;
+    const Rolling rolling = std::array{Rolling::none, Rolling::free,
+                                       Rolling::resistance}[static_cast<std::size_t>(draw(0, 2))];
+    if (rolling == Rolling::none) {
+      for (Velocity<std::int32_t>& velocity : state.velocities) {
+        velocity.spin = 0;
+      }
+    }
+    rule = make_rule(state.grains,
+                     {.friction = friction,
+                      .wall_friction = friction,
+                      .rolling = rolling,
+                      .restitution = draw(0, 99) / 100.0},
+                     1.0 / 256);
+  }
+  double energy() const {
+    double sum = 0;
+    for (std::size_t id = 0; id < state.velocities.size(); ++id) {
+      const auto mass = static_cast<double>(state.grains.shape(state.grains.particles[id]).size());
+      const Velocity<std::int32_t>& velocity = state.velocities[id];
+      const double spin = velocity.spin;
+      sum += mass * (Eigen::Vector2d(velocity.x, velocity.y).squaredNorm() + spin * spin / 2) / 2;
+    }
+    return sum;
+  }
+  /// Returns how many contacts the impacts have.
+  std::size_t collide() {
+    NormalTable normals(state.grains.kinds);
+    std::vector<Touch> contacts =
+        touches(grains::Box(state.grains), lattice::Direction::down, normals, {});
+    Velocity<std::int32_t> fixed;
+    const VelocityOf velocity_of = [&](grains::Owner body) -> Velocity<std::int32_t>& {
+      return grains::is_particle(body) ? state.velocities[grains::particle_id(body)] : fixed;
+    };
+    std::size_t count = 0;
+    for (Touch& touch : contacts) {
+      touch.bounce = 1;
+    }
+    for (const std::vector<Touch*>& impact :
+         isolated_impacts(contacts, state.grains.particles.size())) {
+      solve_impact(impact, state.grains, rule, velocity_of);
+      count += impact.size();
+    }
+    return count;
+  }
+};
+
+TEST(AnImpact, NeverRaisesTheKineticEnergy) {
+  std::mt19937_64 random(45);
+  std::size_t contacts = 0;
+  for (int i = 0; i < 1000; ++i) {
+    Cluster cluster(random);
+    const double before = cluster.energy();
+    contacts += cluster.collide();
+    EXPECT_LE(cluster.energy(), 1.0001 * before) << i;
+  }
+  EXPECT_GT(contacts, 3000U);
+}
+
+// One hits others in a row that touch: without restitution all go on as one, and the same impulses
+// act again. With restitution 1: -1/3, 2/3, 2/3.
+TEST(AnImpact, OfACradleSeparatesItAsOneSimultaneousImpact) {
+  for (const double restitution : {0.3, 0.6, 0.9}) {
+    for (const int grains : {2, 3}) {
+      std::mt19937_64 random(1);
+      Cluster cradle(random);
+      cradle.state.grains.particles.clear();
+      cradle.state.velocities.clear();
+      cradle.state.grains.lattice = lattice::Lattice(20, 60, false);
+      for (int i = 0; i < grains; ++i) {
+        cradle.state.grains.particles.push_back(testing::particle_at(10, 30 - 3 * i, 1));
+        cradle.state.velocities.push_back({.x = 0, .y = i == 0 ? -kSpacing / 2 : 0, .spin = 0});
+      }
+      cradle.rule = make_rule(cradle.state.grains,
+                              {.rolling = Rolling::none, .restitution = restitution}, 1.0 / 256);
+      cradle.collide();
+      const auto velocity = [&](std::size_t id) {
+        return -2.0 * cradle.state.velocities[id].y / kSpacing;
+      };
+      const double others = (1 + restitution) / grains;
+      EXPECT_NEAR(velocity(0), 1 - (grains - 1) * others, 0.001);
+      for (int i = 1; i < grains; ++i) {
+        EXPECT_NEAR(velocity(static_cast<std::size_t>(i)), others, 0.001);
+      }
+    }
   }
 }
 

@@ -11,6 +11,7 @@
 #include "contact/engine/mover.hpp"
 #include "contact/rule/order.hpp"
 #include "contact/rule/remainders.hpp"
+#include "grains/internal/occupancy_table.hpp"
 #include "support/states.hpp"
 
 namespace clca::contact::moves_test {
@@ -35,7 +36,9 @@ struct Bench {
     for (std::uint32_t id = 0; ids.size() < state.particles.size(); ++id) {
       ids.push_back(id);
     }
-    State all{.grains = state, .remainders = remainders};
+    State all{.grains = state,
+              .remainders = remainders,
+              .from_anchors = std::vector<lattice::Axial>(remainders.size())};
     State all_of_engine = all;
     grains::Box box(all.grains);
     grains::Box box_of_engine(all_of_engine.grains);
@@ -69,6 +72,21 @@ TEST(AColumn, AboveAFreedPlaceGoesAtOnceInWhateverOrderItsGrainsAreAsked) {
       EXPECT_EQ(bench.remainders[id], (Vector{0, kSpacing / 4}));
       EXPECT_EQ(bench.state.particles[id].previous, static_cast<grains::Move>(Direction::down));
     }
+  }
+}
+
+// Each is in the way of the other, so neither can go first.
+TEST(ShapesThatHook, IntoOneAnotherMoveAtOnceOrNotAtAll) {
+  for (const bool both : {true, false}) {
+    Bench bench;
+    // Two hooks, one turned over: each has a site above one of the other.
+    bench.state.kinds = {{lattice::Shape({{0, 0}, {0, 1}, {0, 2}, {1, 1}}), 0},
+                         {lattice::Shape({{0, 0}, {0, 1}, {0, 2}, {-1, 0}}), 0}};
+    bench.state.particles = {particle_at(10, 10, 0), particle_at(11, 10, 1)};
+    bench.remainders = {kDown, both ? kDown : Vector()};
+    const grains::OccupancyTable fits(bench.state);  // throws if not
+    const std::vector<std::uint32_t> moved = bench.move();
+    EXPECT_EQ(moved.size(), both ? 2U : 0U);
   }
 }
 

@@ -35,11 +35,11 @@ inline UnitVector any_normal(std::mt19937_64& random) {
 }
 
 /// Coefficients of hexagons of these radii; without the second those of a wall.
-inline Pair pair_of(int radius, std::optional<int> other, Rolling rolling) {
+inline Pair pair_of(int radius, std::optional<int> other) {
   std::vector<grains::Kind> kinds = {{lattice::Shape::hexagon(radius), 0},
                                      {lattice::Shape::hexagon(other.value_or(0)), 1}};
-  return Bodies(kinds, rolling)
-      .pair(0, other ? std::optional<std::uint16_t>(std::uint16_t{1}) : std::nullopt);
+  return Bodies(kinds).pair(0,
+                            other ? std::optional<std::uint16_t>(std::uint16_t{1}) : std::nullopt);
 }
 
 inline double sites_of(int radius) {

@@ -137,17 +137,17 @@ TEST_F(MovieTest, WhatFfmpegCannotWriteIsAnErrorWithItsReason) {
 }
 
 TEST_F(MovieTest, AGifThatItsHundredthsOfASecondCannotTellIsRefused) {
-  for (const double rate : {101.0, 240.0, 1 / 656.0}) {
+  for (const double rate : {51.0, 240.0, 1 / 656.0}) {
     EXPECT_THAT([&] { Movie(file("a.gif"), MovieFormat::gif, 16, 16, rate); },
-                ::testing::ThrowsMessage<MovieError>(HasSubstr("a GIF has at most 100 pictures")))
+                ::testing::ThrowsMessage<MovieError>(HasSubstr("a GIF has at most 50 pictures")))
         << rate;
   }
-  Movie movie(file("a.gif"), MovieFormat::gif, 96, 64, 100);
+  Movie movie(file("a.gif"), MovieFormat::gif, 96, 64, 50);
   for (int i = 0; i < kFrames; ++i) {
     movie.add(picture(96, 64, i));
   }
   movie.finish();
-  EXPECT_THAT(probed(file("a.gif")), HasSubstr("100/1,12"));
+  EXPECT_THAT(probed(file("a.gif")), HasSubstr("50/1,12"));
 }
 
 TEST_F(MovieTest, WithoutPicturesOrWithOnesOfAnotherSizeThereIsNone) {

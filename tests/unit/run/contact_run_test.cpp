@@ -296,6 +296,76 @@ TEST_F(ContactRunTest, AWindowAveragesTheForcesOfItsSteps) {
 
 // What the balance misses looks like energy from nowhere.
 // Gains stand for energy that the balance misses.
+// A grain that has just landed still has the impulse of its impact.
+TEST_F(ContactRunTest, ForcesSinceTheBedCameToRestAreWithoutItsLastImpact) {
+  const store::RunSummary summary = run(scene::parse(R"(clca: 1
+model: contact
+seed: 1
+box: {width: 30, height: 60}
+species: {grain: {shape: {hexagon: 1}}}
+contact: {restitution: 0, fall_height: 40}
+stages: [{name: rest, fill: {region: [0, 0, 30, 60], counts: {grain: 1}}}]
+measure: [force]
+)",
+                                                     "landed.yaml"),
+                                        {.folder = path()});
+  EXPECT_NEAR(testing::measure_of(summary, "rest", "load_floor"), 1, 1e-3);
+  const store::ReadTable walls = store::read_table(path() / "walls-rest.csv");
+  for (std::size_t row = 0; row < walls.rows(); ++row) {
+    if ((*walls.find("wall"))[row] == "floor") {
+      EXPECT_NEAR(walls.numbers("force_y")[row], -1, 1e-3);
+    }
+  }
+}
+
+TEST_F(ContactRunTest, AStageUntilSettledTakesSixtyStepsAtLeastHoweverCoarseTheyAre) {
+  for (const std::uint64_t seed : {1, 2, 3, 4}) {
+    const store::RunSummary summary =
+        run(scene::parse(R"(clca: 1
+model: contact
+box: {width: 40, height: 60}
+species: {grain: {shape: {hexagon: 1}}}
+contact: {resolution: 1, fall_height: 2, rolling: free, restitution: 0.9}
+stages:
+  - {name: fall, fill: {region: [0, 0, 40, 60], counts: {grain: 60}}, max_steps: 3000}
+  - {name: rest, max_steps: 3000}
+)",
+                         "coarse.yaml", {"seed=" + std::to_string(seed)}),
+            {.folder = path(), .overwrite = true});
+    EXPECT_GE(summary.stages[1].steps, 60U) << seed;
+  }
+}
+
+// By default a grain moves a site a step at most where it falls freely. Where it is made to fall
+// faster than it can move, it loses velocity and energy, and a line says so.
+TEST_F(ContactRunTest, AGrainThatFallsFarGainsNoEnergy) {
+  constexpr const char* kTall = R"(clca: 1
+model: contact
+box: {width: 20, height: 1000}
+species: {grain: {shape: {hexagon: 1}}}
+stages: [{name: fall, fill: {region: [0, 980, 20, 1000], counts: {grain: 1}}, until: {steps: 900}}]
+output: {series: {every: 1}}
+)";
+  for (const bool is_default : {true, false}) {
+    std::string warnings;
+    const RunEvents events = {.warning = [&](const std::string& line) { warnings += line; }};
+    const std::vector<scene::Override> overrides =
+        is_default ? std::vector<scene::Override>()
+                   : std::vector<scene::Override>{"contact.fall_height=10"};
+    run(scene::parse(kTall, "tall.yaml", overrides), {.folder = path(), .overwrite = true}, events);
+    const store::ReadTable series = store::read_table(path() / "series.csv");
+    const double whole =
+        series.numbers("kinetic_energy")[0] + series.numbers("potential_energy")[0];
+    const std::vector<double> dissipated = series.numbers("dissipated_energy");
+    EXPECT_GT(*std::min_element(dissipated.begin(), dissipated.end()), -0.002 * whole);
+    if (is_default) {
+      EXPECT_EQ(warnings, "");
+    } else {
+      EXPECT_THAT(warnings, HasSubstr("a grain falls faster than it can move, and loses velocity"));
+    }
+  }
+}
+
 TEST_F(ContactRunTest, EnergyThatFallsWithoutEndIsMeasuredByItsFall) {
   const auto scene = small();
   SceneModel model(scene, first_state(scene), {});

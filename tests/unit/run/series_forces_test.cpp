@@ -99,8 +99,8 @@ TEST_F(SeriesForces, APistonIsPushedBackAsTheFloorIsPressed) {
   const std::size_t last = column("step").size() - 1;
   const double pressing = column("force_y.piston").at(last);
   EXPECT_GT(pressing, 2 * 60 * kSites);
-  EXPECT_NEAR(sum("force_y", last), -60 * kSites, 0.01 * pressing);
-  EXPECT_NEAR(sum("force_x", last), 0, 0.01 * pressing);
+  EXPECT_NEAR(sum("force_y", last), -60 * kSites, 0.001 * pressing);
+  EXPECT_NEAR(sum("force_x", last), 0, 0.001 * pressing);
 }
 
 // A bounce takes one step, and rows are ten steps apart.

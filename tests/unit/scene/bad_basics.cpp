@@ -26,7 +26,8 @@ constexpr auto kBadBasics = std::to_array<BadScene>({
     {"a let with the name of a key", "let: {seed: 3}",
      "scene.yaml:13:7: error: let.seed: a key of the scene has this name", Judge::parser},
     {"a let that uses a later one", "let: {a: =b, b: 3}",
-     "scene.yaml:13:10: error: unknown name 'b' in '=b' (nothing stands under let)", Judge::parser},
+     "scene.yaml:13:10: error: unknown name 'b' in '=b' (nothing stands before it under let)",
+     Judge::parser},
     {"a constant as a name", "let: {_pi: 3}",
      "scene.yaml:13:7: error: let._pi: a name has up to 64 letters, digits and '_', no digit "
      "first, and is no function or constant",
