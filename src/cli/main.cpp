@@ -14,6 +14,7 @@
 #include "clca/run/run.hpp"
 #include "clca/scene/parse.hpp"
 #include "clca/store/file.hpp"
+#include "clca/store/trajectory.hpp"
 #include "clca/text/input_error.hpp"
 #include "clca/text/message.hpp"
 #include "cli/command.hpp"
@@ -152,6 +153,7 @@ int run(int argc, char** argv, std::unique_ptr<clca::tasks::Ranks>& ranks) {
 int main(int argc, char** argv) {
   clca::cli::occupy_closed_streams();
   clca::cli::set_up_signals();
+  clca::store::end_without_hdf5();
   int code = static_cast<int>(ExitCode::failed);
   std::unique_ptr<clca::tasks::Ranks> ranks;
   try {

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "clca/store/file.hpp"
+#include "clca/store/trajectory.hpp"
 
 namespace clca::store::hdf5 {
 
@@ -97,3 +98,11 @@ std::vector<std::uint8_t> image(const std::filesystem::path& path,
 }
 
 }  // namespace clca::store::hdf5
+
+namespace clca::store {
+
+void end_without_hdf5() {
+  H5dont_atexit();
+}
+
+}  // namespace clca::store

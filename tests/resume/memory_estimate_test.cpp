@@ -76,10 +76,6 @@ INSTANTIATE_TEST_SUITE_P(
                       Case{"Forces", "contact",
                            "output: {frames: {every: 4, width: 100, overlay: forces}}\n"
                            "measure: [force, weight_paths]\n"},
-                      Case{"PathsOfWeight", "voids", "output: {}\nmeasure: [weight_paths]\n"},
-                      Case{"PicturesOfWeight", "voids",
-                           "output: {frames: {every: 4, width: 300, overlay: weight_q}}\n"
-                           "measure: []\n"},
                       Case{"PicturesOfVelocities", "automaton",
                            "output: {frames: {every: 4, width: PIXELS, overlay: velocity}}\n"}),
     [](const ::testing::TestParamInfo<Case>& one) { return one.param.name; });

@@ -106,4 +106,8 @@ class Trajectory {
   std::unique_ptr<Impl> impl_;
 };
 
+/// Lets the HDF5 library end with the process without writing what is left of files that could not
+/// be written: it would crash. For a program that owns its process, before it uses the library.
+void end_without_hdf5();
+
 }  // namespace clca::store

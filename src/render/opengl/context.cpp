@@ -80,7 +80,8 @@ Library egl() {
   setenv("LIBGL_ALWAYS_SOFTWARE", "1", 0);  // about the same picture on any machine
   void* display = library.function<decltype(eglGetPlatformDisplay)>("eglGetPlatformDisplay")(
       EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr);
-  if (!library.function<decltype(eglInitialize)>("eglInitialize")(display, nullptr, nullptr)) {
+  const auto initialize = library.function<decltype(eglInitialize)>("eglInitialize");
+  if (initialize(display, nullptr, nullptr) == EGL_FALSE) {
     throw RenderError("EGL draws nothing without a surface");
   }
   return {.create =
@@ -123,16 +124,19 @@ const Library& library() {
   return kLibrary;
 }
 
-}  // namespace
-
-Context::Context() {
+void* new_context() {
   prepare_polygons();
   require_memory();
-  handle_ = library().create();
-  if (handle_ == nullptr) {
+  void* context = library().create();
+  if (context == nullptr) {
     throw RenderError("there is no OpenGL context");
   }
+  return context;
 }
+
+}  // namespace
+
+Context::Context() : handle_(new_context()) {}
 
 Context::~Context() {
   library().destroy(handle_);
