@@ -72,7 +72,7 @@ class Change {
   /// `busy` is of the object.
   explicit Change(bool& busy) : busy_(busy) {
     check(busy);
-    busy_ = true;
+    busy = true;
   }
   ~Change() { busy_ = false; }
   Change(const Change&) = delete;

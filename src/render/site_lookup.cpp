@@ -16,7 +16,6 @@ namespace clca::render {
 namespace {
 
 using grains::Owner;
-using lattice::Site;
 
 // All standing walls count as one owner, so that no outlines separate them; so do all moving walls.
 constexpr Owner kStandingWall = grains::kFree - 1;
@@ -109,7 +108,8 @@ struct SiteLookup::Block {
 /// Copies of sites.
 struct SiteLookup::NearSites {
   static constexpr int kRows = 6;
-  static constexpr std::size_t kEach = lattice::Lattice::kRowPitch * kRows;
+  static constexpr std::size_t kEach =
+      std::size_t{lattice::Lattice::kRowPitch} * std::size_t{kRows};
   std::array<Owner, Block::kSize * 2 * kEach> sites;
   Block::Each<std::int32_t> left, right;
 };
@@ -299,8 +299,8 @@ void SiteLookup::draw_samples(const Colors& colors, const Height& height,
                      .odd_row = row - (below ? 1 : 0)};
   const Sample* table = colors.data();
   const Owner least = colors.least();
-  Block block;
-  [[maybe_unused]] NearSites near;
+  Block block = {};
+  [[maybe_unused]] NearSites near = {};
   for (std::size_t number = 0; number < blocks_.size(); ++number) {
     const auto [begin, block_end] = blocks_[number];
     const std::size_t count = block_end - begin;
@@ -392,7 +392,7 @@ Image SiteLookup::picture(const grains::State& state, const grains::Occupancy& o
           const int count = std::min(per, image.width - left);
           const std::span<Rgb> pixels(&image.at(left, image.height - 1 - row),
                                       static_cast<std::size_t>(count));
-          const Sample* from = samples.data() + left * samples_;
+          const Sample* from = samples.data() + std::ptrdiff_t{left} * samples_;
           set_means(pixels, from, pitch, samples_);
         }
       }

@@ -56,9 +56,14 @@ class PushSums {
 /// to move. Returns whether it was: slower than a site a step it can move later.
 bool slow_down(Velocity<std::int32_t>& velocity, std::int32_t excess,
                lattice::Direction direction) {
-  const std::int32_t speed = along({velocity.x, velocity.y}, unit_of(direction));
-  if (speed <= kSpacing) {
-    return false;
+  const auto towards = [&](lattice::Direction way) {
+    return along({velocity.x, velocity.y}, unit_of(way));
+  };
+  const std::int32_t speed = towards(direction);
+  if (speed <= kSpacing ||
+      std::any_of(lattice::kDirections.begin(), lattice::kDirections.end(),
+                  [&](lattice::Direction other) { return towards(other) > speed; })) {
+    return false;  // or its velocity is that of another direction
   }
   Vector slower = {velocity.x, velocity.y};
   take(slower, std::min(excess, speed - kSpacing), direction);

@@ -28,8 +28,10 @@ namespace {
 
 /// Of the current context, where all objects live as long as it does.
 struct Gl {
+// NOLINTBEGIN(bugprone-macro-parentheses): a name that is declared has none
 #define CLCA_GL(name) \
   decltype(&gl##name) name = reinterpret_cast<decltype(name)>(Context::function("gl" #name));
+  // NOLINTEND(bugprone-macro-parentheses)
   CLCA_GL_FUNCTIONS(CLCA_GL)
 #undef CLCA_GL
 };

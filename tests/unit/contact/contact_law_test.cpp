@@ -143,12 +143,11 @@ TEST(Friction, NeverExceedsItsCoefficientTimesTheNormalImpulse) {
   for (int trial = 0; trial < kTrials; ++trial) {
     const UnitVector normal = any_normal(random);
     const bool turns = trial % 2 == 0;
-    Pairing at = {
-        .upper = any_velocity(random, kSpacing),
-        .other = any_velocity(random, kSpacing),
-        .normal_x = normal.x,
-        .normal_y = normal.y,
-        .pair = pair_of(1, static_cast<int>(random() % 4), turns ? Rolling::free : Rolling::none)};
+    Pairing at = {.upper = any_velocity(random, kSpacing),
+                  .other = any_velocity(random, kSpacing),
+                  .normal_x = normal.x,
+                  .normal_y = normal.y,
+                  .pair = pair_of(1, static_cast<int>(random() % 4))};
     const double friction = static_cast<double>(random() % 1000) / 500;
     const Impulse<Number> impulse = solved(at, friction, {.turns = turns});
     EXPECT_LE(std::abs(impulse.shear), most(friction, impulse.normal));
@@ -198,7 +197,7 @@ TEST(RollingResistance, NeverExceedsItsCoefficientTimesTheNormalImpulse) {
                   .other = any_velocity(random, kSpacing),
                   .normal_x = normal.x,
                   .normal_y = normal.y,
-                  .pair = pair_of(static_cast<int>(random() % 4), 2, Rolling::resistance)};
+                  .pair = pair_of(static_cast<int>(random() % 4), 2)};
     const double friction = static_cast<double>(random() % 1000) / 500;
     const Impulse<Number> impulse = solved(
         at, 0.3, {.turns = true, .resists_rolling = true, .rolling_friction = ratio(friction)});
@@ -210,12 +209,11 @@ TEST(AWall, IsNotMoved) {
   std::mt19937_64 random(5);
   for (int trial = 0; trial < kTrials; ++trial) {
     const UnitVector normal = any_normal(random);
-    Pairing at = {
-        .upper = any_velocity(random, kSpacing),
-        .other = {},
-        .normal_x = normal.x,
-        .normal_y = normal.y,
-        .pair = pair_of(static_cast<int>(random() % 4), std::nullopt, Rolling::resistance)};
+    Pairing at = {.upper = any_velocity(random, kSpacing),
+                  .other = {},
+                  .normal_x = normal.x,
+                  .normal_y = normal.y,
+                  .pair = pair_of(static_cast<int>(random() % 4), std::nullopt)};
     solved(at, 0.5, {.turns = true, .resists_rolling = true, .rolling_friction = ratio(0.5)});
     EXPECT_EQ(at.other, Velocity<Number>());
     EXPECT_GE(separation_velocity(at), -kSpacing * 0x1p-9) << "nothing enters a wall";

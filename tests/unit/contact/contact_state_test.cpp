@@ -228,6 +228,9 @@ TEST(TheHash, TellsOfEverythingThatARunChanges) {
            [](State& state) { ++state.grains.step; },
            [](State& state) { ++state.velocities[1].spin; },
            [](State& state) { ++state.remainders[0].x; },
+           [](State& state) {
+             state.from_anchors.resize(2, {1, 0});
+           },
            [](State& state) { std::swap(state.contacts[0], state.contacts[1]); },
            [](State& state) { ++state.contacts[1].impulse.rolling; },
            [](State& state) { ++state.contacts[1].impact.normal; },

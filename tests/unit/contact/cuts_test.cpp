@@ -78,7 +78,7 @@ TEST(ARemainder, IsCutToTwoSitesInEveryDirection) {
       const Vector before = {static_cast<std::int32_t>(distance * kSpacing * std::cos(angle)),
                              static_cast<std::int32_t>(distance * kSpacing * std::sin(angle))};
       Bench bench;
-      bench.add({10, 20}, before, {kSpacing, kSpacing, 0});
+      bench.add({10, 20}, before, {kSpacing / 2, kSpacing / 2, 0});
       bench.cut();
       const Vector& after = bench.state.remainders[0];
       for (const Direction direction : lattice::kDirections) {
@@ -87,9 +87,21 @@ TEST(ARemainder, IsCutToTwoSitesInEveryDirection) {
       if (distance < 2) {
         EXPECT_EQ(after, before);
       }
-      EXPECT_EQ(bench.state.velocities[0], (Velocity<std::int32_t>{kSpacing, kSpacing, 0}))
+      EXPECT_EQ(bench.state.velocities[0], (Velocity<std::int32_t>{kSpacing / 2, kSpacing / 2, 0}))
           << "nothing is in its way";
     }
+  }
+}
+
+// What it could not move in this step, at most down to a site a step.
+TEST(ACut, TakesVelocityFromAGrainThatIsFasterThanItCanMove) {
+  for (const auto& [excess, left] :
+       {std::pair(kSpacing / 4, 11 * kSpacing / 4), std::pair(3 * kSpacing, kSpacing)}) {
+    Bench bench;
+    bench.add({10, 20}, {0, -2 * kSpacing - excess}, {0, -3 * kSpacing, 7});
+    bench.cut();
+    EXPECT_EQ(bench.state.remainders[0].y, -2 * kSpacing);
+    EXPECT_EQ(bench.state.velocities[0], (Velocity<std::int32_t>{0, -left, 7}));
   }
 }
 
@@ -130,9 +142,10 @@ TEST(Cuts, ThatMeetKeepMomentumAndGainNoEnergyInAnyOrder) {
     Bench bench;
     const lattice::Site site = {15, 20};
     bench.add(site, {within(4 * kSpacing), within(4 * kSpacing)},
-              {within(kSpacing), within(kSpacing), 0}, 0);
+              {within(kSpacing / 2), within(kSpacing / 2), 0}, 0);
     for (const lattice::Axial lowest : {lattice::Axial{-1, 2}, {0, 2}, {1, 1}}) {
-      bench.add(site + lowest, kFarBelow, {within(kSpacing), -kSpacing + within(kSpacing), 0}, 2);
+      bench.add(site + lowest, kFarBelow,
+                {within(kSpacing / 4), -kSpacing / 2 + within(kSpacing / 2), 0}, 2);
     }
     const Eigen::Vector2d momentum = bench.momentum();
     const double energy = bench.energy();

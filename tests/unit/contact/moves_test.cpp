@@ -79,10 +79,11 @@ TEST(AColumn, AboveAFreedPlaceGoesAtOnceInWhateverOrderItsGrainsAreAsked) {
 TEST(ShapesThatHook, IntoOneAnotherMoveAtOnceOrNotAtAll) {
   for (const bool both : {true, false}) {
     Bench bench;
-    // Two hooks, one turned over: each has a site above one of the other.
-    bench.state.kinds = {{lattice::Shape({{0, 0}, {0, 1}, {0, 2}, {1, 1}}), 0},
-                         {lattice::Shape({{0, 0}, {0, 1}, {0, 2}, {-1, 0}}), 0}};
-    bench.state.particles = {particle_at(10, 10, 0), particle_at(11, 10, 1)};
+    // One has an arm below and one above an arm of the other.
+    bench.state.kinds = {
+        {lattice::Shape({{0, 1}, {0, -1}, {-1, -1}, {-1, 0}, {-1, 1}, {-1, 2}}), 0},
+        {lattice::Shape({{0, 0}, {1, 0}, {1, -1}}), 0}};
+    bench.state.particles = {particle_at(10, 10, 0), particle_at(10, 10, 1)};
     bench.remainders = {kDown, both ? kDown : Vector()};
     const grains::OccupancyTable fits(bench.state);  // throws if not
     const std::vector<std::uint32_t> moved = bench.move();
@@ -104,7 +105,9 @@ TEST(AGrain, ThatWaitsGoesInTheStepInWhichItsWayIsFree) {
   bench.add(10, 5, {});
   bench.add(10, 8, kDown);
   bench.add(10, 11, kDown);
-  State all{.grains = bench.state, .remainders = bench.remainders};
+  State all{.grains = bench.state,
+            .remainders = bench.remainders,
+            .from_anchors = std::vector<lattice::Axial>(bench.remainders.size())};
   grains::Box box(all.grains);
   Mover mover(all, box);
   const auto step = [&](const std::vector<std::uint32_t>& ids) {
