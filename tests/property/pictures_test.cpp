@@ -55,7 +55,9 @@ RC_GTEST_PROP(PictureProperty, OneOfWhatHasChangedEqualsAFreshOne, ()) {
                                .view = any_view(),
                                .annotations = render::Annotations::none,
                                .threads = testing::within(1, 3)};
-  const auto fresh = [&] { return render::Painter(style, state.lattice, state.kinds); };
+  const auto fresh = [&, &beginning = state] {
+    return render::Painter(style, beginning.lattice, beginning.kinds);
+  };
   render::Painter painter = fresh();
   render::Coloring coloring = any_coloring(state);
   const double turn = *rc::gen::element(0, 0, 0, 30, -90);

@@ -319,7 +319,7 @@ measure: [force]
 }
 
 TEST_F(ContactRunTest, AStageUntilSettledTakesSixtyStepsAtLeastHoweverCoarseTheyAre) {
-  for (const std::uint64_t seed : {1, 2, 3, 4}) {
+  for (const int seed : {1, 2, 3, 4}) {
     const store::RunSummary summary =
         run(scene::parse(R"(clca: 1
 model: contact
