@@ -239,6 +239,15 @@ bool Shape::is_hexagon() const {
          *this == hexagon(radius);
 }
 
+bool Shape::is_disc() const {
+  double reach = 0;  // squared
+  for (const Axial site : sites_) {
+    reach = std::max(reach, position(site).squaredNorm());
+  }
+  // Long shapes are told apart by their number of sites, before a large disc is built.
+  return static_cast<double>(size()) > 3 * reach && *this == disc(std::sqrt(reach));
+}
+
 double Shape::diameter() const {
   return std::sqrt(4.0 * kColumnPitch * static_cast<double>(size()) / std::numbers::pi);
 }

@@ -18,14 +18,11 @@ void EnergyRecord::begin(const scene::Stage& stage, const SceneModel& model) {
   is_closed_ = stage.sources.empty() && stage.move.empty() && !model.vessel().moves();
   start_ = model.energy()->sum();
   fall_ = 0;
-  double squares = 0;
   for (const grains::Particle& particle : model.state().particles) {
     const double sites =
         particle.present ? static_cast<double>(model.state().shape(particle).size()) : 0;
     fall_ += sites;
-    squares += sites * sites;
   }
-  lift_ = std::sqrt(squares) / 2;
   exchanged_ = {};
   lowest_ = start_;
   growth_ = 0;
@@ -63,7 +60,7 @@ std::optional<EnergyRecord::Growth> EnergyRecord::add(const SceneModel& model,
     return std::nullopt;
   }
   growth_ = std::max(growth_, (now - lowest_) / scale);
-  if (has_warned_ || growth_ <= kTolerance || now - lowest_ <= lift_) {
+  if (has_warned_ || growth_ <= kTolerance) {
     return std::nullopt;
   }
   has_warned_ = true;

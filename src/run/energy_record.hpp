@@ -24,8 +24,7 @@ class EnergyRecord : public SavedObserver<EnergyRecord> {
   };
   void begin(const scene::Stage& stage, const SceneModel& model);
   /// `exchange`: of the step. Once in a run, what there is to warn of: the energy has grown by more
-  /// than 1 % of the scale, and by more than rest may lift: half a spacing a grain, some of them up
-  /// and some down.
+  /// than 1 % of the scale.
   std::optional<Growth> add(const SceneModel& model, const contact::EnergyExchange& exchange);
 
   /// Since the start of the stage.
@@ -43,9 +42,9 @@ class EnergyRecord : public SavedObserver<EnergyRecord> {
     using reflection::field;
     return std::make_tuple(
         field("is_closed", &EnergyRecord::is_closed_), field("start", &EnergyRecord::start_),
-        field("fall", &EnergyRecord::fall_), field("lift", &EnergyRecord::lift_),
-        field("exchanged", &EnergyRecord::exchanged_), field("lowest", &EnergyRecord::lowest_),
-        field("growth", &EnergyRecord::growth_), field("has_warned", &EnergyRecord::has_warned_),
+        field("fall", &EnergyRecord::fall_), field("exchanged", &EnergyRecord::exchanged_),
+        field("lowest", &EnergyRecord::lowest_), field("growth", &EnergyRecord::growth_),
+        field("has_warned", &EnergyRecord::has_warned_),
         field("has_been_too_fast", &EnergyRecord::has_been_too_fast_));
   }
 
@@ -55,7 +54,6 @@ class EnergyRecord : public SavedObserver<EnergyRecord> {
   bool is_closed_ = true;  // no sources, neither walls nor vessel move
   double start_ = 0;
   double fall_ = 0;  // of all grains by a lattice spacing
-  double lift_ = 0;  // by rest, which forgets how far a grain is from its site
   contact::EnergyExchange exchanged_;
   double lowest_ = 0;
   double growth_ = 0;

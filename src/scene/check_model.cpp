@@ -46,16 +46,9 @@ void check_shapes(const Scene& scene, const Value& value) {
   for (std::size_t i = 0; i < scene.species.size(); ++i) {
     const Species& species = scene.species[i];
     const TextLocation& location = value.entries[i].location;
-    const bool hexagon = lattice::centred(species.shape).is_hexagon();
-    if (std::holds_alternative<DiscSpec>(species.shape_spec) && !hexagon) {
-      fail(location,
-           fmt::format("species.{}: model contact takes no discs, whose notches interlock; give it "
-                       "the shape of a hexagon",
-                       species.name));
-    }
-    if (rolling && !hexagon) {
-      fail(location, fmt::format("species.{}: only hexagons roll; give it the shape of one, or say "
-                                 "'contact.rolling: none'",
+    if (rolling && !lattice::centred(species.shape).is_round()) {
+      fail(location, fmt::format("species.{}: only hexagons and discs roll; give it the shape of "
+                                 "one, or say 'contact.rolling: none'",
                                  species.name));
     }
   }

@@ -101,7 +101,7 @@ Type<contact::Parameters> contact_type() {
   keys.insert(keys.begin() + 2,
               key("rolling", &P::rolling, choice(kRollingNames),
                   "how particles turn: not at all, against a moment that resists rolling, or "
-                  "freely; only hexagons turn"));
+                  "freely; only hexagons and discs turn"));
   keys.add(
       {key("sweeps", &P::sweeps, sweeps(),
            "sweeps over all contacts in a step, forwards and backwards in turn"),

@@ -43,6 +43,9 @@ class Shape {
 
   /// True for a hexagon with its reference site in the middle.
   bool is_hexagon() const;
+  /// True for disc() of any radius.
+  bool is_disc() const;
+  bool is_round() const { return is_hexagon() || is_disc(); }
 
   /// Mean of the sites, in lattice spacings from the reference site.
   const Eigen::Vector2d& centroid() const { return centroid_; }

@@ -179,6 +179,7 @@ void Engine::advance_and_move() {
   // No component exceeds half a site before the remainder itself does.
   constexpr std::int64_t kNear = kSpacing / 2 - 2;
   const std::int32_t slow = slow_speed(rule_);
+  const UnitVector gravity = gravity_unit(state_.vessel);
   const std::vector<grains::Particle>& particles = state_.grains.particles;
   bool at_rest = true;
   candidates_.resize(particles.size());
@@ -189,7 +190,8 @@ void Engine::advance_and_move() {
     }
     Vector& remainder = state_.remainders[id];
     at_rest =
-        contact::advance(remainder, velocity(id), slots_.touches_anything(id), slow) && at_rest;
+        contact::advance(remainder, velocity(id), slots_.touches_anything(id), slow, gravity) &&
+        at_rest;
     candidates_[count] = id;  // overwritten unless counted
     count += squared(remainder) > kNear * kNear ? 1 : 0;
   }

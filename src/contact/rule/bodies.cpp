@@ -88,8 +88,8 @@ std::optional<UnitVector> normal_between(const lattice::Shape& first, const latt
   if (blocked == lattice::Axial()) {
     return std::nullopt;
   }
-  const bool hexagons = first.is_hexagon() && second.is_hexagon();
-  return unit_vector(lattice::Axial() - (hexagons ? apart : blocked));
+  const bool round = first.is_round() && second.is_round();
+  return unit_vector(lattice::Axial() - (round ? apart : blocked));
 }
 
 }  // namespace clca::contact

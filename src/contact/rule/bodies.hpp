@@ -58,8 +58,8 @@ class Bodies {
 
 /// Contact normal of two grains, towards the first, with the second at `apart`; none if they do not
 /// touch.
-/// Two hexagons: the line of centres. Otherwise opposite to the sum of the directions in which
-/// the second blocks the first.
+/// Two hexagons or discs: the line of centres. Otherwise opposite to the sum of the directions in
+/// which the second blocks the first.
 std::optional<UnitVector> normal_between(const lattice::Shape& first, const lattice::Shape& second,
                                          lattice::Axial apart);
 

@@ -1,6 +1,7 @@
 #pragma once
 // Remainders: the offset of grains from their sites, less than a move.
 
+#include <algorithm>
 #include <array>
 
 #include "clca/contact/state.hpp"
@@ -21,30 +22,37 @@ inline const UnitVector& unit_of(lattice::Direction direction) {
   return kUnits[lattice::index_of(direction)];
 }
 
+/// Subtracts a distance along a unit vector from a remainder.
+inline void take(Vector& remainder, std::int32_t distance, const UnitVector& unit) {
+  remainder.x -= rounded(product(distance, unit.x), kUnitBits);
+  remainder.y -= rounded(product(distance, unit.y), kUnitBits);
+}
+
+inline void take(Vector& remainder, std::int32_t distance, lattice::Direction direction) {
+  take(remainder, distance, unit_of(direction));
+}
+
 /// Adds a velocity to a remainder. If the grain is at rest (it touches something and its speed is
-/// at most `slow`), the remainder decays instead. Returns whether it is at rest.
+/// at most `slow`), the remainder decays instead, but for what is along gravity: rest lifts no
+/// grain, or energy would grow. Returns whether the grain is at rest.
 inline bool advance(Vector& remainder, const Velocity<std::int32_t>& velocity, bool touches,
-                    std::int32_t slow) {
+                    std::int32_t slow, const UnitVector& gravity) {
   constexpr std::int32_t kForgotten = 16;  // a sixteenth in each step
-  const bool rests = touches && squared({velocity.x, velocity.y}) <= product(slow, slow);
-  const auto next = [&](std::int32_t coordinate, std::int32_t by) {
-    return rests ? coordinate - coordinate / kForgotten
-                 : clamped(coordinate + by, -kMaxRemainder, kMaxRemainder);
-  };
-  remainder = {next(remainder.x, velocity.x), next(remainder.y, velocity.y)};
-  return rests;
+  if (!touches || squared({velocity.x, velocity.y}) > product(slow, slow)) {
+    remainder.x = clamped(remainder.x + velocity.x, -kMaxRemainder, kMaxRemainder);
+    remainder.y = clamped(remainder.y + velocity.y, -kMaxRemainder, kMaxRemainder);
+    return false;
+  }
+  Vector decaying = remainder;
+  take(decaying, std::max(along(remainder, gravity), 0), gravity);
+  remainder.x -= decaying.x / kForgotten;
+  remainder.y -= decaying.y / kForgotten;
+  return true;
 }
 
 /// Whether the remainder is large enough for a move.
 inline bool is_move_due(const Vector& remainder, lattice::Direction direction) {
   return along(remainder, unit_of(direction)) > kSpacing / 2;
-}
-
-/// Subtracts a distance along a direction from a remainder.
-inline void take(Vector& remainder, std::int32_t distance, lattice::Direction direction) {
-  const UnitVector& unit = unit_of(direction);
-  remainder.x -= rounded(product(distance, unit.x), kUnitBits);
-  remainder.y -= rounded(product(distance, unit.y), kUnitBits);
 }
 
 /// Updates the remainder of a pushed grain: at most half a site behind its site.

@@ -24,8 +24,8 @@ void check(const grains::State& state, const Parameters& parameters) {
   }
   if (parameters.rolling != Rolling::none) {
     for (const grains::Kind& kind : state.kinds) {
-      if (!kind.shape.is_hexagon()) {
-        throw std::invalid_argument("only hexagons turn: others need Rolling::none");
+      if (!kind.shape.is_round()) {
+        throw std::invalid_argument("only hexagons and discs turn: others need Rolling::none");
       }
     }
   }

@@ -102,13 +102,14 @@ bool advance_all(State& state, const Rule& rule) {
       touching[grains::particle_id(contact.other)] = true;
     }
   }
+  const UnitVector gravity = gravity_unit(state.vessel);
   bool at_rest = true;
   for (std::uint32_t id = 0; id < state.velocities.size(); ++id) {
     state.grains.particles[id].previous = grains::kRest;
     if (state.grains.particles[id].present) {
-      at_rest =
-          advance(state.remainders[id], state.velocities[id], touching[id], slow_speed(rule)) &&
-          at_rest;
+      at_rest = advance(state.remainders[id], state.velocities[id], touching[id], slow_speed(rule),
+                        gravity) &&
+                at_rest;
     }
   }
   return at_rest;

@@ -130,6 +130,30 @@ TEST(OnlyHexagons, AboutTheirReferenceSiteAreHexagons) {
   EXPECT_FALSE(Shape(shifted).is_hexagon());
 }
 
+TEST(RoundShapes, AreHexagonsAndDiscsAboutTheirReferenceSite) {
+  for (const double radius : {0.0, 1.0, 1.75, 2.7, 3.5, 20.0}) {
+    EXPECT_TRUE(Shape::disc(radius).is_disc()) << radius;
+  }
+  EXPECT_FALSE(Shape::hexagon(6).is_disc());
+  EXPECT_TRUE(Shape::hexagon(6).is_round());
+  EXPECT_FALSE(Shape::rod(0, 7).is_round());
+  EXPECT_FALSE(Shape::rod(3, 2).is_round());
+  std::vector<Axial> notched = Shape::disc(3.5).sites();
+  notched.pop_back();
+  EXPECT_FALSE(Shape(notched).is_round());
+}
+
+TEST(Discs, TouchAlongTheLineOfTheirCentres) {
+  const Shape disc = Shape::disc(2.7);
+  for_each_place(7, [&](Axial apart) {
+    if (const auto normal = normal_between(disc, disc, apart)) {
+      const UnitVector line = unit_vector(Axial() - apart);
+      EXPECT_EQ(normal->x, line.x);
+      EXPECT_EQ(normal->y, line.y);
+    }
+  });
+}
+
 TEST(ReducedMasses, AreThoseOfTheTwoOrOfTheGrainAloneAtAWall) {
   const std::vector<grains::Kind> kinds = {{Shape::hexagon(1), 0}, {Shape::hexagon(2), 1}};
   const Bodies bodies(kinds);

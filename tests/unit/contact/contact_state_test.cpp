@@ -177,11 +177,11 @@ TEST(NeededColumns, AreMoreThanTwiceThoseFromAGrainToOneThatItTouches) {
             20);
 }
 
-TEST(OnlyHexagons, Turn) {
+TEST(OnlyHexagonsAndDiscs, Turn) {
   State state = good_state();
   state.grains.kinds[1].shape = lattice::Shape::rod(0, 2);
   Parameters parameters = kParameters;
-  EXPECT_EQ(refusal(state, parameters), "only hexagons turn: others need Rolling::none");
+  EXPECT_EQ(refusal(state, parameters), "only hexagons and discs turn: others need Rolling::none");
   parameters.rolling = Rolling::free;
   EXPECT_NE(refusal(state, parameters), "");
   parameters.rolling = Rolling::none;

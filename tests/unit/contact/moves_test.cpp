@@ -21,6 +21,31 @@ using lattice::Direction;
 using testing::empty_state;
 using testing::particle_at;
 
+TEST(Rest, LiftsNoGrain) {
+  constexpr UnitVector kDown = {0, -(1 << kUnitBits)};
+  const UnitVector slanted = unit_of(Direction::down_right);
+  for (const UnitVector& gravity : {kDown, slanted}) {
+    for (const Direction direction : lattice::kDirections) {
+      Vector remainder = {};
+      take(remainder, -kSpacing / 3, direction);
+      const std::int32_t before = along(remainder, gravity);
+      EXPECT_TRUE(advance(remainder, {.x = 5, .y = -5}, true, 10, gravity));
+      EXPECT_GE(along(remainder, gravity), before - 1);
+    }
+  }
+}
+
+TEST(Rest, ForgetsASixteenthOfARemainderAcrossGravityAndAboveTheSite) {
+  Vector remainder = {1600, 3200};
+  EXPECT_TRUE(advance(remainder, {}, true, 10, {0, -(1 << kUnitBits)}));
+  EXPECT_EQ(remainder.x, 1500);
+  EXPECT_EQ(remainder.y, 3000);
+  remainder = {1600, -3200};
+  EXPECT_TRUE(advance(remainder, {}, true, 10, {0, -(1 << kUnitBits)}));
+  EXPECT_EQ(remainder.x, 1500);
+  EXPECT_EQ(remainder.y, -3200);
+}
+
 /// Hexagons of radius 1 that may move.
 struct Bench {
   grains::State state = empty_state(30, 60);

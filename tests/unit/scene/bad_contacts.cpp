@@ -176,21 +176,16 @@ constexpr auto kBadContacts = std::to_array<BadScene>({
      Judge::parser},
     {"rods, which do not roll",
      "species: {small: {shape: {hexagon: 1}}, large: {shape: {rod: {radius: 0, length: 2}}}}",
-     "scene.yaml:5:41: error: species.large: only hexagons roll; give it the shape of one, or say "
-     "'contact.rolling: none'",
-     Judge::parser},
-    {"discs, which interlock",
-     "species: {small: {shape: {hexagon: 1}}, large: {shape: {disc: 1.75}}}\n"
-     "contact: {rolling: none}",
-     "scene.yaml:5:41: error: species.large: model contact takes no discs, whose notches "
-     "interlock; "
-     "give it the shape of a hexagon",
+     "scene.yaml:5:41: error: species.large: only hexagons and discs roll; give it the shape of "
+     "one, "
+     "or say 'contact.rolling: none'",
      Judge::parser},
     {"a shape with as many sites as a hexagon that rolls freely",
      "species: {small: {shape: {rod: {radius: 0, length: 7}}}, large: {shape: {hexagon: 1}}}\n"
      "contact: {rolling: free}",
-     "scene.yaml:5:11: error: species.small: only hexagons roll; give it the shape of one, or say "
-     "'contact.rolling: none'",
+     "scene.yaml:5:11: error: species.small: only hexagons and discs roll; give it the shape of "
+     "one, "
+     "or say 'contact.rolling: none'",
      Judge::parser},
     {"a wall that lets overlap",
      "walls: {plate: {box: [10, 40, 20, 42], passive: overlap, motion: {direction: down, distance: "
