@@ -40,9 +40,15 @@ std::size_t terminal_width() {
 std::string to_text(const run::Progress& progress) {
   return fmt::format("{} ({}/{}): step {}{}{}, {:.1f} % moving, {:.1f} million updates/s",
                      progress.stage, progress.stage_number, progress.stage_count, progress.step,
-                     left_text_of_stage(progress),
+                     progress.until_rest ? ", not at rest yet" : left_text_of_stage(progress),
                      progress.time.empty() ? "" : ", t = " + progress.time,
                      100 * progress.moving_share, progress.updates_per_second / 1e6);
+}
+
+std::string to_text(const sweep::RunUnderWay& run) {
+  return fmt::format("; {}: {} ({}/{}), step {}, {:.1f} % moving", run.name, run.progress.stage,
+                     run.progress.stage_number, run.progress.stage_count, run.progress.step,
+                     100 * run.progress.moving_share);
 }
 
 std::string to_text(const run::GasProgress& progress) {
@@ -59,9 +65,13 @@ std::string to_text(const run::RedrawProgress& progress) {
 }
 
 std::string to_text(const sweep::Progress& progress) {
-  return fmt::format("{} of {} runs, {} failed, {:.3g} runs/s{}", progress.done + progress.failed,
-                     progress.runs, progress.failed, progress.runs_per_second,
-                     left_text(progress.seconds_left));
+  std::string text = fmt::format("{} of {} runs, {} failed, {:.3g} runs/s{}",
+                                 progress.done + progress.failed, progress.runs, progress.failed,
+                                 progress.runs_per_second, left_text(progress.seconds_left));
+  for (const sweep::RunUnderWay& run : progress.under_way) {
+    text += to_text(run);
+  }
+  return text;
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
 #include <optional>
 #include <stdexcept>
@@ -146,6 +147,8 @@ std::vector<SupportedGrain> supported_grains(const grains::State& state,
   }
   std::vector<double> heights;
   std::vector<SupportedGrain> result;
+  heights.reserve(state.particles.size());  // as weight_paths_bytes() has it
+  result.reserve(state.particles.size());
   for (std::uint32_t id = 0; id < state.particles.size(); ++id) {
     heights.push_back(grains::centre(state, state.particles[id]).y());
     if (state.particles[id].present) {
@@ -179,6 +182,9 @@ WeightPaths weight_paths(const grains::State& state, const std::vector<Supported
   WeightPaths result;
   const double mean_mass = contact::mean_mass(state);
   std::vector<Vector2d> received(state.particles.size(), Vector2d::Zero());
+  result.forces.reserve(
+      std::transform_reduce(grains.begin(), grains.end(), std::size_t{0}, std::plus(),
+                            [](const SupportedGrain& grain) { return grain.supports.size(); }));
   std::uint32_t draws = 0;
   for (const SupportedGrain& grain : grains) {
     if (grain.supports.empty()) {

@@ -26,6 +26,7 @@ void EnergyRecord::begin(const scene::Stage& stage, const SceneModel& model) {
   exchanged_ = {};
   lowest_ = start_;
   growth_ = 0;
+  rest_ = {};
 }
 
 void EnergyRecord::after_step(const StageView& now) {
@@ -42,6 +43,15 @@ void EnergyRecord::after_step(const StageView& now) {
         "contact.resolution",
         now.stage.name, now.model.state().step, growth->lowest, growth->now,
         100 * (growth->now - growth->lowest) / growth->scale, growth->scale));
+  }
+  if (!is_closed_ || scene::steps_of(now.stage.until)) {
+    return;
+  }
+  if (const auto text = rest_.add(now.scene, now.model.state(), now.moving);
+      text && now.log != nullptr) {
+    now.log->warning(fmt::format("stage {}, step {}: {}; the stage goes on up to max_steps ({})",
+                                 now.stage.name, now.model.state().step, *text,
+                                 now.stage.max_steps));
   }
 }
 

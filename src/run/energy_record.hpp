@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "run/observer.hpp"
+#include "run/rest_watch.hpp"
 
 namespace clca::run {
 
@@ -12,7 +13,8 @@ class EnergyRecord : public SavedObserver<EnergyRecord> {
  public:
   explicit EnergyRecord(const scene::Scene& /*scene*/) {}
 
-  /// Warns of energy that grows, and of grains that fall too fast.
+  /// Warns of energy that grows, of grains that fall too fast, and of a bed that does not come to
+  /// rest.
   void after_step(const StageView& now) override;
 
   struct Growth {
@@ -45,8 +47,10 @@ class EnergyRecord : public SavedObserver<EnergyRecord> {
         field("fall", &EnergyRecord::fall_), field("exchanged", &EnergyRecord::exchanged_),
         field("lowest", &EnergyRecord::lowest_), field("growth", &EnergyRecord::growth_),
         field("has_warned", &EnergyRecord::has_warned_),
-        field("has_been_too_fast", &EnergyRecord::has_been_too_fast_));
+        field("has_been_too_fast", &EnergyRecord::has_been_too_fast_),
+        field("rest", &EnergyRecord::rest_));
   }
+  bool precedes(const grains::State& state) const { return rest_.precedes(state); }
 
  private:
   void prepare(const StageView& now) override { begin(now.stage, now.model); }
@@ -59,6 +63,7 @@ class EnergyRecord : public SavedObserver<EnergyRecord> {
   double growth_ = 0;
   bool has_warned_ = false;
   bool has_been_too_fast_ = false;
+  RestWatch rest_;  // of the stage
 };
 
 }  // namespace clca::run

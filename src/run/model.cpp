@@ -115,6 +115,7 @@ double checkpoint_bytes(const scene::Scene& scene, double particles) {
   constexpr double kCopies = 2;  // as columns and as a file
   const double motion = scene.model == scene::Model::contact
                             ? sizeof(contact::Velocity<std::int32_t>) + sizeof(contact::Vector) +
+                                  sizeof(lattice::Axial) +
                                   contact::kContactsPerGrain * sizeof(contact::Contact)
                             : 0;
   return kCopies * particles * (sizeof(grains::Particle) + sizeof(lattice::Site) + motion);

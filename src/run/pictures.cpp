@@ -72,7 +72,7 @@ double Pictures::bytes(const scene::Scene& scene, double particles) {
                                     : 0;
   const double strokes = kCaptures * lines * sizeof(render::Stroke);
   const double paths = has_paths
-                           ? measure::weight_paths_bytes(particles, 1) +
+                           ? measure::weight_paths_bytes(particles) +
                                  grains::kListRoom * lines * particles * sizeof(render::ForceLine)
                            : 0;
   const double window =

@@ -116,6 +116,7 @@ std::size_t picture_at(const std::vector<double>& times, double moment) {
 scene::Scene unpainted(scene::Scene scene) {
   scene.title.clear();
   scene.output.frames.reset();
+  scene.output.view.reset();
   for (scene::Species& species : scene.species) {
     species.color.reset();
   }

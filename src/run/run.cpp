@@ -80,7 +80,7 @@ class Run : public RunBase {
   void end_stage(StageEnd end);
   /// Of the run between two steps.
   store::Checkpoint checkpoint_now();
-  void show_progress(double moving_share, std::optional<double> seconds_left);
+  void show_progress(bool until_rest, std::optional<double> seconds_left);
   const scene::Stage& stage() const { return scene_.stages[course_.stage]; }
   StageView view() {
     return {scene_,          stage(),           model_, history_, observers_, course_.moving,
@@ -165,7 +165,6 @@ void Run::run_stage() {
 
 StageEnd Run::run_steps() {
   TimeEstimate estimate;
-  double max_moving = 0;
   while (true) {
     if (const auto ended = stage_end(stage(), model_.state(), history_)) {
       return *ended;
@@ -174,12 +173,10 @@ StageEnd Run::run_steps() {
       return StageEnd::interrupted;
     }
     step();
-    const double moving_share =
-        static_cast<double>(course_.moving) / std::max(1.0, static_cast<double>(course_.stepped));
-    max_moving = std::max(max_moving, moving_share);
     if (progress_due()) {
-      estimate.update(done_share(stage(), history_, moving_share, max_moving));
-      show_progress(moving_share, estimate.seconds_left());
+      const std::optional<double> done = done_share(stage(), history_);
+      estimate.update(done.value_or(0));
+      show_progress(!done, estimate.seconds_left());
     }
     if (checkpoint_writer().due(model_.state().step)) {
       save(checkpoint_now());
@@ -245,7 +242,7 @@ store::Checkpoint Run::checkpoint_now() {
   return saved;
 }
 
-void Run::show_progress(double moving_share, std::optional<double> seconds_left) {
+void Run::show_progress(bool until_rest, std::optional<double> seconds_left) {
   if (events().progress) {
     events().progress({.stage = stage().name,
                        .stage_number = course_.stage + 1,
@@ -253,8 +250,10 @@ void Run::show_progress(double moving_share, std::optional<double> seconds_left)
                        .step = model_.state().step,
                        .time = conversion_ ? conversion_->time_text(model_.state().step) : "",
                        .particles = model_.state().particles.size(),
-                       .moving_share = moving_share,
+                       .moving_share = static_cast<double>(course_.moving) /
+                                       std::max(1.0, static_cast<double>(course_.stepped)),
                        .updates_per_second = rate(),
+                       .until_rest = until_rest,
                        .seconds_left = seconds_left});
   }
 }

@@ -134,8 +134,7 @@ std::optional<StageEnd> stage_end(const scene::Stage& stage, const grains::State
   return history.steps >= stage.max_steps ? std::optional(StageEnd::bound) : std::nullopt;
 }
 
-double done_share(const scene::Stage& stage, const StageHistory& history, double moving_share,
-                  double max_moving) {
+std::optional<double> done_share(const scene::Stage& stage, const StageHistory& history) {
   if (const auto steps = scene::steps_of(stage.until)) {
     return static_cast<double>(history.steps) / static_cast<double>(*steps);
   }
@@ -145,7 +144,7 @@ double done_share(const scene::Stage& stage, const StageHistory& history, double
   if (const auto* cycles = std::get_if<scene::UntilCycles>(&stage.until)) {
     return static_cast<double>(history.cycles) / static_cast<double>(cycles->cycles);
   }
-  return max_moving > 0 ? 1 - moving_share / max_moving : 0;
+  return std::nullopt;
 }
 
 }  // namespace clca::run

@@ -35,9 +35,7 @@ std::string to_text(StageEnd end);
 std::optional<StageEnd> stage_end(const scene::Stage& stage, const grains::State& state,
                                   const StageHistory& history);
 
-/// Estimated progress of the stage in [0, 1], from the share of moving particles: from its maximum
-/// `max_moving` down to zero.
-double done_share(const scene::Stage& stage, const StageHistory& history, double moving_share,
-                  double max_moving);
+/// Progress of the stage in [0, 1]; none of one until rest: nobody knows how long that takes.
+std::optional<double> done_share(const scene::Stage& stage, const StageHistory& history);
 
 }  // namespace clca::run

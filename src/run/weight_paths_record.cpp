@@ -15,7 +15,8 @@ namespace {
 struct BasePressures {
   measure::Base base;
   std::vector<std::vector<double>> shares = {};  ///< measure::base_pressure
-  std::vector<measure::WeightPaths> paths = {};  ///< of the rules
+  std::vector<std::size_t> outside = {};         ///< measure::WeightPaths, of the rules
+  std::size_t unsupported = 0;
 };
 
 BasePressures base_pressures(const StageView& stage) {
@@ -26,8 +27,10 @@ BasePressures base_pressures(const StageView& stage) {
     result.shares.push_back(base_pressure(result.base, forces));
   };
   for (const measure::WeightRule rule : measure::kWeightRules) {
-    result.paths.push_back(weight_paths(state, supported, rule));
-    add(result.paths.back().forces);
+    const measure::WeightPaths paths = weight_paths(state, supported, rule);
+    add(paths.forces);
+    result.outside.push_back(paths.outside);
+    result.unsupported = paths.unsupported;
   }
   if (const auto* contacts = stage.observers.find<ContactRecord>()) {
     add(contacts->at_end(stage.model));
@@ -70,7 +73,7 @@ class WeightPathsRecord : public Observer {
       : table_(table_scope(scene), weight_paths_table(scene)) {}
 
   static double bytes(const scene::Scene& /*scene*/, double particles) {
-    return measure::weight_paths_bytes(particles, measure::kWeightRules.size());
+    return measure::weight_paths_bytes(particles);
   }
 
   void end_stage(const StageView& now) override {
@@ -108,9 +111,9 @@ std::vector<store::MeasureValue> of_rules(const StageView& stage) {
                                 : store::MeasureValue());
   };
   for (std::size_t rule = 0; measure::kWeightRules[rule] != measure::WeightRule::q; ++rule) {
-    add_share(pressures.paths[rule].outside);
+    add_share(pressures.outside[rule]);
   }
-  add_share(pressures.paths.front().unsupported);
+  add_share(pressures.unsupported);
   return result;
 }
 

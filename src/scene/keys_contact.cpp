@@ -70,10 +70,9 @@ Type<double> fall_height() {
 /// What may differ from stage to stage.
 Keys<contact::Parameters> friction_keys() {
   using P = contact::Parameters;
-  const Type<double> friction = number(0, kMaxContactFriction);
+  const Type<double> friction = number(0, contact::kMaxFriction);
   return {key("friction", &P::friction, friction,
-              "between particles: greatest tangential force over normal force; from 16,384 on all "
-              "the same"),
+              "between particles: greatest tangential force over normal force"),
           key("wall_friction", &P::wall_friction, friction,
               "the same at the box, and at walls without a `friction` of their own"),
           key("rolling_friction", &P::rolling_friction, friction,

@@ -98,7 +98,7 @@ Type<Frames> frames_type() {
             key("layers", &Frames::layers, integer(1, kMaxLayers),
                 "number of layers for `stage_layer`"),
             key("view", &Frames::view, rectangle(), "the part of the plane to show")
-                .defaults_to("the whole box"),
+                .defaults_to("`output.view`"),
             key("drawing", &Frames::drawing, choice(kDrawingNames),
                 "by looking up the sites around each sample (`auto` too), or as polygons by "
                 "OpenGL, slower; nearly the same picture"),
@@ -215,6 +215,10 @@ Type<Output> output_type() {
   return type_of<Output>(
       {.keys = {key("frames", &Output::frames, or_none(frames_type()),
                     "pictures: [output.frames](#outputframes)"),
+                key("view", &Output::view, rectangle(),
+                    "the part of the plane that pictures show without a `view` of their own, also "
+                    "those drawn later; `--set output.frames=none` keeps that of `frames` here")
+                    .defaults_to("the whole box"),
                 key("series", &Output::series, or_none(series_type()),
                     "table of what changes over time: [output.series](#outputseries)")
                     .defaults_to("`none`; `{}` with `probes` or `lines`"),
@@ -230,7 +234,12 @@ Type<Output> output_type() {
                 key("checkpoint", &Output::checkpoint, or_none(checkpoint_type()),
                     "when the run saves a checkpoint, besides at its end and when it is stopped: "
                     "[output.checkpoint](#outputcheckpoint)",
-                    std::optional(kDefaultCheckpoints))}});
+                    std::optional(kDefaultCheckpoints))},
+       .check = [](const KeyedMap& /*fields*/, Output& output, const Scene& /*scene*/) {
+         if (output.frames && !output.frames->view) {
+           output.frames->view = output.view;
+         }
+       }});
 }
 
 }  // namespace clca::scene

@@ -179,7 +179,7 @@ Type<std::vector<Wall>> walls_type() {
                                            std::string(name_of(kPassiveNames, wall.passive))))
                                      : std::nullopt;
                 }),
-            key("friction", &Wall::friction, number(0, kMaxContactFriction),
+            key("friction", &Wall::friction, number(0, contact::kMaxFriction),
                 "between particles and this wall")
                 .of(Model::contact)
                 .defaults_to("`contact.wall_friction`")});

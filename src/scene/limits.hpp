@@ -66,7 +66,6 @@ inline constexpr double kMaxVelocityScale = 1e9;
 inline constexpr double kMaxWait = 1e9;  ///< seconds
 
 // Of the contact model.
-inline constexpr double kMaxContactFriction = 1e9;  ///< of rolling, too
 inline constexpr double kMaxContactRestitution = 0.99;
 inline constexpr int kMinSweeps = 2;
 inline constexpr int kMaxSweeps = 64;

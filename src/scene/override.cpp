@@ -96,6 +96,21 @@ Value& child(Value& parent, const std::vector<std::string>& parts, std::size_t d
   return parent.entries.back().value;
 }
 
+/// The view of pictures stays where they are set to none, for what is drawn of the run later.
+void keep_view(Value& root, const std::vector<std::string>& parts, const Value& value) {
+  const bool is_none = value.is(Value::Kind::scalar) && !value.quoted && value.text == "none";
+  Value* output = root.find("output");
+  Value* frames = output != nullptr ? output->find("frames") : nullptr;
+  if (!is_none || parts != std::vector<std::string>{"output", "frames"} || frames == nullptr) {
+    return;
+  }
+  if (const Value* view = frames->find("view")) {
+    const Value kept = *view;
+    std::erase_if(output->entries, [](const Entry& entry) { return entry.key == "view"; });
+    output->entries.push_back({"view", kept.location, kept});
+  }
+}
+
 /// Text of a value in which numbers have one form only.
 std::string canonical_text(const Value& value) {
   std::string text;
@@ -152,6 +167,7 @@ void apply_override(Value& root, const std::string& text, std::string_view optio
     parts.insert(parts.begin(), "let");
   }
   Value value = read_document(whole.substr(equals + 1), origin);
+  keep_view(root, parts, value);
   Value* target = &root;
   for (std::size_t depth = 0; depth < parts.size(); ++depth) {
     target = &child(*target, parts, depth, location);

@@ -134,7 +134,8 @@ store::RunSummary executed(const scene::Scene& scene, const fs::path& folder, do
 
 FinishedRun execute_run(const scene::Scene& scene, const std::filesystem::path& folder,
                         const Options& options, run::WantedPictures pictures,
-                        const std::atomic<int>* stop) {
+                        const std::atomic<int>* stop,
+                        std::function<void(const run::Progress&)> progress) {
   FinishedRun finished;
   finished.result.status = Status::failed;
   try {
@@ -144,6 +145,7 @@ FinishedRun execute_run(const scene::Scene& scene, const std::filesystem::path& 
           fmt::format("cannot run in {}: it is a symbolic link", folder.string()));
     }
     run::RunEvents events;
+    events.progress = std::move(progress);
     events.warning = [&finished](const std::string& text) { finished.warnings.push_back(text); };
     const run::RunOptions run = {
         .folder = folder, .threads = 1, .stop = stop, .pictures = pictures, .overwrite = true};

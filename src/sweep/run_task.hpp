@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -47,10 +48,12 @@ struct FinishedRun {
   }
 };
 
-/// Executes a run in its folder, or goes on with it where it was stopped or killed.
+/// Executes a run in its folder, or goes on with it where it was stopped or killed. `progress` may
+/// be empty.
 FinishedRun execute_run(const scene::Scene& scene, const std::filesystem::path& folder,
                         const Options& options, run::WantedPictures pictures,
-                        const std::atomic<int>* stop);
+                        const std::atomic<int>* stop,
+                        std::function<void(const run::Progress&)> progress);
 
 /// From one process to another.
 tasks::Bytes to_bytes(const FinishedRun& run);

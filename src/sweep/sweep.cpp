@@ -6,6 +6,8 @@
 #include <chrono>
 #include <cstring>
 #include <limits>
+#include <map>
+#include <mutex>
 #include <numeric>
 #include <set>
 
@@ -93,6 +95,31 @@ class Pictures {
   std::set<std::size_t> shown_;
 };
 
+/// How far the runs are that threads of this process carry out.
+class UnderWay {
+ public:
+  void set(std::size_t run, const run::Progress& progress) {
+    const std::lock_guard lock(mutex_);
+    runs_[run] = progress;
+  }
+  void erase(std::size_t run) {
+    const std::lock_guard lock(mutex_);
+    runs_.erase(run);
+  }
+  std::vector<RunUnderWay> all(const Plan& plan) const {
+    const std::lock_guard lock(mutex_);
+    std::vector<RunUnderWay> result;
+    for (const auto& [run, progress] : runs_) {
+      result.push_back({plan.name(run), progress});
+    }
+    return result;
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  std::map<std::size_t, run::Progress> runs_;
+};
+
 class Sweep {
  public:
   Sweep(const Plan& plan, const Options& options, const Events& events)
@@ -150,6 +177,7 @@ class Sweep {
   bool tries_again_ = false;            // those
   std::vector<std::size_t> elsewhere_;  // under way in other processes
   Progress progress_;
+  UnderWay under_way_;
   std::string store_error_;  // the first
   Clock::time_point start_ = Clock::now();
   Clock::time_point tables_due_ = Clock::now();
@@ -219,8 +247,11 @@ std::vector<std::size_t> Sweep::remaining_runs() {
 Sweep::Pool::Work Sweep::work() {
   return {.carry_out =
               [this](std::size_t run, const std::atomic<int>& stop) {
-                return execute_run(plan_.scene(run), folder_.run(plan_.name(run)), options_,
-                                   pictures_.of(run), &stop);
+                FinishedRun finished = execute_run(
+                    plan_.scene(run), folder_.run(plan_.name(run)), options_, pictures_.of(run),
+                    &stop, [&](const run::Progress& progress) { under_way_.set(run, progress); });
+                under_way_.erase(run);
+                return finished;
               },
           .result = [](std::size_t /*run*/,
                        const tasks::Bytes& answer) { return finished_run(answer); }};
@@ -305,6 +336,7 @@ void Sweep::show_progress() {
         static_cast<double>(progress_.runs - ended) / progress_.runs_per_second;
   }
   if (events_.progress) {
+    progress_.under_way = under_way_.all(plan_);
     events_.progress(progress_);
   }
 }
@@ -355,7 +387,7 @@ void serve(const Plan& plan, const Options& options) {
     const std::size_t jobs = std::min(runs.size(), static_cast<std::size_t>(options.jobs));
     const auto execute_one = [&](std::size_t run, const std::atomic<int>& stop) {
       return to_bytes(execute_run(plan.scene(run), run_folder(options.folder, plan.name(run)),
-                                  options, pictures.of(run), &stop));
+                                  options, pictures.of(run), &stop, {}));
     };
     tasks::Pool<tasks::Bytes> pool(jobs, *options.ranks, runs, {.carry_out = execute_one},
                                    options.stop);

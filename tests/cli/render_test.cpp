@@ -166,6 +166,16 @@ TEST_F(RenderCommandTest, ARunWithoutPicturesOfItsOwnIsDrawnWithTheDefaults) {
   EXPECT_NEAR(image.width * image.height, 1280 * 720, 0.02 * 1280 * 720);
 }
 
+TEST_F(RenderCommandTest, ARunWithoutPicturesOfItsOwnIsDrawnWithTheViewOfTheScene) {
+  store("bare", {"output.frames.view=[0, 0, 6, 12]", "output.frames=none"});
+  EXPECT_EQ(render({"bare", "--from", "10", "--to", "10", "--width", "100"}).code, 0);
+  EXPECT_EQ(picture("bare/render/small-000010.png").height, 200);
+  EXPECT_EQ(render({"bare", "--width", "100", "--set", "output.frames.view=[0, 0, 6, 6]"}).code, 0);
+  EXPECT_EQ(picture("bare/render/small-000010.png").height, 100);
+  EXPECT_EQ(render({"bare", "--width", "100", "--set", "output.view=[0, 0, 6, 3]"}).code, 0);
+  EXPECT_EQ(picture("bare/render/small-000010.png").height, 50);
+}
+
 TEST_F(RenderCommandTest, AMovieAndASheetNeedNoFolderOfPictures) {
   if (!process::find_program("ffmpeg")) {
     CLCA_SKIP_AS_MISSING("there is no ffmpeg");

@@ -67,6 +67,26 @@ clca.keep = file
         self.assertEqual(python("import h5py; print(h5py.File('open.h5')['x'][2])").stdout, "3\n")
 
 
+    def test_a_disk_that_is_full_is_an_error_and_python_ends(self):
+        # The limit of a file stands for the end of the disk.
+        scene = SCENE | {
+            "stages": [SCENE["stages"][0] | {"until": {"steps": 2000}}],
+            "output": {"trajectory": {"every": 1}},
+        }
+        code = f"""
+import clca, resource, signal
+signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+resource.setrlimit(resource.RLIMIT_FSIZE, (20_000, 20_000))
+try:
+    clca.run({scene!r}, output="run")
+except clca.Error as error:
+    print(error)
+"""
+        result = python(code)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        self.assertRegex(result.stdout, "^cannot write .*run/trajectory/part-.*: File too large\n$")
+
+
 class FolderTest(ScratchTest):
     def test_a_run_stays_that_of_its_folder(self):
         run = clca.run(SCENE, output="run")

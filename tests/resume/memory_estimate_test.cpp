@@ -19,12 +19,13 @@ namespace {
 struct Case {
   const char* name;
   const char* model;
-  const char* more;  // the rest of the scene
+  const char* more;   // the rest of the scene
+  int spacings = 13;  // square ones, for each grain
 
   friend void PrintTo(const Case& one, std::ostream* out) { *out << one.name; }
 };
 
-/// A box with a grain for each 13 square spacings. Those of the contact model touch each other.
+/// A box full of grains. Those of the contact model touch each other.
 std::string text_of(const Case& scene, int width, int pixels) {
   const std::string model = scene.model;
   std::string more = scene.more;
@@ -36,7 +37,7 @@ std::string text_of(const Case& scene, int width, int pixels) {
       "species: {{grain: {{shape: {{hexagon: {2}}}}}}}\n"
       "stages: [{{name: fall, fill: {{region: [0, 0, {1}, {1}], counts: {{grain: {3}}}, method: "
       "{4}}}, until: {{steps: 12}}}}]\n{5}",
-      model, width, model == "voids" ? 0 : 1, width * width / 13,
+      model, width, model == "voids" ? 0 : 1, width * width / scene.spacings,
       model == "contact" ? "deposition" : "random", more);
 }
 
@@ -62,22 +63,23 @@ TEST_P(MemoryEstimate, IsAboveWhatARunTakesAndNotMuch) {
 
 INSTANTIATE_TEST_SUITE_P(
     Of, MemoryEstimate,
-    ::testing::Values(Case{"Automaton", "automaton", "output: {}\n"},
-                      Case{"Voids", "voids", "output: {}\n"},
-                      Case{"ContactModel", "contact",
-                           "output: {checkpoint: {every: 4}}\nmeasure: []\n"},
-                      Case{"Mixing", "automaton", "output: {}\nmeasure: [mixing]\n"},
-                      Case{"LinesAndFields", "automaton",
-                           "lines: {row: {from: [0, 30], to: [39, 30], parts: 30}}\n"
-                           "output: {series: {every: 1}, fields: {every: 4, cell: 6}}\n"},
-                      Case{"Trajectory", "automaton", "output: {trajectory: {every: 1}}\n"},
-                      Case{"TrajectoryOfContacts", "contact",
-                           "output: {trajectory: {every: 2, contacts: true}}\n"},
-                      Case{"Forces", "contact",
-                           "output: {frames: {every: 4, width: 100, overlay: forces}}\n"
-                           "measure: [force, weight_paths]\n"},
-                      Case{"PicturesOfVelocities", "automaton",
-                           "output: {frames: {every: 4, width: PIXELS, overlay: velocity}}\n"}),
+    ::testing::Values(
+        Case{"Automaton", "automaton", "output: {}\n"}, Case{"Voids", "voids", "output: {}\n"},
+        Case{"ContactModel", "contact", "output: {checkpoint: {every: 4}}\nmeasure: []\n"},
+        Case{"Mixing", "automaton", "output: {}\nmeasure: [mixing]\n"},
+        Case{"LinesAndFields", "automaton",
+             "lines: {row: {from: [0, 30], to: [39, 30], parts: 30}}\n"
+             "output: {series: {every: 1}, fields: {every: 4, cell: 6}}\n"},
+        Case{"Trajectory", "automaton", "output: {trajectory: {every: 1}}\n"},
+        Case{"TrajectoryOfContacts", "contact",
+             "output: {trajectory: {every: 2, contacts: true}}\n"},
+        Case{"Forces", "contact",
+             "output: {frames: {every: 4, width: 100, overlay: forces}}\n"
+             "measure: [force, weight_paths]\n"},
+        Case{"WeightPaths", "voids", "output: {}\nmeasure: [weight_paths]\n", 1},
+        Case{"WeightPathsOfAThinBed", "automaton", "output: {}\nmeasure: [weight_paths]\n"},
+        Case{"PicturesOfVelocities", "automaton",
+             "output: {frames: {every: 4, width: PIXELS, overlay: velocity}}\n"}),
     [](const ::testing::TestParamInfo<Case>& one) { return one.param.name; });
 
 }  // namespace

@@ -10,8 +10,11 @@ namespace clca::contact {
 /// Rotation of grains: none, with rolling resistance, or free.
 enum class Rolling : std::uint8_t { none, resistance, free };
 
+/// Of all coefficients of friction: the largest that the rule can tell from more.
+inline constexpr double kMaxFriction = 16384;
+
 struct Parameters {
-  double friction = 0.4;       ///< between grains; any from 2^14 on is the same, here and below
+  double friction = 0.4;       ///< between grains
   double wall_friction = 0.4;  ///< of walls that have none of their own, and of the box
   /// By wall: a friction of its own. May be shorter than the list of walls.
   std::vector<std::optional<double>> friction_by_wall = {};

@@ -46,12 +46,11 @@ std::vector<SupportedGrain> supported_grains(const grains::State& state,
 /// The supports of all grains are the edges of a graph in the plane: fewer, over their number.
 inline constexpr double kSupportsPerGrain = 3;
 
-/// Memory of supported_grains() and of the paths by so many rules, at most.
-inline double weight_paths_bytes(double particles, double rules) {
-  return particles *
-         (sizeof(SupportedGrain) + sizeof(Eigen::Vector2d) + grains::kListRoom * sizeof(double) +
-          kSupportsPerGrain * (grains::kListRoom * sizeof(SupportedGrain::Support) +
-                               rules * sizeof(contact::Force)));
+/// Memory of supported_grains() and of the paths by one rule, at most.
+inline double weight_paths_bytes(double particles) {
+  return particles * (sizeof(SupportedGrain) + sizeof(Eigen::Vector2d) + sizeof(double) +
+                      kSupportsPerGrain * (grains::kListRoom * sizeof(SupportedGrain::Support) +
+                                           sizeof(contact::Force)));
 }
 
 struct WeightPaths {

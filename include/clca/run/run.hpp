@@ -36,6 +36,7 @@ struct Progress {
   std::size_t particles = 0;
   double moving_share = 0;        ///< of the particles, in the last step
   double updates_per_second = 0;  ///< particles x steps / time in steps
+  bool until_rest = false;        ///< the stage ends at rest: nobody knows when
   /// Estimated seconds to the end of the stage, if known.
   std::optional<double> seconds_left;
 };

@@ -150,6 +150,7 @@ inline constexpr Checkpoints kDefaultCheckpoints = {.every = {}, .seconds = 60};
 
 struct Output {
   std::optional<Frames> frames;
+  std::optional<lattice::Rectangle> view;  ///< of pictures that do not give theirs
   std::optional<Series> series;
   std::optional<Fields> fields;
   std::optional<Contacts> contacts;

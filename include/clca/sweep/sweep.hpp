@@ -17,7 +17,9 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "clca/run/run.hpp"
 #include "clca/sweep/plan.hpp"
 #include "clca/tasks/ranks.hpp"
 
@@ -44,6 +46,11 @@ struct Options {
   const std::atomic<int>* stop = nullptr;
 };
 
+struct RunUnderWay {
+  std::string name;
+  run::Progress progress;
+};
+
 /// Progress of a sweep, in numbers of runs.
 struct Progress {
   std::size_t runs = 0;    ///< of the part, if there is one
@@ -53,6 +60,7 @@ struct Progress {
   std::size_t elsewhere = 0;   ///< under way in another process that is no rank of this sweep
   double runs_per_second = 0;  ///< over the runs of this sweep
   std::optional<double> seconds_left;
+  std::vector<RunUnderWay> under_way;  ///< in this process, in the order of the plan
 };
 
 /// All optional; called from the thread that called execute().

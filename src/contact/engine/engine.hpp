@@ -19,8 +19,8 @@ class Engine final : public Steps {
  public:
   /// With the motion of a grain and its contacts in the state.
   static constexpr double kGrainBytes =
-      sizeof(Velocity<std::int32_t>) + sizeof(Vector) + ContactSlots::kGrainBytes +
-      ContactFinder::kGrainBytes + Mover::kGrainBytes + sizeof(Body) +
+      sizeof(Velocity<std::int32_t>) + sizeof(Vector) + sizeof(lattice::Axial) +
+      ContactSlots::kGrainBytes + ContactFinder::kGrainBytes + Mover::kGrainBytes + sizeof(Body) +
       grains::kListRoom * (3 * sizeof(std::uint32_t) +
                            kContactsPerGrain * (sizeof(Contact) + sizeof(std::int32_t)));
 

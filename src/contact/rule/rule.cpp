@@ -10,11 +10,13 @@ namespace {
 
 void check(const grains::State& state, const Parameters& parameters) {
   const auto& of_walls = parameters.friction_by_wall;
-  const bool walls_sane =
-      std::all_of(of_walls.begin(), of_walls.end(),
-                  [](std::optional<double> friction) { return !friction || *friction >= 0; });
-  const bool sane = walls_sane && parameters.friction >= 0 && parameters.wall_friction >= 0 &&
-                    parameters.rolling_friction >= 0 && parameters.restitution >= 0 &&
+  const auto is_friction = [](double value) { return value >= 0 && value <= kMaxFriction; };
+  const bool walls_sane = std::all_of(
+      of_walls.begin(), of_walls.end(),
+      [&](std::optional<double> friction) { return !friction || is_friction(*friction); });
+  const bool sane = walls_sane && is_friction(parameters.friction) &&
+                    is_friction(parameters.wall_friction) &&
+                    is_friction(parameters.rolling_friction) && parameters.restitution >= 0 &&
                     parameters.restitution < 1 && parameters.sweeps > 0;
   if (!sane) {
     throw std::invalid_argument("a parameter of the contact model is out of range");

@@ -125,7 +125,8 @@ TEST(TheContactModel, RefusesParametersOutOfRange) {
     change(parameters);
     return refusal(good_state(), parameters);
   };
-  EXPECT_EQ(with([](Parameters& all) { all.friction = 1e9; }), "");
+  EXPECT_EQ(with([](Parameters& all) { all.friction = 16384; }), "");
+  EXPECT_EQ(with([](Parameters& all) { all.friction = 16385; }), reason);
   EXPECT_EQ(with([](Parameters& all) { all.friction = -0.1; }), reason);
   EXPECT_EQ(with([nan](Parameters& all) { all.wall_friction = nan; }), reason);
   EXPECT_EQ(with([](Parameters& all) { all.rolling_friction = -1; }), reason);

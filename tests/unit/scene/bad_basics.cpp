@@ -199,7 +199,7 @@ constexpr auto kBadBasics = std::to_array<BadScene>({
     {"a derived measure twice", "measure: [{ratio: =runout_99}, {ratio: =runout_front}]",
      "scene.yaml:11:33: error: measure.ratio: it is named twice", Judge::parser},
     {"output of an unknown kind", "output: {movie: {every: 10}}",
-     "scene.yaml:12:10: error: unknown key 'movie' in output (allowed: frames, series, "
+     "scene.yaml:12:10: error: unknown key 'movie' in output (allowed: frames, view, series, "
      "fields, contacts, trajectory, checkpoint)"},
     {"a trajectory that is neither a map nor none", "output: {trajectory: 10}",
      "scene.yaml:12:22: error: output.trajectory: expected a map or none, found '10'"},

@@ -34,7 +34,7 @@ std::string refusal(std::string_view part, const std::vector<Override>& override
 
 constexpr std::string_view kEverything =
     "species: {bar: {shape: {rod: {radius: 0, length: 3}}}}\n"
-    "contact: {friction: 1e9, wall_friction: 0, rolling: none, rolling_friction: 1e-3,"
+    "contact: {friction: 16384, wall_friction: 0, rolling: none, rolling_friction: 1e-3,"
     " restitution: 0.99, sweeps: 64, resolution: 0.5, fall_height: 1e5}\n"
     "walls: {left: {box: [0, 0, 1, 50], friction: 0.25}, right: {box: [50, 0, 51, 50]}}\n"
     "stages: [{name: first, fill: {region: [0, 0, 50, 50], counts: {bar: 5}}, sources: [spout]}]\n"
@@ -59,7 +59,7 @@ TEST(ParseContact, FillsInTheDefaults) {
 
 TEST(ParseContact, ReadsEveryKey) {
   const Scene scene = contact_with(kEverything);
-  EXPECT_EQ(scene.contact, (Parameters{.friction = 1e9,
+  EXPECT_EQ(scene.contact, (Parameters{.friction = 16384,
                                        .wall_friction = 0,
                                        .rolling = Rolling::none,
                                        .rolling_friction = 1e-3,

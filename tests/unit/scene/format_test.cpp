@@ -88,7 +88,7 @@ TEST(Format, LeavesOutWhereToReadOn) {
 }
 
 TEST(Format, SaysADefaultThatIsNoValueInOtherWords) {
-  EXPECT_THAT(explain("output.frames.view"), HasSubstr("; if left out: the whole box\n"));
+  EXPECT_THAT(explain("output.view"), HasSubstr("; if left out: the whole box\n"));
   EXPECT_THAT(explain("stages.fill"), HasSubstr("map; default: none\n"));
   EXPECT_THAT(explain("stages.fill.picture.rows"), HasSubstr("list of texts; this or file\n"));
 }

@@ -233,6 +233,24 @@ TEST_F(SweepTest, WithoutPicturesThereIsNoOverviewNotEvenAnOldOne) {
   EXPECT_FALSE(fs::exists(at("out/overview.png")));
 }
 
+TEST_F(SweepTest, ShowsHowFarTheRunsAreThatAreUnderWay) {
+  const Plan plan = plan_of("stages.packing.until={steps: 100000000}");
+  std::atomic<int> stop = 0;
+  std::optional<RunUnderWay> seen;
+  const Progress last = execute(plan, {.folder = at("out"), .jobs = 2, .stop = &stop},
+                                {.progress = [&](const Progress& now) {
+                                  if (!now.under_way.empty()) {
+                                    seen = now.under_way.front();
+                                    stop = 2;
+                                  }
+                                }});
+  ASSERT_TRUE(seen);
+  EXPECT_EQ(seen->name, plan.name(0));
+  EXPECT_EQ(seen->progress.stage, "packing");
+  EXPECT_GT(seen->progress.step, 0U);
+  EXPECT_TRUE(last.under_way.empty());
+}
+
 TEST_F(SweepTest, StopsWhenAskedAndGoesOnLater) {
   std::atomic<int> stop = 0;
   const auto count_down = [&](const Progress& progress) { stop = progress.done > 0 ? 2 : 0; };
