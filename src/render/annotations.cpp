@@ -177,10 +177,10 @@ double Annotator::draw_color_bar(const Legend::Bar& bar, double left, double rig
   const double tip = bottom - top;  // room for a mark of values beyond the end, there or not
   const double first = left + tip;
   const double last = left + width - tip;
-  constexpr int kColors = 16;
+  const int steps = bar.diverging ? 32 : 15;
   std::vector<Rgb> colors;
-  for (int i = 0; i < kColors; ++i) {
-    colors.push_back(mixed(map_color(static_cast<double>(i) / (kColors - 1)), kPaper, fade_));
+  for (int i = 0; i <= steps; ++i) {
+    colors.push_back(mixed(bar_color(bar, static_cast<double>(i) / steps), kPaper, fade_));
   }
   graphics_.fill_gradient(first, top, last, bottom, colors);
   const double middle = (top + bottom) / 2;
@@ -203,18 +203,32 @@ double Annotator::draw_color_bar(const Legend::Bar& bar, double left, double rig
 }
 
 void Annotator::draw_ticks(const Legend::Bar& bar, double left, double width, double bottom) {
+  struct Tick {
+    double x;
+    double label_left;
+    Graphics::Text label;
+  };
   const double thickness = std::max(1.0, std::round(em(0.07)));
-  double label_end = -std::numeric_limits<double>::infinity();
-  for (const double value : ticks(bar.low, bar.high, 6)) {
-    const double share = bar.high > bar.low ? (value - bar.low) / (bar.high - bar.low) : 0;
-    const double x = std::round(left + share * (width - thickness));
-    graphics_.fill_box(x, bottom, x + thickness, bottom + em(0.25), kInk);
-    const Graphics::Text label = text(fmt::format("{:g}", value));
-    const double label_left = std::max<double>(layout_.text_left, x - label.width() / 2);
-    if (label_left > label_end + em(0.5)) {
-      graphics_.draw_text(label, label_left, below_panel(kTickLabelBaseline), kInk);
-      label_end = label_left + label.width();
+  std::vector<Tick> shown;
+  const auto have_room = [&] {
+    return std::adjacent_find(shown.begin(), shown.end(), [&](const Tick& one, const Tick& next) {
+             return one.label_left + one.label.width() + em(0.5) > next.label_left;
+           }) == shown.end();
+  };
+  int most = 6;
+  do {
+    shown.clear();
+    for (const double value : ticks(bar.low, bar.high, most)) {
+      const double share = bar.high > bar.low ? (value - bar.low) / (bar.high - bar.low) : 0;
+      const double x = std::round(left + share * (width - thickness));
+      const Graphics::Text label = text(fmt::format("{:g}", value));
+      const double middle = x + thickness / 2 - label.width() / 2;
+      shown.push_back({x, std::max<double>(layout_.text_left, middle), label});
     }
+  } while (!have_room() && --most > 0);
+  for (const Tick& tick : shown) {
+    graphics_.fill_box(tick.x, bottom, tick.x + thickness, bottom + em(0.25), kInk);
+    graphics_.draw_text(tick.label, tick.label_left, below_panel(kTickLabelBaseline), kInk);
   }
 }
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include "clca/render/coloring.hpp"
 #include "render/colors.hpp"
@@ -38,6 +39,34 @@ constexpr std::array<Rgb, 16> kViridis = {{{68, 1, 84},
                                            {210, 226, 27},
                                            {253, 231, 37}}};
 
+// Moreland 2009, "Diverging color maps for scientific visualization": every sixteenth of its 257
+// entries.
+constexpr std::array<Rgb, 17> kCoolToWarm = {{{59, 76, 192},
+                                              {77, 104, 215},
+                                              {98, 130, 234},
+                                              {119, 154, 247},
+                                              {141, 176, 254},
+                                              {163, 194, 255},
+                                              {184, 208, 249},
+                                              {204, 217, 238},
+                                              {221, 221, 221},
+                                              {236, 211, 197},
+                                              {245, 196, 173},
+                                              {247, 177, 148},
+                                              {244, 154, 123},
+                                              {236, 127, 99},
+                                              {222, 96, 77},
+                                              {203, 62, 56},
+                                              {180, 4, 38}}};
+
+/// No value, not even NaN, may index outside the table.
+Rgb interpolated(std::span<const Rgb> table, double share) {
+  const double position =
+      share > 0 ? std::min(share, 1.0) * static_cast<double>(table.size() - 1) : 0.0;
+  const auto low = std::min(static_cast<std::size_t>(position), table.size() - 2);
+  return mixed(table[low], table[low + 1], position - static_cast<double>(low));
+}
+
 }  // namespace
 
 Rgb palette_color(std::size_t number) {
@@ -45,11 +74,17 @@ Rgb palette_color(std::size_t number) {
 }
 
 Rgb map_color(double share) {
-  // No value, not even NaN, may index outside the table.
-  const double position = share > 0 ? std::min(share, 1.0) * (kViridis.size() - 1) : 0.0;
-  const auto low = std::min(static_cast<std::size_t>(position), kViridis.size() - 2);
-  const double part = position - static_cast<double>(low);
-  return mixed(kViridis[low], kViridis[low + 1], part);
+  return interpolated(kViridis, share);
+}
+
+Rgb diverging_color(double value) {
+  return interpolated(kCoolToWarm, (1 + value) / 2);
+}
+
+Rgb bar_color(const Legend::Bar& bar, double share) {
+  const double value = bar.low + share * (bar.high - bar.low);
+  return bar.diverging ? diverging_color(value / std::max(std::abs(bar.low), std::abs(bar.high)))
+                       : map_color(share);
 }
 
 Rgb mixed(Rgb color, Rgb other, double share) {

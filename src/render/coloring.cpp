@@ -50,15 +50,18 @@ Rgb id_color(std::size_t id) {
   return mixed(color, {255, 255, 255}, id % 3 == 0 ? 0.0 : id % 3 == 1 ? 0.3 : 0.15);
 }
 
-Coloring by_map(ShadeRule rule, std::string label, const statistics::Range& range) {
+Coloring by_map(ShadeRule rule, std::string label, const statistics::Range& range,
+                bool diverging = false) {
   if (!(range.low < range.high && std::isfinite(range.high - range.low))) {
     throw std::invalid_argument("a colour bar goes from a lower to a higher value");
   }
   Coloring result = {.rule = std::move(rule), .palette = {}, .legend = {}};
+  result.legend.bars = {
+      {.label = std::move(label), .low = range.low, .high = range.high, .diverging = diverging}};
   for (std::size_t shade = 0; shade < kMapShades; ++shade) {
-    result.palette.push_back(map_color(static_cast<double>(shade) / (kMapShades - 1)));
+    result.palette.push_back(
+        bar_color(result.legend.bars[0], static_cast<double>(shade) / (kMapShades - 1)));
   }
-  result.legend.bars.push_back({.label = std::move(label), .low = range.low, .high = range.high});
   return result;
 }
 
@@ -184,8 +187,8 @@ Coloring color_by_force(const statistics::Range& range) {
 }
 
 Coloring color_by_value(std::vector<double> values, std::string label,
-                        const statistics::Range& range) {
-  return by_map(ByValue{std::move(values), range}, std::move(label), range);
+                        const statistics::Range& range, bool diverging) {
+  return by_map(ByValue{std::move(values), range}, std::move(label), range, diverging);
 }
 
 Coloring color_by_axis() {

@@ -7,17 +7,6 @@
 
 namespace clca::render {
 
-namespace {
-
-/// Whether one list begins with all of the other.
-bool go_on(const std::vector<Legend::Line>& first, const std::vector<Legend::Line>& second) {
-  const std::size_t common = std::min(first.size(), second.size());
-  return std::equal(first.begin(), first.begin() + static_cast<std::ptrdiff_t>(common),
-                    second.begin());
-}
-
-}  // namespace
-
 void add_walls(Legend& legend, const ShownWalls& walls) {
   const std::vector<Eigen::Vector2d> square = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   if (walls.standing) {
@@ -31,12 +20,9 @@ void add_walls(Legend& legend, const ShownWalls& walls) {
 
 std::optional<Legend> common_legend(const Legend& first, const Legend& second) {
   Legend result = first;
-  if (first.fade != second.fade || !go_on(first.lines, second.lines) ||
+  if (first.fade != second.fade || first.lines != second.lines ||
       first.bars.size() != second.bars.size()) {
     return std::nullopt;
-  }
-  if (second.lines.size() > first.lines.size()) {
-    result.lines = second.lines;
   }
   for (std::size_t i = 0; i < result.bars.size(); ++i) {
     Legend::Bar& bar = result.bars[i];

@@ -20,10 +20,9 @@ constexpr double kMaxForceWidth = 1.2;
 constexpr Rgb kForceColor = {139, 0, 18};
 
 constexpr double kArrowFade = 0.6;
-constexpr double kMaxArrowShare = 0.9;  // of a cell
-constexpr double kArrowWidth = 0.075;   // in cells
-constexpr double kPalest = 0.55;        // share of paper in the weakest arrows
-constexpr Rgb kCutArrowColor = {176, 32, 16};
+constexpr double kArrowShare = 0.9;    // of a cell
+constexpr double kArrowWidth = 0.075;  // in cells
+constexpr double kPalest = 0.55;       // share of paper in the weakest arrows
 
 double force_width(double share) {
   return kMinForceWidth + (kMaxForceWidth - kMinForceWidth) * std::min(share, 1.0);
@@ -65,35 +64,40 @@ Legend::Line force_key(double strongest, std::string label) {
   return {std::move(label), strongest > 0 ? kMaxForceWidth : kMinForceWidth, 0, kForceColor, false};
 }
 
-Overlay arrow_field(std::span<const FieldArrow> arrows, double cell, double longest) {
+double typical_length(std::span<const FieldArrow> arrows) {
+  double sum = 0;
+  double squares = 0;
+  for (const FieldArrow& arrow : arrows) {
+    if (arrow.vector.allFinite()) {
+      sum += arrow.vector.norm();
+      squares += arrow.vector.squaredNorm();
+    }
+  }
+  return squares > 0 ? round_length(1.5 * squares / sum) : 0;
+}
+
+Overlay arrow_field(std::span<const FieldArrow> arrows, double cell, double scale) {
   Overlay overlay = {.strokes = {}, .fade = kArrowFade};
-  if (!(longest > 0 && cell > 0)) {
+  if (!(scale > 0 && cell > 0)) {
     return overlay;
   }
   for (const FieldArrow& arrow :
        by_strength(arrows, [](const FieldArrow& item) { return item.vector.norm(); })) {
-    const double length = arrow.vector.norm();
-    const Eigen::Vector2d half =
-        kMaxArrowShare * cell / std::max(length, longest) / 2 * arrow.vector;
+    const Eigen::Vector2d half = kArrowShare * cell / scale / 2 * arrow.vector;
     overlay.strokes.push_back({arrow.at - half, arrow.at + half, kArrowWidth * cell,
-                               length > longest ? kCutArrowColor : arrow_color(length / longest),
-                               true});
+                               arrow_color(arrow.vector.norm() / scale), true});
   }
   return overlay;
 }
 
-Legend::Line arrow_key(double cell, double longest, const UnitName& unit) {
-  if (!(longest > 0 && cell > 0)) {
+Legend::Line arrow_key(double cell, double scale, const UnitName& unit) {
+  if (!(scale > 0 && cell > 0)) {
     return {fmt::format("0 {}", unit.several), 0, 0, arrow_color(0), true};
   }
-  const double shown = round_length(longest);
-  const double share = shown / longest;
+  const double shown = round_length(scale);
+  const double share = shown / scale;
   return {fmt::format("{:g} {}", shown, shown == 1 ? unit.one : unit.several), kArrowWidth * cell,
-          kMaxArrowShare * cell * share, arrow_color(share), true};
-}
-
-Legend::Line cut_arrow_key(double cell, std::string label) {
-  return {std::move(label), kArrowWidth * cell, 0, kCutArrowColor, true};
+          kArrowShare * cell * share, arrow_color(share), true};
 }
 
 }  // namespace clca::render

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -21,11 +23,31 @@ namespace clca::render {
 
 namespace {
 
-void draw_overlay(Graphics& graphics, const Overlay& overlay, const PanelScale& panel) {
+/// Whether the panel, turned by `turn` degrees, shows the middle of the arrow, which then is moved
+/// so that it shows all of it. In pixels.
+bool moved_into_view(Stroke& arrow, const PixelBox& panel, double turn) {
+  const Eigen::Rotation2Dd turned(-turn * std::numbers::pi / 180);
+  const Eigen::Array2d half(panel.width / 2.0, panel.height / 2.0);
+  const Eigen::Vector2d along = turned * (arrow.to - arrow.from);
+  const Eigen::Array2d middle =
+      (turned * ((arrow.from + arrow.to) / 2 - half.matrix())).array();  // from that of the panel
+  constexpr double kHead = 1.7;  // half of its width, in widths of the arrow
+  const Eigen::Array2d room = half - along.array().abs() / 2 - kHead * arrow.width;
+  const Eigen::Vector2d shift = turned.inverse() * (middle.max(-room).min(room) - middle).matrix();
+  arrow.from += shift;
+  arrow.to += shift;
+  return (middle.abs() <= half).all();
+}
+
+void draw_overlay(Graphics& graphics, const Overlay& overlay, const PanelScale& panel,
+                  const PixelBox& box, double turn) {
   graphics.fade(overlay.fade);
   for (const Stroke& stroke : overlay.strokes) {
-    graphics.draw_stroke({panel.pixel(stroke.from), panel.pixel(stroke.to),
-                          stroke.width * panel.scale, stroke.color, stroke.arrow});
+    Stroke drawn = {panel.pixel(stroke.from), panel.pixel(stroke.to), stroke.width * panel.scale,
+                    stroke.color, stroke.arrow};
+    if (!drawn.arrow || moved_into_view(drawn, box, turn)) {
+      graphics.draw_stroke(drawn);
+    }
   }
 }
 
@@ -141,7 +163,7 @@ class Painter::Impl {
     {
       const Graphics::Panel panel(graphics, box.x, box.y, box.width, box.height, turn);
       draw_particles();
-      draw_overlay(graphics, overlay, panel_scale());
+      draw_overlay(graphics, overlay, panel_scale(), box, turn);
     }
     Legend legend = captured.legend;
     legend.fade = overlay.fade;

@@ -18,8 +18,8 @@ namespace {
 // Fixed, so that pictures of a sequence are comparable.
 constexpr int kMaxForceIndex = 8;  // overlapped sites
 constexpr double kLoad = 2;        // of a grain, in strongest forces of a contact
-constexpr double kFastest = 2;     // in longest arrows
-constexpr double kSpinning = 0.5;  // in spins of grains that roll as fast as the longest arrow
+constexpr double kFastest = 2;     // in highest velocities
+constexpr double kSpinning = 0.5;  // in spins of grains that roll that fast
 constexpr double kNeighbours = 6;  // of discs of one size
 
 render::Drawing drawing_of(scene::Drawing drawing) {
@@ -236,7 +236,8 @@ render::Coloring FramePainter::plain_coloring(const View& view,
       const double high = kSpinning * scales_.highest_spin;
       const auto ends = frames_.range ? range(high) : statistics::Range{-high, high};
       return render::color_by_value(spins(view, conversion_->time_step),
-                                    fmt::format("spin (radians/{})", conversion_->time_unit), ends);
+                                    fmt::format("spin (radians/{})", conversion_->time_unit), ends,
+                                    true);
     }
     case scene::ColorBy::coordination: {
       const std::vector<int> touched = measure::coordination(state, view.occupancy);

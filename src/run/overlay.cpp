@@ -65,6 +65,7 @@ OverlayScales overlay_scales(const scene::Scene& scene) {
   OverlayScales scales = {
       .strongest_force = strongest_force(scene, frames),
       .velocity_cell = velocity_cell(scene, frames),
+      .arrow_velocity = frames.velocity_scale,
       .velocity_unit = {.one = "spacing per step", .several = "spacings per step"}};
   scales.highest_pressure = scales.strongest_force / mean_diameter(scene);
   if (const auto conversion = scene::conversion(scene)) {
@@ -179,15 +180,14 @@ DrawnOverlay arrows(const CycleRecord& cycles) {
   const std::vector<measure::Arrow> all = convection->arrows();
   const double enough = kMinWeight * heaviest(all);
   std::vector<render::FieldArrow> field;
-  double longest = kMinDisplacement;
   for (const measure::Arrow& arrow : all) {
     if (arrow.weight >= enough) {
       field.push_back({arrow.centre, arrow.displacement});
-      longest = std::max(longest, arrow.displacement.norm());
     }
   }
-  return {render::arrow_field(field, cycles.cell(), longest),
-          {render::arrow_key(cycles.cell(), longest,
+  const double scale = std::max(kMinDisplacement, render::typical_length(field));
+  return {render::arrow_field(field, cycles.cell(), scale),
+          {render::arrow_key(cycles.cell(), scale,
                              {.one = "spacing per cycle", .several = "spacings per cycle"})}};
 }
 
@@ -222,19 +222,17 @@ std::vector<render::FieldArrow> velocity_arrows(const grains::State& state,
 
 DrawnOverlay velocities(const grains::State& state, const measure::Snapshot& begin,
                         const OverlayScales& scales) {
+  constexpr double kRest = 0.01;  // of the highest velocity
   const double cell = scales.velocity_cell;
-  const double highest = scales.highest_velocity;
   std::vector<render::FieldArrow> field;
   if (state.step > begin.step()) {
     field = velocity_arrows(state, begin, scales);
   }
-  DrawnOverlay drawn = {render::arrow_field(field, cell, highest),
-                        {render::arrow_key(cell, highest, scales.velocity_unit)}};
-  if (std::any_of(field.begin(), field.end(),
-                  [&](const render::FieldArrow& arrow) { return arrow.vector.norm() > highest; })) {
-    drawn.keys.push_back(render::cut_arrow_key(cell, fmt::format("above {:g}", highest)));
-  }
-  return drawn;
+  const double typical = render::typical_length(field);
+  const double scale = scales.arrow_velocity.value_or(
+      typical > kRest * scales.highest_velocity ? typical : scales.highest_velocity);
+  return {render::arrow_field(field, cell, scale),
+          {render::arrow_key(cell, scale, scales.velocity_unit)}};
 }
 
 }  // namespace

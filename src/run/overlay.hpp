@@ -2,6 +2,7 @@
 // Forces, convection and velocities in pictures, with scales that are the same in all pictures of a
 // run.
 
+#include <optional>
 #include <vector>
 
 #include "clca/render/legend.hpp"
@@ -20,8 +21,10 @@ struct OverlayScales {
   double highest_pressure = 1;
   /// Side of the cells of velocities, lattice spacings.
   double velocity_cell = 1;
-  /// Drawn as the longest arrow, in `velocity_unit`.
+  /// Half of the end of the colours by speed, in `velocity_unit`.
   double highest_velocity = 1;
+  /// Drawn as an arrow of 0.9 cells, in `velocity_unit`. None: by the arrows of each picture.
+  std::optional<double> arrow_velocity = {};
   /// Contact model: of a grain of mean diameter that rolls at the highest velocity, radians per
   /// unit of time.
   double highest_spin = 1;

@@ -121,10 +121,10 @@ Type<Frames> frames_type() {
                 "side of the cells of `overlay: velocity` in lattice spacings")
                 .defaults_to("from grains and view"),
             key("velocity_scale", &Frames::velocity_scale, above_zero(kMaxVelocityScale),
-                "the speed drawn as the longest arrow, 0.9 cells; the colours of `speed` end at "
-                "twice it, those of `spin` where grains of mean diameter roll at half of it: "
-                "spacings per step, or "
-                "with `model: contact` m/s (√(spacing·gravity) without `units`)")
+                "the speed drawn as an arrow 0.9 cells long (without it: by each picture); the "
+                "colours of `speed` end at twice it, those of `spin` where grains of mean diameter "
+                "roll at half of it: spacings per step, or with `model: contact` m/s "
+                "(√(spacing·gravity) without `units`)")
                 .defaults_to("from the model"),
             key("overlay", &Frames::overlay, choice(kOverlayNames),
                 "what is drawn over the particles: forces between them, arrows from cycle to "

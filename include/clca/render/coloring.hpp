@@ -23,6 +23,12 @@ Rgb palette_color(std::size_t number);
 /// The perceptually uniform colour map viridis at `share` in [0, 1], clamped.
 Rgb map_color(double share);
 
+/// Of a map with a pale middle at 0, blue below and red above, `value` in [-1, 1], clamped.
+Rgb diverging_color(double value);
+
+/// Of a colour bar, at a share of the way from its lower to its higher end.
+Rgb bar_color(const Legend::Bar& bar, double share);
+
 struct NamedColor {
   std::string name;
   Rgb color;
@@ -91,9 +97,10 @@ Coloring color_by_displacement(const statistics::Range& range);
 /// By the number of sites shared with other particles and walls. Particles that share none are
 /// pale.
 Coloring color_by_force(const statistics::Range& range);
-/// By a number of each particle, by id. `label`: what it is, with its unit.
+/// By a number of each particle, by id. `label`: what it is, with its unit. `diverging`: for
+/// numbers with a sign; 0 has the middle colour, whatever the range.
 Coloring color_by_value(std::vector<double> values, std::string label,
-                        const statistics::Range& range);
+                        const statistics::Range& range, bool diverging = false);
 /// By id; neighbouring ids have distinct colours.
 Coloring color_by_id();
 /// By the axis of grains of the Baxter model.

@@ -24,7 +24,8 @@ struct Legend {
     std::string label;  ///< with the unit
     double low = 0;
     double high = 1;
-    bool below = false;  ///< some values lie below `low`: marked at the end of the bar
+    bool diverging = false;  ///< colours to both sides of 0
+    bool below = false;      ///< some values lie below `low`: marked at the end of the bar
     bool above = false;
 
     bool operator==(const Bar&) const = default;
@@ -54,8 +55,8 @@ struct ShownWalls {
 /// Adds entries of the walls that a picture shows.
 void add_walls(Legend& legend, const ShownWalls& walls);
 
-/// The legend of two pictures: what both have and what one has. None where colour bars differ by
-/// more than the marks, or lines by more than further ones at the end.
+/// The legend of two pictures: what both have and what one has. None where lines differ, or colour
+/// bars by more than the marks.
 std::optional<Legend> common_legend(const Legend& first, const Legend& second);
 
 }  // namespace clca::render

@@ -12,7 +12,8 @@
 namespace clca::render {
 
 /// A straight line with round ends; lattice spacings. An arrow has its head at `to`; one shorter
-/// than its width or a pixel is drawn as a dot.
+/// than its width or a pixel is drawn as a dot. Arrows are drawn whole: those that would cross the
+/// edge of the view are moved into it, those with their middle outside are left out.
 struct Stroke {
   Eigen::Vector2d from;
   Eigen::Vector2d to;
@@ -46,9 +47,13 @@ struct FieldArrow {
   Eigen::Vector2d vector;
 };
 
-/// Arrows centred in cells `cell` spacings wide; one of length `longest` spans 0.9 cells. Weak
-/// arrows are paler; longer ones are cut and have the colour of cut_arrow_key().
-Overlay arrow_field(std::span<const FieldArrow> arrows, double cell, double longest);
+/// A round length about that of the arrows, the longer ones first of all: so that one of them spans
+/// about a cell. 0 where there is none.
+double typical_length(std::span<const FieldArrow> arrows);
+
+/// Arrows centred in cells `cell` spacings wide; one of length `scale` spans 0.9 cells. Those that
+/// are weaker are paler.
+Overlay arrow_field(std::span<const FieldArrow> arrows, double cell, double scale);
 
 /// What a number of a unit is followed by: `spacing` and `spacings`.
 struct UnitName {
@@ -56,10 +61,7 @@ struct UnitName {
   std::string several;
 };
 
-/// Legend entry of an arrow field: a round length up to `longest`, labelled with `unit`.
-Legend::Line arrow_key(double cell, double longest, const UnitName& unit);
-
-/// Legend entry of the arrows that are cut.
-Legend::Line cut_arrow_key(double cell, std::string label);
+/// Legend entry of an arrow field: a round length up to `scale`, labelled with `unit`.
+Legend::Line arrow_key(double cell, double scale, const UnitName& unit);
 
 }  // namespace clca::render

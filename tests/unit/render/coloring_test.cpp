@@ -251,6 +251,17 @@ TEST(Coloring, ByValueHasTheColoursOfItsBar) {
   EXPECT_EQ(coloring.legend.bars[0].label, "speed (m/s)");
 }
 
+TEST(Coloring, OfNumbersWithASignIsSymmetricAboutZero) {
+  const grains::State state = tower(3);
+  for (const statistics::Range range : {statistics::Range{-2, 2}, statistics::Range{-1, 2}}) {
+    const Coloring coloring = color_by_value({0, 2, -1}, "spin", range, true);
+    const std::vector<Rgb> colors = colors_of(coloring, state);
+    EXPECT_LE(distance(colors[0], {221, 221, 221}), 2);
+    EXPECT_EQ(colors[1], diverging_color(1));
+    EXPECT_LE(distance(colors[2], diverging_color(-0.5)), 2);
+  }
+}
+
 TEST(Coloring, ByIdKeepsNeighbouringIdsApartEvenWhereColorsBeginAgain) {
   const std::vector<Rgb> palette = color_by_id().palette;
   for (std::size_t i = 0; i < palette.size(); ++i) {

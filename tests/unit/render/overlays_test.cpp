@@ -78,17 +78,21 @@ TEST(ArrowField, KeyIsARoundLengthToTheSameScale) {
   EXPECT_EQ(arrow_key(5, 1.5, unit).label, "1 spacing per cycle");
 }
 
-TEST(ArrowField, CutsArrowsThatAreTooLongAndSaysSoByTheirColour) {
-  const std::vector<FieldArrow> arrows = {{{10, 20}, {0.6, 0}}, {{30, 20}, {0, 5}}};
+TEST(ArrowField, CutsNoArrow) {
+  const std::vector<FieldArrow> arrows = {{{10, 20}, {0.6, 0}}, {{30, 20}, {0, 1.2}}};
   const Overlay overlay = arrow_field(arrows, 5, 0.6);
-  const Stroke& whole = overlay.strokes[0];
-  const Stroke& cut = overlay.strokes[1];
-  EXPECT_NEAR((whole.to - whole.from).norm(), 0.9 * 5, 1e-12);
-  EXPECT_NEAR((cut.to - cut.from).norm(), 0.9 * 5, 1e-12);
-  EXPECT_NE(whole.color, cut.color);
-  const Legend::Line key = cut_arrow_key(5, "above 0.6");
-  EXPECT_EQ(key.color, cut.color);
-  EXPECT_EQ(key.length, 0);  // tells nothing
+  EXPECT_NEAR((overlay.strokes[0].to - overlay.strokes[0].from).norm(), 0.9 * 5, 1e-12);
+  EXPECT_NEAR((overlay.strokes[1].to - overlay.strokes[1].from).norm(), 0.9 * 10, 1e-12);
+}
+
+TEST(ArrowField, TypicalLengthIsThatOfTheArrowsThatMove) {
+  std::vector<FieldArrow> arrows(10, {{0, 0}, {0.3, 0.4}});
+  EXPECT_DOUBLE_EQ(typical_length(arrows), 0.5);
+  arrows.resize(100, {{0, 0}, {0, 0}});
+  arrows.push_back({{0, 0}, {kNan, 0}});
+  EXPECT_DOUBLE_EQ(typical_length(arrows), 0.5);
+  EXPECT_EQ(typical_length(std::span(arrows).subspan(10)), 0);
+  EXPECT_EQ(typical_length({}), 0);
 }
 
 class LegendLine : public ::testing::Test {
