@@ -272,6 +272,12 @@ void Run::complete_summary(store::RunSummary& summary) const {
                  .top = high.y(),
                  .periodic = lattice.periodic()};
   summary.derived = scene_.derived;
+  summary.tables = observers_.summary();
+  const auto& kinds = model_.state().kinds;
+  const std::vector<int> degrees = scene::degrees_of(scene_, kinds);
+  for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
+    summary.kinds.push_back({scene_.species[kinds[kind].species].name, degrees[kind]});
+  }
   if (scene_.begin) {
     summary.begin = {.run = scene_.begin->run,
                      .step = scene_.begin->step,

@@ -31,7 +31,9 @@ class SweepFolder {
   }
   /// Also removes those that `means` does not have.
   void write_means(const std::vector<NamedTable>& means) const;
-  void write_tables(const std::string& runs, const std::string& measures) const;
+  void write_tables(const std::vector<NamedTable>& tables) const;
+  /// The request, with what the columns of the tables are.
+  void write_request(const Plan& plan, const std::vector<store::TableSummary>& tables) const;
   void write_overview(const std::vector<std::uint8_t>& png) const;
 
  private:
