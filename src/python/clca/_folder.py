@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -50,6 +50,10 @@ def compiled(what: str) -> Any:
     return _clca
 
 
+def names(given: str | Sequence[str]) -> tuple[str, ...]:
+    return (given,) if isinstance(given, str) and given else tuple(given)
+
+
 class Folder:
     """Tables in a folder, and what says what their columns are."""
 
@@ -86,6 +90,7 @@ class Stage(NamedTuple):
     ended: str  #: settled, stalled, steps, time, discharged, cycles, bound or interrupted
     measures: dict[str, Value]  #: by their names in run.json
     notes: list[str]  #: why a measure has no value
+    fills: bool = False  #: particles are filled in
 
 
 class Run(Folder):
@@ -119,6 +124,7 @@ class Run(Folder):
                     Named("measure", ((key, Value(number, *known.get(key, Quantity())[:3]))
                                       for key, number in stage["measures"].items())),
                     stage.get("notes", []),
+                    stage.get("fills", False),
                 )
                 for stage in said["stages"]
             }
@@ -162,6 +168,19 @@ class Run(Folder):
     def contacts(self, step: int) -> NDArray[numpy.void]:
         """`contacts` of the frame of that step."""
         return self.frames.at(step).contacts
+
+    def plot(
+        self, name: str = "", ax: Axes | None = None, *, x: str = "", y: str | Sequence[str] = (), over: str = "", y2: str = "",
+        log: str = "", stage: str | Sequence[str] = (), first: float | None = None, last: float | None = None,
+        filling: bool = True, mean: int = 1,
+    ) -> Axes:
+        """A figure of `clca plot`, such as `profile`, or columns `y` against `x`, in the style of matplotlib that is set. Draws
+        into `ax` if given. Options are those of the command. Returns Axes. Throws Error.
+        """
+        from ._figures import Choice
+        from ._plot import plot
+
+        return plot(self, name, ax, Choice(x, names(y), names(over), y2, log, names(stage), first, last, filling, mean))
 
     def picture(self, step: int, **frames: Any) -> Picture:
         """The box at a step of the trajectory. `frames` are keys of `output.frames` in place of the scene's, such as
@@ -222,6 +241,22 @@ class Sweep(Folder):
 
     def __iter__(self) -> Iterator[Run]:
         return (self[number] for number in range(len(self)))
+
+    def plot(
+        self, name: str = "", ax: Axes | None = None, *, x: str = "", y: str | Sequence[str] = (),
+        over: str | Sequence[str] = (), log: str = "", stage: str | Sequence[str] = (), mean: int = 1,
+    ) -> Axes:
+        """A measure `y`, also as `STAGE.MEASURE`, against a key or a measure `x`, or a figure of `clca plot` by name, in the style
+        of matplotlib that is set. Draws into `ax` if given. Returns Axes, a list of panels if there are several. Throws Error.
+        """
+        from ._figures import Choice
+        from ._plot import plot
+
+        chosen = names(y)
+        of = [one.split(".", 1) for one in chosen if one in (self.runs.dtype.names or ()) and "." in one]
+        if of:
+            stage, chosen = [of[0][0]], tuple(one[1] for one in of)
+        return plot(self, name, ax, Choice(x, chosen, names(over), "", log, names(stage), mean=mean))
 
     def series(self, stage: str, column: str) -> Table:
         """A column of `series.csv` in a stage, for each combination averaged over the seeds, as in `mean-series.csv`: `step`
