@@ -207,7 +207,8 @@ void Run::end_stage(StageEnd end) {
                       .steps = history_.steps,
                       .ended = to_text(end),
                       .measures = stage_measures(view()),
-                      .notes = slope_notes(scene_, model_)});
+                      .notes = slope_notes(scene_, model_),
+                      .fills = stage().fill.has_value()});
   const std::string time =
       conversion_ ? fmt::format(" ({})", conversion_->time_text(history_.steps)) : "";
   log().info(fmt::format("stage {}: {} steps{}, ended: {}", stage().name, history_.steps, time,

@@ -74,6 +74,9 @@ Json to_object(const StageSummary& stage, const std::optional<scene::Conversion>
   add_time(object, stage.steps, units);
   object["ended"] = stage.ended;
   object["measures"] = std::move(measures);
+  if (stage.fills) {
+    object["fills"] = true;
+  }
   if (!stage.notes.empty()) {
     object["notes"] = stage.notes;
   }
@@ -99,7 +102,7 @@ Json to_object(const ColumnSummary& column) {
 }
 
 template <class Item>
-Json to_list(const std::vector<Item>& items) {
+Json list_of(const std::vector<Item>& items) {
   Json list = Json::array();
   for (const Item& item : items) {
     list.push_back(to_object(item));
@@ -108,6 +111,10 @@ Json to_list(const std::vector<Item>& items) {
 }
 
 }  // namespace
+
+Json to_list(const std::vector<ColumnSummary>& measures) {
+  return list_of(measures);
+}
 
 Json to_object(const std::vector<TableSummary>& tables) {
   Json object = Json::object();
@@ -152,7 +159,7 @@ std::string to_json(const RunSummary& summary) {
   object["state_hash"] = fmt::format("{:016x}", summary.state_hash);
   object["build"] = {{"compiler", summary.compiler}, {"type", summary.build_type}};
   object["stages"] = std::move(stages);
-  object["kinds"] = to_list(summary.kinds);
+  object["kinds"] = list_of(summary.kinds);
   object["measures"] = to_list(summary.measures);
   object["tables"] = to_object(summary.tables);
   constexpr int kIndent = 2;

@@ -19,16 +19,22 @@ constexpr const char* kRuns = "runs.csv";
 constexpr const char* kMeasures = "measures.csv";
 constexpr const char* kOverview = "overview.png";
 
-std::string to_json(const Plan& plan, const std::vector<store::TableSummary>& tables) {
+std::string to_json(const Plan& plan, const std::vector<store::TableSummary>& tables,
+                    const std::vector<store::ColumnSummary>& measures) {
   using Json = nlohmann::ordered_json;
   Json variations = Json::array();
   for (const Variation& variation : plan.request.variations) {
     variations.push_back({{"keys", variation.keys}, {"rows", variation.rows}});
   }
-  const Json object = {{"clca", run::version()},        {"scene", plan.request.scene.string()},
-                       {"title", plan.title()},         {"set", plan.request.overrides},
-                       {"vary", std::move(variations)}, {"seeds", to_text(plan.request.seeds)},
-                       {"runs", plan.run_count()},      {"tables", store::to_object(tables)}};
+  const Json object = {{"clca", run::version()},
+                       {"scene", plan.request.scene.string()},
+                       {"title", plan.title()},
+                       {"set", plan.request.overrides},
+                       {"vary", std::move(variations)},
+                       {"seeds", to_text(plan.request.seeds)},
+                       {"runs", plan.run_count()},
+                       {"measures", store::to_list(measures)},
+                       {"tables", store::to_object(tables)}};
   constexpr int kIndent = 2;
   // Names of files need not be UTF-8.
   return object.dump(kIndent, ' ', false, Json::error_handler_t::replace) + '\n';
@@ -47,14 +53,14 @@ SweepFolder::SweepFolder(const fs::path& path) : files_(path) {
 }
 
 void SweepFolder::begin(const Plan& plan) const {
-  write_request(plan, {});
+  write_request(plan, {}, {});
   files_.remove(kOverview);
   files_.make_folder("runs");
 }
 
-void SweepFolder::write_request(const Plan& plan,
-                                const std::vector<store::TableSummary>& tables) const {
-  files_.write("sweep.json", to_json(plan, tables));
+void SweepFolder::write_request(const Plan& plan, const std::vector<store::TableSummary>& tables,
+                                const std::vector<store::ColumnSummary>& measures) const {
+  files_.write("sweep.json", to_json(plan, tables, measures));
 }
 
 void SweepFolder::write_tables(const std::vector<NamedTable>& tables) const {

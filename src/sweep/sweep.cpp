@@ -325,7 +325,7 @@ void Sweep::write_tables(const std::vector<NamedTable>& means) {
       summaries.emplace_back(table.name, run::sweep_summary(table.table.columns(), known));
     }
   }
-  folder_.write_request(plan_, summaries);
+  folder_.write_request(plan_, summaries, run::sweep_summary(run::sweep_measures(), known));
 }
 
 /// Every so often, and never for more than a small part of the time.

@@ -75,6 +75,8 @@ store::ColumnSummary column_summary(const std::string& key,
 /// The columns of a table of a sweep over runs: `known` of these.
 std::vector<store::ColumnSummary> sweep_summary(const std::vector<std::string>& columns,
                                                 const KnownQuantities& known);
+/// Measures that only a sweep has.
+std::vector<std::string> sweep_measures();
 
 /// `unit` with the unit of velocity for `spacings/step`, that of time for `time` and that of
 /// scene::Conversion::si() for one of masses, where a run has them.

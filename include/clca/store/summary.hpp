@@ -31,6 +31,7 @@ struct StageSummary {
   std::string ended;  ///< settled, stalled, steps, discharged, cycles, bound or interrupted
   std::vector<NamedMeasure> measures;
   std::vector<std::string> notes = {};  ///< why a measure has no value
+  bool fills = false;                   ///< particles are filled in
 };
 
 /// The state of another run that a run began with.
@@ -100,7 +101,8 @@ struct RunSummary {
 const char* rate_key(std::string_view kind);
 
 std::string to_json(const RunSummary& summary);
-/// The part of run.json and of sweep.json that says what columns are.
+/// The parts of run.json and of sweep.json that say what measures and columns are.
+nlohmann::ordered_json to_list(const std::vector<ColumnSummary>& measures);
 nlohmann::ordered_json to_object(const std::vector<TableSummary>& tables);
 
 /// Parses a run.json; `name` is used in messages. Throws StoreError if it is not complete and

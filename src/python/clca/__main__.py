@@ -16,7 +16,7 @@ def main() -> int:
         name, options = sys.argv[1], json.loads(sys.argv[2])
         from . import _plot
 
-        {"plot": _plot.command}[name](options)
+        {"plot": _plot.command}[name](options, *sys.argv[3:])
     except Error as error:
         print(error, file=sys.stderr)
         return 2

@@ -22,6 +22,9 @@ PALETTE = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#0
 THEORY = "#404040"
 
 
+Limits = tuple[float | None, float | None]
+
+
 class Curve(NamedTuple):
     """Points that belong together, with what stands in the legend."""
 
@@ -74,7 +77,7 @@ class Chart(NamedTuple):
 @functools.lru_cache(maxsize=64)
 def family_of(letters: str) -> tuple[str, ...]:
     """DejaVu Sans, and fonts of the system that have these letters."""
-    from matplotlib import font_manager, ft2font
+    from matplotlib import font_manager, ft2font  # type: ignore[import]
 
     there = [entry for entry in font_manager.fontManager.ttflist if entry.fname.endswith((".ttf", ".otf", ".ttc"))]
     for entry in there:
@@ -104,6 +107,8 @@ def plain(text: str) -> str:
 
 def wrapped(text: str, inches: float, letter: float) -> str:
     """In lines that fit; before a unit first."""
+    if "\n" in text:
+        return "\n".join(wrapped(line, inches, letter) for line in text.split("\n"))
     most = max(int(inches * 72 / (0.6 * letter)), 8)
     head, mark, unit = text.rpartition(" (")
     parts = [head, mark[1:] + unit] if mark and len(text) > most else [text]
@@ -164,13 +169,13 @@ def draw_curve(ax: Any, curve: Curve, color: Any, log: bool) -> None:
 
 
 def _rgb(color: Any) -> tuple[float, float, float]:
-    from matplotlib.colors import to_rgb
+    from matplotlib.colors import to_rgb  # type: ignore[import]
 
     rgb: tuple[float, float, float] = to_rgb(color)
     return rgb
 
 
-def draw_axis(ax: Any, which: str, axis: Axis, values: list[NDArray[Any]], given: tuple[float | None, float | None]) -> None:
+def draw_axis(ax: Any, which: str, axis: Axis, values: list[NDArray[Any]], given: Limits) -> None:
     """Scale, limits and ticks of `x` or `y`."""
     from matplotlib import ticker
 
@@ -194,16 +199,15 @@ def draw_axis(ax: Any, which: str, axis: Axis, values: list[NDArray[Any]], given
         pad = 0.05 * (most - least) or 0.1 * abs(most) or 1
         # From 0, unless that would leave most of the axis without points.
         is_from_zero = axis.zero or (least >= 0 and least < 0.5 * (most + pad))
-        if axis.zero is not None:
-            set_limits(min(0, least) if is_from_zero else least - pad, most + pad)
+        set_limits(min(0, least) if is_from_zero else least - pad, most + pad)
     limits = [axis.low if given[0] is None else given[0], axis.high if given[1] is None else given[1]]
     if limits != [None, None]:
         set_limits(*limits)
 
 
-def draw_panel(ax: Any, panel: Panel, x_limits: tuple[float | None, float | None] = (None, None),
-               y_limits: tuple[float | None, float | None] = (None, None)) -> None:
-    """Into the axes of anybody, without letters that the page has."""
+def draw_panel(ax: Any, panel: Panel, x_limits: Limits = (None, None), y_limits: Limits = (None, None),
+               beside: Sequence[Panel] = ()) -> None:
+    """Into the axes of anybody, as a page does it. `beside`: panels that share the axes."""
     shown = [*panel.curves, *panel.on_y2]
     palette = colors(len([curve for curve in shown if curve.color is None]))
     if panel.scale is not None:
@@ -223,19 +227,20 @@ def draw_panel(ax: Any, panel: Panel, x_limits: tuple[float | None, float | None
     if panel.draw is not None:
         panel.draw(ax)
     if panel.curves:
-        xs = [curve.x for curve in shown]
-        ys = [part for curve in panel.curves for part in (curve.y, curve.low, curve.high) if part is not None]
+        all_curves = [curve for one in beside or [panel] for curve in one.curves]
+        xs = [curve.x for curve in all_curves]
+        ys = [part for curve in all_curves for part in (curve.y, curve.low, curve.high) if part is not None]
         draw_axis(ax, "x", panel.x, xs, x_limits)
         draw_axis(ax, "y", panel.y, ys, y_limits)
         if not (panel.x.words or panel.x.log) and x_limits == (None, None) and panel.x.low is None:
-            ax.margins(x=0.03 if shown[0].style == "bars" else 0)
+            ax.margins(x=0.03 if shown[0].style in ("bars", "points") else 0)
     elif panel.draw is not None:
         draw_axis(ax, "x", panel.x, [], x_limits)
         draw_axis(ax, "y", Axis(low=panel.y.low, high=panel.y.high), [], y_limits)
     if other is not None and panel.y2 is not None:
         draw_axis(other, "y", panel.y2, [curve.y for curve in panel.on_y2], (None, None))
     if panel.equal:
-        ax.set_aspect("equal", adjustable="box" if panel.draw is None else "box")
+        ax.set_aspect("equal")
     labels(ax, panel, 1e9, 1e9, LETTER)
     ax.set_title(plain(panel.title), loc="left", fontsize="medium")
 
@@ -257,8 +262,8 @@ class Look(NamedTuple):
     in_mm: bool = False  #: width and height in millimetres, with letters of 8 points
     width: float = 960  #: pixels; 96 are an inch
     height: float | None = None  #: None: as the figure needs
-    x_limits: tuple[float | None, float | None] = (None, None)
-    y_limits: tuple[float | None, float | None] = (None, None)
+    x_limits: Limits = (None, None)
+    y_limits: Limits = (None, None)
 
 
 @contextmanager
@@ -297,12 +302,12 @@ def rendered(chart: Chart, look: Look) -> bytes:
 
 def page(chart: Chart, look: Look, width: float, height: float | None, letter: float) -> Any:
     """The figure, with title, legend and panels, none of which covers another one."""
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
-    from matplotlib.figure import Figure
+    from matplotlib.backends.backend_agg import FigureCanvasAgg  # type: ignore[import]
+    from matplotlib.figure import Figure  # type: ignore[import]
 
     panels = chart.panels()
     line = 1.3 * letter / 72
-    columns = min(len(panels), max(1, int(width / (22 * letter / 72))), math.ceil(math.sqrt(len(panels))))
+    columns = min(len(panels), max(1, int(width / (17 * letter / 72))), math.ceil(math.sqrt(len(panels))))
     rows = math.ceil(len(panels) / columns)
     wide = width / columns - 6 * line
     aspects = [aspect_of(panel) for panel in panels]
@@ -317,8 +322,9 @@ def page(chart: Chart, look: Look, width: float, height: float | None, letter: f
     for ax in axes[len(panels):]:
         ax.remove()
     for ax, panel in zip(axes, panels):
-        draw_panel(ax, panel, look.x_limits, look.y_limits)
-    title = wrapped(plain(chart.title), width - 2 * line, letter) if chart.title else ""
+        draw_panel(ax, panel, look.x_limits, look.y_limits, panels)
+    heads = [chart.title, panels[0].title if len(panels) == 1 else ""]
+    title = wrapped(plain("\n".join(filter(None, heads))), width - 2 * line, letter)
     handles, names = legend_of(axes[: len(panels)], panels)
     legend, legend_rows = None, 0
     if len(names) > 1 or (names and names[0]):
@@ -331,8 +337,10 @@ def page(chart: Chart, look: Look, width: float, height: float | None, letter: f
     is_tall = max(total - above * line, 4 * line) / rows - 3 * line
     for ax, panel in zip(axes, panels):
         labels(ax, panel, max(wide, 3 * line), max(is_tall, 3 * line), letter)
-        ax.set_title(wrapped(plain(panel.title), width / columns - line, letter), loc="left")
-        ax.label_outer() if len(panels) > 1 else None
+        name = wrapped(plain(panel.title), width / columns - 6 * line, letter) if len(panels) > 1 else ""
+        ax.set_title(name, loc="left")
+        if len(panels) > 1:
+            ax.label_outer()
         tidy_ticks(ax, panel, wide, letter)
     if bar is not None:
         from matplotlib import cm
@@ -341,8 +349,8 @@ def page(chart: Chart, look: Look, width: float, height: float | None, letter: f
         colormap = LinearSegmentedColormap.from_list("clca", [cm.viridis(0.92 * i / 255) for i in range(256)])
         shown = cm.ScalarMappable(Normalize(min(bar[1]), max(bar[1])), colormap)
         figure.colorbar(shown, ax=list(axes[: len(panels)]), label=plain(bar[0]), aspect=30)
-    share = above * line / total
-    figure.get_layout_engine().set(rect=(0, 0, 1, 1 - share))
+    share, margin = above * line / total, 0.3 * line  # equal scales are not quite what the layout has reckoned with
+    figure.get_layout_engine().set(rect=(margin / width, margin / total, 1 - 2 * margin / width, 1 - share - 2 * margin / total))
     if title:
         figure.text(0.5 * line / width, 1 - 0.25 * line / total, title, va="top", ha="left", linespacing=1.15)
     if legend is not None:
@@ -373,7 +381,6 @@ def legend_of(axes: Sequence[Any], panels: Sequence[Panel]) -> tuple[list[Any], 
 
 def legend_above(figure: Any, canvas: Any, handles: list[Any], names: list[str], room: float) -> tuple[Any, int]:
     """As many names side by side as fit; and how many lines that takes."""
-    wide = 0.0
     for columns in range(len(names), 0, -1):
         legend = figure.legend(handles, names, loc="upper left", ncol=columns, borderaxespad=0, borderpad=0, handlelength=1.6,
                                columnspacing=1.2, labelspacing=0.25)
@@ -397,6 +404,6 @@ def tidy_ticks(ax: Any, panel: Panel, wide: float, letter: float) -> None:
                 text.set_ha("right")
     elif not panel.x.log:
         longest = 7 * 0.6 * letter / 72
-        ax.xaxis.set_major_locator(ticker.MaxNLocator(max(2, min(9, int(wide / longest))), steps=[1, 2, 5, 10]))
+        ax.xaxis.set_major_locator(ticker.MaxNLocator(max(2, min(9, int(wide / longest))), steps=[1, 2, 2.5, 5, 10]))
     if not panel.y.log and not panel.y.words and panel.equal:
         ax.yaxis.set_major_locator(ticker.MaxNLocator("auto", steps=[1, 2, 5, 10]))

@@ -222,7 +222,7 @@ def grid_of(table: Table) -> tuple[NDArray[Any], NDArray[Any], dict[str, NDArray
     windows, place, count = len(numpy.unique(table["step"])), row * len(xs) + column, len(xs) * len(ys)
 
     def total(cells: NDArray[Any]) -> NDArray[numpy.float64]:
-        return numpy.bincount(place, numpy.nan_to_num(cells), count).reshape(len(ys), len(xs))
+        return numpy.asarray(numpy.bincount(place, numpy.nan_to_num(cells), count).reshape(len(ys), len(xs)), float)
 
     weight = total(table["particles"])
     with numpy.errstate(invalid="ignore", divide="ignore"):
@@ -257,12 +257,12 @@ def field(source: Source, figure: Figure, files: list[tuple[str, Table]], part: 
         "fluctuation", table.label("fluctuation"))
 
     def draw(ax: Any) -> None:
-        from matplotlib.colors import LinearSegmentedColormap
+        from matplotlib.colors import LinearSegmentedColormap  # type: ignore[import]
 
         edges = [numpy.append(centres - size / 2, centres[-1] + size / 2) for centres, size in ((xs, wide), (ys, tall))]
         blue = LinearSegmentedColormap.from_list("blue", ["#ffffff", "#0072b2"])
         ax.grid(False)
-        shown = ax.pcolormesh(*edges, numpy.ma.masked_invalid(means[name]), cmap=blue, vmin=0)
+        shown = ax.pcolormesh(*edges, means[name], cmap=blue, vmin=0)
         ax.figure.colorbar(shown, ax=ax, shrink=0.9, aspect=25)
         if name == "packing" and numpy.isfinite(means["vx"]).any():
             x, y = numpy.meshgrid(xs, ys)
@@ -313,7 +313,7 @@ def contacts(source: Source, figure: Figure, files: list[tuple[str, Table]], par
         widths.append(width)
 
     def draw(ax: Any) -> None:
-        from matplotlib.collections import LineCollection
+        from matplotlib.collections import LineCollection  # type: ignore[import]
 
         ax.add_collection(LineCollection(segments, linewidths=[0.3 * width for width in widths], colors="#d55e00"))
 

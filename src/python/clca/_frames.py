@@ -95,7 +95,8 @@ class Frame:
 
     @property
     def angular_velocities(self) -> NDArray[numpy.float64]:
-        """N: anticlockwise, radians per unit of `time`; 0 but of the contact model. NaN of a file of an earlier version."""
+        """N: anticlockwise, radians per unit of `time`; 0 but of the contact model. NaN of a file of an earlier version.
+        """
         return self.particles["angular_velocity"]
 
     @property
@@ -141,8 +142,8 @@ class Frame:
 
     @property
     def contact_names(self) -> NDArray[numpy.str_]:
-        """C: what `other` of `contacts` is: the name of a wall, `box.floor`, `box.top`, `box.left` or `box.right`; empty for
-        a particle.
+        """C: what `other` of `contacts` is: the name of a wall, `box.floor`, `box.top`, `box.left` or `box.right`; empty
+        for a particle.
         """
         names = [self._look.bodies.get(other, "") for other in self.contacts["other"].tolist()]
         return read_only(numpy.array(names, dtype=str))

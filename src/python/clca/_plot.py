@@ -15,7 +15,7 @@ from ._folder import Run, Sweep, open
 
 def plot(folder: Run | Sweep, name: str, ax: Any, choice: Choice) -> Any:
     """One figure into axes: those given, or new ones of pyplot in the style of the user. Returns Axes, or several of panels."""
-    from matplotlib import pyplot
+    from matplotlib import pyplot  # type: ignore[import]
 
     found = _figures.chosen(folder, [name] if name else [], choice)
     if name:
@@ -38,9 +38,9 @@ def plot(folder: Run | Sweep, name: str, ax: Any, choice: Choice) -> Any:
     return all_axes[0] if len(all_axes) == 1 else all_axes
 
 
-def command(options: dict[str, Any]) -> None:
+def command(options: dict[str, Any], folder_name: str) -> None:
     """Draws the figures that the command asks for to standard output: of each a line of JSON, then its bytes. Throws Error."""
-    folder = open(options["folder"])
+    folder = open(folder_name)
     choice = Choice(**{key: tuple(value) if isinstance(value, list) else value for key, value in options["choice"].items()})
     limits = {key: tuple(value) for key, value in options["look"].items() if key.endswith("_limits")}
     look = Look(**{**options["look"], **limits})

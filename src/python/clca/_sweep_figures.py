@@ -183,7 +183,7 @@ def derived_of(source: Source) -> set[str]:
 
 def panels_of(ways: Keys, rows: Table, curve: Any, x: Axis, y: Axis, title: str, log: str) -> Any:
     def panels() -> list[Panel]:
-        made = []
+        made: list[Panel] = []
         all_cells = [cell for cell, _ in ways.combinations(rows, ways.over)]
         for values, part in ways.combinations(rows, ways.split):
             lines = ways.combinations(part, ways.over)
