@@ -20,8 +20,7 @@ class BuildByCMake(build_ext):
                           ["--build", build, "--target", "clca_python"],
                           ["--install", build, "--component", "python", "--strip", "--prefix", target]):
             subprocess.run(["cmake", *arguments], cwd=tree, check=True)
-        for data in ("plots", "scenes"):
-            shutil.copytree(tree / data, target / "clca/share/clca" / data, dirs_exist_ok=True)
+        shutil.copytree(tree / "scenes", target / "clca/share/clca/scenes", dirs_exist_ok=True)
 
 
 version = re.search(r"VERSION ([\d.]+) LANGUAGES", (tree / "CMakeLists.txt").read_text())[1]

@@ -6,7 +6,9 @@ set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/clca)
 
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME program)
 install(TARGETS clca_program RUNTIME)
-install(DIRECTORY scenes plots DESTINATION ${CMAKE_INSTALL_DATADIR}/clca)
+install(DIRECTORY scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/clca)
+# What reads folders, for the commands that draw: plain Python.
+install(DIRECTORY src/python/clca DESTINATION ${CMAKE_INSTALL_DATADIR}/clca/python PATTERN __pycache__ EXCLUDE)
 install(FILES shell/clca.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME clca)
 install(FILES shell/_clca DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions)
 install(FILES shell/clca.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)

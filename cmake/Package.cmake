@@ -39,14 +39,14 @@ Boltzmann equation. The same scene and seed always give the same bits.")
 set(same "clca (= ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})")
 # OSMesa or EGL and the font are found at run time.
 clca_package(program clca science "simulator of granular flow in two dimensions" "libosmesa6 | libegl-mesa0, fonts-dejavu-core"
-             "gnuplot-nox | gnuplot, ffmpeg")
+             "python3, python3-matplotlib, python3-h5py, python3-numpy, ffmpeg")
 clca_package(development libclca-dev libdevel "simulator of granular flow (static libraries and headers)"
              "g++, libeigen3-dev, libfmt-dev, libhdf5-dev, libmuparser-dev, libpango1.0-dev, libpng-dev, \
 libyaml-cpp-dev, nlohmann-json3-dev, pkg-config, zlib1g-dev")
 if(CLCA_BUILD_PYTHON)
   find_package(Python3 REQUIRED COMPONENTS Interpreter)
   math(EXPR next "${Python3_VERSION_MINOR} + 1")
-  clca_package(python python3-clca python "simulator of granular flow (Python package)" "${same}, python3-numpy, \
+  clca_package(python python3-clca python "simulator of granular flow (Python package)" "${same}, python3-numpy, python3-h5py, \
 python3 (>= ${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR}~), python3 (<< ${Python3_VERSION_MAJOR}.${next})")
 endif()
 if(CLCA_MPI)

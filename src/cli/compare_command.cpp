@@ -23,10 +23,8 @@ struct CompareOptions {
 
 void draw_figure(const std::filesystem::path& folder) {
   const std::atomic<int>& stop = catch_stop_signals();
-  for (const plot::Figure& figure :
-       plot::figures(folder, {"comparison"}, plot::template_folder())) {
-    store::OutputFolder(folder).write(figure.name + ".png",
-                                      plot::draw(figure, plot::Appearance(), &stop));
+  for (const plot::Picture& picture : plot::pictures(folder, {"comparison"}, {}, {}, &stop)) {
+    store::OutputFolder(folder).write(picture.name + ".png", picture.bytes);
   }
 }
 

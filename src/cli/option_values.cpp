@@ -147,6 +147,20 @@ OptionValues finite_number() {
   return {check, ""};
 }
 
+OptionValues limits_of_axis() {
+  const auto check = [](std::string& text) -> std::string {
+    const std::size_t colon = text.find(':');
+    std::string low = text.substr(0, colon);
+    std::string high = colon < text.size() ? text.substr(colon + 1) : "";
+    const OptionValues number = finite_number();
+    const bool is_right = colon < text.size() && text.size() > 1 &&
+                          (low.empty() || number.read(low).empty()) &&
+                          (high.empty() || number.read(high).empty());
+    return is_right ? std::string() : expected("two numbers, as 0:5 or :5", text);
+  };
+  return {check, ""};
+}
+
 OptionValues part_of_whole(std::uint64_t most) {
   const auto check = [most](std::string& text) -> std::string {
     const std::size_t slash = text.find('/');

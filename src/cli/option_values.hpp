@@ -29,6 +29,8 @@ OptionValues whole_number(std::uint64_t least = 0,
 /// Pixels or, as `89mm`, a length on paper.
 OptionValues length_of_figure();
 OptionValues finite_number();
+/// `0:5`, of which one may be left out: `:5`.
+OptionValues limits_of_axis();
 
 /// `3/64`: the third of 64 parts.
 OptionValues part_of_whole(std::uint64_t most);

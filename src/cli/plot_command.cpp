@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,7 +22,11 @@ struct PlotOptions {
   std::string folder;
   std::vector<std::string> only;
   plot::Choice choice;
-  std::string log;
+  std::string first;
+  std::string last;
+  std::string x_limits;
+  std::string y_limits;
+  bool no_filling = false;
   std::string width = "960";
   std::string height;
   plot::Appearance appearance;
@@ -29,6 +34,17 @@ struct PlotOptions {
 
 bool is_in_mm(const std::string& length) {
   return length.ends_with("mm");
+}
+
+std::optional<double> number_or_none(const std::string& text) {
+  return text.empty() ? std::nullopt : std::optional(std::stod(text));
+}
+
+plot::Limits limits_of(const std::string& text) {
+  const std::size_t colon = text.find(':');
+  return colon == std::string::npos ? plot::Limits()
+                                    : plot::Limits(number_or_none(text.substr(0, colon)),
+                                                   number_or_none(text.substr(colon + 1)));
 }
 
 plot::Appearance appearance_of(const PlotOptions& options) {
@@ -41,22 +57,24 @@ plot::Appearance appearance_of(const PlotOptions& options) {
     }
     appearance.height = std::stod(options.height);
   }
+  appearance.x_limits = limits_of(options.x_limits);
+  appearance.y_limits = limits_of(options.y_limits);
   return appearance;
 }
 
 void draw_all(const PlotOptions& options) {
   plot::Choice choice = options.choice;
-  choice.log_x = options.log.starts_with('x');
-  choice.log_y = options.log.ends_with('y');
+  choice.first = number_or_none(options.first);
+  choice.last = number_or_none(options.last);
+  choice.filling = !options.no_filling;
   const plot::Appearance appearance = appearance_of(options);
-  const auto figures = plot::figures(options.run, options.only, plot::template_folder(), choice);
+  const std::atomic<int>& stop = catch_stop_signals();
+  const auto pictures = plot::pictures(options.run, options.only, choice, appearance, &stop);
   const store::OutputFolder folder =
       store::named_folder(options.folder, options.run, store::kPlotsFolder);
-  const std::atomic<int>& stop = catch_stop_signals();
-  for (const plot::Figure& figure : figures) {
-    const auto picture = plot::draw(figure, appearance, &stop);
-    const std::string file = figure.name + "." + plot::ending(appearance.format);
-    folder.write(file, picture);
+  for (const plot::Picture& picture : pictures) {
+    const std::string file = picture.name + "." + picture.format;
+    folder.write(file, picture.bytes);
     print_out("{}\n", folder.path(file).string());
   }
 }
@@ -64,8 +82,8 @@ void draw_all(const PlotOptions& options) {
 }  // namespace
 
 void add_plot_command(CommandLine& command_line) {
-  Command command =
-      command_line.command("plot", "Draw figures of the tables in a run folder, with gnuplot");
+  Command command = command_line.command(
+      "plot", "Draw figures of the tables in a run folder, with Python and matplotlib");
   auto options = std::make_shared<PlotOptions>();
   command.option("DIR", &options->run, "Folder that a run has left").required();
   command.option("-o,--output", &options->folder, "Folder to write to [DIR/plots]");
@@ -73,12 +91,10 @@ void add_plot_command(CommandLine& command_line) {
       .type("NAME,...")
       .delimiter(',')
       .one_value();
-  command
-      .choice("--format", &options->appearance.format,
-              {{"png", plot::Format::png}, {"svg", plot::Format::svg}, {"pdf", plot::Format::pdf}},
-              "Format of the files", LetterCase::ignored)
+  command.option("--format", &options->appearance.format, "Format of the files")
       .type("FORMAT")
-      .show_default("png");
+      .values(one_of({"png", "svg", "pdf"}, LetterCase::ignored))
+      .show_default();
   command.option("--width", &options->width, "Pixels, 96 to the inch of a PDF, or mm of paper")
       .values(length_of_figure())
       .show_default();
@@ -101,9 +117,29 @@ void add_plot_command(CommandLine& command_line) {
       .type("NAME,...")
       .delimiter(',')
       .one_value();
-  command.option("--log", &options->log, "Logarithmic axes")
+  command.option("--y2", &options->choice.y2, "Of a run a column on a second axis, beside --y")
+      .type("NAME");
+  command.option("--log", &options->choice.log, "Logarithmic axes")
       .type("AXES")
       .values(one_of({"x", "y", "xy"}));
+  command.option("--x-range", &options->x_limits, "Limits of the axis x; either may be left out")
+      .type("LOW:HIGH")
+      .values(limits_of_axis());
+  command.option("--y-range", &options->y_limits, "Limits of the axis y")
+      .type("LOW:HIGH")
+      .values(limits_of_axis());
+  command.option("--stage", &options->choice.stages, "Only these stages")
+      .type("NAME,...")
+      .delimiter(',')
+      .one_value();
+  command.flag("--no-filling", &options->no_filling, "Leave out stages that fill the box");
+  command.option("--from", &options->first, "First time, or step where there is no time")
+      .type("TIME")
+      .values(finite_number());
+  command.option("--to", &options->last, "Last time or step").type("TIME").values(finite_number());
+  command.option("--running-mean", &options->choice.mean, "Mean over so many rows around each")
+      .type("ROWS")
+      .values(whole_number(1, 1'000'000));
   command.action([options] {
     draw_all(*options);
     return static_cast<int>(ExitCode::done);

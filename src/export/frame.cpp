@@ -32,17 +32,6 @@ Eigen::Vector2d last_move(grains::Move move) {
   return lattice::position(lattice::unit(static_cast<lattice::Direction>(move)));
 }
 
-constexpr int kDegreesPerTurn = 60;
-
-/// The first orientation of the species that gives this kind, in degrees.
-int degrees_of(const scene::Species& species, const grains::Kind& kind) {
-  const auto found =
-      std::find_if(species.orientations.begin(), species.orientations.end(), [&](int degrees) {
-        return species.shape.rotated(degrees / kDegreesPerTurn).congruent(kind.shape);
-      });
-  return found != species.orientations.end() ? *found : 0;
-}
-
 std::vector<Eigen::Vector2d> outline_of(const lattice::Shape& shape) {
   std::vector<Eigen::Vector2d> corners;
   const std::vector<render::Outline> outlines = render::outlines(shape);
@@ -96,15 +85,14 @@ double time_step(const scene::Scene& scene) {
 std::vector<KindAppearance> kind_appearances(const scene::Scene& scene,
                                              const std::vector<grains::Kind>& kinds) {
   std::vector<KindAppearance> looks;
+  const std::vector<int> all_degrees = scene::degrees_of(scene, kinds);
   for (std::size_t number = 0; number < kinds.size(); ++number) {
     const grains::Kind& kind = kinds[number];
     const scene::Species& species = scene.species[kind.species];
     const auto same_species =
         std::count_if(kinds.begin(), kinds.end(),
                       [&](const grains::Kind& other) { return other.species == kind.species; });
-    const int degrees = scene.model == scene::Model::baxter
-                            ? kDegreesPerTurn * static_cast<int>(number % baxter::kAxes)
-                            : degrees_of(species, kind);
+    const int degrees = all_degrees[number];
     looks.push_back(
         {.name = same_species > 1 ? fmt::format("{}@{}", species.name, degrees) : species.name,
          .species = kind.species,

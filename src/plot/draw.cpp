@@ -1,137 +1,141 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cctype>
-#include <cmath>
-#include <sstream>
+#include <nlohmann/json.hpp>
 #include <string_view>
 #include <system_error>
 
 #include "clca/plot/plot.hpp"
 #include "clca/process/data_folder.hpp"
-#include "plot/gnuplot.hpp"
-#include "plot/template.hpp"
+#include "clca/process/program.hpp"
+#include "clca/text/input_error.hpp"
 
 namespace clca::plot {
 
 namespace {
 
 namespace fs = std::filesystem;
+using Json = nlohmann::json;
 
-bool is_whole(const std::vector<std::uint8_t>& bytes, Format format) {
-  constexpr std::array<std::string_view, 3> kEnds = {"IEND\xae\x42\x60\x82", "</svg>", "%%EOF"};
-  const std::string_view end = kEnds[static_cast<std::size_t>(format)];
-  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-  return text.substr(0, text.find_last_not_of('\n') + 1).ends_with(end);
+Json number_or_null(const std::optional<double>& number) {
+  return number ? Json(*number) : Json();
 }
 
-/// gnuplot writes "]]>" in a text as it is, which XML allows only where a section ends.
-void escape_section_ends(std::vector<std::uint8_t>& svg) {
-  constexpr std::string_view kBegin = "<![CDATA[";  // no text has it: "<" is escaped
-  constexpr std::string_view kEnd = "]]>";
-  std::string text(svg.begin(), svg.end());
-  std::size_t section = text.find(kBegin);
-  for (std::size_t at = text.find(kEnd); at != std::string::npos; at = text.find(kEnd, at + 1)) {
-    if (section > at) {
-      text.replace(at, kEnd.size(), "]]&gt;");
+Json to_json(const Limits& limits) {
+  return {number_or_null(limits.first), number_or_null(limits.second)};
+}
+
+Json to_json(const Choice& choice) {
+  return {{"x", choice.x},
+          {"y", choice.y},
+          {"over", choice.over},
+          {"y2", choice.y2},
+          {"log", choice.log},
+          {"stages", choice.stages},
+          {"first", number_or_null(choice.first)},
+          {"last", number_or_null(choice.last)},
+          {"filling", choice.filling},
+          {"mean", choice.mean}};
+}
+
+Json to_json(const Appearance& look) {
+  return {{"format", look.format},
+          {"in_mm", look.in_mm},
+          {"width", look.width},
+          {"height", number_or_null(look.height)},
+          {"x_limits", to_json(look.x_limits)},
+          {"y_limits", to_json(look.y_limits)}};
+}
+
+std::string_view as_text(const std::vector<std::uint8_t>& bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+/// The last line: what Python says before, such as a traceback, is not for users.
+std::string last_line(const std::vector<std::uint8_t>& bytes) {
+  std::string_view text = as_text(bytes);
+  text = text.substr(0, text.find_last_not_of('\n') + 1);
+  return std::string(text.substr(text.rfind('\n') + 1));
+}
+
+/// What Python writes: for each picture a line of JSON, then its bytes.
+std::pair<std::vector<Picture>, std::vector<std::string>> parsed(
+    const std::vector<std::uint8_t>& bytes) {
+  std::pair<std::vector<Picture>, std::vector<std::string>> result;
+  auto at = bytes.begin();
+  while (at != bytes.end()) {
+    const auto end = std::find(at, bytes.end(), '\n');
+    const Json head = Json::parse(at, end);
+    at = end == bytes.end() ? end : end + 1;
+    if (head.contains("warning")) {
+      result.second.push_back(head["warning"]);
+      continue;
     }
-    section = text.find(kBegin, at);
-  }
-  svg.assign(text.begin(), text.end());
-}
-
-/// For ids in an SVG.
-std::string identifier(std::string name) {
-  std::replace_if(
-      name.begin(), name.end(), [](unsigned char letter) { return std::isalnum(letter) == 0; },
-      '_');
-  return name;
-}
-
-/// The canvas in pixels, which in a PDF are 1/96 inch.
-struct Canvas {
-  double width;
-  double height;
-  double letter;  ///< mean width of a letter
-  int dots;       ///< in an inch; 0: letters scale with the picture
-};
-
-Canvas canvas_of(const Appearance& appearance) {
-  const double aspect = appearance.in_mm ? 0.75 : 0.625;
-  constexpr double kInch = 25.4;
-  constexpr double kLetter = 0.56;  // of the height of the font
-  const int dots = appearance.format == Format::png ? 300 : 96;
-  const double pixel = appearance.in_mm ? dots / kInch : 1;
-  const double width = std::round(appearance.width * pixel);
-  const double height = std::round(appearance.height.value_or(aspect * appearance.width) * pixel);
-  if (appearance.in_mm) {
-    return {width, height, kLetter * 8 / 72 * dots, dots};
-  }
-  const double scale = appearance.format == Format::svg   ? 1
-                       : appearance.format == Format::pdf ? (width + 1.6 * height) / 1920
-                                                          : (width + 1.6 * height) / 1920 * 4 / 3;
-  return {width, height, kLetter * 13 * scale, 0};
-}
-
-/// As lines that fit, joined in the language of gnuplot.
-std::string lines_of(const std::string& title, std::size_t most) {
-  std::string text;
-  std::string line;
-  std::istringstream words(title);
-  const auto add = [&] { text += (text.empty() ? "" : R"( . "\n" . )") + literal(line); };
-  for (std::string word; words >> word;) {
-    if (!line.empty() && line.size() + 1 + word.size() > most) {
-      add();
-      line.clear();
+    const auto size = head.at("bytes").get<std::size_t>();
+    if (size > static_cast<std::size_t>(bytes.end() - at)) {
+      throw PlotError("Python leaves no whole picture");
     }
-    line += (line.empty() ? "" : " ") + word;
+    const auto next = at + static_cast<std::ptrdiff_t>(size);
+    result.first.push_back({.name = head.at("name"),
+                            .about = head.at("about"),
+                            .format = head.at("format"),
+                            .bytes = {at, next}});
+    at = next;
   }
-  add();
-  return text;
+  return result;
+}
+
+std::pair<std::vector<Picture>, std::vector<std::string>> drawn(const fs::path& folder,
+                                                                const Json& options,
+                                                                const std::atomic<int>* stop) {
+  constexpr int kWrong = 2;
+  const fs::path package = process::data_folder("python");
+  const fs::path python = process::python();
+  std::error_code error;
+  if (!fs::exists(package / "clca/__main__.py", error)) {
+    throw PlotError(fmt::format("no Python package of clca in {}", package.string()));
+  }
+  try {
+    const process::OutputCapture out;
+    const process::OutputCapture err;
+    // Python looks for modules in the folder where it is started first.
+    const int code = process::Program({python.string(), "-m", "clca", "plot",
+                                       options.dump(-1, ' ', false, Json::error_handler_t::replace),
+                                       fs::absolute(folder).string()},
+                                      {.folder = package, .out = &out, .err = &err, .stop = stop})
+                         .wait();
+    if (code != 0) {
+      const std::string line = last_line(err.bytes());
+      if (code == kWrong) {
+        throw text::InputError(line);
+      }
+      throw PlotError(fmt::format("{} fails with exit code {}: {}", python.string(), code, line));
+    }
+    return parsed(out.bytes());
+  } catch (const process::StoppedError&) {
+    throw;
+  } catch (const process::ProcessError& error) {
+    throw PlotError(error.what());
+  } catch (const Json::exception&) {
+    throw PlotError(fmt::format("{} answers what clca does not understand", python.string()));
+  }
 }
 
 }  // namespace
 
-fs::path template_folder() {
-  std::error_code error;
-  fs::path folder = process::data_folder("plots");
-  if (!fs::exists(folder / kStyleFile, error)) {
-    throw PlotError(fmt::format("no templates of figures in {}", folder.string()));
-  }
-  return folder;
+std::vector<Picture> pictures(const fs::path& folder, const std::vector<std::string>& only,
+                              const Choice& choice, const Appearance& appearance,
+                              const std::atomic<int>* stop) {
+  return drawn(folder, {{"only", only}, {"choice", to_json(choice)}, {"look", to_json(appearance)}},
+               stop)
+      .first;
 }
 
-const char* ending(Format format) {
-  constexpr std::array kEndings = {"png", "svg", "pdf"};
-  return kEndings[static_cast<std::size_t>(format)];
-}
-
-std::vector<std::uint8_t> draw(const Figure& figure, const Appearance& appearance,
-                               const std::atomic<int>* stop) {
-  const Canvas canvas = canvas_of(appearance);
-  const auto line = static_cast<std::size_t>(0.9 * canvas.width / canvas.letter);
-  const std::string commands = fmt::format(
-      "{} title = {}; line_length = {}; name = {}; format = '{}'; width = {}; height = {}; "
-      "height_is_free = {}; dots = {}",
-      figure.setting, lines_of(figure.title, line), line, literal(identifier(figure.name)),
-      ending(appearance.format), canvas.width, canvas.height, appearance.height ? 0 : 1,
-      canvas.dots);
-  const fs::path program = find_gnuplot();
-  try {
-    std::vector<std::uint8_t> bytes =
-        gnuplot(program, figure.run, commands,
-                {figure.script.parent_path() / kStyleFile, figure.script}, stop);
-    if (appearance.format == Format::svg) {
-      escape_section_ends(bytes);
-    }
-    if (!is_whole(bytes, appearance.format)) {
-      throw PlotError("gnuplot leaves no whole picture");
-    }
-    return bytes;
-  } catch (const PlotError& error) {
-    throw PlotError(fmt::format("{}: {}", figure.name, error.what()));
-  }
+std::pair<std::vector<Picture>, std::vector<std::string>> pictures_of_page(
+    const fs::path& folder, const Appearance& appearance, std::size_t most) {
+  return drawn(folder,
+               {{"choice", to_json(Choice())}, {"look", to_json(appearance)}, {"report", most}},
+               nullptr);
 }
 
 }  // namespace clca::plot

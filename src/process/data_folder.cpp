@@ -2,7 +2,10 @@
 
 #include <dlfcn.h>
 
+#include <cstdlib>
 #include <system_error>
+
+#include "clca/process/program.hpp"
 
 namespace clca::process {
 
@@ -21,7 +24,7 @@ fs::path own_file() {
   return library.extension() == ".so" ? library : program;
 }
 
-/// Others could put templates there, which gnuplot would run.
+/// Others could put modules there, which Python would run.
 bool is_writable_by_others(const fs::path& folder) {
   std::error_code error;
   return (fs::status(folder, error).permissions() & fs::perms::others_write) != fs::perms::none;
@@ -40,6 +43,22 @@ fs::path data_folder(const fs::path& what) {
     }
   }
   return fs::path(CLCA_DATA) / what;
+}
+
+fs::path python() {
+  constexpr const char* kOfSystem = "/usr/bin/python3";
+  std::error_code error;
+  const char* chosen = std::getenv("CLCA_PYTHON");  // NOLINT(concurrency-mt-unsafe)
+  if (chosen != nullptr && *chosen != '\0') {
+    return chosen;
+  }
+  if (fs::exists(kOfSystem, error)) {
+    return kOfSystem;
+  }
+  if (const auto found = find_program("python3")) {
+    return *found;
+  }
+  throw ProcessError("python3 not found; install it, or say where it is by CLCA_PYTHON");
 }
 
 std::map<std::string, fs::path> data_files(const fs::path& what, const std::string& extension) {

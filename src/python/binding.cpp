@@ -36,7 +36,6 @@ PYBIND11_MODULE(_clca, module) {
   clca::python::watch_end();
   clca::python::add_scene(module);
   clca::python::add_run(module);
-  clca::python::add_folder(module);
   clca::python::add_pictures(module);
   clca::python::add_simulation(module);
   clca::python::add_gas(module);

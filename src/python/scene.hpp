@@ -50,7 +50,6 @@ class HeldCaster : public py::detail::type_caster_base<T> {
 
 void add_scene(py::module_& module);
 void add_run(py::module_& module);
-void add_folder(py::module_& module);
 void add_gas(py::module_& module);
 void add_pictures(py::module_& module);
 void add_simulation(py::module_& module);

@@ -61,13 +61,13 @@ sweep::Plan plan_of(const std::string& source, const std::optional<std::string>&
   return sweep::plan(std::move(request), run::default_memory_limit());
 }
 
-/// (folder, keys, of each run: values, seed and folder).
-py::tuple sweep_scene(const std::string& source, const std::optional<std::string>& text,
-                      const std::vector<scene::Override>& overrides,
-                      const std::vector<VariedKeys>& varied,
-                      const std::vector<std::uint64_t>& seeds,
-                      const std::optional<std::filesystem::path>& output,
-                      const std::optional<int>& jobs) {
+/// Its folder.
+std::filesystem::path sweep_scene(const std::string& source, const std::optional<std::string>& text,
+                                  const std::vector<scene::Override>& overrides,
+                                  const std::vector<VariedKeys>& varied,
+                                  const std::vector<std::uint64_t>& seeds,
+                                  const std::optional<std::filesystem::path>& output,
+                                  const std::optional<int>& jobs) {
   Interrupt interrupt;
   Warnings warnings;
   sweep::Plan plan;
@@ -86,12 +86,7 @@ py::tuple sweep_scene(const std::string& source, const std::optional<std::string
                     .warning = warnings.take()});
   });
   warnings.issue();
-  py::list runs;
-  for (std::size_t run = 0; run < plan.run_count(); ++run) {
-    runs.append(
-        py::make_tuple(plan.variant(run).values, plan.seed(run), folder / "runs" / plan.name(run)));
-  }
-  return py::make_tuple(folder, plan.keys(), runs);
+  return folder;
 }
 
 }  // namespace

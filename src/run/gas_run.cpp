@@ -316,6 +316,7 @@ void GasRun::complete_summary(store::RunSummary& summary) const {
   summary.ranks = ranks_.size();
   summary.particles = scene_.particles * scene_.ensemble;
   summary.steps = steps_;
+  summary.tables = gas_summary(scene_);
   summary.step_seconds = summary.wall_seconds;
   summary.rate = collisions_ / std::max(summary.wall_seconds, kMinSeconds);
   summary.state_hash = hash_.value();

@@ -280,6 +280,13 @@ std::vector<PlannedFile> gas_files(const GasScene& scene) {
   return files;
 }
 
+std::vector<store::TableSummary> gas_summary(const GasScene& scene) {
+  const TableScope scope = table_scope(scene);
+  return {{"series", Series(scope, gas_series_table(scene)).summary()},
+          {"histogram", Histogram(scope, gas_histogram_table(scene)).summary()},
+          {"closure", Closure(scope, gas_closure_table(scene)).summary()}};
+}
+
 void write_tables(const GasScene& scene, const std::vector<GasCase>& cases,
                   const store::OutputFolder& folder) {
   const std::vector<GasTime> times = gas_times(scene);

@@ -156,6 +156,7 @@ class Observers {
   }
 
   std::vector<PlannedFile> files() const;
+  std::vector<store::TableSummary> summary() const;
   void open(const store::RunFolder& folder, const grains::State& now);
   void begin_stage(const StageView& now) { call(&Observer::begin_stage, now); }
   void after_step(const StageView& now);

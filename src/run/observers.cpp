@@ -68,6 +68,14 @@ std::vector<PlannedFile> Observers::files() const {
   return files;
 }
 
+std::vector<store::TableSummary> Observers::summary() const {
+  std::vector<store::TableSummary> all;
+  for (const RunTable* table : tables_) {
+    all.emplace_back(table->info().name, table->summary());
+  }
+  return all;
+}
+
 void Observers::open(const store::RunFolder& folder, const grains::State& now) {
   for (RunTable* table : tables_) {
     table->open(folder.files());

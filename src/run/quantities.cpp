@@ -202,6 +202,54 @@ KnownQuantities known_quantities(const store::RunSummary& summary) {
           .derived = summary.derived};
 }
 
+store::ColumnSummary column_summary(const std::string& key,
+                                    const std::optional<ShownQuantity>& found) {
+  return found ? store::ColumnSummary{.key = key,
+                                      .name = found->name,
+                                      .of = found->of,
+                                      .unit = found->unit,
+                                      .meaning = found->meaning,
+                                      .of_floor = found->of_floor}
+               : store::ColumnSummary{.key = key, .name = key};
+}
+
+std::vector<store::ColumnSummary> sweep_summary(const std::vector<std::string>& columns,
+                                                const KnownQuantities& known) {
+  std::vector<store::ColumnSummary> result;
+  for (const std::string& key : columns) {
+    const auto of_stage = known.find(key.substr(key.find('.') + 1));
+    result.push_back(column_summary(key, of_stage ? of_stage : known.find(key)));
+  }
+  return result;
+}
+
+std::vector<store::ColumnSummary> RunTable::summary() const {
+  std::vector<store::ColumnSummary> result;
+  const auto add = [&](const std::string& name, const Quantity& quantity, std::string_view of) {
+    result.push_back({.key = name,
+                      .name = std::string(quantity.name),
+                      .of = std::string(of),
+                      .unit = shown_unit(quantity.unit, scope_.conversion),
+                      .meaning = std::string(quantity.meaning)});
+  };
+  for (const std::string& name : table_.columns()) {
+    const auto column = std::ranges::find_if(info_.columns, [&](const ColumnInfo& info) {
+      return std::ranges::count(info.names(), name) > 0;
+    });
+    const std::string_view whole = std::string_view(name).substr(0, name.find('.'));
+    const auto of_each = std::ranges::find_if(
+        info_.of_each, [&](const auto& entry) { return entry.first.key == whole; });
+    if (column != info_.columns.end()) {
+      add(name, column->quantity, part_of_vector(column->quantity, name));
+    } else if (of_each != info_.of_each.end()) {
+      add(name, of_each->first, std::string_view(name).substr(whole.size() + 1));
+    } else {
+      result.push_back(column_summary(name, std::nullopt));
+    }
+  }
+  return result;
+}
+
 std::string shown_unit(std::string_view unit, const std::optional<scene::Conversion>& units) {
   if (const auto si = units ? units->si(unit) : std::nullopt) {
     return std::string(si->name);

@@ -204,7 +204,8 @@ void Run::end_stage(StageEnd end) {
                       .steps = history_.steps,
                       .ended = to_text(end),
                       .measures = stage_measures(view()),
-                      .notes = slope_notes(scene_, model_)});
+                      .notes = slope_notes(scene_, model_),
+                      .fills = stage().fill.has_value()});
   const std::string time =
       conversion_ ? fmt::format(" ({})", conversion_->time_text(history_.steps)) : "";
   log().info(fmt::format("stage {}: {} steps{}, ended: {}", stage().name, history_.steps, time,
@@ -271,6 +272,12 @@ void Run::complete_summary(store::RunSummary& summary) const {
                  .top = high.y(),
                  .periodic = lattice.periodic()};
   summary.derived = scene_.derived;
+  summary.tables = observers_.summary();
+  const auto& kinds = model_.state().kinds;
+  const std::vector<int> degrees = scene::degrees_of(scene_, kinds);
+  for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
+    summary.kinds.push_back({scene_.species[kinds[kind].species].name, degrees[kind]});
+  }
   if (scene_.begin) {
     summary.begin = {.run = scene_.begin->run,
                      .step = scene_.begin->step,

@@ -6,9 +6,12 @@
 #include <cerrno>
 #include <cstring>
 #include <memory>
+#include <set>
+#include <string>
 #include <system_error>
 #include <utility>
 
+#include "clca/run/quantity.hpp"
 #include "clca/store/file.hpp"
 
 namespace clca::run {
@@ -188,6 +191,15 @@ store::RunSummary RunBase::summary(const std::string& status) const {
   summary.wall_seconds = wall_seconds();
   summary.stages = stages_;
   complete_summary(summary);
+  const KnownQuantities known = known_quantities(summary);
+  std::set<std::string> keys;
+  for (const store::StageSummary& stage : summary.stages) {
+    for (const auto& [key, value] : stage.measures) {
+      if (keys.insert(key).second) {
+        summary.measures.push_back(column_summary(key, known.find(key)));
+      }
+    }
+  }
   return summary;
 }
 

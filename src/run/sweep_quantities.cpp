@@ -30,6 +30,14 @@ const std::vector<Quantity>& sweep_quantities() {
   return kAll;
 }
 
+std::vector<std::string> sweep_measures() {
+  std::vector<std::string> keys;
+  for (const Quantity& quantity : sweep_quantities()) {
+    keys.emplace_back(quantity.key);
+  }
+  return keys;
+}
+
 const std::vector<TableInfo>& sweep_tables() {
   static constexpr Quantity kVaried = {"KEY", "Value", "", "of each key that varies"};
   static const std::vector<TableInfo> kAll = [] {

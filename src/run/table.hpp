@@ -19,6 +19,7 @@
 #include "clca/scene/units.hpp"
 #include "clca/statistics/sample.hpp"
 #include "clca/store/growing_file.hpp"
+#include "clca/store/summary.hpp"
 #include "clca/store/table.hpp"
 
 namespace clca::run {
@@ -159,6 +160,8 @@ class RunTable {
  public:
   const TableInfo& info() const { return info_; }
   std::vector<PlannedFile> files() const;
+  /// What its columns are.
+  std::vector<store::ColumnSummary> summary() const;
 
   /// Bytes of a growing table that are on the disk when a run resumes.
   std::uint64_t& bytes() { return bytes_; }

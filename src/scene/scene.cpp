@@ -39,4 +39,21 @@ bool pictures_compare_positions(const Scene& scene) {
                     (frames->color_by == ColorBy::speed && scene.model != Model::contact));
 }
 
+std::vector<int> degrees_of(const Scene& scene, const std::vector<grains::Kind>& kinds) {
+  constexpr int kSixth = 60;
+  std::vector<int> result;
+  for (const grains::Kind& kind : kinds) {
+    const Species& species = scene.species[kind.species];
+    if (scene.model == Model::baxter) {
+      result.push_back(kSixth * static_cast<int>(result.size() % baxter::kAxes));
+      continue;
+    }
+    const auto found = std::ranges::find_if(species.orientations, [&](int degrees) {
+      return species.shape.rotated(degrees / kSixth).congruent(kind.shape);
+    });
+    result.push_back(found != species.orientations.end() ? *found : 0);
+  }
+  return result;
+}
+
 }  // namespace clca::scene

@@ -97,6 +97,7 @@ StageSummary stage(const Json& object) {
   for (const auto& [name, value] : field(object, "measures", &Json::is_object).items()) {
     summary.measures.emplace_back(name, measure(value));
   }
+  summary.fills = object.contains("fills");
   if (object.contains("notes")) {
     for (const Json& note : field(object, "notes", &Json::is_array)) {
       if (!note.is_string()) {

@@ -74,13 +74,55 @@ Json to_object(const StageSummary& stage, const std::optional<scene::Conversion>
   add_time(object, stage.steps, units);
   object["ended"] = stage.ended;
   object["measures"] = std::move(measures);
+  if (stage.fills) {
+    object["fills"] = true;
+  }
   if (!stage.notes.empty()) {
     object["notes"] = stage.notes;
   }
   return object;
 }
 
+Json to_object(const KindSummary& kind) {
+  return {{"species", kind.species}, {"degrees", kind.degrees}};
+}
+
+Json to_object(const ColumnSummary& column) {
+  Json object = {{"key", column.key}, {"name", column.name}};
+  for (const auto& [key, text] :
+       {std::pair("of", column.of), {"unit", column.unit}, {"meaning", column.meaning}}) {
+    if (!text.empty()) {
+      object[key] = text;
+    }
+  }
+  if (column.of_floor) {
+    object["of_floor"] = true;
+  }
+  return object;
+}
+
+template <class Item>
+Json list_of(const std::vector<Item>& items) {
+  Json list = Json::array();
+  for (const Item& item : items) {
+    list.push_back(to_object(item));
+  }
+  return list;
+}
+
 }  // namespace
+
+Json to_list(const std::vector<ColumnSummary>& measures) {
+  return list_of(measures);
+}
+
+Json to_object(const std::vector<TableSummary>& tables) {
+  Json object = Json::object();
+  for (const auto& [name, columns] : tables) {
+    object[name] = to_list(columns);
+  }
+  return object;
+}
 
 const char* rate_key(std::string_view kind) {
   return kind == "boltzmann" ? "collisions_per_second" : "particle_updates_per_second";
@@ -117,6 +159,9 @@ std::string to_json(const RunSummary& summary) {
   object["state_hash"] = fmt::format("{:016x}", summary.state_hash);
   object["build"] = {{"compiler", summary.compiler}, {"type", summary.build_type}};
   object["stages"] = std::move(stages);
+  object["kinds"] = list_of(summary.kinds);
+  object["measures"] = to_list(summary.measures);
+  object["tables"] = to_object(summary.tables);
   constexpr int kIndent = 2;
   return object.dump(kIndent) + '\n';
 }

@@ -13,6 +13,7 @@
 #include "clca/run/quantity.hpp"
 #include "clca/statistics/sample.hpp"
 #include "clca/store/file.hpp"
+#include "clca/store/run_folder.hpp"
 #include "clca/store/table.hpp"
 #include "sweep/tables.hpp"
 
@@ -275,18 +276,18 @@ std::optional<store::Table> mean_table(const Averaged& what, const Names& keys,
   return table;
 }
 
-/// `series.csv`, or `profile-flow.csv` for each stage of some run.
-std::set<std::string> files_of(const Averaged& what, const std::vector<Result>& results) {
+/// `series`, or `profile-flow` for each stage of some run.
+std::set<std::string> tables_of(const Averaged& what, const std::vector<Result>& results) {
   if (!what.begin.ends_with('-')) {
-    return {what.begin + ".csv"};
+    return {what.begin};
   }
-  std::set<std::string> files;
+  std::set<std::string> names;
   for (const Result& result : results) {
     for (const store::StageSummary& stage : result.summary.stages) {
-      files.insert(what.begin + stage.name + ".csv");
+      names.insert(what.begin + stage.name);
     }
   }
-  return files;
+  return names;
 }
 
 }  // namespace
@@ -301,7 +302,7 @@ std::vector<NamedTable> mean_tables(
     Means means = {.variant = &plan.variants[variant]};
     std::vector<ReadCurves> runs;
     for (std::size_t run = variant * seeds; run < (variant + 1) * seeds; ++run) {
-      const fs::path path = folder_of(run) / file;
+      const fs::path path = folder_of(run) / store::table_name(file);
       std::error_code error;
       if (results[run].status != Status::done || !fs::exists(path, error)) {
         continue;
@@ -322,13 +323,13 @@ std::vector<NamedTable> mean_tables(
     return means;
   };
   for (const Averaged& what : averaged_tables()) {
-    for (const std::string& file : files_of(what, results)) {
+    for (const std::string& file : tables_of(what, results)) {
       std::vector<Means> all;
       for (std::size_t variant = 0; variant < plan.variants.size(); ++variant) {
         all.push_back(means_of(what, file, variant));
       }
-      if (const auto table = mean_table(what, plan.keys(), all)) {
-        tables.push_back({"mean-" + file, table->to_csv()});
+      if (auto table = mean_table(what, plan.keys(), all)) {
+        tables.push_back({"mean-" + file, *std::move(table)});
       }
     }
   }

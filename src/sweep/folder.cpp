@@ -19,16 +19,22 @@ constexpr const char* kRuns = "runs.csv";
 constexpr const char* kMeasures = "measures.csv";
 constexpr const char* kOverview = "overview.png";
 
-std::string to_json(const Plan& plan) {
+std::string to_json(const Plan& plan, const std::vector<store::TableSummary>& tables,
+                    const std::vector<store::ColumnSummary>& measures) {
   using Json = nlohmann::ordered_json;
   Json variations = Json::array();
   for (const Variation& variation : plan.request.variations) {
     variations.push_back({{"keys", variation.keys}, {"rows", variation.rows}});
   }
-  const Json object = {{"clca", run::version()},        {"scene", plan.request.scene.string()},
-                       {"title", plan.title()},         {"set", plan.request.overrides},
-                       {"vary", std::move(variations)}, {"seeds", to_text(plan.request.seeds)},
-                       {"runs", plan.run_count()}};
+  const Json object = {{"clca", run::version()},
+                       {"scene", plan.request.scene.string()},
+                       {"title", plan.title()},
+                       {"set", plan.request.overrides},
+                       {"vary", std::move(variations)},
+                       {"seeds", to_text(plan.request.seeds)},
+                       {"runs", plan.run_count()},
+                       {"measures", store::to_list(measures)},
+                       {"tables", store::to_object(tables)}};
   constexpr int kIndent = 2;
   // Names of files need not be UTF-8.
   return object.dump(kIndent, ' ', false, Json::error_handler_t::replace) + '\n';
@@ -47,14 +53,20 @@ SweepFolder::SweepFolder(const fs::path& path) : files_(path) {
 }
 
 void SweepFolder::begin(const Plan& plan) const {
-  files_.write("sweep.json", to_json(plan));
+  write_request(plan, {}, {});
   files_.remove(kOverview);
   files_.make_folder("runs");
 }
 
-void SweepFolder::write_tables(const std::string& runs, const std::string& measures) const {
-  files_.write(kRuns, runs);
-  files_.write(kMeasures, measures);
+void SweepFolder::write_request(const Plan& plan, const std::vector<store::TableSummary>& tables,
+                                const std::vector<store::ColumnSummary>& measures) const {
+  files_.write("sweep.json", to_json(plan, tables, measures));
+}
+
+void SweepFolder::write_tables(const std::vector<NamedTable>& tables) const {
+  for (const NamedTable& table : tables) {
+    files_.write(store::table_name(table.name), table.table.to_csv());
+  }
 }
 
 void SweepFolder::write_means(const std::vector<NamedTable>& means) const {
@@ -63,14 +75,14 @@ void SweepFolder::write_means(const std::vector<NamedTable>& means) const {
   for (fs::directory_iterator it(files_.path(), error), end; !error && it != end;
        it.increment(error)) {
     const std::string name = it->path().filename().string();
-    if (name.starts_with("mean-") && std::ranges::count(means, name, &NamedTable::name) == 0) {
+    const bool is_new = std::ranges::any_of(
+        means, [&name](const NamedTable& table) { return store::table_name(table.name) == name; });
+    if (name.starts_with("mean-") && !is_new) {
       old.push_back(name);
     }
   }
   std::ranges::for_each(old, [this](const std::string& name) { files_.remove(name); });
-  for (const NamedTable& table : means) {
-    files_.write(table.name, table.csv);
-  }
+  write_tables(means);
 }
 
 void SweepFolder::write_overview(const std::vector<std::uint8_t>& png) const {

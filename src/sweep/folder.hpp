@@ -31,7 +31,10 @@ class SweepFolder {
   }
   /// Also removes those that `means` does not have.
   void write_means(const std::vector<NamedTable>& means) const;
-  void write_tables(const std::string& runs, const std::string& measures) const;
+  void write_tables(const std::vector<NamedTable>& tables) const;
+  /// The request, with what the columns of the tables are, and the measures that no run has.
+  void write_request(const Plan& plan, const std::vector<store::TableSummary>& tables,
+                     const std::vector<store::ColumnSummary>& measures) const;
   void write_overview(const std::vector<std::uint8_t>& png) const;
 
  private:

@@ -13,6 +13,7 @@
 
 #include "clca/image/png.hpp"
 #include "clca/render/painter.hpp"
+#include "clca/run/quantity.hpp"
 #include "clca/run/run.hpp"
 #include "clca/store/file.hpp"
 #include "clca/store/folder_lock.hpp"
@@ -157,7 +158,8 @@ class Sweep {
   void look_elsewhere();
   void tell_shares(const std::vector<std::size_t>& runs) const;
   void show_progress();
-  void write_tables();
+  /// `means`: those that are there already.
+  void write_tables(const std::vector<NamedTable>& means = {});
   void refresh_tables();
   void write_overview();
 
@@ -201,10 +203,11 @@ Progress Sweep::execute() {
     throw store::StoreError(store_error_);
   }
   if (!options_.part) {
-    write_tables();
-    folder_.write_means(mean_tables(
+    const auto means = mean_tables(
         plan_, results_, [this](std::size_t run) { return folder_.run(plan_.name(run)); },
-        [this](const std::string& line) { tell(events_.warning, line); }));
+        [this](const std::string& line) { tell(events_.warning, line); });
+    folder_.write_means(means);
+    write_tables(means);
     write_overview();
   }
   return progress_;
@@ -341,8 +344,20 @@ void Sweep::show_progress() {
   }
 }
 
-void Sweep::write_tables() {
-  folder_.write_tables(runs_table(plan_, results_), measures_table(plan_, results_));
+void Sweep::write_tables(const std::vector<NamedTable>& means) {
+  const std::vector<NamedTable> tables = {runs_table(plan_, results_),
+                                          measures_table(plan_, results_)};
+  folder_.write_tables(tables);
+  const auto done = std::ranges::find(results_, Status::done, &Result::status);
+  auto known = run::known_quantities(done != results_.end() ? done->summary : store::RunSummary());
+  known.of = run::KnownQuantities::Of::sweep;
+  std::vector<store::TableSummary> summaries;
+  for (const auto* list : {&tables, &means}) {
+    for (const NamedTable& table : *list) {
+      summaries.emplace_back(table.name, run::sweep_summary(table.table.columns(), known));
+    }
+  }
+  folder_.write_request(plan_, summaries, run::sweep_summary(run::sweep_measures(), known));
 }
 
 /// Every so often, and never for more than a small part of the time.

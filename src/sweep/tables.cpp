@@ -181,7 +181,7 @@ std::vector<store::Cell> value_cells(const std::vector<std::string>& values) {
   return cells;
 }
 
-std::string runs_table(const Plan& plan, const std::vector<Result>& results) {
+NamedTable runs_table(const Plan& plan, const std::vector<Result>& results) {
   const Measures measures(results, 0, results.size());
   std::vector<std::string> names;
   for (const auto& [stage, measure] : measures.keys()) {
@@ -191,16 +191,16 @@ std::string runs_table(const Plan& plan, const std::vector<Result>& results) {
   for (std::size_t run = 0; run < results.size(); ++run) {
     table.add_row(run_row(plan, run, results[run], measures));
   }
-  return table.to_csv();
+  return {"runs", std::move(table)};
 }
 
-std::string measures_table(const Plan& plan, const std::vector<Result>& results) {
+NamedTable measures_table(const Plan& plan, const std::vector<Result>& results) {
   store::Table table(run::sweep_columns("measures", {{"KEY", plan.keys()}}));
   const std::size_t seeds = plan.request.seeds.size();
   for (std::size_t i = 0; i < plan.variants.size(); ++i) {
     add_statistics(table, plan.variants[i].values, results, i * seeds, (i + 1) * seeds);
   }
-  return table.to_csv();
+  return {"measures", std::move(table)};
 }
 
 }  // namespace clca::sweep

@@ -33,18 +33,18 @@ struct Result {
 /// formula; a quote in front keeps it text.
 std::vector<store::Cell> value_cells(const std::vector<std::string>& values);
 
-/// runs.csv: a row for each run of the plan; `results` in the order of the plan.
-std::string runs_table(const Plan& plan, const std::vector<Result>& results);
-
-/// measures.csv: statistics over the completed runs for each combination, stage and measure.
-std::string measures_table(const Plan& plan, const std::vector<Result>& results);
-
 struct NamedTable {
-  std::string name;  ///< of the file
-  std::string csv;
+  std::string name;  ///< of the file without its ending
+  store::Table table;
 };
 
-/// mean-series.csv, mean-probes.csv and so on: each column with its mean and its standard error
+/// A row for each run of the plan; `results` in the order of the plan.
+NamedTable runs_table(const Plan& plan, const std::vector<Result>& results);
+
+/// Statistics over the completed runs for each combination, stage and measure.
+NamedTable measures_table(const Plan& plan, const std::vector<Result>& results);
+
+/// mean-series, mean-probes and so on: each column with its mean and its standard error
 /// over the completed runs, `results` in the order of the plan. Tables of time begin with each
 /// stage and go as far as all runs of a combination do. `folder_of` a run of the plan. What cannot
 /// be read is left out, with a line to `warning`.

@@ -291,9 +291,6 @@ class UnmadeTest(unittest.TestCase):
                      lambda: clca.Simulation.__new__(clca.Simulation).step(1)):
             with self.assertRaises((TypeError, AttributeError)):
                 call()
-        from clca import _clca
-        with self.assertRaises(TypeError):
-            _clca.Trajectory.__new__(_clca.Trajectory).frames()
 
 
 if __name__ == "__main__":

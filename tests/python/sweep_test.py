@@ -54,7 +54,7 @@ class SweepTest(ScratchTest):
         numpy.testing.assert_allclose(part["mean"], cells.mean(0))
         numpy.testing.assert_allclose(part["standard_error"], cells.std(0, ddof=1) / 3**0.5)
         self.assertEqual(set(part["runs"]), {3})
-        table = sweep._table("mean-series")
+        table = sweep.table("mean-series")
         own = table[(table["stage"] == "flow") & (table["rules.inertia"] == 0.9)]
         self.assertEqual(own["mean_height_se"].tolist(), part["standard_error"].tolist())
         sparse = clca.sweep(SCENE, seeds=range(1, 4), set={"output.series.every": 4}, output="sparse").series("flow", "mean_height")

@@ -69,6 +69,15 @@ struct KnownQuantities {
 
 KnownQuantities known_quantities(const store::RunSummary& summary);
 
+/// A measure or a column, in words. `found`: what is known of it, if anything.
+store::ColumnSummary column_summary(const std::string& key,
+                                    const std::optional<ShownQuantity>& found);
+/// The columns of a table of a sweep over runs: `known` of these.
+std::vector<store::ColumnSummary> sweep_summary(const std::vector<std::string>& columns,
+                                                const KnownQuantities& known);
+/// Measures that only a sweep has.
+std::vector<std::string> sweep_measures();
+
 /// `unit` with the unit of velocity for `spacings/step`, that of time for `time` and that of
 /// scene::Conversion::si() for one of masses, where a run has them.
 std::string shown_unit(std::string_view unit, const std::optional<scene::Conversion>& units);

@@ -15,6 +15,7 @@
 #include "clca/contact/parameters.hpp"
 #include "clca/grains/fill.hpp"
 #include "clca/grains/motion.hpp"
+#include "clca/grains/state.hpp"
 #include "clca/image/image.hpp"
 #include "clca/lattice/picture.hpp"
 #include "clca/lattice/region.hpp"
@@ -296,5 +297,8 @@ bool pictures_show_forces(const Scene& scene);
 /// Whether its pictures show velocities that follow from the positions of particles at the picture
 /// before.
 bool pictures_compare_positions(const Scene& scene);
+
+/// Orientations of kinds of particles, clockwise: the first of the species that looks like this.
+std::vector<int> degrees_of(const Scene& scene, const std::vector<grains::Kind>& kinds);
 
 }  // namespace clca::scene

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -30,6 +31,7 @@ struct StageSummary {
   std::string ended;  ///< settled, stalled, steps, discharged, cycles, bound or interrupted
   std::vector<NamedMeasure> measures;
   std::vector<std::string> notes = {};  ///< why a measure has no value
+  bool fills = false;                   ///< particles are filled in
 };
 
 /// The state of another run that a run began with.
@@ -46,6 +48,24 @@ struct BoxSummary {
   double floor = 0;
   double top = 0;
   bool periodic = false;
+};
+
+/// What a measure of run.json or a column of a table is.
+struct ColumnSummary {
+  std::string key;      ///< in run.json, or the name of the column
+  std::string name;     ///< in words; as the key where nothing is known of it
+  std::string of = {};  ///< the outlet or wall that it is of, or x, y of a vector; empty: the whole
+  std::string unit = {};     ///< as the run has it; of a pure number empty
+  std::string meaning = {};  ///< may be empty
+  bool of_floor = false;  ///< along or above the floor of the vessel: says little if it is turned
+};
+/// The columns of NAME.csv, or of NAME-STAGE.csv.
+using TableSummary = std::pair<std::string, std::vector<ColumnSummary>>;
+
+/// A species in one of its orientations.
+struct KindSummary {
+  std::string species;
+  int degrees = 0;  ///< clockwise
 };
 
 struct RunSummary {
@@ -70,6 +90,10 @@ struct RunSummary {
   std::string compiler;
   std::string build_type;
   std::vector<StageSummary> stages;
+  // For those who read the folder; read_summary() leaves them out.
+  std::vector<KindSummary> kinds = {};
+  std::vector<ColumnSummary> measures = {};
+  std::vector<TableSummary> tables = {};
 };
 
 /// Key of the rate in run.json: collisions (pairs) per second for the Boltzmann equation, particle
@@ -77,6 +101,9 @@ struct RunSummary {
 const char* rate_key(std::string_view kind);
 
 std::string to_json(const RunSummary& summary);
+/// The parts of run.json and of sweep.json that say what measures and columns are.
+nlohmann::ordered_json to_list(const std::vector<ColumnSummary>& measures);
+nlohmann::ordered_json to_object(const std::vector<TableSummary>& tables);
 
 /// Parses a run.json; `name` is used in messages. Throws StoreError if it is not complete and
 /// valid.

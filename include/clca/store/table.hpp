@@ -28,6 +28,7 @@ class Table {
   /// Returns the rows added since the last call.
   std::string take() { return std::exchange(rows_, {}); }
   std::string header() const;
+  const std::vector<std::string>& columns() const { return columns_; }
 
  private:
   std::vector<std::string> columns_;

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import json
 import operator
 import os
-from collections.abc import Iterable
+import re
+from collections.abc import Iterable, Mapping
 from itertools import islice
 from pathlib import Path
 from typing import Any, TypeVar
+
+import numpy
 
 from ._error import ArgumentError
 
@@ -50,3 +54,24 @@ def at_most_runs(name: str, values: Iterable[T]) -> list[T]:
     if len(taken) > MOST_RUNS:
         raise ArgumentError(f"{name}: more than {MOST_RUNS} runs")
     return taken
+
+
+def plain(value: Any) -> Any:
+    """A value as a scene file has it, for JSON, which is YAML; None is `none`."""
+    if value is None:
+        return "none"
+    if isinstance(value, Mapping):
+        return {key: plain(one) for key, one in value.items()}
+    if isinstance(value, (list, tuple, range)):
+        return [plain(one) for one in value]
+    if isinstance(value, (numpy.generic, numpy.ndarray)):
+        return plain(value.tolist())
+    return os.fspath(value) if isinstance(value, os.PathLike) else value
+
+
+def to_yaml(value: Any, indent: int | None = None) -> str:
+    """A value in the syntax of a scene. Throws TypeError for one that a scene cannot have."""
+    value = plain(value)
+    if isinstance(value, str) and re.fullmatch(r"(?!(true|false|null)$)[A-Za-z_]+", value):
+        return value  # as one writes it, also in tables and names of folders
+    return json.dumps(value, ensure_ascii=False, indent=indent)

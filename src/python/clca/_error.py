@@ -16,6 +16,7 @@ class Error(Exception):
     column: int | None = None
 
     def __init__(self, text: str) -> None:
+        text = text.encode(errors="surrogateescape").decode(errors="backslashreplace")  # names of files
         super().__init__(text)
         self.message = text
         location = re.fullmatch(r"(.+?):(\d+):(\d+): error: (.*)", text, re.DOTALL)
@@ -26,3 +27,10 @@ class Error(Exception):
 
 class ArgumentError(Error, ValueError):
     """An argument is wrong."""
+
+
+class CompiledPartError(Error, ImportError):
+    """What was asked for needs the compiled module, which is not there."""
+
+    def __init__(self, what: str, reason: ImportError) -> None:
+        super().__init__(f"{what} needs the compiled part of clca, which cannot be loaded: {reason}")

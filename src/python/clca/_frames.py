@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from functools import cached_property
-from typing import Any, NamedTuple, overload
+from typing import Any, NamedTuple, Protocol, overload
 
 import numpy
 from numpy.typing import NDArray
 
-from . import _clca
+#: Step, particles, shifts of walls (None: not there), contacts.
+FrameData = tuple[int, NDArray[numpy.void], list[tuple[float, float] | None], NDArray[numpy.void]]
 
 
 class Kind(NamedTuple):
@@ -26,16 +27,21 @@ def read_only(array: NDArray[Any]) -> NDArray[Any]:
     return array
 
 
-class Look:
+class Look(NamedTuple):
     """What all frames of a run share."""
 
-    def __init__(self, source: _clca.Trajectory | _clca.Simulation) -> None:
-        self.kinds = [Kind(*kind) for kind in source._kinds()]
-        self.walls: dict[str, NDArray[numpy.float64]] = dict(source._walls())
-        self.units: dict[str, tuple[str, float]] = source._units()
-        self.bodies = source._body_names()
-        self.species = read_only(numpy.array([kind.species for kind in self.kinds]))
-        self.degrees = read_only(numpy.array([kind.degrees for kind in self.kinds]))
+    kinds: list[Kind]
+    walls: dict[str, NDArray[numpy.float64]]  #: of each its sites at home
+    units: dict[str, tuple[str, float]]  #: of time and velocity: what a step, a spacing a step is in it
+    bodies: dict[int, str]  #: what `other` of a contact is
+
+    @property
+    def species(self) -> NDArray[numpy.str_]:
+        return numpy.array([kind.species for kind in self.kinds])
+
+    @property
+    def degrees(self) -> NDArray[numpy.int_]:
+        return numpy.array([kind.degrees for kind in self.kinds])
 
 
 class Frame:
@@ -44,7 +50,7 @@ class Frame:
     Lengths are in lattice spacings from the lower left site; x goes right, y goes up.
     """
 
-    def __init__(self, look: Look, step: int, stage: str, load: Callable[[], _clca._FrameData]) -> None:
+    def __init__(self, look: Look, step: int, stage: str, load: Callable[[], FrameData]) -> None:
         self._look = look
         self._load = load
         self.step = step
@@ -54,7 +60,7 @@ class Frame:
         return f"<frame of step {self.step}, stage {self.stage}>"
 
     @cached_property
-    def _data(self) -> _clca._FrameData:
+    def _data(self) -> FrameData:
         return self._load()
 
     @property
@@ -89,7 +95,8 @@ class Frame:
 
     @property
     def angular_velocities(self) -> NDArray[numpy.float64]:
-        """N: anticlockwise, radians per unit of `time`; 0 but of the contact model. NaN of a file of an earlier version."""
+        """N: anticlockwise, radians per unit of `time`; 0 but of the contact model. NaN of a file of an earlier version.
+        """
         return self.particles["angular_velocity"]
 
     @property
@@ -135,22 +142,31 @@ class Frame:
 
     @property
     def contact_names(self) -> NDArray[numpy.str_]:
-        """C: what `other` of `contacts` is: the name of a wall, `box.floor`, `box.top`, `box.left` or `box.right`; empty for
-        a particle.
+        """C: what `other` of `contacts` is: the name of a wall, `box.floor`, `box.top`, `box.left` or `box.right`; empty
+        for a particle.
         """
         names = [self._look.bodies.get(other, "") for other in self.contacts["other"].tolist()]
         return read_only(numpy.array(names, dtype=str))
 
 
+class Source(Protocol):
+    """Where frames come from."""
+
+    look: Look
+    list: list[tuple[int, str]]  #: step and stage of each
+
+    def frame(self, number: int) -> FrameData: ...
+
+
 class Frames(Sequence[Frame]):
     """The frames of a trajectory, each step once; what a frame has is read when it is asked for."""
 
-    def __init__(self, trajectory: _clca.Trajectory) -> None:
-        self._trajectory = trajectory
-        self._list = trajectory.frames()
-        self._look = Look(trajectory)
+    def __init__(self, source: Source) -> None:
+        self._source = source
+        self._list = source.list
+        self._look = source.look
         #: F: of each frame
-        self.steps = read_only(numpy.array([step for step, _, _ in self._list], dtype=numpy.uint64))
+        self.steps = read_only(numpy.array([step for step, _ in self._list], dtype=numpy.uint64))
 
     def __len__(self) -> int:
         return len(self._list)
@@ -166,8 +182,8 @@ class Frames(Sequence[Frame]):
         if not -len(self) <= number < len(self):
             raise IndexError(f"no frame {number}; there are {len(self)}, at() takes steps")
         position = number % len(self)
-        step, stage, _ = self._list[position]
-        return Frame(self._look, step, stage, lambda: self._trajectory.frame(position))
+        step, stage = self._list[position]
+        return Frame(self._look, step, stage, lambda: self._source.frame(position))
 
     def at(self, step: int) -> Frame:
         """The frame of a step; KeyError if there is none."""

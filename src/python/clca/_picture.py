@@ -8,9 +8,7 @@ from typing import Any
 
 import numpy
 
-from . import _clca
-from ._arguments import path
-from ._scene import to_yaml
+from ._arguments import path, to_yaml
 
 
 class Picture(numpy.ndarray[Any, numpy.dtype[numpy.uint8]]):
@@ -18,11 +16,17 @@ class Picture(numpy.ndarray[Any, numpy.dtype[numpy.uint8]]):
 
     def _repr_png_(self) -> bytes | None:
         is_whole = self.ndim == 3 and self.shape[2] == 3 and self.dtype == numpy.uint8
-        return _clca.png(self) if is_whole else None
+        return png(self) if is_whole else None
 
     def save(self, file: str | os.PathLike[str]) -> None:
         """Writes a PNG."""
-        Path(path(file)).write_bytes(_clca.png(self))
+        Path(path(file)).write_bytes(png(self))
+
+
+def png(pixels: Picture) -> bytes:
+    from . import _clca
+
+    return _clca.png(pixels)
 
 
 def overrides(frames: dict[str, Any]) -> list[str]:

@@ -2,37 +2,12 @@
 
 from __future__ import annotations
 
-import json
 import os
-import re
 from collections.abc import Mapping
 from typing import Any
 
-import numpy
-
 from . import _clca
-from ._arguments import path
-
-
-def plain(value: Any) -> Any:
-    """A value as a scene file has it, for JSON, which is YAML; None is `none`."""
-    if value is None:
-        return "none"
-    if isinstance(value, Mapping):
-        return {key: plain(one) for key, one in value.items()}
-    if isinstance(value, (list, tuple, range)):
-        return [plain(one) for one in value]
-    if isinstance(value, (numpy.generic, numpy.ndarray)):
-        return plain(value.tolist())
-    return os.fspath(value) if isinstance(value, os.PathLike) else value
-
-
-def to_yaml(value: Any, indent: int | None = None) -> str:
-    """A value in the syntax of a scene. Throws TypeError for one that a scene cannot have."""
-    value = plain(value)
-    if isinstance(value, str) and re.fullmatch(r"(?!(true|false|null)$)[A-Za-z_]+", value):
-        return value  # as one writes it, also in tables and names of folders
-    return json.dumps(value, ensure_ascii=False, indent=indent)
+from ._arguments import path, to_yaml
 
 
 def overrides(seed: int | None, set: Mapping[str, Any] | None) -> dict[str, str]:

@@ -15,7 +15,11 @@ from ._error import Error
 from ._frames import Frame, Kind, Look
 from ._picture import Picture, overrides
 from ._scene import AnyScene, Scene
-from ._table import Table, Value
+from ._table import Quantity, Table, Value
+
+
+def look_of(source: _clca.Simulation) -> Look:
+    return Look([Kind(*kind) for kind in source._kinds()], dict(source._walls()), source._units(), source._body_names())
 
 
 class Simulation(_clca.Simulation):
@@ -48,7 +52,7 @@ class Simulation(_clca.Simulation):
 
     @cached_property
     def _look(self) -> Look:
-        return Look(self)
+        return look_of(self)
 
     @property
     def kinds(self) -> list[Kind]:
@@ -76,7 +80,7 @@ class Simulation(_clca.Simulation):
         surface, with `x` and `height` in lattice spacings. Throws Error if the scene does not have it.
         """
         if name == "profile":
-            return Table(self._profile())
+            return Table((key, cells, Quantity(*what)) for key, cells, what in self._profile())
         return {key: Value(number, *what) for key, number, what in self._measures(name)}
 
     def picture(self, **frames: Any) -> Picture:

@@ -2,16 +2,37 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from typing import Any, TypeVar
+import csv
+from collections.abc import Iterable, Mapping, Sequence
+from pathlib import Path
+from typing import Any, NamedTuple, TypeVar
 
 import numpy
 from numpy.typing import NDArray
+
+from ._error import Error
 
 T = TypeVar("T")
 
 # Columns of names, which may look like numbers. Other columns are text where a cell is no number.
 TEXT = {"stage", "species", "wall", "probe", "line", "measure", "status", "state_hash", "folder", "error"}
+
+
+class Quantity(NamedTuple):
+    """What a measure or a column is."""
+
+    name: str = ""  #: in words
+    unit: str = ""  #: empty for a pure number
+    description: str = ""
+    of: str = ""  #: the outlet or wall that it is of, or x, y of a vector; empty: the whole
+
+
+def quantities(listed: Iterable[Mapping[str, str]]) -> dict[str, Quantity]:
+    """What a list of `run.json` says of measures or columns."""
+    return {
+        one["key"]: Quantity(one["name"], one.get("unit", ""), one.get("meaning", ""), one.get("of", ""))
+        for one in listed
+    }
 
 
 class Value(float):
@@ -59,41 +80,78 @@ class Table(numpy.ndarray[Any, numpy.dtype[Any]]):
     `units` and `descriptions` are by column; empty where there is none.
     """
 
-    units: dict[str, str]
-    descriptions: dict[str, str]
+    _quantities: dict[str, Quantity]
 
-    def __new__(cls, columns: list[tuple[str, Any, tuple[str, str, str]]]) -> Table:
-        arrays = [as_array(cells) for _, cells, _ in columns]
-        names = [name for name, _, _ in columns]
-        table = numpy.empty(len(arrays[0]), [(n, a.dtype) for n, a in zip(names, arrays)]).view(cls)
-        for name, array in zip(names, arrays):
-            table[name] = array
+    def __new__(cls, columns: Iterable[tuple[str, Any, Quantity]]) -> Table:
+        columns = [(key, as_array(cells), what) for key, cells, what in columns]
+        table = numpy.empty(len(columns[0][1]), [(key, cells.dtype) for key, cells, _ in columns]).view(cls)
+        for key, cells, _ in columns:
+            table[key] = cells
         table.flags.writeable = False
-        table.units = {key: unit for key, _, (_, unit, _) in columns}
-        table.descriptions = {
-            key: ": ".join(filter(None, (name, meaning))) for key, _, (name, _, meaning) in columns
-        }
+        table._quantities = {key: what for key, _, what in columns}
         return table
 
     def __reduce__(self) -> tuple[Any, ...]:
         make, arguments, state = super().__reduce__()  # type: ignore[misc]
-        return make, arguments, (state, self.units, self.descriptions)
+        return make, arguments, (state, self._quantities)
 
     def __setstate__(self, state: Any) -> None:
-        array, self.units, self.descriptions = state
+        array, self._quantities = state
         super().__setstate__(array)
 
     def __array_finalize__(self, other: Any) -> None:
-        self.units = getattr(other, "units", {})
-        self.descriptions = getattr(other, "descriptions", {})
+        self._quantities = getattr(other, "_quantities", {})
 
     def __getitem__(self, key: Any) -> Any:
         part = super().__getitem__(key)
         # A column is a plain array.
         return part.view(numpy.ndarray) if isinstance(part, Table) and part.dtype.names is None else part
 
+    @property
+    def units(self) -> dict[str, str]:
+        return {key: what.unit for key, what in self._quantities.items()}
+
+    @property
+    def descriptions(self) -> dict[str, str]:
+        return {key: ": ".join(filter(None, (what.name, what.description))) for key, what in self._quantities.items()}
+
+    def label(self, column: str) -> str:
+        """`Mean height of the particles (spacings)`; the column itself where nothing is known of it."""
+        what = self._quantities.get(column, Quantity())
+        name = ", ".join(filter(None, (what.name or column, what.of)))
+        return f"{name} ({what.unit})" if what.unit else name
+
     def to_pandas(self) -> Any:
         """The same as a `pandas.DataFrame`, where pandas is installed."""
         import pandas  # type: ignore[import]
 
         return pandas.DataFrame({name: self[name] for name in self.dtype.names or ()})
+
+
+def numbers_of(cells: Sequence[str]) -> Any:
+    """An array if all cells are numbers or empty, else the cells."""
+    try:
+        return numpy.array([cell or "nan" for cell in cells], dtype=float)
+    except ValueError:
+        return list(cells)
+
+
+def read_table(file: Path, known: Mapping[str, Quantity]) -> Table:
+    """A table as clca writes it. Throws Error."""
+    try:
+        with file.open(encoding="utf-8", newline="") as lines:
+            rows = csv.reader(lines, strict=True)
+            names: list[str] = next(rows, [])
+            cells = list(rows)
+    except UnicodeDecodeError:
+        raise Error(f"cannot read {file}: a text in it is no UTF-8") from None
+    except (OSError, csv.Error) as error:
+        raise Error(f"cannot read {file}: {error.strerror if isinstance(error, OSError) else error}") from None
+    wrong = next((number for number, row in enumerate(cells) if len(row) != len(names)), None)
+    if not names or len(set(names)) < len(names) or wrong is not None:
+        raise Error(f"cannot read {file}: line {2 + (wrong or 0)} is cut off or no row of a table")
+    columns = list(zip(*cells)) if cells else [()] * len(names)
+    return Table(
+        (name, list(column) if name in TEXT else numbers_of(column), known.get(name, Quantity(name)))
+        for name, column in zip(names, columns)
+    )

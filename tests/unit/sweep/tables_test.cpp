@@ -40,7 +40,7 @@ TEST(Tables, HaveARowForEachRunAndForEachMeasure) {
   results[1] = done({{"slope", {}}, {"clogged", false}});
   results[2].status = Status::failed;
   results[2].error = "a.yaml:1:1: error: too much, by far";
-  EXPECT_EQ(runs_table(plan, results),
+  EXPECT_EQ(runs_table(plan, results).table.to_csv(),
             "rules.inertia,seed,status,steps,state_hash,flow.steps,flow.slope,flow.clogged,folder,"
             "error\n"
             "0,1,done,7,0000000000000abc,5,40.5,1,\"runs/rules.inertia=0,seed=1\",\n"
@@ -49,7 +49,7 @@ TEST(Tables, HaveARowForEachRunAndForEachMeasure) {
             "far\"\n"
             "1,2,waiting,,,,,,\"runs/rules.inertia=1,seed=2\",\n");
   EXPECT_EQ(
-      measures_table(plan, results),
+      measures_table(plan, results).table.to_csv(),
       "rules.inertia,stage,measure,mean,standard_deviation,standard_error,runs,min,max,low,high\n"
       "0,flow,steps,5,0,0,2,5,5,5,5\n"
       "0,flow,slope,40.5,,,1,40.5,40.5,,\n"
@@ -62,27 +62,30 @@ TEST(Tables, HaveNoFormulas) {
   for (std::size_t i = 0; i < values.size(); ++i) {
     plan.variants[i].values = {values[i]};
   }
-  const std::string table = runs_table(plan, std::vector<Result>(5));
+  const std::string table = runs_table(plan, std::vector<Result>(5)).table.to_csv();
   for (const char* row : {"\n'=1+1,1,", "\n'-2+3,1,", "\n'@a,1,", "\n-0.5,1,", "\n'+x,1,"}) {
     EXPECT_THAT(table, ::testing::HasSubstr(row));
   }
   const std::string measures =
-      measures_table(plan, std::vector<Result>(5, done({{"slope", 40.5}})));
+      measures_table(plan, std::vector<Result>(5, done({{"slope", 40.5}}))).table.to_csv();
   EXPECT_THAT(measures, ::testing::HasSubstr("\n'=1+1,flow,"));
 }
 
 TEST(Tables, HaveWhatLeftUntilAClogFromAllRunsAlsoThoseThatDidNotClog) {
   const Plan plan = bare_plan(1, 4);
-  const std::string measures = measures_table(
-      plan, {done({{"discharged", 30.0}, {"clogged", true}}),
-             done({{"discharged", 500.0}, {"clogged", false}}),
-             done({{"discharged", 10.0}, {"clogged", true}}),
-             done({{"discharged", 60.0}, {"clogged", true}, {"clogged.left", true}})});
+  const std::string measures =
+      measures_table(plan,
+                     {done({{"discharged", 30.0}, {"clogged", true}}),
+                      done({{"discharged", 500.0}, {"clogged", false}}),
+                      done({{"discharged", 10.0}, {"clogged", true}}),
+                      done({{"discharged", 60.0}, {"clogged", true}, {"clogged.left", true}})})
+          .table.to_csv();
   EXPECT_THAT(measures, ::testing::HasSubstr("\n0,flow,discharged_until_clog,200,,"
                                              "115.47005383792516,3,,,84.52994616207484,"
                                              "315.4700538379251"));
   EXPECT_THAT(measures, ::testing::Not(::testing::HasSubstr("until_clog.left")));
-  EXPECT_THAT(measures_table(bare_plan(1, 1), {done({{"discharged", 9.0}, {"clogged", false}})}),
+  EXPECT_THAT(measures_table(bare_plan(1, 1), {done({{"discharged", 9.0}, {"clogged", false}})})
+                  .table.to_csv(),
               ::testing::Not(::testing::HasSubstr("until_clog")));
 }
 
@@ -112,7 +115,7 @@ class MeanTablesTest : public ::testing::Test {
     for (const NamedTable& table :
          mean_tables(plan_, results_, folder_of,
                      [&](const std::string& line) { warnings_.push_back(line); })) {
-      texts.push_back(table.name + ": " + table.csv);
+      texts.push_back(table.name + ".csv: " + table.table.to_csv());
     }
     return texts;
   }

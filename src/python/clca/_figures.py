@@ -1,0 +1,651 @@
+"""Which figures the tables of a run, a gas or a sweep allow, and what is in them.
+
+A new figure is one row of FIGURES, or a row with a function where it is special.
+"""
+
+from __future__ import annotations
+
+import difflib
+import math
+from collections.abc import Callable, Iterable
+from typing import Any, NamedTuple
+
+import numpy
+from numpy.typing import NDArray
+
+from ._chart import INCH, THEORY, Axis, Chart, Curve, Panel, running_mean
+from ._error import Error
+from ._folder import Run, Sweep
+from ._table import Table
+
+LABEL = frozenset("0123456789abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_-+.")
+
+
+class Choice(NamedTuple):
+    """What is drawn in place of all that the tables allow."""
+
+    x: str = ""
+    y: tuple[str, ...] = ()
+    over: tuple[str, ...] = ()
+    y2: str = ""  #: of a run: a column on a second axis
+    log: str = ""  #: x, y or xy
+    stages: tuple[str, ...] = ()
+    first: float | None = None  #: of the time, or of the step where there is no time
+    last: float | None = None
+    filling: bool = True  #: also the stages that only fill the box
+    mean: int = 1  #: over so many rows
+
+
+class Source:
+    """The tables of a folder, as far as they are chosen."""
+
+    def __init__(self, folder: Run | Sweep, choice: Choice) -> None:
+        self.folder, self.choice = folder, choice
+        self.names = folder.tables
+        self.stages = list(folder.stages) if isinstance(folder, Run) else _stages_of(folder)
+        unknown = [stage for stage in choice.stages if stage not in self.stages]
+        if unknown:
+            raise Error(f"{folder.folder}: no stage '{unknown[0]}'{suggestion(unknown[0], self.stages)}; "
+                        f"there are {', '.join(self.stages)}")
+        self._tables: dict[str, Table] = {}
+
+    def is_wanted(self, stage: str) -> bool:
+        fills = self.folder.stages[stage].fills if isinstance(self.folder, Run) and stage in self.folder.stages else False
+        return (not self.choice.stages or stage in self.choice.stages) and (self.choice.filling or not fills)
+
+    def table(self, name: str) -> Table:
+        if name not in self._tables:
+            table, choice = self.folder.table(name), self.choice
+            names = table.dtype.names or ()
+            keep = numpy.ones(len(table), bool)
+            if "stage" in names:
+                keep &= numpy.array([self.is_wanted(str(stage)) for stage in table["stage"]], bool)
+            time = "time" if "time" in names else "step"
+            if time in names and table[time].dtype.kind == "f":
+                keep &= (table[time] >= (-math.inf if choice.first is None else choice.first))
+                keep &= (table[time] <= (math.inf if choice.last is None else choice.last))
+            self._tables[name] = table[keep]
+        return self._tables[name]
+
+    def files(self, pattern: str) -> list[tuple[str, Table]]:
+        """What `*` of a table stands for, in the order of stages or times, and the tables."""
+        begin, star, _ = pattern.partition("*")
+        if not star:
+            return [("", self.table(pattern))] if pattern in self.names else []
+        parts = [name[len(begin):] for name in self.names if name.startswith(begin) and set(name[len(begin):]) <= LABEL]
+
+        def order(label: str) -> tuple[int, float, str]:
+            return (self.stages.index(label) if label in self.stages else len(self.stages), number_in(label), label)
+
+        return [(label, self.table(begin + label)) for label in sorted(filter(None, parts), key=order)
+                if label not in self.stages or self.is_wanted(label)]
+
+
+def _stages_of(sweep: Sweep) -> list[str]:
+    return list(dict.fromkeys(map(str, sweep.measures["stage"]))) if "measures" in sweep.tables else []
+
+
+def number_in(text: str) -> float:
+    try:
+        return float(text)
+    except ValueError:
+        return 0.0
+
+
+def suggestion(name: str, known: Iterable[str]) -> str:
+    near = difflib.get_close_matches(name, list(known), 1)
+    return f"; did you mean '{near[0]}'?" if near else ""
+
+
+def has(table: Table, column: str) -> bool:
+    """Whether a column is there, with a value other than 0."""
+    if column not in (table.dtype.names or ()):
+        return False
+    cells = table[column]
+    return bool(numpy.any(numpy.isfinite(cells) & (cells != 0))) if cells.dtype.kind == "f" else len(cells) > 0
+
+
+def time_of(table: Table) -> str:
+    names = table.dtype.names or ()
+    return next((name for name in ("time", "step", "cycle") if name in names), "")
+
+
+def text_of(value: Any) -> str:
+    return f"{value:g}" if isinstance(value, (float, numpy.floating)) else str(value)
+
+
+def groups_of(table: Table, column: str) -> list[tuple[str, Table]]:
+    """The rows of each value of a column: in their order, numbers ascending."""
+    if column not in (table.dtype.names or ()):
+        return [("", table)]
+    cells = table[column]
+    values = sorted(set(cells[numpy.isfinite(cells)])) if cells.dtype.kind == "f" else list(dict.fromkeys(cells))
+    return [(text_of(value), table[cells == value]) for value in values]
+
+
+def curve_of(source: Source, label: str, rows: Table, x: str, y: str, **more: Any) -> Curve:
+    """A column, with its standard error where it has one."""
+    values, over = rows[y], source.choice.mean
+    error = rows[f"{y}_se"] if f"{y}_se" in (rows.dtype.names or ()) else None
+    if over > 1:
+        values, error = running_mean(values, over), None
+    low, high = (None, None) if error is None else (values - error, values + error)
+    return Curve(label, rows[x], values, low, high, **more)
+
+
+class Figure(NamedTuple):
+    """A row of the list."""
+
+    name: str
+    table: str  #: `*` stands for a stage or a time
+    y: str  #: a column; `.*` for each column KEY.NAME
+    about: str
+    rank: float = 0  #: what a report shows first has the highest
+    x: str = ""  #: empty: time, or the step
+    by: str = "stage"  #: a curve for each value of this column
+    needs: tuple[str, ...] = ()  #: further columns
+    zero: bool = False  #: the axis begins at 0
+    top: float | None = None  #: where it ends
+    log: bool = False
+    style: str = "line"
+    each: str = ""  #: a figure for each `file` or for each value of this column
+    draw: Callable[[Source, Figure, list[tuple[str, Table]], str], Panel] | None = None
+
+
+def lines(source: Source, figure: Figure, files: list[tuple[str, Table]], part: str) -> Panel:
+    """Columns over time or another column."""
+    table = files[0][1]
+    x = figure.x or time_of(table)
+    if figure.y.endswith("*"):
+        prefix = figure.y[:-1]
+        columns = [name for name in table.dtype.names or () if name.startswith(prefix) and has(table, name)]
+        curves = [curve_of(source, column[len(prefix):], table, x, column) for column in columns]
+        label = table.label(columns[0]).replace(f", {columns[0][len(prefix):]}", "", 1)
+    else:
+        curves = [curve_of(source, group, rows, x, figure.y, style=figure.style) for group, rows in groups_of(table, figure.by)]
+        label = table.label(figure.y)
+    return Panel(curves, Axis(table.label(x)), Axis(label, figure.log, figure.zero, high=figure.top), part)
+
+
+def profile(source: Source, figure: Figure, files: list[tuple[str, Table]], part: str) -> Panel:
+    curves = [Curve(f"end of {label}", table["x"], table["height_end"]) for label, table in files]
+    bed = numpy.concatenate([curve.x[curve.y > 0] for curve in curves])
+    tall = 1.05 * max(float(numpy.nanmax(curve.y)) for curve in curves)
+    margin = 0.03 * float(numpy.ptp(bed)) + 1
+    table = files[0][1]
+    return Panel(curves, Axis(table.label("x"), low=bed.min() - margin, high=bed.max() + margin),
+                 Axis(table.label("height_end"), low=0, high=tall), part, equal=True)
+
+
+def slope(source: Source, figure: Figure, files: list[tuple[str, Table]], part: str) -> Panel:
+    y = "repose_gravity_deg" if has(files[0][1], "repose_gravity_deg") else figure.y
+    panel = lines(source, figure._replace(y=y, style="points"), files, part)
+    return panel._replace(y=Axis(panel.y.label, zero=False))
+
+
+def neighbours(source: Source, figure: Figure, files: list[tuple[str, Table]], part: str) -> Panel:
+    table = files[0][1]
+    table = table[table["pairs"] >= 100]
+    kept, apart = (Curve(name, table["fallen_d"], table[column], style="marked", color=color) for color, (name, column)
+                   in enumerate((("neighbours kept", "kept"), ("diffusion of pairs (right)", "pair_diffusion"))))
+    return Panel([kept], Axis(table.label("fallen_d")), Axis(table.label("kept"), zero=True, high=1), part,
+                 Axis(table.label("pair_diffusion"), zero=True), [apart])
+
+
+def base_pressure(source: Source, figure: Figure, files: list[tuple[str, Table]], part: str) -> Panel:
+    table = files[0][1]
+    rules = [rule for rule in ("inner", "outer", "pair", "q", "contact") if has(table, f"pressure_{rule}")]
+    curves = [Curve(rule, table["base_position"], table[f"pressure_{rule}"], style="marked") for rule in rules]
+    return Panel(curves, Axis(table.label("base_position"), low=-1, high=1), Axis("Base pressure over its mean", zero=True), part)
+
+
+def across(source: Source, figure: Figure, files: list[tuple[str, Table]], part: str) -> Panel:
+    """Profiles across lines: over x or y where all are level or upright."""
+    table = files[0][1]
+    groups = groups_of(table, "line")
+    x = next((along for along, fixed in (("x", "y"), ("y", "x")) if all(numpy.ptp(rows[fixed]) < 1e-6 for _, rows in groups)),
+             "position")
+    curves = [curve_of(source, group, rows, x, figure.y) for group, rows in groups]
+    label = table.label(figure.y)
+    if figure.y == "v_across":
+        curves += [Curve("", rows[x], rows["v_along"], line="--", color=number) for number, (_, rows) in enumerate(groups)]
+        curves += [Curve(name, numpy.array([]), numpy.array([]), line=line, color=THEORY)
+                   for name, line in (("across, to the right", "-"), ("along", "--"))]
+        label = f"Velocity ({table.units['v_across']})"
+    return Panel(curves, Axis(table.label(x)), Axis(label, zero=figure.zero, high=figure.top), part)
+
+
+def grid_of(table: Table) -> tuple[NDArray[Any], NDArray[Any], dict[str, NDArray[Any]], int]:
+    """Centres of cells, and means over the windows of a stage: velocities and energy weighted by particles."""
+    xs, column = numpy.unique(table["x"].round(6), return_inverse=True)
+    ys, row = numpy.unique(table["y"].round(6), return_inverse=True)
+    windows, place, count = len(numpy.unique(table["step"])), row * len(xs) + column, len(xs) * len(ys)
+
+    def total(cells: NDArray[Any]) -> NDArray[numpy.float64]:
+        return numpy.asarray(numpy.bincount(place, numpy.nan_to_num(cells), count).reshape(len(ys), len(xs)), float)
+
+    weight = total(table["particles"])
+    with numpy.errstate(invalid="ignore", divide="ignore"):
+        means = {name: total(table[name] * table["particles"]) / weight for name in ("vx", "vy", "fluctuation")}
+    return xs, ys, means | {"packing": total(table["packing"]) / windows}, windows
+
+
+def pitch_of(centres: NDArray[Any]) -> float:
+    steps = numpy.diff(numpy.unique(centres))
+    return float(steps[steps > 1e-6].min(initial=math.inf))
+
+
+def arrows(ax: Any, x: NDArray[Any], y: NDArray[Any], dx: NDArray[Any], dy: NDArray[Any], cell: float, color: str) -> float:
+    """Of mean length 0.7 cells, and none longer than 1.3, so that the fast ones do not hide the others. Returns the mean."""
+    length = numpy.hypot(dx, dy)
+    with numpy.errstate(invalid="ignore", divide="ignore"):
+        mean = float(numpy.nanmean(length)) or 1.0
+        scale = numpy.minimum(0.7 * cell / mean, 1.3 * cell / length)
+    ax.quiver(x, y, dx * scale, dy * scale, pivot="mid", angles="xy", scale_units="xy", scale=1, color=color, width=0.0025)
+    return mean
+
+
+def field(source: Source, figure: Figure, files: list[tuple[str, Table]], part: str) -> Panel:
+    table = files[0][1]
+    table = table[table["stage"] == part] if part else table
+    xs, ys, means, windows = grid_of(table)
+    wide, tall = pitch_of(xs), pitch_of(ys)
+    wide, tall = (wide if math.isfinite(wide) else tall), (tall if math.isfinite(tall) else wide)
+    wide, tall = (wide, tall) if math.isfinite(wide) else (1.0, 1.0)
+    speed = float(numpy.nanmean(numpy.hypot(means["vx"], means["vy"]))) if numpy.isfinite(means["vx"]).any() else math.nan
+    name, label = ("packing", f"Packing; mean arrow: {speed:.2g} {table.units['vx']}") if figure.y == "packing" else (
+        "fluctuation", table.label("fluctuation"))
+
+    def draw(ax: Any) -> None:
+        from matplotlib.colors import LinearSegmentedColormap  # type: ignore[import]
+
+        edges = [numpy.append(centres - size / 2, centres[-1] + size / 2) for centres, size in ((xs, wide), (ys, tall))]
+        blue = LinearSegmentedColormap.from_list("blue", ["#ffffff", "#0072b2"])
+        ax.grid(False)
+        shown = ax.pcolormesh(*edges, means[name], cmap=blue, vmin=0)
+        ax.figure.colorbar(shown, ax=ax, shrink=0.9, aspect=25)
+        if name == "packing" and numpy.isfinite(means["vx"]).any():
+            x, y = numpy.meshgrid(xs, ys)
+            arrows(ax, x, y, means["vx"], means["vy"], wide, "#202020")
+
+    title = f"{part}, mean over {windows} window{'s' * (windows > 1)}\n{label}"
+    return place_panel(draw, title, (xs[0] - wide / 2, xs[-1] + wide / 2), (ys[0] - tall / 2, ys[-1] + tall / 2))
+
+
+def place_panel(draw: Callable[[Any], None], title: str, x: tuple[float, float], y: tuple[float, float]) -> Panel:
+    """In the plane, at equal scales."""
+    return Panel((), Axis("x, lattice spacings", low=x[0], high=x[1]), Axis("y, lattice spacings", low=y[0], high=y[1]), title,
+                 draw=draw, equal=True)
+
+
+def convection(source: Source, figure: Figure, files: list[tuple[str, Table]], part: str) -> Panel:
+    table = files[0][1]
+    cell = pitch_of(table["x"])
+    cell = cell if math.isfinite(cell) else 1.0
+    longest = float(numpy.nanmax(numpy.hypot(table["dx"], table["dy"])))
+
+    def draw(ax: Any) -> None:
+        arrows(ax, table["x"], table["y"], table["dx"], table["dy"], cell, "#0072b2")
+
+    limits = [(float(table[axis].min()) - cell, float(table[axis].max()) + cell) for axis in ("x", "y")]
+    return place_panel(draw, f"{part} (longest: {longest:.2g} spacings per cycle)", limits[0], limits[1])
+
+
+def contacts(source: Source, figure: Figure, files: list[tuple[str, Table]], part: str) -> Panel:
+    table, loads = files[0][1], source.table(f"loads-{part}")
+    strength = table["normal_force"] if has(table, "normal_force") else table["sites"]
+    centres = {text_of(number): (x, y) for number, x, y in zip(loads["id"], loads["x"], loads["y"])}
+    box = source.folder.summary.get("box", {})
+    wide = box["right"] - box["left"] if box.get("periodic") else 0.0
+    segments, widths = [], []
+    for first, second, x, y, force in zip(table["first"], table["second"], table["x"], table["y"], strength):
+        start, end = centres.get(text_of(first)), centres.get(text_of(second), (x, y))
+        if start is None or not force > 0:
+            continue
+        width = math.ceil(10 * force / float(numpy.nanmax(strength)))
+        apart = end[0] - start[0]
+        if wide and abs(apart) > wide / 2:  # the shorter way round: it ends at a side and goes on at the other
+            turn = -math.copysign(wide, apart)
+            segments.append([start, (end[0] + turn, end[1])])
+            start = (start[0] - turn, start[1])
+            widths.append(width)
+        segments.append([start, end])
+        widths.append(width)
+
+    def draw(ax: Any) -> None:
+        from matplotlib.collections import LineCollection  # type: ignore[import]
+
+        ax.add_collection(LineCollection(segments, linewidths=[0.3 * width for width in widths], colors="#d55e00"))
+
+    unit = "grain weights" if has(table, "normal_force") else "sites"
+    points = numpy.array(segments).reshape(-1, 2) if segments else numpy.zeros((1, 2))
+    low, high = points.min(0) - 1, points.max(0) + 1
+    x_limits = (box["left"], box["right"]) if wide else (low[0], high[0])
+    return place_panel(draw, f"{part} (widest: {numpy.nanmax(strength):.3g} {unit})", x_limits, (low[1], high[1]))
+
+
+def density(table: Table, share: str) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
+    """Lower ends of bins and densities, as steps: the last bin has no end, where the line of the one before ends. Widths, too."""
+    width = table["upper"] - table["lower"]
+    values = table[share] / width
+    is_open = ~numpy.isfinite(width)
+    values[1:][is_open[1:]] = values[:-1][is_open[1:]]
+    return table["lower"], values, width
+
+
+def fluctuation(source: Source, figure: Figure, files: list[tuple[str, Table]], part: str) -> Panel:
+    curves = []
+    for column, name, line in (("share", "over the mean of the window", "-"), ("share_local", "over the mean of the cell", "-"),
+                               ("reference", "chi-square", "--")):
+        x, y, _ = density(files[0][1], column)
+        curves.append(Curve(name, x, numpy.where(y > 0, y, numpy.nan), line=line, style="steps",
+                            color=THEORY if column == "reference" else None))
+    return Panel(curves, Axis("X"), Axis("Probability density of X", log=True), part)
+
+
+def forces(source: Source, figure: Figure, files: list[tuple[str, Table]], part: str) -> Panel:
+    curves = []
+    for label, table in files:
+        middle = (table["low"] + table["high"]) / 2
+        mean = float((middle * table["count"]).sum() / table["count"].sum())
+        there = table["density"] > 0
+        curves.append(Curve(label, middle[there] / mean, table["density"][there], style="marked"))
+    return Panel(curves, Axis("f / mean f"), Axis("Probability density of f / mean f", log=True))
+
+
+def gas(source: Source, figure: Figure, files: list[tuple[str, Table]], part: str) -> Panel:
+    """Over time, with a curve for each restitution, error bars and the closed forms dashed."""
+    table = files[0][1]
+    is_ratio, is_shear = figure.y == "t_rot/t_tr", has(table, "p_xy")
+    columns = figure.y.split("/")
+
+    def values(rows: Table) -> NDArray[Any]:
+        with numpy.errstate(invalid="ignore", divide="ignore"):
+            return numpy.asarray(rows[columns[0]] / rows[columns[1]] if is_ratio else rows[figure.y])
+
+    groups = groups_of(table, "restitution")
+    curves = []
+    for name, rows in groups:
+        label = f"ε = {name}" if name else "simulation"
+        curves.append(Curve(label, rows["time"], values(rows)) if is_ratio else
+                      curve_of(source, label, rows, "time", figure.y, style="sparse"))
+    if "closure" in source.names and all(has(source.table("closure"), column) for column in columns):
+        theory = groups_of(source.table("closure"), "restitution")
+        numbers = {name: number for number, (name, _) in enumerate(groups)}
+        curves += [Curve("", rows["time"], values(rows), line="--", color=numbers.get(name, 0)) for name, rows in theory]
+        curves.append(Curve("closed form", numpy.array([]), numpy.array([]), line="--", color=THEORY))
+    floor = measure_of(source, "hellinger_floor")
+    if figure.y.startswith("dh_") and floor > 0:
+        ends = numpy.array([table["time"].min(), table["time"].max()])
+        curves.append(Curve("chance", ends, numpy.full(2, floor), line=":", color=THEORY))
+    label = "T_rot / T_tr, relative to time 0" if is_ratio else table.label(figure.y)
+    return Panel(curves, Axis(table.label("time")), Axis(label, figure.log and not (is_shear and figure.y.startswith("t_"))), part)
+
+
+def measure_of(source: Source, name: str) -> float:
+    """Of the last stage that has it."""
+    stages = source.folder.stages.values() if isinstance(source.folder, Run) else ()
+    found = [float(stage.measures[name]) for stage in stages if name in stage.measures]
+    return found[-1] if found else math.nan
+
+
+def energy(source: Source, figure: Figure, files: list[tuple[str, Table]], part: str) -> Panel:
+    """Distributions at the times of the histograms, and chi-square with three degrees of freedom."""
+    kind, curves, end = figure.name.partition("-")[2], [], 0.0
+    for label, table in files:
+        table = table[table["energy"] == kind]
+        table = table[table["restitution"] == float(part)] if part else table
+        if not len(table):
+            continue
+        x, y, width = density(table, "share")
+        end = max(end, float(numpy.nanmax(table["upper"])))
+        error = table["share_se"] / width if "share_se" in (table.dtype.names or ()) else None
+        shown = numpy.where(y > 0, y, 1e-12)  # in place of 0, which a logarithmic axis does not have
+        low, high = (None, None) if error is None else (y - error, y + error)
+        curves.append(Curve(f"time {label}", x, shown, low, high, style="steps"))
+    x = numpy.linspace(0, end, 400)[1:]
+    curves.append(Curve("chi-square", x, numpy.sqrt(x / (2 * math.pi)) * numpy.exp(-x / 2), line="--", color=THEORY))
+    least = max(1e-4, min(float(curve.y[curve.y > 1e-12].min(initial=1)) for curve in curves) / 2)
+    symbol = "ω" if kind == "rotational" else "v"
+    return Panel(curves, Axis(f"X = |{symbol}|² / {symbol}₀²(t)", low=0, high=end),
+                 Axis("Probability density of X", log=True, low=least), f"ε = {part}" if part else "")
+
+
+def stress(source: Source, figure: Figure, files: list[tuple[str, Table]], part: str) -> Panel:
+    def rows_of(table: Table) -> Table:
+        rows: Table = table[table["restitution"] == float(part)] if part else table
+        return rows
+
+    table = rows_of(files[0][1])
+    columns = {"p_xx": "p xx", "p_yy": "p yy", "p_xy": "p xy"}
+    curves = [curve_of(source, name, table, "time", column, style="sparse") for column, name in columns.items()]
+    if "closure" in source.names and has(source.table("closure"), "p_xy"):
+        theory = rows_of(source.table("closure"))
+        curves += [Curve("", theory["time"], theory[column], line="--", color=i) for i, column in enumerate(columns)]
+        curves.append(Curve("theory, steady", numpy.array([]), numpy.array([]), line="--", color=THEORY))
+    return Panel(curves, Axis(table.label("time")), Axis("Stress / mean pressure"), f"ε = {part}" if part else "")
+
+
+def comparison(source: Source, figure: Figure, files: list[tuple[str, Table]], part: str) -> Panel:
+    table, curves = files[0][1], []
+    names = {"automaton": "automaton, a temperature for all", "automaton_local": "automaton, one for each cell",
+             "boltzmann_translational": "Boltzmann, translation", "boltzmann_rotational": "Boltzmann, rotation"}
+    ends = numpy.append(table["quantile_lower"], table["quantile_upper"][-1])
+    for column, name in names.items():
+        if has(table, column):  # spheres that do not spin have no column of their own
+            shares = table[column] / table["reference"]
+            curves.append(Curve(f"{name}: D_H = {measure_of(source, f'hellinger_{column}'):.1e}", ends,
+                                numpy.append(shares, shares[-1]), style="steps"))
+    curves.append(Curve("chi-square", numpy.array([0.0, 1.0]), numpy.ones(2), line="--", color=THEORY))
+    return Panel(curves, Axis("Quantile of chi-square: 2 degrees of freedom in the plane, 3 in space", low=0, high=1),
+                 Axis("Share / share under chi-square", zero=True))
+
+
+FIGURES = [
+    Figure("profile", "profile-*", "height_end", "Surface of the bed above the floor of the box at the end of each stage; "
+           "equal scales, so that slopes are seen as they are.", 9, "x", draw=profile),
+    Figure("motion", "series", "moving_share", "Share of the particles that move.", 5, zero=True, top=1),
+    Figure("mean-height", "series", "mean_height", "Mean height of all particles above the floor of the box.", 4, zero=True),
+    Figure("kinetic-energy", "series", "kinetic_energy", "Kinetic energy of all grains.", 6, zero=True),
+    Figure("particles", "series", "particles", "Particles in the box, where some enter or leave.", zero=True),
+    Figure("outflow", "series", "discharged_sites", "What has left through outlets; the slope is the outflow.", 8, zero=True),
+    Figure("outflow-apart", "series", "discharged.*", "What has left through each outlet, and of each species.", 7, zero=True),
+    Figure("probe-flow", "probes", "flow", "Flow through each probe, downwards.", 6, by="probe"),
+    Figure("probe-filling", "probes", "filling", "Share of the sites of each probe that particles cover.", by="probe",
+           zero=True, top=1),
+    Figure("line-velocity", "lines-*", "v_across", "Mean velocity across and along each line of the scene over a stage, with "
+           "bands of one standard error.", 7, by="line", each="file", draw=across),
+    Figure("line-flux", "lines-*", "flux", "Flux to the right across each line of the scene over a stage, with bands of one "
+           "standard error.", by="line", each="file", draw=across),
+    Figure("line-filling", "lines-*", "filling", "Share of each line of the scene that particles cover, of what no wall covers; "
+           "mean over a stage.", by="line", zero=True, top=1, each="file", draw=across),
+    Figure("wall-travel", "series", "travel.*", "How far walls are from where they were at the beginning, along their motion."),
+    Figure("wall-overlap", "series", "index.*", "Overlap that began at each wall: its index of force.", zero=True),
+    Figure("segregation", "cycles", "segregation_index", "Segregation by cycle of shaking or turning: 0 mixed, 1 all large ones "
+           "above all small ones.", 8, "cycle"),
+    Figure("mixing", "cycles", "lacey_index", "Mixing by cycle of shaking or turning, Lacey’s index: 0 separated, 1 as mixed as "
+           "by chance.", 8, "cycle"),
+    Figure("intruder", "cycles", "intruder_height_rel", "Height of the intruder by cycle of shaking or turning.", 8, "cycle"),
+    Figure("slope", "cycles", "repose_angle_deg", "Slope of the surface by cycle of shaking or turning; with a vessel against "
+           "gravity.", 8, "cycle", draw=slope),
+    Figure("surface-height", "cycles", "height_mean", "Mean height of the surface above the floor of the box, by cycle.", 0,
+           "cycle", zero=True),
+    Figure("neighbours", "mixing-*", "kept", "Neighbours kept, and diffusion of pairs, against the distance that they have "
+           "fallen.", 7, "fallen_d", each="file", draw=neighbours),
+    Figure("base-pressure", "weight_paths-*", "pressure_inner", "Pressure below a bed at rest, over its mean: of weight passed on "
+           "by rules, and of the contact model.", 6, "base_position", each="file", draw=base_pressure),
+    Figure("convection", "convection-*", "dx", "Mean drift in a cycle of shaking or turning, as arrows: of mean length 0.7 times "
+           "the width of a cell, and none longer than 1.3 times it, so that the fast ones at the surface do not hide the others.",
+           7, "x", needs=("y", "dy"), each="file", draw=convection),
+    Figure("velocity-field", "fields", "packing", "Packing and mean velocity in the cells of a grid, over a stage.", 7, "x",
+           needs=("y",), each="stage", draw=field),
+    Figure("fluctuation-field", "fields", "fluctuation", "Energy of the fluctuations in the cells of a grid, ½⟨|v - ⟨v⟩|²⟩, over "
+           "a stage.", 0, "x", needs=("y",), each="stage", draw=field),
+    Figure("fluctuation", "fluctuation-*", "share", "Energy X of the fluctuations over its mean, and chi-square with 2 degrees of "
+           "freedom.", 0, "lower", needs=("upper", "reference"), each="file", draw=fluctuation),
+    Figure("contacts", "contacts-*", "y", "Contacts at the end of a stage: lines between the centres of particles, or from them to "
+           "a wall. The stronger, the wider: by normal force, or by the sites that both have.", 5, "x", each="file",
+           draw=contacts),
+    Figure("forces", "forces-*", "density", "Distribution of the index of force over the contacts, at the end of a stage or "
+           "averaged over it.", 6, "high", needs=("count",), draw=forces),
+    Figure("temperature-translational", "series", "t_tr", "Temperature of the translational motion, and its closed form.", 9,
+           "time", log=True, draw=gas),
+    Figure("temperature-rotational", "series", "t_rot", "Temperature of the rotational motion, and its closed form.", 8, "time",
+           log=True, draw=gas),
+    Figure("temperature-ratio", "series", "t_rot/t_tr", "Rotational temperature over the translational one, each relative to its "
+           "beginning, and the closed form of it.", 7, "time", log=True, draw=gas),
+    Figure("distance-rotational", "series", "dh_rot", "How far the distribution of rotational energy is from chi-square: Figs. 3 "
+           "(case 1) and 6 (case 2) of Ogawa & Kato 1982.", 6, "time", log=True, draw=gas),
+    Figure("distance-translational", "series", "dh_tr", "How far the distribution of translational energy is from chi-square.", 6,
+           "time", log=True, draw=gas),
+    Figure("energy-rotational", "histogram-*", "share", "Distribution of the rotational energy at the times of the histograms, "
+           "and chi-square with 3 degrees of freedom: Figs. 2 (case 1) and 5 (case 2) of Ogawa & Kato 1982.", 5, "upper",
+           each="restitution", draw=energy),
+    Figure("energy-translational", "histogram-*", "share", "Distribution of the translational energy at the times of the "
+           "histograms, and chi-square with 3 degrees of freedom: Fig. 4 (case 2) of Ogawa & Kato 1982.", 5, "upper",
+           each="restitution", draw=energy),
+    Figure("cumulant-translational", "series", "a2_tr", "Second cumulant of the translational motion: 0 for a normal "
+           "distribution.", 4, "time", draw=gas),
+    Figure("cumulant-rotational", "series", "a2_rot", "Second cumulant of the rotational motion: 0 for a normal distribution.", 4,
+           "time", draw=gas),
+    Figure("correlation", "series", "correlation", "Correlation of translational and rotational energy.", 0, "time", draw=gas),
+    Figure("alignment", "series", "alignment", "Alignment of spins and velocities: 0 without a preferred angle.", 0, "time",
+           draw=gas),
+    Figure("collisions", "series", "collisions", "Collisions in which a particle has taken part.", 0, "time", draw=gas),
+    Figure("stress", "series", "p_xy", "Pressure tensor of a sheared gas, and the theory of its steady state where a table has "
+           "it.", 8, "time", needs=("p_xx", "p_yy"), each="restitution", draw=stress),
+    Figure("comparison", "comparison", "automaton", "Energies of the particles of an automaton run beside those of a Boltzmann "
+           "run: shares of bins that chi-square makes equally probable, over their share under chi-square.", 0,
+           "quantile_upper", needs=("automaton_local", "boltzmann_translational", "reference"), draw=comparison),
+]
+
+
+def allows(figure: Figure, table: Table) -> bool:
+    """Whether a table has what the figure needs, with values."""
+    names = table.dtype.names or ()
+    if figure.y.endswith("*"):
+        return any(name.startswith(figure.y[:-1]) and set(name) <= LABEL and has(table, name) for name in names)
+    if figure.name.startswith("energy-"):
+        table = table[table["energy"] == figure.name.partition("-")[2]] if "energy" in names else table[:0]
+    if figure.name == "particles" and has(table, "particles"):
+        return len(numpy.unique(table["particles"])) > 1
+    wanted = [*figure.y.split("/"), *([figure.x] if figure.x else []), *figure.needs]
+    return all(has(table, column) for column in wanted)
+
+
+def charts_of(source: Source, figure: Figure) -> list[Chart]:
+    """Of a row of the list; none if the tables lack something. Throws Error."""
+    is_gas = figure.draw in (gas, energy, stress)
+    if isinstance(source.folder, Sweep) or is_gas != (source.folder.kind == "boltzmann"):
+        return []
+    files = [(label, table) for label, table in source.files(figure.table) if allows(figure, table)]
+    if figure.name == "contacts":
+        files = [(label, table) for label, table in files if f"loads-{label}" in source.names]
+    if not files:
+        return []
+    if figure.each == "file":
+        parts = [(label, [(label, table)]) for label, table in files]
+    elif figure.each:
+        groups = dict.fromkeys(group for _, table in files for group, rows in groups_of(table, figure.each) if allows(figure, rows))
+        parts = [(group, files) for group in groups]
+    else:
+        parts = [("", files)]
+    what = "Stage" if figure.each == "file" else figure.each
+    draw = figure.draw or lines
+
+    def chart(part: str, those: list[tuple[str, Table]]) -> Chart:
+        about = f"{figure.about} {what}: {part}." if part else figure.about
+        return Chart(f"{figure.name}-{part}" if part else figure.name, about, figure.rank,
+                     lambda: [logged(draw(source, figure, those, part), source.choice.log)], title_of(source.folder), figure.name)
+
+    return [chart(part, those) for part, those in parts]
+
+
+def title_of(folder: Run | Sweep) -> str:
+    return folder.title or (folder.scene if isinstance(folder, Run) else folder.folder.name)
+
+
+def logged(panel: Panel, log: str) -> Panel:
+    return panel._replace(x=panel.x._replace(log=panel.x.log or "x" in log), y=panel.y._replace(log=panel.y.log or "y" in log))
+
+
+def column_charts(source: Source) -> list[Chart]:
+    """Of columns of a run that were asked for. Throws Error."""
+    choice, where = source.choice, source.folder.folder
+    if len(choice.over) > 1:
+        raise Error(f"{where}: of a run, a curve is drawn for each value of one column, not of {' and '.join(choice.over)}")
+
+    def chart(y: str) -> Chart:
+        wanted = [y, *filter(None, (choice.x, choice.y2, *choice.over))]
+        table = table_with(source, wanted)
+        names = table.dtype.names or ()
+        x = choice.x or time_of(table)
+        by = choice.over[0] if choice.over else next(
+            (name for name in ("line", "probe", "restitution", "stage") if name in names), "")
+        if not x:
+            raise Error(f"{where}: say which column is x")
+        for column in filter(None, (x, y, choice.y2)):
+            if table[column].dtype.kind != "f":
+                raise Error(f"{where}: column '{column}' is not of numbers")
+        groups = groups_of(table, by)
+        curves = [curve_of(source, group, rows, x, y) for group, rows in groups]
+        panel = Panel(curves, Axis(table.label(x)), Axis(table.label(y)))
+        if choice.y2:
+            right = [curve_of(source, "", rows, x, choice.y2, line="--", color=i) for i, (_, rows) in enumerate(groups)]
+            marks = [Curve(f"{table.label(column)} {side}", numpy.array([]), numpy.array([]), line=line, color=THEORY)
+                     for column, side, line in ((y, "(left)", "-"), (choice.y2, "(right, dashed)", "--"))]
+            panel = panel._replace(curves=[*curves, *marks], y2=Axis(table.label(choice.y2)), on_y2=right)
+        return Chart(y, table.descriptions.get(y, y), 0, lambda: [logged(panel, choice.log)], title_of(source.folder), y)
+
+    return [chart(y) for y in choice.y]
+
+
+def table_with(source: Source, columns: list[str]) -> Table:
+    """The first table that has all these columns: the series, else in alphabetical order. Throws Error."""
+    known: list[str] = []
+    for name in sorted(source.names, key=lambda name: (name != "series", name)):
+        table = source.table(name)
+        if set(columns) <= set(table.dtype.names or ()):
+            return table
+        known += table.dtype.names or ()
+    missing = next((column for column in columns if column not in known), None)
+    if missing is not None:
+        raise Error(f"{source.folder.folder}: no table with a column '{missing}'{suggestion(missing, known)}")
+    raise Error(f"{source.folder.folder}: no table with all of the columns {', '.join(columns)}")
+
+
+def charts(folder: Run | Sweep, choice: Choice = Choice(), unreadable: Callable[[Error], None] | None = None) -> list[Chart]:
+    """All that the tables allow, or what is chosen. Throws Error, but for tables that `unreadable` is told of."""
+    from ._sweep_figures import sweep_charts
+
+    source = Source(folder, choice)
+    if isinstance(folder, Run) and not choice.y and (choice.x or choice.over or choice.log or choice.y2):
+        raise Error(f"{folder.folder}: of a run, say which columns are y, too")
+    if isinstance(folder, Run) and choice.y:
+        return column_charts(source)
+    makers: list[Callable[[], list[Chart]]] = [lambda: sweep_charts(source)] if isinstance(folder, Sweep) else [
+        lambda figure=figure: charts_of(source, figure) for figure in FIGURES]  # type: ignore[misc]
+    found: list[Chart] = []
+    for make in makers:
+        try:
+            found += make()
+        except Error as error:
+            if unreadable is None:
+                raise
+            unreadable(error)
+    return found
+
+
+def chosen(folder: Run | Sweep, only: Iterable[str], choice: Choice) -> list[Chart]:
+    """Those of these names, of a figure or of its row. Throws Error."""
+    possible, only = charts(folder, choice), list(only)
+    if not possible:
+        raise Error(f"{folder.folder}: no tables that a figure could be drawn from")
+    for name in only:
+        if not any(name in (chart.name, chart.source) for chart in possible):
+            row = next((figure for figure in FIGURES if figure.name == name), None)
+            if row is not None:
+                raise Error(f"{folder.folder}: the tables do not allow the figure '{name}', which needs {row.table}.csv: "
+                            f"{', '.join(filter(None, (row.x, row.y, *row.needs)))}")
+            raise Error(f"{folder.folder}: no figure '{name}' (there are: {', '.join(chart.name for chart in possible)})")
+    return [chart for chart in possible if not only or chart.name in only or chart.source in only]

@@ -1,0 +1,275 @@
+"""Folders of runs and sweeps, read."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Iterator, Sequence
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy
+from numpy.typing import NDArray
+
+from ._arguments import MOST, absolute, path, whole
+from ._error import ArgumentError, CompiledPartError, Error
+from ._frames import Frames, Kind
+from ._picture import Picture, overrides
+from ._table import Named, Quantity, Table, Value, quantities, read_table
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes  # type: ignore[import]
+
+MOST_BYTES = 16 << 20  # of a run.json
+
+
+def read_json(file: Path) -> dict[str, Any]:
+    """The object in a file. Throws Error."""
+    try:
+        with file.open("rb") as stream:
+            text = stream.read(MOST_BYTES + 1)
+        found = json.loads(text) if len(text) <= MOST_BYTES else None
+    except OSError as error:
+        is_folder = file.parent.is_dir() and not file.exists()
+        more = f"; {file.parent} is not the folder of a run" if is_folder else ""
+        raise Error(f"cannot read {file}: {error.strerror}{more}") from None
+    except (ValueError, RecursionError):
+        found = None
+    if not isinstance(found, dict):
+        raise Error(f"cannot read {file}: it is cut off or no JSON")
+    return found
+
+
+def compiled(what: str) -> Any:
+    """The compiled module, for what needs it. Throws Error."""
+    try:
+        from . import _clca
+    except ImportError as error:
+        raise CompiledPartError(what, error) from None
+    return _clca
+
+
+def names(given: str | Sequence[str]) -> tuple[str, ...]:
+    return (given,) if isinstance(given, str) and given else tuple(given)
+
+
+class Folder:
+    """Tables in a folder, and what says what their columns are."""
+
+    folder: Path
+    summary: dict[str, Any]  #: what run.json or sweep.json says
+
+    def __init__(self, folder: str | os.PathLike[str], summary: str) -> None:
+        self.folder = absolute(folder)
+        self.summary = read_json(self.folder / summary)
+
+    @property
+    def tables(self) -> list[str]:
+        """Names for `table`."""
+        if not self.folder.is_dir():
+            raise Error(f"cannot read {self.folder}: the folder is not there")
+        return sorted(file.stem for file in self.folder.glob("*.csv"))
+
+    def _columns(self, table: str) -> dict[str, Quantity]:
+        known = self.summary.get("tables", {})
+        kinds = [kind for kind in known if table == kind or table.startswith(f"{kind}-")]
+        return quantities(known[max(kinds, key=len)]) if kinds else {}
+
+    def table(self, name: str) -> Table:
+        """`NAME.csv` of the folder, such as `profile-flow`. Numbers are float64; an empty cell is NaN. Throws Error."""
+        if name not in self.tables:
+            raise Error(f"{self.folder}: no table {name!r}; there are {', '.join(self.tables) or 'none'}")
+        return read_table(self.folder / f"{name}.csv", self._columns(name))
+
+
+class Stage(NamedTuple):
+    """How a stage of a run went."""
+
+    steps: int
+    ended: str  #: settled, stalled, steps, time, discharged, cycles, bound or interrupted
+    measures: dict[str, Value]  #: by their names in run.json
+    notes: list[str]  #: why a measure has no value
+    fills: bool = False  #: particles are filled in
+
+
+class Run(Folder):
+    """A run folder. Tables and frames are read when they are asked for.
+
+    `folder` is absolute, so that it stays the same one.
+    """
+
+    kind: str  #: automaton, contact, voids, baxter or boltzmann
+    scene: str  #: its name
+    title: str
+    version: str  #: of clca
+    seed: int
+    status: str  #: running, done, interrupted or failed
+    particles: int
+    steps: int
+    state_hash: int  #: of the last state: equal for equal bits
+
+    def __init__(self, folder: str | os.PathLike[str]) -> None:
+        super().__init__(folder, "run.json")
+        try:
+            said = self.summary
+            self.kind, self.scene, self.title = said["kind"], said["scene"], said.get("title", "")
+            self.version, self.seed, self.status = said["clca"], said["seed"], said["status"]
+            self.particles, self.steps, self.state_hash = said["particles"], said["steps"], int(said["state_hash"], 16)
+            known = quantities(said.get("measures", []))
+            self.stages = {
+                stage["name"]: Stage(
+                    stage["steps"],
+                    stage["ended"],
+                    Named("measure", ((key, Value(number, *known.get(key, Quantity())[:3]))
+                                      for key, number in stage["measures"].items())),
+                    stage.get("notes", []),
+                    stage.get("fills", False),
+                )
+                for stage in said["stages"]
+            }
+        except (KeyError, TypeError, ValueError, AttributeError) as error:
+            raise Error(f"cannot read {self.folder / 'run.json'}: {error} is missing or not what it should be") from None
+
+    def __repr__(self) -> str:
+        return f"<run {self.folder}: {self.scene}, seed {self.seed}, {self.status} after {self.steps} steps>"
+
+    @property
+    def measures(self) -> dict[str, dict[str, Value]]:
+        """By stage, then by the names of `run.json`: `measures["flow"]["runout_99"]`. `clca explain --format quantities` lists
+        what a scene can measure.
+        """
+        return Named("stage", ((name, stage.measures) for name, stage in self.stages.items()))
+
+    @cached_property
+    def series(self) -> Table:
+        """`series.csv`: a row for each step, as `output.series` of the scene says; Error without one."""
+        return self.table("series")
+
+    @cached_property
+    def frames(self) -> Frames:
+        """The trajectory, where the scene has `output.trajectory`: `frames[-1]` is the last frame, `frames.at(step)` that
+        of a step. Throws Error without one.
+        """
+        from ._trajectory import Trajectory
+
+        return Frames(Trajectory(self.folder, self.summary))
+
+    @property
+    def kinds(self) -> list[Kind]:
+        """The kinds of particles, by their number in a frame."""
+        return self.frames._look.kinds
+
+    @property
+    def walls(self) -> dict[str, NDArray[numpy.float64]]:
+        """Of each wall sites x 2: their positions at home, in lattice spacings."""
+        return self.frames._look.walls
+
+    def contacts(self, step: int) -> NDArray[numpy.void]:
+        """`contacts` of the frame of that step."""
+        return self.frames.at(step).contacts
+
+    def plot(
+        self, name: str = "", ax: Axes | None = None, *, x: str = "", y: str | Sequence[str] = (), over: str = "", y2: str = "",
+        log: str = "", stage: str | Sequence[str] = (), first: float | None = None, last: float | None = None,
+        filling: bool = True, mean: int = 1,
+    ) -> Axes:
+        """A figure of `clca plot`, such as `profile`, or columns `y` against `x`, in the style of matplotlib that is set. Draws
+        into `ax` if given. Options are those of the command. Returns Axes. Throws Error.
+        """
+        from ._figures import Choice
+        from ._plot import plot
+
+        return plot(self, name, ax, Choice(x, names(y), names(over), y2, log, names(stage), first, last, filling, mean))
+
+    def picture(self, step: int, **frames: Any) -> Picture:
+        """The box at a step of the trajectory. `frames` are keys of `output.frames` in place of the scene's, such as
+        `color_by="stage_layer"`, `width=400`. Throws Error.
+        """
+        picture = compiled("drawing grains").picture
+        drawn: Picture = picture(self.folder, whole("step", step, 0, MOST), overrides(frames)).view(Picture)
+        return drawn
+
+    def movie(self, file: str | os.PathLike[str], fps: int = 25, duration: float | None = None, **frames: Any) -> None:
+        """Writes the pictures of the run, drawn from its trajectory, to FILE.mp4, .webm, .webp, .gif or .png
+        (animated), by ffmpeg. `frames` are as for `picture`; `every` chooses the steps. `duration`, seconds: shows
+        frames of the trajectory evenly chosen, at most `fps` per second. Throws Error.
+        """
+        if duration is not None:
+            if not 0.1 <= duration <= 86_400:
+                raise ArgumentError(f"duration: expected 0.1 to 86400 seconds, found {duration:g}")
+            frames = {"every": 1, **frames}
+        compiled("drawing grains").movie(self.folder, path(file), whole("fps", fps, 1, 240), duration, overrides(frames))
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {name: value for name, value in self.__dict__.items() if name != "frames"}  # of an open trajectory
+
+
+class Sweep(Folder):
+    """The runs of a sweep and tables over them."""
+
+    keys: list[str]  #: that vary
+    title: str
+
+    def __init__(self, folder: str | os.PathLike[str]) -> None:
+        super().__init__(folder, "sweep.json")
+        try:
+            self.title = self.summary.get("title", "")
+            self.keys = [key for varied in self.summary["vary"] for key in varied["keys"]]
+        except (KeyError, TypeError, AttributeError) as error:
+            raise Error(f"cannot read {self.folder / 'sweep.json'}: {error} is missing or not what it should be") from None
+
+    def __repr__(self) -> str:
+        return f"<sweep {self.folder}: {len(self)} runs>"
+
+    @cached_property
+    def runs(self) -> Table:
+        """`runs.csv`, a row for each run: what varies, seed, status, `STAGE.MEASURE` of each measure, error."""
+        return self.table("runs")
+
+    @cached_property
+    def measures(self) -> Table:
+        """`measures.csv`, a row for each combination, stage and measure: mean, standard error ... over the seeds."""
+        return self.table("measures")
+
+    def __len__(self) -> int:
+        return len(self.runs)
+
+    def __getitem__(self, number: int) -> Run:
+        """The run of a row of `runs`."""
+        return Run(self.folder / str(self.runs["folder"][number]))
+
+    def __iter__(self) -> Iterator[Run]:
+        return (self[number] for number in range(len(self)))
+
+    def plot(
+        self, name: str = "", ax: Axes | None = None, *, x: str = "", y: str | Sequence[str] = (),
+        over: str | Sequence[str] = (), log: str = "", stage: str | Sequence[str] = (), mean: int = 1,
+    ) -> Axes:
+        """A measure `y`, also as `STAGE.MEASURE`, against a key or a measure `x`, or a figure of `clca plot` by name, in the style
+        of matplotlib that is set. Draws into `ax` if given. Returns Axes, a list of panels if there are several. Throws Error.
+        """
+        from ._figures import Choice
+        from ._plot import plot
+
+        chosen = names(y)
+        of = [one.split(".", 1) for one in chosen if one in (self.runs.dtype.names or ()) and "." in one]
+        if of:
+            stage, chosen = [of[0][0]], tuple(one[1] for one in of)
+        return plot(self, name, ax, Choice(x, chosen, names(over), "", log, names(stage), mean=mean))
+
+    def series(self, stage: str, column: str) -> Table:
+        """A column of `series.csv` in a stage, for each combination averaged over the seeds, as in `mean-series.csv`: `step`
+        since the stage began, `mean`, `standard_error` and `runs`. It goes as far as all runs do. NaN is the error of a
+        single run.
+        """
+        table = self.table("mean-series")
+        rows = table[table["stage"] == stage]
+        names = {key: key for key in (*self.keys, "step")} | {"mean": column, "standard_error": f"{column}_se", "runs": "runs"}
+        return Table((key, rows[name], table._quantities.get(name, Quantity())) for key, name in names.items())
+
+
+def open(folder: str | os.PathLike[str]) -> Run | Sweep:
+    """The run or the sweep in a folder, also one that is under way. Throws Error if there is none."""
+    there = absolute(folder)
+    return Sweep(there) if (there / "sweep.json").exists() and not (there / "run.json").exists() else Run(there)

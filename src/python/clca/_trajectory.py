@@ -1,0 +1,234 @@
+"""The trajectory of a run, by h5py: docs/trajectory.md has its layout."""
+
+from __future__ import annotations
+
+import re
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import numpy
+from numpy.typing import NDArray
+
+from ._error import Error
+from ._frames import FrameData, Kind, Look, read_only
+
+PITCH = float(numpy.sqrt(3) / 2)  # of columns, in lattice spacings
+HEADER = re.compile(rb"clca .* version 1\nbytes (\d+)\n")
+HEADER_BYTES = 512
+SIDES = {-(2**31): "box.floor", -(2**31) + 1: "box.top", -(2**31) + 2: "box.left", -(2**31) + 3: "box.right"}
+NO_MOVE = 6
+BODY = numpy.dtype([("id", "u4"), ("kind", "u2"), ("position", "f8", 2), ("velocity", "f8", 2), ("displacement", "f8", 2),
+                    ("angular_velocity", "f8"), ("image", "i4"), ("force", "f4")])
+CONTACT = numpy.dtype([("upper", "u4"), ("other", "i4"), ("place", "f8", 2), ("normal", "f8", 2), ("branch", "f8", 2),
+                       ("force", "f8", 2)])
+# Where the rows of a frame begin in its lists.
+FIRST = {"particles": "first", "origins": "first_origin", "pushes": "first_push", "contacts": "first_contact"}
+
+
+def axial(sites: NDArray[Any]) -> NDArray[numpy.int64]:
+    """Of columns and rows: x, q, which are a vector."""
+    sites = sites.astype(numpy.int64)
+    return numpy.stack([sites[..., 0], sites[..., 1] - sites[..., 0] // 2], -1)
+
+
+def positions(points: NDArray[Any]) -> NDArray[numpy.float64]:
+    """Of axial vectors, in lattice spacings."""
+    return numpy.stack([PITCH * points[..., 0], points[..., 1] + 0.5 * points[..., 0]], -1)
+
+
+def outline(sites: NDArray[Any], centre: NDArray[Any]) -> NDArray[numpy.float64]:
+    """The body of a particle as pictures show it: on the lattice of half the spacing the six small triangles around each
+    site and around each middle of two neighbours. Corners from the centre, anticlockwise.
+    """
+    there = {(int(x), int(q)) for x, q in sites}
+    points = {(2 * x + i, 2 * q + j) for x, q in there for i, j in ((0, 0), (1, 0), (0, 1), (1, -1)) if (x + i, q + j) in there}
+    edges = set()
+    for x, q in points:
+        around = [(x + 1, q), (x, q + 1), (x - 1, q + 1), (x - 1, q), (x, q - 1), (x + 1, q - 1)]
+        for i, corner in enumerate(around):  # a triangle: the point and two corners around it
+            triangle = ((x, q), corner, around[(i + 1) % 6])
+            edges |= {(triangle[side], triangle[(side + 1) % 3]) for side in range(3)}
+    after = {start: end for start, end in sorted(edges) if (end, start) not in edges}
+    loop = [min(after)]
+    while len(loop) < len(after):
+        loop.append(after[loop[-1]])
+    path = numpy.array(loop)
+    along = numpy.roll(path, -1, 0) - path
+    corners = path[numpy.any(along != numpy.roll(along, 1, 0), 1)]
+    return read_only(positions(corners) / 2 - centre)
+
+
+def rows_of(column: Any, first: int, size: int) -> NDArray[Any]:
+    return numpy.asarray(column[first : first + size])
+
+
+class Trajectory:
+    """Frames are read one at a time, from several threads if need be."""
+
+    def __init__(self, folder: Path, summary: dict[str, Any]) -> None:
+        self._files = sorted((folder / "trajectory").glob("part-*.h5"))
+        if not self._files:
+            raise Error(f"cannot read {folder / 'trajectory.h5'}: the run has no trajectory")
+        for number, file in enumerate(self._files):
+            if file.stem != f"part-{number:06}":
+                raise Error(f"cannot read {folder / 'trajectory.h5'}: the part before {file.name} is missing")
+        self._lock = threading.Lock()
+        self._origins: tuple[int, int, NDArray[Any]] = (0, 0, numpy.empty((0, 2), int))
+        columns: list[dict[str, NDArray[Any]]] = []
+        for number, file in enumerate(self._files):
+            with self._opened(file) as part:
+                frames = {name: column[:] for name, column in part["frames"].items()}
+                frames["part"] = numpy.full(len(frames["step"]), number)
+                frames["row"] = numpy.arange(len(frames["step"]))  # in the part
+                columns.append(frames)
+                if number == 0:
+                    stages = [name.decode() for name in part["scene/stages"]]
+                    self.look = self._look(part, summary)
+        self._frames = {name: numpy.concatenate([part[name] for part in columns]) for name in columns[0]}
+        self._starts = {name: [int(part[first][0]) for part in columns] for name, first in FIRST.items() if first in columns[0]}
+        steps, stage = self._frames["step"], self._frames["stage"]
+        is_first = numpy.append(True, stage[1:] != stage[:-1])
+        self._stage_first = numpy.maximum.accumulate(numpy.where(is_first, numpy.arange(len(stage)), 0))
+        # Where a stage ends and the next one begins, a step has two frames: the first one is taken.
+        self._numbers = numpy.flatnonzero(numpy.append(True, steps[1:] != steps[:-1]))
+        self.list = [(int(steps[i]), stages[stage[i]]) for i in self._numbers]
+
+    @contextmanager
+    def _opened(self, file: Path) -> Iterator[Any]:
+        import h5py  # type: ignore[import]
+
+        try:
+            with file.open("rb") as stream:
+                header = HEADER.match(stream.read(HEADER_BYTES))
+            if header is None:
+                raise ValueError("it is no part of a trajectory of this version")
+            if file.stat().st_size != HEADER_BYTES + int(header[1]):
+                raise ValueError("it is cut off")
+            with h5py.File(file, "r") as part:
+                yield part
+        except (OSError, KeyError, ValueError, IndexError, RuntimeError) as error:
+            reason = error.strerror if isinstance(error, FileNotFoundError) else error
+            raise Error(f"cannot read {file}: {reason}") from None
+
+    def _look(self, part: Any, summary: dict[str, Any]) -> Look:
+        scene = part["scene"]
+        species = [name.decode() for name in scene["species"]]
+        self._columns, _, self._periodic = (int(number) for number in scene["lattice"])
+        self._sizes = scene["kinds/size"][:]
+        self._radii = numpy.sqrt(PITCH * self._sizes / numpy.pi)  # of discs of the same area
+        self._centres = scene["kinds/centre"][:].reshape(-1, 2)
+        sites = scene["kinds/sites"][:].reshape(-1, 2)
+        firsts, of = scene["kinds/first"][:], scene["kinds/species"][:]
+        self._kind_sites = [sites[first : first + size] for first, size in zip(firsts, self._sizes)]
+        degrees = [kind["degrees"] for kind in summary.get("kinds", [])] or len(of) * [0]
+        several = numpy.bincount(of, minlength=len(species)) > 1
+        kinds = [
+            Kind(f"{species[of[i]]}@{degrees[i]}" if several[of[i]] else species[of[i]], species[of[i]], degrees[i],
+                 outline(self._kind_sites[i], self._centres[i]))
+            for i in range(len(of))
+        ]
+        names = [name.decode() for name in scene["walls/name"]]
+        of_walls = axial(scene["walls/sites"][:].reshape(-1, 2))
+        self._wall_sites = [of_walls[first : first + size] for first, size in zip(scene["walls/first"], scene["walls/size"])]
+        units = summary.get("units")
+        unit = {"time": ("steps", 1.0), "velocity": ("spacings/step", 1.0)} if units is None else {
+            "time": (units["time"], units["time_step"]),
+            "velocity": (units["velocity"], units["spacing"] / units["time_step"]),
+        }
+        walls = {name: read_only(positions(home)) for name, home in zip(names, self._wall_sites)}
+        return Look(kinds, walls, unit, SIDES | {-2 - number: name for number, name in enumerate(names)})
+
+    def _rows(self, part: Any, frame: int, name: str, columns: list[str]) -> list[NDArray[Any]]:
+        """Of a list of a frame these columns."""
+        first = int(self._frames[FIRST[name]][frame]) - self._starts[name][self._frames["part"][frame]]
+        size = int(self._frames[name][frame])
+        return [rows_of(part[f"{name}/{column}"], first, size) for column in columns]
+
+    def _origins_of(self, frame: int) -> NDArray[Any]:
+        """By id, the site where it was when the stage began or it entered."""
+        stage_first = int(self._stage_first[frame])
+        with self._lock:
+            begin, end, origins = self._origins
+            if begin != stage_first or end <= begin or end > frame + 1:
+                begin, end, origins = stage_first, stage_first, numpy.empty((0, 2), "i4")
+            for number in range(end, frame + 1):
+                entered = int(self._frames["entered"][number])
+                if entered > len(origins):
+                    origins = numpy.concatenate([origins, numpy.zeros((entered - len(origins), 2), "i4")])
+                if self._frames["origins"][number]:
+                    with self._opened(self._files[self._frames["part"][number]]) as part:
+                        ids, sites = self._rows(part, number, "origins", ["id", "site"])
+                    origins[ids] = sites
+            self._origins = (begin, frame + 1, origins)
+            return origins
+
+    def frame(self, number: int) -> FrameData:
+        """By its place in `list`. Throws Error."""
+        frame = int(self._numbers[number])
+        origins = self._origins_of(frame)
+        with self._opened(self._files[self._frames["part"][frame]]) as part:
+            bodies, axials = self._bodies(part, frame, origins)
+            row, walls = int(self._frames["row"][frame]), len(self.look.walls)
+            present = numpy.asarray(part["walls/present"][:]).reshape(-1, walls)[row] if walls else []
+            shifts = numpy.asarray(part["walls/position"][:]).reshape(-1, walls, 2)[row] if walls else []
+            contacts = numpy.empty(0, CONTACT)
+            if "contacts" in part:
+                columns = self._rows(part, frame, "contacts", list(CONTACT.names or ()))
+                contacts = numpy.empty(len(columns[0]), CONTACT)
+                for name, column in zip(CONTACT.names or (), columns):
+                    contacts[name] = column
+        there = [(float(x), float(y)) if is_there else None for is_there, (x, y) in zip(present, shifts)]
+        if len(contacts):
+            loads = numpy.zeros(1 + int(max(bodies["id"].max(initial=0), contacts["upper"].max())))
+            numpy.add.at(loads, contacts["upper"], contacts["force"][:, 0])
+            grains = contacts["other"] >= 0
+            numpy.add.at(loads, contacts["other"][grains], contacts["force"][grains, 0])
+            bodies["force"] = loads[bodies["id"]]
+        elif self._frames["pushes"][frame]:
+            bodies["force"] = self._shared_sites(bodies["kind"], axials, there)
+        return int(self._frames["step"][frame]), read_only(bodies), there, read_only(contacts)
+
+    def _bodies(self, part: Any, frame: int, origins: NDArray[Any]) -> tuple[NDArray[Any], NDArray[numpy.int64]]:
+        """The particles but for their forces, and where they are."""
+        ids, kinds, sites, place, move = self._rows(part, frame, "particles", ["id", "kind", "site", "position", "move"])
+        bodies = numpy.zeros(len(ids), BODY)
+        bodies["id"], bodies["kind"], bodies["position"] = ids, kinds, place
+        axials = axial(sites)
+        bodies["displacement"] = positions(axials - axial(origins[ids]))
+        beyond = positions(axials)[:, 0] + self._centres[kinds, 0] - place[:, 0]
+        bodies["image"] = numpy.rint(beyond / (PITCH * self._columns))
+        if "velocity" in part["particles"]:
+            bodies["velocity"] = self._rows(part, frame, "particles", ["velocity"])[0] * self.look.units["velocity"][1]
+            has_spins = "spin" in part["particles"]
+            spins = self._rows(part, frame, "particles", ["spin"])[0] if has_spins else numpy.nan
+            bodies["angular_velocity"] = spins / (self._radii[kinds] * self.look.units["time"][1])
+        else:
+            moves = numpy.array([(0, 1), (1, 0), (1, -1), (0, -1), (-1, 0), (-1, 1), (0, 0)])  # clockwise from up
+            bodies["velocity"] = positions(moves)[numpy.minimum(move, NO_MOVE)]
+        return bodies, axials
+
+    def _shared_sites(
+        self, kinds: NDArray[Any], axials: NDArray[numpy.int64], walls: list[tuple[float, float] | None]
+    ) -> NDArray[numpy.float64]:
+        """Of each particle how many sites it has in common with others and with walls, by each of them."""
+        sites, owners = [], []
+        for kind in numpy.unique(kinds):
+            those = numpy.flatnonzero(kinds == kind)
+            sites.append((axials[those, None] + self._kind_sites[kind]).reshape(-1, 2))
+            owners.append(numpy.repeat(those, len(self._kind_sites[kind])))
+        for home, shift in zip(self._wall_sites, walls):
+            if shift is not None:
+                x = round(shift[0] / PITCH)
+                sites.append(home + numpy.array([x, round(shift[1] - 0.5 * x)]))
+                owners.append(numpy.full(len(home), len(kinds)))
+        all_sites = numpy.concatenate(sites)
+        column, q = all_sites.T
+        row = q + column // 2
+        if self._periodic:
+            column = column % self._columns
+        _, places, counts = numpy.unique(row * (2**32) + column, return_inverse=True, return_counts=True)
+        shared = numpy.bincount(numpy.concatenate(owners), weights=counts[places] - 1.0, minlength=len(kinds) + 1)
+        return numpy.asarray(shared[:-1], float)
