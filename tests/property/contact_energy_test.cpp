@@ -22,7 +22,7 @@ double total_energy(const ContactModel& model, double gravity) {
   return energy.kinetic + energy.potential;
 }
 
-// Of hexagons in a box, with some friction, where the fall height is not below that of the box and
+// Of hexagons and discs in a box, with some friction, where the fall height is not below that of the box and
 // steps are not longer than they are by default. Half a percent is for what sites cost: grains that
 // hardly move stay where they are, and those without room are set back to two spacings. Without
 // friction more is won in one box of some hundreds, where velocities along a row go on though the
@@ -31,7 +31,7 @@ RC_GTEST_PROP(ContactEnergyProperty, EnergyDoesNotGrow, ()) {
   ContactRun run = any_contact_run(false, kSteps);
   RC_PRE(run.state.grains.walls.empty());
   RC_PRE(std::all_of(run.state.grains.kinds.begin(), run.state.grains.kinds.end(),
-                     [](const auto& kind) { return kind.shape.is_hexagon(); }));
+                     [](const auto& kind) { return kind.shape.is_round(); }));
   run.parameters.restitution = std::min(run.parameters.restitution, 0.5);
   run.parameters.friction = std::clamp(run.parameters.friction, 0.1, 1.0);
   run.parameters.wall_friction = std::min(run.parameters.wall_friction, 1.0);
