@@ -280,7 +280,7 @@ def style(scale: float) -> Iterator[None]:
         "legend.frameon": False, "xtick.major.width": 0.6 * scale, "ytick.major.width": 0.6 * scale,
         "xtick.major.size": 2.5 * scale, "ytick.major.size": 2.5 * scale, "axes.titlepad": 3 * scale,
         "xtick.minor.size": 1.5 * scale, "ytick.minor.size": 1.5 * scale, "axes.labelpad": 2 * scale,
-        "pdf.fonttype": 42, "svg.hashsalt": "clca",
+        "pdf.fonttype": 42, "svg.fonttype": "none", "svg.hashsalt": "clca",
     }
     default = matplotlib.rcParamsDefault
     with matplotlib.rc_context({key: value for key, value in ours.items() if matplotlib.rcParams[key] == default[key]}):
