@@ -91,8 +91,8 @@ std::pair<std::vector<Picture>, std::vector<std::string>> drawn(const fs::path& 
   constexpr int kWrong = 2;
   const fs::path package = process::data_folder("python");
   const fs::path python = process::python();
-  std::error_code ignored;
-  if (!fs::exists(package / "clca/__main__.py", ignored)) {
+  std::error_code unknown;
+  if (!fs::exists(package / "clca/__main__.py", unknown)) {
     throw PlotError(fmt::format("no Python package of clca in {}", package.string()));
   }
   try {

@@ -128,17 +128,15 @@ TEST_F(ReportCommand, RefusesASweepThatIsDamagedWithOneLine) {
   EXPECT_EQ(count_of(result.err, "\n"), 1U);
 }
 
-TEST_F(ReportCommand, WithoutGnuplotHasTheRestAndOneWarning) {
+TEST_F(ReportCommand, WithoutPythonHasTheRestAndOneWarning) {
   const auto result = testing::run_program(
       {"report", "run"}, {.folder = folder_.path().string(),
-                          .environment = {{"PATH", (folder_.path() / "missing").string()}}});
+                          .environment = {{"CLCA_PYTHON", (folder_.path() / "missing").string()}}});
   EXPECT_EQ(result.code, 0);
-  EXPECT_EQ(result.err,
-            "clca: warning: gnuplot not found; install gnuplot-nox (Debian) or put gnuplot on the "
-            "PATH\n");
-  EXPECT_THAT(text("run/report.html"),
-              AllOf(HasSubstr("id=\"measures\""), HasSubstr("gnuplot not found"),
-                    Not(HasSubstr("id=\"figures\""))));
+  EXPECT_THAT(result.err, AllOf(HasSubstr("clca: warning: "), HasSubstr("missing")));
+  EXPECT_EQ(count_of(result.err, "\n"), 1U);
+  EXPECT_THAT(text("run/report.html"), AllOf(HasSubstr("id=\"measures\""), HasSubstr("missing"),
+                                             Not(HasSubstr("id=\"figures\""))));
 }
 
 TEST_F(ReportCommand, IsClearedAwayByTheNextRun) {
@@ -214,16 +212,6 @@ TEST_F(ReportInABrowser, TheScriptShowsTheLastPictureAndTheFiguresAreThere) {
   EXPECT_THAT(page, Not(HasSubstr("id=\"player\" hidden")));
   EXPECT_THAT(page, HasSubstr("<img id=\"frame\" alt=\"Picture of the particles. Step "));
   EXPECT_GE(count_of(page, "<figure class=\"chart\""), 3U);  // surface, share that moves, height
-}
-
-// gnuplot's script replaces what calls it in the figure where it has found its axes.
-TEST_F(ReportInABrowser, EachFigureAnswersThePointer) {
-  const std::string before = text("run/report.html");
-  const std::string page = browse({"--dump-dom"}, "").out;
-  const std::size_t figures = count_of(before, "id=\"gnuplot_canvas\" onclick");
-  EXPECT_GE(figures, 3U);
-  EXPECT_EQ(count_of(page, "id=\"gnuplot_canvas\""), figures);
-  EXPECT_EQ(count_of(page, "id=\"gnuplot_canvas\" onclick"), 0U);
 }
 
 TEST_F(ReportInABrowser, APlaceInTheAddressShowsItsPicture) {

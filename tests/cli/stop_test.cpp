@@ -46,12 +46,13 @@ class StopTest : public ::testing::Test {
   }
   /// Sends the signal once that program runs.
   testing::ProgramResult stopped(const std::vector<std::string>& arguments, int signal) const {
-    return testing::run_program(arguments,
-                                {.folder = folder_.path().string(),
-                                 .environment = {{"PATH", (folder_.path() / "bin").string()}},
-                                 .signal = signal,
-                                 .once = "pid",
-                                 .once_has = "\n"});
+    return testing::run_program(
+        arguments, {.folder = folder_.path().string(),
+                    .environment = {{"PATH", (folder_.path() / "bin").string()},
+                                    {"CLCA_PYTHON", (folder_.path() / "bin/python3").string()}},
+                    .signal = signal,
+                    .once = "pid",
+                    .once_has = "\n"});
   }
   void expect_ended(const testing::ProgramResult& result, int signal) const {
     EXPECT_EQ(result.code, 128 + signal) << result.err;
@@ -73,13 +74,13 @@ TEST_F(StopTest, TheFirstSignalEndsAnFfmpegThatHangsAndLeavesNothingOfTheMovie) 
   }
 }
 
-TEST_F(StopTest, TheFirstSignalEndsAGnuplotThatHangs) {
+TEST_F(StopTest, TheFirstSignalEndsAPythonThatHangs) {
   store::RunSummary summary;
   summary.kind = "boltzmann";
   summary.scene = "gas";
   store::write_whole(folder_.path() / "run.json", store::to_json(summary));
   store::write_whole(folder_.path() / "series.csv", "time,collisions\n0,0\n1,2\n");
-  hang("gnuplot");
+  hang("python3");
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     expect_ended(stopped({"plot", ".", "-o", "plots"}, signal), signal);
     EXPECT_FALSE(fs::exists(folder_.path() / "plots"));

@@ -148,8 +148,16 @@ def draw_curve(ax: Any, curve: Curve, color: Any, log: bool) -> None:
     elif curve.style == "points":
         ax.plot(curve.x, curve.y, "o", color=color, label=label, markersize=2.5)
     elif curve.style == "bars":
-        ax.plot(curve.x, curve.y, "o" + curve.line, color=color, label=label, markersize=4, linewidth=1.2,
-                markerfacecolor=(*_rgb(color), 0.4))
+        ax.plot(
+            curve.x,
+            curve.y,
+            "o" + curve.line,
+            color=color,
+            label=label,
+            markersize=4,
+            linewidth=1.2,
+            markerfacecolor=(*_rgb(color), 0.4),
+        )
     else:
         few = "o" if curve.style == "marked" or numpy.count_nonzero(numpy.isfinite(curve.y)) == 1 else ""
         ax.plot(curve.x, curve.y, few + curve.line, color=color, label=label, markersize=2.5)
@@ -159,13 +167,27 @@ def draw_curve(ax: Any, curve: Curve, color: Any, log: bool) -> None:
             middle = curve.x
             if curve.style == "steps":
                 middle = curve.x + 0.5 * numpy.append(numpy.diff(curve.x), 0)
-            ax.errorbar(middle[::every], curve.y[::every], [(curve.y - low)[::every].clip(0), (high - curve.y)[::every].clip(0)],
-                        fmt="none", ecolor=color, elinewidth=0.8, capsize=1.5)
+            ax.errorbar(
+                middle[::every],
+                curve.y[::every],
+                [(curve.y - low)[::every].clip(0), (high - curve.y)[::every].clip(0)],
+                fmt="none",
+                ecolor=color,
+                elinewidth=0.8,
+                capsize=1.5,
+            )
         else:
             ax.fill_between(curve.x, low, high, color=color, alpha=0.25, linewidth=0)
     if curve.left is not None and curve.right is not None and numpy.any(curve.right > curve.left):
-        ax.errorbar(curve.x, curve.y, xerr=[curve.x - curve.left, curve.right - curve.x], fmt="none", ecolor=color,
-                    elinewidth=0.8, capsize=1.5)
+        ax.errorbar(
+            curve.x,
+            curve.y,
+            xerr=[curve.x - curve.left, curve.right - curve.x],
+            fmt="none",
+            ecolor=color,
+            elinewidth=0.8,
+            capsize=1.5,
+        )
 
 
 def _rgb(color: Any) -> tuple[float, float, float]:
@@ -205,8 +227,13 @@ def draw_axis(ax: Any, which: str, axis: Axis, values: list[NDArray[Any]], given
         set_limits(*limits)
 
 
-def draw_panel(ax: Any, panel: Panel, x_limits: Limits = (None, None), y_limits: Limits = (None, None),
-               beside: Sequence[Panel] = ()) -> None:
+def draw_panel(
+    ax: Any,
+    panel: Panel,
+    x_limits: Limits = (None, None),
+    y_limits: Limits = (None, None),
+    beside: Sequence[Panel] = (),
+) -> None:
     """Into the axes of anybody, as a page does it. `beside`: panels that share the axes."""
     shown = [*panel.curves, *panel.on_y2]
     palette = colors(len([curve for curve in shown if curve.color is None]))
@@ -272,15 +299,35 @@ def style(scale: float) -> Iterator[None]:
     import matplotlib
 
     ours: dict[str, Any] = {
-        "font.size": LETTER * scale, "axes.labelsize": "medium", "axes.titlesize": "medium", "xtick.labelsize": "medium",
-        "ytick.labelsize": "medium", "legend.fontsize": "medium", "figure.titlesize": "medium",
-        "axes.prop_cycle": matplotlib.cycler(color=PALETTE), "axes.grid": True, "grid.color": "#dcdcdc",
-        "grid.linewidth": 0.5 * scale, "axes.axisbelow": True, "axes.spines.top": False, "axes.spines.right": False,
-        "axes.edgecolor": "#404040", "axes.linewidth": 0.6 * scale, "lines.linewidth": 1.2 * scale,
-        "legend.frameon": False, "xtick.major.width": 0.6 * scale, "ytick.major.width": 0.6 * scale,
-        "xtick.major.size": 2.5 * scale, "ytick.major.size": 2.5 * scale, "axes.titlepad": 3 * scale,
-        "xtick.minor.size": 1.5 * scale, "ytick.minor.size": 1.5 * scale, "axes.labelpad": 2 * scale,
-        "pdf.fonttype": 42, "svg.hashsalt": "clca",
+        "font.size": LETTER * scale,
+        "axes.labelsize": "medium",
+        "axes.titlesize": "medium",
+        "xtick.labelsize": "medium",
+        "ytick.labelsize": "medium",
+        "legend.fontsize": "medium",
+        "figure.titlesize": "medium",
+        "axes.prop_cycle": matplotlib.cycler(color=PALETTE),
+        "axes.grid": True,
+        "grid.color": "#dcdcdc",
+        "grid.linewidth": 0.5 * scale,
+        "axes.axisbelow": True,
+        "axes.spines.top": False,
+        "axes.spines.right": False,
+        "axes.edgecolor": "#404040",
+        "axes.linewidth": 0.6 * scale,
+        "lines.linewidth": 1.2 * scale,
+        "legend.frameon": False,
+        "xtick.major.width": 0.6 * scale,
+        "ytick.major.width": 0.6 * scale,
+        "xtick.major.size": 2.5 * scale,
+        "ytick.major.size": 2.5 * scale,
+        "axes.titlepad": 3 * scale,
+        "xtick.minor.size": 1.5 * scale,
+        "ytick.minor.size": 1.5 * scale,
+        "axes.labelpad": 2 * scale,
+        "pdf.fonttype": 42,
+        "svg.fonttype": "none",
+        "svg.hashsalt": "clca",
     }
     default = matplotlib.rcParamsDefault
     with matplotlib.rc_context({key: value for key, value in ours.items() if matplotlib.rcParams[key] == default[key]}):
@@ -319,7 +366,7 @@ def page(chart: Chart, look: Look, width: float, height: float | None, letter: f
     canvas = FigureCanvasAgg(figure)
     figure.get_layout_engine().set(w_pad=0.3 * line, h_pad=0.3 * line, wspace=0.02, hspace=0.02)
     axes = figure.subplots(rows, columns, squeeze=False, sharex=len(panels) > 1, sharey=len(panels) > 1).ravel()
-    for ax in axes[len(panels):]:
+    for ax in axes[len(panels) :]:
         ax.remove()
     for ax, panel in zip(axes, panels):
         draw_panel(ax, panel, look.x_limits, look.y_limits, panels)
@@ -350,7 +397,9 @@ def page(chart: Chart, look: Look, width: float, height: float | None, letter: f
         shown = cm.ScalarMappable(Normalize(min(bar[1]), max(bar[1])), colormap)
         figure.colorbar(shown, ax=list(axes[: len(panels)]), label=plain(bar[0]), aspect=30)
     share, margin = above * line / total, 0.3 * line  # equal scales are not quite what the layout has reckoned with
-    figure.get_layout_engine().set(rect=(margin / width, margin / total, 1 - 2 * margin / width, 1 - share - 2 * margin / total))
+    figure.get_layout_engine().set(
+        rect=(margin / width, margin / total, 1 - 2 * margin / width, 1 - share - 2 * margin / total)
+    )
     if title:
         figure.text(0.5 * line / width, 1 - 0.25 * line / total, title, va="top", ha="left", linespacing=1.15)
     if legend is not None:
@@ -373,7 +422,9 @@ def legend_of(axes: Sequence[Any], panels: Sequence[Panel]) -> tuple[list[Any], 
         return [], []
     found: dict[str, Any] = {}
     for ax in axes:
-        for one in [ax] + [other for other in ax.figure.axes if other not in axes and other.bbox.bounds == ax.bbox.bounds]:
+        for one in [ax] + [
+            other for other in ax.figure.axes if other not in axes and other.bbox.bounds == ax.bbox.bounds
+        ]:
             for handle, name in zip(*one.get_legend_handles_labels()):
                 found.setdefault(plain(name), handle)
     return list(found.values()), list(found)
@@ -382,8 +433,17 @@ def legend_of(axes: Sequence[Any], panels: Sequence[Panel]) -> tuple[list[Any], 
 def legend_above(figure: Any, canvas: Any, handles: list[Any], names: list[str], room: float) -> tuple[Any, int]:
     """As many names side by side as fit; and how many lines that takes."""
     for columns in range(len(names), 0, -1):
-        legend = figure.legend(handles, names, loc="upper left", ncol=columns, borderaxespad=0, borderpad=0, handlelength=1.6,
-                               columnspacing=1.2, labelspacing=0.25)
+        legend = figure.legend(
+            handles,
+            names,
+            loc="upper left",
+            ncol=columns,
+            borderaxespad=0,
+            borderpad=0,
+            handlelength=1.6,
+            columnspacing=1.2,
+            labelspacing=0.25,
+        )
         legend.set_in_layout(False)
         wide = legend.get_window_extent(canvas.get_renderer()).width / figure.dpi
         if wide <= room or columns == 1:

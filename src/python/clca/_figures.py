@@ -8,6 +8,7 @@ from __future__ import annotations
 import difflib
 import math
 from collections.abc import Callable, Iterable
+from functools import partial
 from typing import Any, NamedTuple
 
 import numpy
@@ -45,12 +46,16 @@ class Source:
         self.stages = list(folder.stages) if isinstance(folder, Run) else _stages_of(folder)
         unknown = [stage for stage in choice.stages if stage not in self.stages]
         if unknown:
-            raise Error(f"{folder.folder}: no stage '{unknown[0]}'{suggestion(unknown[0], self.stages)}; "
-                        f"there are {', '.join(self.stages)}")
+            raise Error(
+                f"{folder.folder}: no stage '{unknown[0]}'{suggestion(unknown[0], self.stages)}; "
+                f"there are {', '.join(self.stages)}"
+            )
         self._tables: dict[str, Table] = {}
 
     def is_wanted(self, stage: str) -> bool:
-        fills = self.folder.stages[stage].fills if isinstance(self.folder, Run) and stage in self.folder.stages else False
+        fills = (
+            self.folder.stages[stage].fills if isinstance(self.folder, Run) and stage in self.folder.stages else False
+        )
         return (not self.choice.stages or stage in self.choice.stages) and (self.choice.filling or not fills)
 
     def table(self, name: str) -> Table:
@@ -62,8 +67,8 @@ class Source:
                 keep &= numpy.array([self.is_wanted(str(stage)) for stage in table["stage"]], bool)
             time = "time" if "time" in names else "step"
             if time in names and table[time].dtype.kind == "f":
-                keep &= (table[time] >= (-math.inf if choice.first is None else choice.first))
-                keep &= (table[time] <= (math.inf if choice.last is None else choice.last))
+                keep &= table[time] >= (-math.inf if choice.first is None else choice.first)
+                keep &= table[time] <= (math.inf if choice.last is None else choice.last)
             self._tables[name] = table[keep]
         return self._tables[name]
 
@@ -72,13 +77,18 @@ class Source:
         begin, star, _ = pattern.partition("*")
         if not star:
             return [("", self.table(pattern))] if pattern in self.names else []
-        parts = [name[len(begin):] for name in self.names if name.startswith(begin) and set(name[len(begin):]) <= LABEL]
+        parts = [
+            name[len(begin) :] for name in self.names if name.startswith(begin) and set(name[len(begin) :]) <= LABEL
+        ]
 
         def order(label: str) -> tuple[int, float, str]:
             return (self.stages.index(label) if label in self.stages else len(self.stages), number_in(label), label)
 
-        return [(label, self.table(begin + label)) for label in sorted(filter(None, parts), key=order)
-                if label not in self.stages or self.is_wanted(label)]
+        return [
+            (label, self.table(begin + label))
+            for label in sorted(filter(None, parts), key=order)
+            if label not in self.stages or self.is_wanted(label)
+        ]
 
 
 def _stages_of(sweep: Sweep) -> list[str]:
@@ -159,10 +169,13 @@ def lines(source: Source, figure: Figure, files: list[tuple[str, Table]], part: 
     if figure.y.endswith("*"):
         prefix = figure.y[:-1]
         columns = [name for name in table.dtype.names or () if name.startswith(prefix) and has(table, name)]
-        curves = [curve_of(source, column[len(prefix):], table, x, column) for column in columns]
+        curves = [curve_of(source, column[len(prefix) :], table, x, column) for column in columns]
         label = table.label(columns[0]).replace(f", {columns[0][len(prefix):]}", "", 1)
     else:
-        curves = [curve_of(source, group, rows, x, figure.y, style=figure.style) for group, rows in groups_of(table, figure.by)]
+        curves = [
+            curve_of(source, group, rows, x, figure.y, style=figure.style)
+            for group, rows in groups_of(table, figure.by)
+        ]
         label = table.label(figure.y)
     return Panel(curves, Axis(table.label(x)), Axis(label, figure.log, figure.zero, high=figure.top), part)
 
@@ -173,8 +186,13 @@ def profile(source: Source, figure: Figure, files: list[tuple[str, Table]], part
     tall = 1.05 * max(float(numpy.nanmax(curve.y)) for curve in curves)
     margin = 0.03 * float(numpy.ptp(bed)) + 1
     table = files[0][1]
-    return Panel(curves, Axis(table.label("x"), low=bed.min() - margin, high=bed.max() + margin),
-                 Axis(table.label("height_end"), low=0, high=tall), part, equal=True)
+    return Panel(
+        curves,
+        Axis(table.label("x"), low=bed.min() - margin, high=bed.max() + margin),
+        Axis(table.label("height_end"), low=0, high=tall),
+        part,
+        equal=True,
+    )
 
 
 def slope(source: Source, figure: Figure, files: list[tuple[str, Table]], part: str) -> Panel:
@@ -186,31 +204,53 @@ def slope(source: Source, figure: Figure, files: list[tuple[str, Table]], part: 
 def neighbours(source: Source, figure: Figure, files: list[tuple[str, Table]], part: str) -> Panel:
     table = files[0][1]
     table = table[table["pairs"] >= 100]
-    kept, apart = (Curve(name, table["fallen_d"], table[column], style="marked", color=color) for color, (name, column)
-                   in enumerate((("neighbours kept", "kept"), ("diffusion of pairs (right)", "pair_diffusion"))))
-    return Panel([kept], Axis(table.label("fallen_d")), Axis(table.label("kept"), zero=True, high=1), part,
-                 Axis(table.label("pair_diffusion"), zero=True), [apart])
+    kept, apart = (
+        Curve(name, table["fallen_d"], table[column], style="marked", color=color)
+        for color, (name, column) in enumerate(
+            (("neighbours kept", "kept"), ("diffusion of pairs (right)", "pair_diffusion"))
+        )
+    )
+    return Panel(
+        [kept],
+        Axis(table.label("fallen_d")),
+        Axis(table.label("kept"), zero=True, high=1),
+        part,
+        Axis(table.label("pair_diffusion"), zero=True),
+        [apart],
+    )
 
 
 def base_pressure(source: Source, figure: Figure, files: list[tuple[str, Table]], part: str) -> Panel:
     table = files[0][1]
     rules = [rule for rule in ("inner", "outer", "pair", "q", "contact") if has(table, f"pressure_{rule}")]
     curves = [Curve(rule, table["base_position"], table[f"pressure_{rule}"], style="marked") for rule in rules]
-    return Panel(curves, Axis(table.label("base_position"), low=-1, high=1), Axis("Base pressure over its mean", zero=True), part)
+    return Panel(
+        curves, Axis(table.label("base_position"), low=-1, high=1), Axis("Base pressure over its mean", zero=True), part
+    )
 
 
 def across(source: Source, figure: Figure, files: list[tuple[str, Table]], part: str) -> Panel:
     """Profiles across lines: over x or y where all are level or upright."""
     table = files[0][1]
     groups = groups_of(table, "line")
-    x = next((along for along, fixed in (("x", "y"), ("y", "x")) if all(numpy.ptp(rows[fixed]) < 1e-6 for _, rows in groups)),
-             "position")
+    x = next(
+        (
+            along
+            for along, fixed in (("x", "y"), ("y", "x"))
+            if all(numpy.ptp(rows[fixed]) < 1e-6 for _, rows in groups)
+        ),
+        "position",
+    )
     curves = [curve_of(source, group, rows, x, figure.y) for group, rows in groups]
     label = table.label(figure.y)
     if figure.y == "v_across":
-        curves += [Curve("", rows[x], rows["v_along"], line="--", color=number) for number, (_, rows) in enumerate(groups)]
-        curves += [Curve(name, numpy.array([]), numpy.array([]), line=line, color=THEORY)
-                   for name, line in (("across, to the right", "-"), ("along", "--"))]
+        curves += [
+            Curve("", rows[x], rows["v_along"], line="--", color=number) for number, (_, rows) in enumerate(groups)
+        ]
+        curves += [
+            Curve(name, numpy.array([]), numpy.array([]), line=line, color=THEORY)
+            for name, line in (("across, to the right", "-"), ("along", "--"))
+        ]
         label = f"Velocity ({table.units['v_across']})"
     return Panel(curves, Axis(table.label(x)), Axis(label, zero=figure.zero, high=figure.top), part)
 
@@ -235,13 +275,17 @@ def pitch_of(centres: NDArray[Any]) -> float:
     return float(steps[steps > 1e-6].min(initial=math.inf))
 
 
-def arrows(ax: Any, x: NDArray[Any], y: NDArray[Any], dx: NDArray[Any], dy: NDArray[Any], cell: float, color: str) -> float:
-    """Of mean length 0.7 cells, and none longer than 1.3, so that the fast ones do not hide the others. Returns the mean."""
+def arrows(
+    ax: Any, x: NDArray[Any], y: NDArray[Any], dx: NDArray[Any], dy: NDArray[Any], cell: float, color: str
+) -> float:
+    """Of mean length 0.7 cells, and none longer than 1.3, so that the fast ones do not hide the others."""
     length = numpy.hypot(dx, dy)
     with numpy.errstate(invalid="ignore", divide="ignore"):
         mean = float(numpy.nanmean(length)) or 1.0
         scale = numpy.minimum(0.7 * cell / mean, 1.3 * cell / length)
-    ax.quiver(x, y, dx * scale, dy * scale, pivot="mid", angles="xy", scale_units="xy", scale=1, color=color, width=0.0025)
+    ax.quiver(
+        x, y, dx * scale, dy * scale, pivot="mid", angles="xy", scale_units="xy", scale=1, color=color, width=0.0025
+    )
     return mean
 
 
@@ -252,9 +296,14 @@ def field(source: Source, figure: Figure, files: list[tuple[str, Table]], part: 
     wide, tall = pitch_of(xs), pitch_of(ys)
     wide, tall = (wide if math.isfinite(wide) else tall), (tall if math.isfinite(tall) else wide)
     wide, tall = (wide, tall) if math.isfinite(wide) else (1.0, 1.0)
-    speed = float(numpy.nanmean(numpy.hypot(means["vx"], means["vy"]))) if numpy.isfinite(means["vx"]).any() else math.nan
-    name, label = ("packing", f"Packing; mean arrow: {speed:.2g} {table.units['vx']}") if figure.y == "packing" else (
-        "fluctuation", table.label("fluctuation"))
+    speed = (
+        float(numpy.nanmean(numpy.hypot(means["vx"], means["vy"]))) if numpy.isfinite(means["vx"]).any() else math.nan
+    )
+    name, label = (
+        ("packing", f"Packing; mean arrow: {speed:.2g} {table.units['vx']}")
+        if figure.y == "packing"
+        else ("fluctuation", table.label("fluctuation"))
+    )
 
     def draw(ax: Any) -> None:
         from matplotlib.colors import LinearSegmentedColormap  # type: ignore[import]
@@ -274,8 +323,14 @@ def field(source: Source, figure: Figure, files: list[tuple[str, Table]], part: 
 
 def place_panel(draw: Callable[[Any], None], title: str, x: tuple[float, float], y: tuple[float, float]) -> Panel:
     """In the plane, at equal scales."""
-    return Panel((), Axis("x, lattice spacings", low=x[0], high=x[1]), Axis("y, lattice spacings", low=y[0], high=y[1]), title,
-                 draw=draw, equal=True)
+    return Panel(
+        (),
+        Axis("x, lattice spacings", low=x[0], high=x[1]),
+        Axis("y, lattice spacings", low=y[0], high=y[1]),
+        title,
+        draw=draw,
+        equal=True,
+    )
 
 
 def convection(source: Source, figure: Figure, files: list[tuple[str, Table]], part: str) -> Panel:
@@ -325,7 +380,7 @@ def contacts(source: Source, figure: Figure, files: list[tuple[str, Table]], par
 
 
 def density(table: Table, share: str) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
-    """Lower ends of bins and densities, as steps: the last bin has no end, where the line of the one before ends. Widths, too."""
+    """Lower ends of bins and densities as steps, and widths. The last bin has no end: there the line before it ends."""
     width = table["upper"] - table["lower"]
     values = table[share] / width
     is_open = ~numpy.isfinite(width)
@@ -335,11 +390,22 @@ def density(table: Table, share: str) -> tuple[NDArray[Any], NDArray[Any], NDArr
 
 def fluctuation(source: Source, figure: Figure, files: list[tuple[str, Table]], part: str) -> Panel:
     curves = []
-    for column, name, line in (("share", "over the mean of the window", "-"), ("share_local", "over the mean of the cell", "-"),
-                               ("reference", "chi-square", "--")):
+    for column, name, line in (
+        ("share", "over the mean of the window", "-"),
+        ("share_local", "over the mean of the cell", "-"),
+        ("reference", "chi-square", "--"),
+    ):
         x, y, _ = density(files[0][1], column)
-        curves.append(Curve(name, x, numpy.where(y > 0, y, numpy.nan), line=line, style="steps",
-                            color=THEORY if column == "reference" else None))
+        curves.append(
+            Curve(
+                name,
+                x,
+                numpy.where(y > 0, y, numpy.nan),
+                line=line,
+                style="steps",
+                color=THEORY if column == "reference" else None,
+            )
+        )
     return Panel(curves, Axis("X"), Axis("Probability density of X", log=True), part)
 
 
@@ -367,19 +433,29 @@ def gas(source: Source, figure: Figure, files: list[tuple[str, Table]], part: st
     curves = []
     for name, rows in groups:
         label = f"ε = {name}" if name else "simulation"
-        curves.append(Curve(label, rows["time"], values(rows)) if is_ratio else
-                      curve_of(source, label, rows, "time", figure.y, style="sparse"))
+        curves.append(
+            Curve(label, rows["time"], values(rows))
+            if is_ratio
+            else curve_of(source, label, rows, "time", figure.y, style="sparse")
+        )
     if "closure" in source.names and all(has(source.table("closure"), column) for column in columns):
         theory = groups_of(source.table("closure"), "restitution")
         numbers = {name: number for number, (name, _) in enumerate(groups)}
-        curves += [Curve("", rows["time"], values(rows), line="--", color=numbers.get(name, 0)) for name, rows in theory]
+        curves += [
+            Curve("", rows["time"], values(rows), line="--", color=numbers.get(name, 0)) for name, rows in theory
+        ]
         curves.append(Curve("closed form", numpy.array([]), numpy.array([]), line="--", color=THEORY))
     floor = measure_of(source, "hellinger_floor")
     if figure.y.startswith("dh_") and floor > 0:
         ends = numpy.array([table["time"].min(), table["time"].max()])
         curves.append(Curve("chance", ends, numpy.full(2, floor), line=":", color=THEORY))
     label = "T_rot / T_tr, relative to time 0" if is_ratio else table.label(figure.y)
-    return Panel(curves, Axis(table.label("time")), Axis(label, figure.log and not (is_shear and figure.y.startswith("t_"))), part)
+    return Panel(
+        curves,
+        Axis(table.label("time")),
+        Axis(label, figure.log and not (is_shear and figure.y.startswith("t_"))),
+        part,
+    )
 
 
 def measure_of(source: Source, name: str) -> float:
@@ -407,8 +483,12 @@ def energy(source: Source, figure: Figure, files: list[tuple[str, Table]], part:
     curves.append(Curve("chi-square", x, numpy.sqrt(x / (2 * math.pi)) * numpy.exp(-x / 2), line="--", color=THEORY))
     least = max(1e-4, min(float(curve.y[curve.y > 1e-12].min(initial=1)) for curve in curves) / 2)
     symbol = "ω" if kind == "rotational" else "v"
-    return Panel(curves, Axis(f"X = |{symbol}|² / {symbol}₀²(t)", low=0, high=end),
-                 Axis("Probability density of X", log=True, low=least), f"ε = {part}" if part else "")
+    return Panel(
+        curves,
+        Axis(f"X = |{symbol}|² / {symbol}₀²(t)", low=0, high=end),
+        Axis("Probability density of X", log=True, low=least),
+        f"ε = {part}" if part else "",
+    )
 
 
 def stress(source: Source, figure: Figure, files: list[tuple[str, Table]], part: str) -> Panel:
@@ -428,96 +508,134 @@ def stress(source: Source, figure: Figure, files: list[tuple[str, Table]], part:
 
 def comparison(source: Source, figure: Figure, files: list[tuple[str, Table]], part: str) -> Panel:
     table, curves = files[0][1], []
-    names = {"automaton": "automaton, a temperature for all", "automaton_local": "automaton, one for each cell",
-             "boltzmann_translational": "Boltzmann, translation", "boltzmann_rotational": "Boltzmann, rotation"}
+    names = {
+        "automaton": "automaton, a temperature for all",
+        "automaton_local": "automaton, one for each cell",
+        "boltzmann_translational": "Boltzmann, translation",
+        "boltzmann_rotational": "Boltzmann, rotation",
+    }
     ends = numpy.append(table["quantile_lower"], table["quantile_upper"][-1])
     for column, name in names.items():
         if has(table, column):  # spheres that do not spin have no column of their own
             shares = table[column] / table["reference"]
-            curves.append(Curve(f"{name}: D_H = {measure_of(source, f'hellinger_{column}'):.1e}", ends,
-                                numpy.append(shares, shares[-1]), style="steps"))
+            curves.append(
+                Curve(
+                    f"{name}: D_H = {measure_of(source, f'hellinger_{column}'):.1e}",
+                    ends,
+                    numpy.append(shares, shares[-1]),
+                    style="steps",
+                )
+            )
     curves.append(Curve("chi-square", numpy.array([0.0, 1.0]), numpy.ones(2), line="--", color=THEORY))
-    return Panel(curves, Axis("Quantile of chi-square: 2 degrees of freedom in the plane, 3 in space", low=0, high=1),
-                 Axis("Share / share under chi-square", zero=True))
+    return Panel(
+        curves,
+        Axis("Quantile of chi-square: 2 degrees of freedom in the plane, 3 in space", low=0, high=1),
+        Axis("Share / share under chi-square", zero=True),
+    )
 
 
+# fmt: off
 FIGURES = [
-    Figure("profile", "profile-*", "height_end", "Surface of the bed above the floor of the box at the end of each stage; "
-           "equal scales, so that slopes are seen as they are.", 9, "x", draw=profile),
+    Figure("profile", "profile-*", "height_end",
+           "Surface of the bed above the floor of the box at the end of each stage; equal scales, so that slopes are "
+           "seen as they are.", 9, "x", draw=profile),
     Figure("motion", "series", "moving_share", "Share of the particles that move.", 5, zero=True, top=1),
-    Figure("mean-height", "series", "mean_height", "Mean height of all particles above the floor of the box.", 4, zero=True),
+    Figure("mean-height", "series", "mean_height",
+           "Mean height of all particles above the floor of the box.", 4, zero=True),
     Figure("kinetic-energy", "series", "kinetic_energy", "Kinetic energy of all grains.", 6, zero=True),
     Figure("particles", "series", "particles", "Particles in the box, where some enter or leave.", zero=True),
-    Figure("outflow", "series", "discharged_sites", "What has left through outlets; the slope is the outflow.", 8, zero=True),
-    Figure("outflow-apart", "series", "discharged.*", "What has left through each outlet, and of each species.", 7, zero=True),
+    Figure("outflow", "series", "discharged_sites",
+           "What has left through outlets; the slope is the outflow.", 8, zero=True),
+    Figure("outflow-apart", "series", "discharged.*",
+           "What has left through each outlet, and of each species.", 7, zero=True),
     Figure("probe-flow", "probes", "flow", "Flow through each probe, downwards.", 6, by="probe"),
-    Figure("probe-filling", "probes", "filling", "Share of the sites of each probe that particles cover.", by="probe",
-           zero=True, top=1),
-    Figure("line-velocity", "lines-*", "v_across", "Mean velocity across and along each line of the scene over a stage, with "
-           "bands of one standard error.", 7, by="line", each="file", draw=across),
-    Figure("line-flux", "lines-*", "flux", "Flux to the right across each line of the scene over a stage, with bands of one "
-           "standard error.", by="line", each="file", draw=across),
-    Figure("line-filling", "lines-*", "filling", "Share of each line of the scene that particles cover, of what no wall covers; "
-           "mean over a stage.", by="line", zero=True, top=1, each="file", draw=across),
-    Figure("wall-travel", "series", "travel.*", "How far walls are from where they were at the beginning, along their motion."),
+    Figure("probe-filling", "probes", "filling",
+           "Share of the sites of each probe that particles cover.", by="probe", zero=True, top=1),
+    Figure("line-velocity", "lines-*", "v_across",
+           "Mean velocity across and along each line of the scene over a stage, with bands of one standard error.",
+           7, by="line", each="file", draw=across),
+    Figure("line-flux", "lines-*", "flux",
+           "Flux to the right across each line of the scene over a stage, with bands of one standard error.",
+           by="line", each="file", draw=across),
+    Figure("line-filling", "lines-*", "filling",
+           "Share of each line of the scene that particles cover, of what no wall covers; mean over a stage.",
+           by="line", zero=True, top=1, each="file", draw=across),
+    Figure("wall-travel", "series", "travel.*",
+           "How far walls are from where they were at the beginning, along their motion."),
     Figure("wall-overlap", "series", "index.*", "Overlap that began at each wall: its index of force.", zero=True),
-    Figure("segregation", "cycles", "segregation_index", "Segregation by cycle of shaking or turning: 0 mixed, 1 all large ones "
-           "above all small ones.", 8, "cycle"),
-    Figure("mixing", "cycles", "lacey_index", "Mixing by cycle of shaking or turning, Lacey’s index: 0 separated, 1 as mixed as "
-           "by chance.", 8, "cycle"),
-    Figure("intruder", "cycles", "intruder_height_rel", "Height of the intruder by cycle of shaking or turning.", 8, "cycle"),
-    Figure("slope", "cycles", "repose_angle_deg", "Slope of the surface by cycle of shaking or turning; with a vessel against "
-           "gravity.", 8, "cycle", draw=slope),
-    Figure("surface-height", "cycles", "height_mean", "Mean height of the surface above the floor of the box, by cycle.", 0,
-           "cycle", zero=True),
-    Figure("neighbours", "mixing-*", "kept", "Neighbours kept, and diffusion of pairs, against the distance that they have "
-           "fallen.", 7, "fallen_d", each="file", draw=neighbours),
-    Figure("base-pressure", "weight_paths-*", "pressure_inner", "Pressure below a bed at rest, over its mean: of weight passed on "
-           "by rules, and of the contact model.", 6, "base_position", each="file", draw=base_pressure),
-    Figure("convection", "convection-*", "dx", "Mean drift in a cycle of shaking or turning, as arrows: of mean length 0.7 times "
-           "the width of a cell, and none longer than 1.3 times it, so that the fast ones at the surface do not hide the others.",
+    Figure("segregation", "cycles", "segregation_index",
+           "Segregation by cycle of shaking or turning: 0 mixed, 1 all large ones above all small ones.", 8, "cycle"),
+    Figure("mixing", "cycles", "lacey_index",
+           "Mixing by cycle of shaking or turning, Lacey’s index: 0 separated, 1 as mixed as by chance.", 8, "cycle"),
+    Figure("intruder", "cycles", "intruder_height_rel",
+           "Height of the intruder by cycle of shaking or turning.", 8, "cycle"),
+    Figure("slope", "cycles", "repose_angle_deg",
+           "Slope of the surface by cycle of shaking or turning; with a vessel against gravity.",
+           8, "cycle", draw=slope),
+    Figure("surface-height", "cycles", "height_mean",
+           "Mean height of the surface above the floor of the box, by cycle.", 0, "cycle", zero=True),
+    Figure("neighbours", "mixing-*", "kept",
+           "Neighbours kept, and diffusion of pairs, against the distance that they have fallen.",
+           7, "fallen_d", each="file", draw=neighbours),
+    Figure("base-pressure", "weight_paths-*", "pressure_inner",
+           "Pressure below a bed at rest, over its mean: of weight passed on by rules, and of the contact model.",
+           6, "base_position", each="file", draw=base_pressure),
+    Figure("convection", "convection-*", "dx",
+           "Mean drift in a cycle of shaking or turning, as arrows: of mean length 0.7 times the width of a cell, "
+           "and none longer than 1.3 times it, so that the fast ones at the surface do not hide the others.",
            7, "x", needs=("y", "dy"), each="file", draw=convection),
-    Figure("velocity-field", "fields", "packing", "Packing and mean velocity in the cells of a grid, over a stage.", 7, "x",
-           needs=("y",), each="stage", draw=field),
-    Figure("fluctuation-field", "fields", "fluctuation", "Energy of the fluctuations in the cells of a grid, ½⟨|v - ⟨v⟩|²⟩, over "
-           "a stage.", 0, "x", needs=("y",), each="stage", draw=field),
-    Figure("fluctuation", "fluctuation-*", "share", "Energy X of the fluctuations over its mean, and chi-square with 2 degrees of "
-           "freedom.", 0, "lower", needs=("upper", "reference"), each="file", draw=fluctuation),
-    Figure("contacts", "contacts-*", "y", "Contacts at the end of a stage: lines between the centres of particles, or from them to "
-           "a wall. The stronger, the wider: by normal force, or by the sites that both have.", 5, "x", each="file",
-           draw=contacts),
-    Figure("forces", "forces-*", "density", "Distribution of the index of force over the contacts, at the end of a stage or "
-           "averaged over it.", 6, "high", needs=("count",), draw=forces),
-    Figure("temperature-translational", "series", "t_tr", "Temperature of the translational motion, and its closed form.", 9,
-           "time", log=True, draw=gas),
-    Figure("temperature-rotational", "series", "t_rot", "Temperature of the rotational motion, and its closed form.", 8, "time",
-           log=True, draw=gas),
-    Figure("temperature-ratio", "series", "t_rot/t_tr", "Rotational temperature over the translational one, each relative to its "
-           "beginning, and the closed form of it.", 7, "time", log=True, draw=gas),
-    Figure("distance-rotational", "series", "dh_rot", "How far the distribution of rotational energy is from chi-square: Figs. 3 "
-           "(case 1) and 6 (case 2) of Ogawa & Kato 1982.", 6, "time", log=True, draw=gas),
-    Figure("distance-translational", "series", "dh_tr", "How far the distribution of translational energy is from chi-square.", 6,
-           "time", log=True, draw=gas),
-    Figure("energy-rotational", "histogram-*", "share", "Distribution of the rotational energy at the times of the histograms, "
-           "and chi-square with 3 degrees of freedom: Figs. 2 (case 1) and 5 (case 2) of Ogawa & Kato 1982.", 5, "upper",
-           each="restitution", draw=energy),
-    Figure("energy-translational", "histogram-*", "share", "Distribution of the translational energy at the times of the "
-           "histograms, and chi-square with 3 degrees of freedom: Fig. 4 (case 2) of Ogawa & Kato 1982.", 5, "upper",
-           each="restitution", draw=energy),
-    Figure("cumulant-translational", "series", "a2_tr", "Second cumulant of the translational motion: 0 for a normal "
-           "distribution.", 4, "time", draw=gas),
-    Figure("cumulant-rotational", "series", "a2_rot", "Second cumulant of the rotational motion: 0 for a normal distribution.", 4,
-           "time", draw=gas),
-    Figure("correlation", "series", "correlation", "Correlation of translational and rotational energy.", 0, "time", draw=gas),
-    Figure("alignment", "series", "alignment", "Alignment of spins and velocities: 0 without a preferred angle.", 0, "time",
-           draw=gas),
+    Figure("velocity-field", "fields", "packing",
+           "Packing and mean velocity in the cells of a grid, over a stage.",
+           7, "x", needs=("y",), each="stage", draw=field),
+    Figure("fluctuation-field", "fields", "fluctuation",
+           "Energy of the fluctuations in the cells of a grid, ½⟨|v - ⟨v⟩|²⟩, over a stage.",
+           0, "x", needs=("y",), each="stage", draw=field),
+    Figure("fluctuation", "fluctuation-*", "share",
+           "Energy X of the fluctuations over its mean, and chi-square with 2 degrees of freedom.",
+           0, "lower", needs=("upper", "reference"), each="file", draw=fluctuation),
+    Figure("contacts", "contacts-*", "y",
+           "Contacts at the end of a stage: lines between the centres of particles, or from them to a wall. The "
+           "stronger, the wider: by normal force, or by the sites that both have.", 5, "x", each="file", draw=contacts),
+    Figure("forces", "forces-*", "density",
+           "Distribution of the index of force over the contacts, at the end of a stage or averaged over it.",
+           6, "high", needs=("count",), draw=forces),
+    Figure("temperature-translational", "series", "t_tr",
+           "Temperature of the translational motion, and its closed form.", 9, "time", log=True, draw=gas),
+    Figure("temperature-rotational", "series", "t_rot",
+           "Temperature of the rotational motion, and its closed form.", 8, "time", log=True, draw=gas),
+    Figure("temperature-ratio", "series", "t_rot/t_tr",
+           "Rotational temperature over the translational one, each relative to its beginning, and the closed form "
+           "of it.", 7, "time", log=True, draw=gas),
+    Figure("distance-rotational", "series", "dh_rot",
+           "How far the distribution of rotational energy is from chi-square: Figs. 3 (case 1) and 6 (case 2) of "
+           "Ogawa & Kato 1982.", 6, "time", log=True, draw=gas),
+    Figure("distance-translational", "series", "dh_tr",
+           "How far the distribution of translational energy is from chi-square.", 6, "time", log=True, draw=gas),
+    Figure("energy-rotational", "histogram-*", "share",
+           "Distribution of the rotational energy at the times of the histograms, and chi-square with 3 degrees of "
+           "freedom: Figs. 2 (case 1) and 5 (case 2) of Ogawa & Kato 1982.",
+           5, "upper", each="restitution", draw=energy),
+    Figure("energy-translational", "histogram-*", "share",
+           "Distribution of the translational energy at the times of the histograms, and chi-square with 3 degrees "
+           "of freedom: Fig. 4 (case 2) of Ogawa & Kato 1982.", 5, "upper", each="restitution", draw=energy),
+    Figure("cumulant-translational", "series", "a2_tr",
+           "Second cumulant of the translational motion: 0 for a normal distribution.", 4, "time", draw=gas),
+    Figure("cumulant-rotational", "series", "a2_rot",
+           "Second cumulant of the rotational motion: 0 for a normal distribution.", 4, "time", draw=gas),
+    Figure("correlation", "series", "correlation",
+           "Correlation of translational and rotational energy.", 0, "time", draw=gas),
+    Figure("alignment", "series", "alignment",
+           "Alignment of spins and velocities: 0 without a preferred angle.", 0, "time", draw=gas),
     Figure("collisions", "series", "collisions", "Collisions in which a particle has taken part.", 0, "time", draw=gas),
-    Figure("stress", "series", "p_xy", "Pressure tensor of a sheared gas, and the theory of its steady state where a table has "
-           "it.", 8, "time", needs=("p_xx", "p_yy"), each="restitution", draw=stress),
-    Figure("comparison", "comparison", "automaton", "Energies of the particles of an automaton run beside those of a Boltzmann "
-           "run: shares of bins that chi-square makes equally probable, over their share under chi-square.", 0,
-           "quantile_upper", needs=("automaton_local", "boltzmann_translational", "reference"), draw=comparison),
+    Figure("stress", "series", "p_xy",
+           "Pressure tensor of a sheared gas, and the theory of its steady state where a table has it.",
+           8, "time", needs=("p_xx", "p_yy"), each="restitution", draw=stress),
+    Figure("comparison", "comparison", "automaton",
+           "Energies of the particles of an automaton run beside those of a Boltzmann run: shares of bins that "
+           "chi-square makes equally probable, over their share under chi-square.",
+           0, "quantile_upper", needs=("automaton_local", "boltzmann_translational", "reference"), draw=comparison),
 ]
+# fmt: on
 
 
 def allows(figure: Figure, table: Table) -> bool:
@@ -546,7 +664,9 @@ def charts_of(source: Source, figure: Figure) -> list[Chart]:
     if figure.each == "file":
         parts = [(label, [(label, table)]) for label, table in files]
     elif figure.each:
-        groups = dict.fromkeys(group for _, table in files for group, rows in groups_of(table, figure.each) if allows(figure, rows))
+        groups = dict.fromkeys(
+            group for _, table in files for group, rows in groups_of(table, figure.each) if allows(figure, rows)
+        )
         parts = [(group, files) for group in groups]
     else:
         parts = [("", files)]
@@ -555,8 +675,14 @@ def charts_of(source: Source, figure: Figure) -> list[Chart]:
 
     def chart(part: str, those: list[tuple[str, Table]]) -> Chart:
         about = f"{figure.about} {what}: {part}." if part else figure.about
-        return Chart(f"{figure.name}-{part}" if part else figure.name, about, figure.rank,
-                     lambda: [logged(draw(source, figure, those, part), source.choice.log)], title_of(source.folder), figure.name)
+        return Chart(
+            f"{figure.name}-{part}" if part else figure.name,
+            about,
+            figure.rank,
+            lambda: [logged(draw(source, figure, those, part), source.choice.log)],
+            title_of(source.folder),
+            figure.name,
+        )
 
     return [chart(part, those) for part, those in parts]
 
@@ -566,22 +692,29 @@ def title_of(folder: Run | Sweep) -> str:
 
 
 def logged(panel: Panel, log: str) -> Panel:
-    return panel._replace(x=panel.x._replace(log=panel.x.log or "x" in log), y=panel.y._replace(log=panel.y.log or "y" in log))
+    return panel._replace(
+        x=panel.x._replace(log=panel.x.log or "x" in log), y=panel.y._replace(log=panel.y.log or "y" in log)
+    )
 
 
 def column_charts(source: Source) -> list[Chart]:
     """Of columns of a run that were asked for. Throws Error."""
     choice, where = source.choice, source.folder.folder
     if len(choice.over) > 1:
-        raise Error(f"{where}: of a run, a curve is drawn for each value of one column, not of {' and '.join(choice.over)}")
+        raise Error(
+            f"{where}: of a run, a curve is drawn for each value of one column, not of {' and '.join(choice.over)}"
+        )
 
     def chart(y: str) -> Chart:
         wanted = [y, *filter(None, (choice.x, choice.y2, *choice.over))]
         table = table_with(source, wanted)
         names = table.dtype.names or ()
         x = choice.x or time_of(table)
-        by = choice.over[0] if choice.over else next(
-            (name for name in ("line", "probe", "restitution", "stage") if name in names), "")
+        by = (
+            choice.over[0]
+            if choice.over
+            else next((name for name in ("line", "probe", "restitution", "stage") if name in names), "")
+        )
         if not x:
             raise Error(f"{where}: say which column is x")
         for column in filter(None, (x, y, choice.y2)):
@@ -592,10 +725,14 @@ def column_charts(source: Source) -> list[Chart]:
         panel = Panel(curves, Axis(table.label(x)), Axis(table.label(y)))
         if choice.y2:
             right = [curve_of(source, "", rows, x, choice.y2, line="--", color=i) for i, (_, rows) in enumerate(groups)]
-            marks = [Curve(f"{table.label(column)} {side}", numpy.array([]), numpy.array([]), line=line, color=THEORY)
-                     for column, side, line in ((y, "(left)", "-"), (choice.y2, "(right, dashed)", "--"))]
+            marks = [
+                Curve(f"{table.label(column)} {side}", numpy.array([]), numpy.array([]), line=line, color=THEORY)
+                for column, side, line in ((y, "(left)", "-"), (choice.y2, "(right, dashed)", "--"))
+            ]
             panel = panel._replace(curves=[*curves, *marks], y2=Axis(table.label(choice.y2)), on_y2=right)
-        return Chart(y, table.descriptions.get(y, y), 0, lambda: [logged(panel, choice.log)], title_of(source.folder), y)
+        return Chart(
+            y, table.descriptions.get(y, y), 0, lambda: [logged(panel, choice.log)], title_of(source.folder), y
+        )
 
     return [chart(y) for y in choice.y]
 
@@ -614,7 +751,9 @@ def table_with(source: Source, columns: list[str]) -> Table:
     raise Error(f"{source.folder.folder}: no table with all of the columns {', '.join(columns)}")
 
 
-def charts(folder: Run | Sweep, choice: Choice = Choice(), unreadable: Callable[[Error], None] | None = None) -> list[Chart]:
+def charts(
+    folder: Run | Sweep, choice: Choice = Choice(), unreadable: Callable[[Error], None] | None = None
+) -> list[Chart]:
     """All that the tables allow, or what is chosen. Throws Error, but for tables that `unreadable` is told of."""
     from ._sweep_figures import sweep_charts
 
@@ -623,8 +762,9 @@ def charts(folder: Run | Sweep, choice: Choice = Choice(), unreadable: Callable[
         raise Error(f"{folder.folder}: of a run, say which columns are y, too")
     if isinstance(folder, Run) and choice.y:
         return column_charts(source)
-    makers: list[Callable[[], list[Chart]]] = [lambda: sweep_charts(source)] if isinstance(folder, Sweep) else [
-        lambda figure=figure: charts_of(source, figure) for figure in FIGURES]  # type: ignore[misc]
+    makers: list[Callable[[], list[Chart]]] = [partial(charts_of, source, figure) for figure in FIGURES]
+    if isinstance(folder, Sweep):
+        makers = [partial(sweep_charts, source)]
     found: list[Chart] = []
     for make in makers:
         try:
@@ -645,7 +785,11 @@ def chosen(folder: Run | Sweep, only: Iterable[str], choice: Choice) -> list[Cha
         if not any(name in (chart.name, chart.source) for chart in possible):
             row = next((figure for figure in FIGURES if figure.name == name), None)
             if row is not None:
-                raise Error(f"{folder.folder}: the tables do not allow the figure '{name}', which needs {row.table}.csv: "
-                            f"{', '.join(filter(None, (row.x, row.y, *row.needs)))}")
-            raise Error(f"{folder.folder}: no figure '{name}' (there are: {', '.join(chart.name for chart in possible)})")
+                raise Error(
+                    f"{folder.folder}: the tables do not allow the figure '{name}', which needs {row.table}.csv: "
+                    f"{', '.join(filter(None, (row.x, row.y, *row.needs)))}"
+                )
+            raise Error(
+                f"{folder.folder}: no figure '{name}' (there are: {', '.join(chart.name for chart in possible)})"
+            )
     return [chart for chart in possible if not only or chart.name in only or chart.source in only]

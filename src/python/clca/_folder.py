@@ -121,23 +121,30 @@ class Run(Folder):
                 stage["name"]: Stage(
                     stage["steps"],
                     stage["ended"],
-                    Named("measure", ((key, Value(number, *known.get(key, Quantity())[:3]))
-                                      for key, number in stage["measures"].items())),
+                    Named(
+                        "measure",
+                        (
+                            (key, Value(number, *known.get(key, Quantity())[:3]))
+                            for key, number in stage["measures"].items()
+                        ),
+                    ),
                     stage.get("notes", []),
                     stage.get("fills", False),
                 )
                 for stage in said["stages"]
             }
         except (KeyError, TypeError, ValueError, AttributeError) as error:
-            raise Error(f"cannot read {self.folder / 'run.json'}: {error} is missing or not what it should be") from None
+            raise Error(
+                f"cannot read {self.folder / 'run.json'}: {error} is missing or not what it should be"
+            ) from None
 
     def __repr__(self) -> str:
         return f"<run {self.folder}: {self.scene}, seed {self.seed}, {self.status} after {self.steps} steps>"
 
     @property
     def measures(self) -> dict[str, dict[str, Value]]:
-        """By stage, then by the names of `run.json`: `measures["flow"]["runout_99"]`. `clca explain --format quantities` lists
-        what a scene can measure.
+        """By stage, then by the names of `run.json`: `measures["flow"]["runout_99"]`. `clca explain --format quantities`
+        lists what a scene can measure.
         """
         return Named("stage", ((name, stage.measures) for name, stage in self.stages.items()))
 
@@ -148,8 +155,8 @@ class Run(Folder):
 
     @cached_property
     def frames(self) -> Frames:
-        """The trajectory, where the scene has `output.trajectory`: `frames[-1]` is the last frame, `frames.at(step)` that
-        of a step. Throws Error without one.
+        """The trajectory, where the scene has `output.trajectory`: `frames[-1]` is the last frame, `frames.at(step)`
+        that of a step. Throws Error without one.
         """
         from ._trajectory import Trajectory
 
@@ -170,12 +177,23 @@ class Run(Folder):
         return self.frames.at(step).contacts
 
     def plot(
-        self, name: str = "", ax: Axes | None = None, *, x: str = "", y: str | Sequence[str] = (), over: str = "", y2: str = "",
-        log: str = "", stage: str | Sequence[str] = (), first: float | None = None, last: float | None = None,
-        filling: bool = True, mean: int = 1,
+        self,
+        name: str = "",
+        ax: Axes | None = None,
+        *,
+        x: str = "",
+        y: str | Sequence[str] = (),
+        over: str = "",
+        y2: str = "",
+        log: str = "",
+        stage: str | Sequence[str] = (),
+        first: float | None = None,
+        last: float | None = None,
+        filling: bool = True,
+        mean: int = 1,
     ) -> Axes:
-        """A figure of `clca plot`, such as `profile`, or columns `y` against `x`, in the style of matplotlib that is set. Draws
-        into `ax` if given. Options are those of the command. Returns Axes. Throws Error.
+        """A figure of `clca plot`, such as `profile`, or columns `y` against `x`, in the style of matplotlib that is
+        set. Draws into `ax` if given. Options are those of the command. Returns Axes. Throws Error.
         """
         from ._figures import Choice
         from ._plot import plot
@@ -199,7 +217,9 @@ class Run(Folder):
             if not 0.1 <= duration <= 86_400:
                 raise ArgumentError(f"duration: expected 0.1 to 86400 seconds, found {duration:g}")
             frames = {"every": 1, **frames}
-        compiled("drawing grains").movie(self.folder, path(file), whole("fps", fps, 1, 240), duration, overrides(frames))
+        compiled("drawing grains").movie(
+            self.folder, path(file), whole("fps", fps, 1, 240), duration, overrides(frames)
+        )
 
     def __getstate__(self) -> dict[str, Any]:
         return {name: value for name, value in self.__dict__.items() if name != "frames"}  # of an open trajectory
@@ -217,7 +237,9 @@ class Sweep(Folder):
             self.title = self.summary.get("title", "")
             self.keys = [key for varied in self.summary["vary"] for key in varied["keys"]]
         except (KeyError, TypeError, AttributeError) as error:
-            raise Error(f"cannot read {self.folder / 'sweep.json'}: {error} is missing or not what it should be") from None
+            raise Error(
+                f"cannot read {self.folder / 'sweep.json'}: {error} is missing or not what it should be"
+            ) from None
 
     def __repr__(self) -> str:
         return f"<sweep {self.folder}: {len(self)} runs>"
@@ -243,11 +265,20 @@ class Sweep(Folder):
         return (self[number] for number in range(len(self)))
 
     def plot(
-        self, name: str = "", ax: Axes | None = None, *, x: str = "", y: str | Sequence[str] = (),
-        over: str | Sequence[str] = (), log: str = "", stage: str | Sequence[str] = (), mean: int = 1,
+        self,
+        name: str = "",
+        ax: Axes | None = None,
+        *,
+        x: str = "",
+        y: str | Sequence[str] = (),
+        over: str | Sequence[str] = (),
+        log: str = "",
+        stage: str | Sequence[str] = (),
+        mean: int = 1,
     ) -> Axes:
-        """A measure `y`, also as `STAGE.MEASURE`, against a key or a measure `x`, or a figure of `clca plot` by name, in the style
-        of matplotlib that is set. Draws into `ax` if given. Returns Axes, a list of panels if there are several. Throws Error.
+        """A measure `y`, also as `STAGE.MEASURE`, against a key or a measure `x`, or a figure of `clca plot` by name,
+        in the style of matplotlib that is set. Draws into `ax` if given. Returns Axes, a list of panels if there are
+        several. Throws Error.
         """
         from ._figures import Choice
         from ._plot import plot
@@ -259,13 +290,17 @@ class Sweep(Folder):
         return plot(self, name, ax, Choice(x, chosen, names(over), "", log, names(stage), mean=mean))
 
     def series(self, stage: str, column: str) -> Table:
-        """A column of `series.csv` in a stage, for each combination averaged over the seeds, as in `mean-series.csv`: `step`
-        since the stage began, `mean`, `standard_error` and `runs`. It goes as far as all runs do. NaN is the error of a
+        """A column of `series.csv` in a stage, for each combination averaged over the seeds, as in `mean-series.csv`:
+        `step` since the stage began, `mean`, `standard_error` and `runs`. It goes as far as all runs do. NaN is the error of a
         single run.
         """
         table = self.table("mean-series")
         rows = table[table["stage"] == stage]
-        names = {key: key for key in (*self.keys, "step")} | {"mean": column, "standard_error": f"{column}_se", "runs": "runs"}
+        names = {key: key for key in (*self.keys, "step")} | {
+            "mean": column,
+            "standard_error": f"{column}_se",
+            "runs": "runs",
+        }
         return Table((key, rows[name], table._quantities.get(name, Quantity())) for key, name in names.items())
 
 

@@ -14,7 +14,7 @@ from ._folder import Run, Sweep, open
 
 
 def plot(folder: Run | Sweep, name: str, ax: Any, choice: Choice) -> Any:
-    """One figure into axes: those given, or new ones of pyplot in the style of the user. Returns Axes, or several of panels."""
+    """One figure into axes: those given, or new ones of pyplot in the style of the user. Returns Axes."""
     from matplotlib import pyplot  # type: ignore[import]
 
     found = _figures.chosen(folder, [name] if name else [], choice)
@@ -24,9 +24,14 @@ def plot(folder: Run | Sweep, name: str, ax: Any, choice: Choice) -> Any:
     if ax is not None and len(panels) > 1:
         raise Error(f"{found[0].name} has {len(panels)} panels: call without ax, or choose by over")
     if ax is None:
-        _, axes = pyplot.subplots(1, len(panels), squeeze=False, sharey=True, layout="constrained",
-                                  figsize=(pyplot.rcParams["figure.figsize"][0] * min(len(panels), 3),
-                                           pyplot.rcParams["figure.figsize"][1]))
+        _, axes = pyplot.subplots(
+            1,
+            len(panels),
+            squeeze=False,
+            sharey=True,
+            layout="constrained",
+            figsize=(pyplot.rcParams["figure.figsize"][0] * min(len(panels), 3), pyplot.rcParams["figure.figsize"][1]),
+        )
         all_axes = list(axes.ravel())
     else:
         all_axes = [ax]
@@ -39,15 +44,19 @@ def plot(folder: Run | Sweep, name: str, ax: Any, choice: Choice) -> Any:
 
 
 def command(options: dict[str, Any], folder_name: str) -> None:
-    """Draws the figures that the command asks for to standard output: of each a line of JSON, then its bytes. Throws Error."""
+    """Draws what the command asks for to standard output: of each figure a line of JSON, then its bytes."""
     folder = open(folder_name)
-    choice = Choice(**{key: tuple(value) if isinstance(value, list) else value for key, value in options["choice"].items()})
+    choice = Choice(
+        **{key: tuple(value) if isinstance(value, list) else value for key, value in options["choice"].items()}
+    )
     limits = {key: tuple(value) for key, value in options["look"].items() if key.endswith("_limits")}
     look = Look(**{**options["look"], **limits})
     out = sys.stdout.buffer
     if options.get("report"):
         warnings: list[str] = []
-        found = sorted(_figures.charts(folder, choice, lambda error: warnings.append(str(error))), key=lambda one: -one.rank)
+        found = sorted(
+            _figures.charts(folder, choice, lambda error: warnings.append(str(error))), key=lambda one: -one.rank
+        )
         for warning in warnings:
             out.write(json.dumps({"warning": warning}).encode() + b"\n")
         found = [chart._replace(title="") for chart in found[: options["report"]]]

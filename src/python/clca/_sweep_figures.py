@@ -76,8 +76,11 @@ def sweep_charts(source: Source) -> list[Chart]:
     means = [name for name in source.names if name.startswith("mean-")]
     averaged = {name for mean in means for name in source.table(mean).dtype.names or ()}
     measures = list(dict.fromkeys(map(str, table["measure"])))
-    wrong = [(name, "varied key or measure", [*keys, *measures]) for name in filter(None, [choice.x])
-             if name not in keys and name not in measures]
+    wrong = [
+        (name, "varied key or measure", [*keys, *measures])
+        for name in filter(None, [choice.x])
+        if name not in keys and name not in measures
+    ]
     wrong += [(name, "measure", measures) for name in choice.y if name not in measures and f"{name}_se" not in averaged]
     wrong += [(name, "varied key", list(keys)) for name in choice.over if name not in keys]
     for name, what, known in wrong:
@@ -101,8 +104,16 @@ def measure_charts(source: Source, table: Table) -> list[Chart]:
     summary = source.folder.summary
     of_runs = summary.get("tables", {}).get("runs", [])
     floor = {one["key"].partition(".")[2] for one in of_runs if one.get("of_floor")}
-    known = quantities([*summary.get("measures", []), *({**one, "key": one["key"].partition(".")[2]} for one in of_runs
-                                                        if "." in one["key"] and one["key"] not in keys)])
+    known = quantities(
+        [
+            *summary.get("measures", []),
+            *(
+                {**one, "key": one["key"].partition(".")[2]}
+                for one in of_runs
+                if "." in one["key"] and one["key"] not in keys
+            ),
+        ]
+    )
     derived = derived_of(source)
     x_name = axis if is_key else choice.x
 
@@ -125,13 +136,17 @@ def measure_charts(source: Source, table: Table) -> list[Chart]:
         left = right = None
         if not is_key:
             against = [x_rows[row_key(row, keys)] for row in rows]
-            x, left, right = (numpy.array([row[column] for row in against], float) for column in ("mean", "low", "high"))
+            x, left, right = (
+                numpy.array([row[column] for row in against], float) for column in ("mean", "low", "high")
+            )
             left, right = numpy.where(numpy.isfinite(left), left, x), numpy.where(numpy.isfinite(right), right, x)
         order = numpy.argsort(x, kind="stable")
         low, high = rows["low"], rows["high"]
         if left is not None and right is not None:
             left, right = left[order], right[order]
-        return Curve(name, numpy.asarray(x)[order], rows["mean"][order], low[order], high[order], left, right, style="bars")
+        return Curve(
+            name, numpy.asarray(x)[order], rows["mean"][order], low[order], high[order], left, right, style="bars"
+        )
 
     charts = []
     for stage in dict.fromkeys(map(str, table["stage"])):
@@ -152,13 +167,22 @@ def measure_charts(source: Source, table: Table) -> list[Chart]:
                 log = choice.log + ("y" if measure.startswith("discharged_until_clog") else "")
                 where = ", ".join(filter(None, (stage, ways.label(ways.apart, values))))
                 what = of(measure)
-                about = ", ".join(filter(None, (what.name, what.of))) + (f": {what.description}" if what.description else "")
-                charts.append(Chart(
-                    f"sweep-{stage}-{measure}" + (f"-{number}" if ways.apart else ""),
-                    f"{about}, against {x_label}, at the end of stage {where}. Bars are one standard error over the seeds.",
-                    contrast(part) + (FIRST if measure in derived else 0),
-                    panels_of(ways, part, curve, Axis(x_label, words=shown_words), Axis(label(measure)), where, log),
-                    title_of(source.folder), "sweep"))
+                about = ", ".join(filter(None, (what.name, what.of))) + (
+                    f": {what.description}" if what.description else ""
+                )
+                charts.append(
+                    Chart(
+                        f"sweep-{stage}-{measure}" + (f"-{number}" if ways.apart else ""),
+                        f"{about}, against {x_label}, at the end of stage {where}. "
+                        "Bars are one standard error over the seeds.",
+                        contrast(part) + (FIRST if measure in derived else 0),
+                        panels_of(
+                            ways, part, curve, Axis(x_label, words=shown_words), Axis(label(measure)), where, log
+                        ),
+                        title_of(source.folder),
+                        "sweep",
+                    )
+                )
     return charts
 
 
@@ -193,9 +217,14 @@ def panels_of(ways: Keys, rows: Table, curve: Any, x: Axis, y: Axis, title: str,
                 places = {cell: number for number, cell in enumerate(all_cells)}
                 scale = (scale[0], [scale[1][places[cell]] for cell, _ in lines])
             else:
-                shown = [one._replace(color=all_cells.index(cell)) for one, (cell, _) in zip(shown, lines)] \
-                    if len(all_cells) <= MOST_COLORS else shown
-            name = ", ".join(filter(None, (title if not made or not ways.split else "", ways.label(ways.split, values))))
+                shown = (
+                    [one._replace(color=all_cells.index(cell)) for one, (cell, _) in zip(shown, lines)]
+                    if len(all_cells) <= MOST_COLORS
+                    else shown
+                )
+            name = ", ".join(
+                filter(None, (title if not made or not ways.split else "", ways.label(ways.split, values)))
+            )
             made.append(logged(Panel(shown, x, y, name, scale=scale), log))
         return made
 
@@ -209,21 +238,25 @@ def mean_charts(source: Source, name: str) -> list[Chart]:
     names = list(table.dtype.names or ())
     if "runs" not in names or not len(table):
         return []
-    heads = names[len(keys): names.index("runs")]
+    heads = names[len(keys) : names.index("runs")]
     groups = [head for head in heads if head in ("stage", "probe", "line")]
     positions = [head for head in heads if head not in groups]
     x = "time" if "time" in positions and numpy.isfinite(table["time"]).all() else positions[0]
     ways = Keys(source, table, ())
     begin = "-".join(name.split("-")[:2])
-    stage = name[len(begin) + 1:]
+    stage = name[len(begin) + 1 :]
     charts = []
     cells = list(zip(*(map(str, table[group]) for group in groups))) if groups else [()] * len(table)
     for group in dict.fromkeys(cells):
         rows = table[numpy.array([cell == group for cell in cells])]
         group_name = "-".join(group)
         for number, (values, part) in enumerate(ways.combinations(rows, ways.apart), 1):
-            for column in names[names.index("runs") + 1:: 2]:
-                if (choice.y and column not in choice.y) or not has(part, column) or not set(column + group_name) <= LABEL:
+            for column in names[names.index("runs") + 1 :: 2]:
+                if (
+                    (choice.y and column not in choice.y)
+                    or not has(part, column)
+                    or not set(column + group_name) <= LABEL
+                ):
                     continue
                 where = ", ".join(filter(None, (group_name or stage, ways.label(ways.apart, values))))
                 ending = f"-{number}" if ways.apart else ""
@@ -238,11 +271,19 @@ def mean_charts(source: Source, name: str) -> list[Chart]:
                 axis = Axis(x_label)
                 if x in ("x", "position"):
                     there = part[x][numpy.isfinite(part[column]) & (part[column] != 0)]
-                    axis = Axis(x_label, low=float(there.min()), high=float(there.max())) if len(set(there)) > 1 else axis
-                charts.append(Chart(
-                    "-".join(filter(None, (name, group_name, column))) + ending,
-                    f"{table.descriptions[column]}, against {table.label(x)}: {where}. Means over the seeds; the band is one "
-                    "standard error to either side.", 0.5,
-                    panels_of(ways, part, curve, axis, Axis(table.label(column)), where, choice.log), title_of(source.folder),
-                    "means"))
+                    axis = (
+                        Axis(x_label, low=float(there.min()), high=float(there.max())) if len(set(there)) > 1 else axis
+                    )
+                charts.append(
+                    Chart(
+                        "-".join(filter(None, (name, group_name, column))) + ending,
+                        f"{table.descriptions[column]}, against {table.label(x)}: {where}. "
+                        "Means over the seeds; the band is one "
+                        "standard error to either side.",
+                        0.5,
+                        panels_of(ways, part, curve, axis, Axis(table.label(column)), where, choice.log),
+                        title_of(source.folder),
+                        "means",
+                    )
+                )
     return charts

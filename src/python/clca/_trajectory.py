@@ -20,10 +20,21 @@ HEADER = re.compile(rb"clca .* version 1\nbytes (\d+)\n")
 HEADER_BYTES = 512
 SIDES = {-(2**31): "box.floor", -(2**31) + 1: "box.top", -(2**31) + 2: "box.left", -(2**31) + 3: "box.right"}
 NO_MOVE = 6
-BODY = numpy.dtype([("id", "u4"), ("kind", "u2"), ("position", "f8", 2), ("velocity", "f8", 2), ("displacement", "f8", 2),
-                    ("angular_velocity", "f8"), ("image", "i4"), ("force", "f4")])
-CONTACT = numpy.dtype([("upper", "u4"), ("other", "i4"), ("place", "f8", 2), ("normal", "f8", 2), ("branch", "f8", 2),
-                       ("force", "f8", 2)])
+BODY = numpy.dtype(
+    [
+        ("id", "u4"),
+        ("kind", "u2"),
+        ("position", "f8", 2),
+        ("velocity", "f8", 2),
+        ("displacement", "f8", 2),
+        ("angular_velocity", "f8"),
+        ("image", "i4"),
+        ("force", "f4"),
+    ]
+)
+CONTACT = numpy.dtype(
+    [("upper", "u4"), ("other", "i4"), ("place", "f8", 2), ("normal", "f8", 2), ("branch", "f8", 2), ("force", "f8", 2)]
+)
 # Where the rows of a frame begin in its lists.
 FIRST = {"particles": "first", "origins": "first_origin", "pushes": "first_push", "contacts": "first_contact"}
 
@@ -40,11 +51,16 @@ def positions(points: NDArray[Any]) -> NDArray[numpy.float64]:
 
 
 def outline(sites: NDArray[Any], centre: NDArray[Any]) -> NDArray[numpy.float64]:
-    """The body of a particle as pictures show it: on the lattice of half the spacing the six small triangles around each
-    site and around each middle of two neighbours. Corners from the centre, anticlockwise.
+    """The body of a particle as pictures show it: on the lattice of half the spacing the six small triangles around
+    each site and around each middle of two neighbours. Corners from the centre, anticlockwise.
     """
     there = {(int(x), int(q)) for x, q in sites}
-    points = {(2 * x + i, 2 * q + j) for x, q in there for i, j in ((0, 0), (1, 0), (0, 1), (1, -1)) if (x + i, q + j) in there}
+    points = {
+        (2 * x + i, 2 * q + j)
+        for x, q in there
+        for i, j in ((0, 0), (1, 0), (0, 1), (1, -1))
+        if (x + i, q + j) in there
+    }
     edges = set()
     for x, q in points:
         around = [(x + 1, q), (x, q + 1), (x - 1, q + 1), (x - 1, q), (x, q - 1), (x + 1, q - 1)]
@@ -88,7 +104,9 @@ class Trajectory:
                     stages = [name.decode() for name in part["scene/stages"]]
                     self.look = self._look(part, summary)
         self._frames = {name: numpy.concatenate([part[name] for part in columns]) for name in columns[0]}
-        self._starts = {name: [int(part[first][0]) for part in columns] for name, first in FIRST.items() if first in columns[0]}
+        self._starts = {
+            name: [int(part[first][0]) for part in columns] for name, first in FIRST.items() if first in columns[0]
+        }
         steps, stage = self._frames["step"], self._frames["stage"]
         is_first = numpy.append(True, stage[1:] != stage[:-1])
         self._stage_first = numpy.maximum.accumulate(numpy.where(is_first, numpy.arange(len(stage)), 0))
@@ -126,18 +144,28 @@ class Trajectory:
         degrees = [kind["degrees"] for kind in summary.get("kinds", [])] or len(of) * [0]
         several = numpy.bincount(of, minlength=len(species)) > 1
         kinds = [
-            Kind(f"{species[of[i]]}@{degrees[i]}" if several[of[i]] else species[of[i]], species[of[i]], degrees[i],
-                 outline(self._kind_sites[i], self._centres[i]))
+            Kind(
+                f"{species[of[i]]}@{degrees[i]}" if several[of[i]] else species[of[i]],
+                species[of[i]],
+                degrees[i],
+                outline(self._kind_sites[i], self._centres[i]),
+            )
             for i in range(len(of))
         ]
         names = [name.decode() for name in scene["walls/name"]]
         of_walls = axial(scene["walls/sites"][:].reshape(-1, 2))
-        self._wall_sites = [of_walls[first : first + size] for first, size in zip(scene["walls/first"], scene["walls/size"])]
+        self._wall_sites = [
+            of_walls[first : first + size] for first, size in zip(scene["walls/first"], scene["walls/size"])
+        ]
         units = summary.get("units")
-        unit = {"time": ("steps", 1.0), "velocity": ("spacings/step", 1.0)} if units is None else {
-            "time": (units["time"], units["time_step"]),
-            "velocity": (units["velocity"], units["spacing"] / units["time_step"]),
-        }
+        unit = (
+            {"time": ("steps", 1.0), "velocity": ("spacings/step", 1.0)}
+            if units is None
+            else {
+                "time": (units["time"], units["time_step"]),
+                "velocity": (units["velocity"], units["spacing"] / units["time_step"]),
+            }
+        )
         walls = {name: read_only(positions(home)) for name, home in zip(names, self._wall_sites)}
         return Look(kinds, walls, unit, SIDES | {-2 - number: name for number, name in enumerate(names)})
 
@@ -193,7 +221,9 @@ class Trajectory:
 
     def _bodies(self, part: Any, frame: int, origins: NDArray[Any]) -> tuple[NDArray[Any], NDArray[numpy.int64]]:
         """The particles but for their forces, and where they are."""
-        ids, kinds, sites, place, move = self._rows(part, frame, "particles", ["id", "kind", "site", "position", "move"])
+        ids, kinds, sites, place, move = self._rows(
+            part, frame, "particles", ["id", "kind", "site", "position", "move"]
+        )
         bodies = numpy.zeros(len(ids), BODY)
         bodies["id"], bodies["kind"], bodies["position"] = ids, kinds, place
         axials = axial(sites)

@@ -36,7 +36,7 @@ std::size_t occurrences(const std::string& text, const std::string& what) {
   return count;
 }
 
-/// Without what gnuplot has written.
+/// Without what matplotlib has written.
 std::string without_figures(std::string html) {
   for (std::size_t at = html.find("<svg"); at != std::string::npos; at = html.find("<svg")) {
     html.erase(at, html.find("</svg>", at) + 6 - at);
@@ -239,7 +239,7 @@ TEST_F(Report, OfALongSeriesStaysSmall) {
   EXPECT_LT(page().size(), 500'000U);
 }
 
-TEST_F(Report, HasTheFiguresThatTheTablesAllowWithOneScript) {
+TEST_F(Report, HasTheFiguresThatTheTablesAllow) {
   write("series.csv", "step,stage,moving_share,mean_height\n0,flow,0.5,3\n1,flow,0.2,4\n");
   write("contacts-flow.csv",
         "first,second,x,y,sites,depth,source,mean_sites,share\n0,1,1,1,2,1,plate,1,1\n"
@@ -252,7 +252,6 @@ TEST_F(Report, HasTheFiguresThatTheTablesAllowWithOneScript) {
   const std::string html = page();
   EXPECT_THAT(warnings_, IsEmpty());
   EXPECT_EQ(occurrences(html, "<svg"), 6U);
-  EXPECT_EQ(occurrences(html, "gnuplot_svg = function"), 1U);
   EXPECT_THAT(
       html, AllOf(HasSubstr("id=\"figure-motion\""), HasSubstr("id=\"figure-mean-height\""),
                   HasSubstr("id=\"figure-contacts-flow\""), HasSubstr("widest: 2 sites"),

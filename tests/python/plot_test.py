@@ -1,0 +1,269 @@
+"""Figures: which the tables allow, what is in them, letters that are not cut off, and the command."""
+
+import json
+import os
+import re
+import signal
+import subprocess
+import sys
+import time
+import unittest
+from pathlib import Path
+
+import clca
+import numpy
+from clca import _chart, _figures
+from clca._chart import Look, rendered
+from clca._figures import Choice, charts, chosen
+from support import CONTACT, GAS, PROGRAM, SCENE, ScratchTest, clca_program
+
+import matplotlib
+matplotlib.use("agg")
+
+# What gnuplot's templates drew of these scenes.
+OF_RUN = {"profile", "motion", "mean-height"}
+OF_CONTACT = OF_RUN | {"kinetic-energy"}
+OF_GAS = {"temperature-translational", "cumulant-translational", "distance-translational", "energy-translational", "collisions"}
+
+
+def names(folder, **choice):
+    return [chart.name for chart in charts(folder, Choice(**choice))]
+
+
+def panel_of(folder, name, **choice):
+    return chosen(folder, [name], Choice(**choice))[0].panels()[0]
+
+
+class FiguresTest(ScratchTest):
+    def test_a_run_and_a_gas_have_all_figures_that_their_tables_allow(self):
+        self.assertLessEqual(OF_RUN, set(names(clca.run(SCENE, output="run"))))
+        self.assertLessEqual(OF_CONTACT, set(names(clca.run(CONTACT, output="contact"))))
+        self.assertLessEqual(OF_GAS, set(names(clca.run(GAS, output="gas"))))
+
+    def test_a_figure_is_left_out_where_a_column_is_zero_throughout(self):
+        run = clca.run(SCENE, output="run")
+        table = run.folder / "series.csv"
+        lines = [line.split(",") for line in table.read_text().splitlines()]
+        place = lines[0].index("mean_height")
+        for line in lines[1:]:
+            line[place] = "0"
+        table.write_text("\n".join(map(",".join, lines)) + "\n")
+        self.assertNotIn("mean-height", names(run))
+
+    def test_curves_are_those_of_the_stages_and_axes_say_what_they_show(self):
+        run = clca.run(CONTACT, output="run")
+        panel = panel_of(run, "mean-height")
+        self.assertEqual([curve.label for curve in panel.curves], ["packing", "flow"])
+        self.assertEqual((panel.x.label, panel.y.label), ("Time (s)", "Mean height of the particles (spacings)"))
+        self.assertEqual(sum(len(curve.x) for curve in panel.curves), len(run.series))
+
+    def test_stages_times_and_means_may_be_chosen(self):
+        run = clca.run(SCENE, output="run")
+        self.assertEqual([curve.label for curve in panel_of(run, "motion", stages=("flow",)).curves], ["flow"])
+        self.assertEqual([curve.label for curve in panel_of(run, "profile", filling=False).curves], ["end of flow"])
+        steps = numpy.concatenate([curve.x for curve in panel_of(run, "motion", first=3, last=9).curves])
+        self.assertEqual((steps.min(), steps.max()), (3, 9))
+        smooth = panel_of(run, "motion", mean=5).curves[0].y
+        rough = run.series["moving_share"][run.series["stage"] == "packing"]
+        self.assertAlmostEqual(smooth[4], rough[2:7].mean())
+        with self.assertRaisesRegex(clca.Error, "no stage 'flw'; did you mean 'flow'"):
+            names(run, stages=("flw",))
+
+    def test_columns_may_be_chosen_two_on_two_axes(self):
+        run = clca.run(SCENE, output="run")
+        panel = panel_of(run, "mean_height", y=("mean_height",), y2="moving_share")
+        self.assertEqual(panel.y2.label, run.series.label("moving_share"))
+        self.assertEqual(len(panel.on_y2), 2)
+        with self.assertRaisesRegex(clca.Error, "no table with a column 'mean_heigt'; did you mean 'mean_height'"):
+            names(run, y=("mean_heigt",))
+        with self.assertRaisesRegex(clca.Error, "say which columns are y"):
+            names(run, x="step")
+
+    def test_what_cannot_be_drawn_is_said(self):
+        run = clca.run(SCENE, output="run")
+        with self.assertRaisesRegex(clca.Error, "do not allow the figure 'outflow', which needs series.csv"):
+            chosen(run, ["outflow"], Choice())
+        with self.assertRaisesRegex(clca.Error, "no figure 'x' .there are: .*profile"):
+            chosen(run, ["x"], Choice())
+
+    def test_names_of_the_list_are_all_different_and_say_what_they_show(self):
+        self.assertEqual(len({figure.name for figure in _figures.FIGURES}), len(_figures.FIGURES))
+        self.assertTrue(all(figure.about.endswith(".") for figure in _figures.FIGURES))
+
+
+class SweepTest(ScratchTest):
+    VARY = {"rules.inertia": [0, 0.3, 0.6, 0.9], "rules.scatter": [0, 0.1, 0.2, 0.3], "box.width": [40, 44, 48]}
+
+    def test_three_keys_give_panels_that_can_be_read(self):
+        sweep = clca.sweep(SCENE, seeds=[1], vary=self.VARY, output="sweep")
+        chart = next(chart for chart in charts(sweep) if chart.name == "sweep-flow-runout_99")
+        panels = chart.panels()
+        self.assertEqual([panel.title for panel in panels], ["flow, box.width=40", "box.width=44", "box.width=48"])
+        self.assertEqual([curve.label for curve in panels[0].curves], [f"rules.scatter={x}" for x in ("0", "0.1", "0.2", "0.3")])
+        # No letter is over the axes, which are larger than the legend.
+        for width in (89, 180):
+            with _chart.style(1):
+                page = _chart.page(chart, Look(in_mm=True), width / 25.4, None, 8)
+                page.canvas.draw()
+                legend = page.legends[0].get_window_extent()
+                for ax in page.axes:
+                    self.assertFalse(ax.get_window_extent().overlaps(legend))
+                    self.assertGreater(ax.get_window_extent().height, 2 * legend.height)
+
+    def test_many_numbers_have_a_colour_bar(self):
+        vary = {"rules.inertia": [0, 0.9], "rules.scatter": [x / 10 for x in range(9)]}
+        sweep = clca.sweep(SCENE, seeds=[1], vary=vary, output="sweep")
+        panel = panel_of(sweep, "sweep-flow-runout_99")
+        self.assertEqual(panel.scale, ("rules.scatter", [x / 10 for x in range(9)]))
+        rendered(chosen(sweep, ["sweep-flow-runout_99"], Choice())[0], Look())
+
+    def test_axis_measures_and_curves_may_be_chosen(self):
+        sweep = clca.sweep(SCENE, seeds=[1, 2], vary={"rules.inertia": [0, 0.9], "rules.ties": ["particle", "direction"]},
+                           output="sweep")
+        self.assertIn("mean-series-flow-mean_height", names(sweep))
+        panel = panel_of(sweep, "sweep", x="rules.ties", y=("runout_99",), over=("rules.inertia",), stages=("flow",))
+        self.assertEqual(panel.x.words, ("particle", "direction"))
+        against = panel_of(sweep, "sweep", x="height_mean", y=("runout_99",), stages=("flow",))
+        self.assertIsNotNone(against.curves[0].left)
+        for wrong, said in (({"x": "rules.inerta"}, "varied key or measure"), ({"y": ("runut",)}, "no measure"),
+                            ({"over": ("x",)}, "no varied key")):
+            with self.assertRaisesRegex(clca.Error, said):
+                names(sweep, **wrong)
+
+    def test_notebooks_get_axes(self):
+        from matplotlib import pyplot
+
+        sweep = clca.sweep(SCENE, seeds=[1, 2], vary={"rules.inertia": [0, 0.9]}, output="sweep")
+        run = sweep[0]
+        with matplotlib.rc_context({"axes.prop_cycle": matplotlib.cycler(color=["#123456", "#654321"])}):
+            _, ax = pyplot.subplots()
+            self.assertIs(run.plot("profile", ax=ax), ax)
+            self.assertEqual([line.get_color() for line in ax.lines], ["#123456", "#654321"])
+        other = sweep.plot(x="rules.inertia", y="flow.runout_99")
+        self.assertEqual((other.get_xlabel(), other.get_ylabel()), ("rules.inertia", "Run-out of 99 % (spacings)"))
+        pyplot.close("all")
+
+
+class LettersTest(ScratchTest):
+    def test_letters_have_eight_points_and_are_not_cut_off(self):
+        run = clca.run(SCENE | {"title": "A collapse with a title so long that it takes several lines on paper, $5 of it"},
+                       output="run")
+        for width in (60, 89, 180):
+            for chart in charts(run):
+                file = self.folder / f"{width}-{chart.name}.pdf"
+                file.write_bytes(rendered(chart, Look("pdf", True, width)))
+                text = subprocess.run(["pdftotext", "-bbox", file, "-"], check=True, capture_output=True, text=True).stdout
+                wide, high = map(float, re.search(r'page width="([\d.]+)" height="([\d.]+)"', text).groups())
+                self.assertAlmostEqual(wide, width / 25.4 * 72, delta=0.1)
+                boxes = re.findall(r'xMin="([-\d.]+)" yMin="([-\d.]+)" xMax="([-\d.]+)" yMax="([-\d.]+)">(.*?)<', text)
+                self.assertGreater(len(boxes), 15)
+                for left, top, right, bottom, word in boxes:
+                    place = f"{word} in {file.name}"
+                    self.assertTrue(float(left) >= 0 and float(right) <= wide, place)
+                    self.assertTrue(float(top) >= -1.5 and float(bottom) <= high + 1.5, place)  # of the font, not of its letters
+                    # DejaVu has 1.164 of the size from the top to the bottom.
+                    height = min(float(bottom) - float(top), float(right) - float(left))
+                    self.assertLess(height, 8 * 1.2, place)
+                self.assertIn("$5", text)
+
+    def test_letters_that_no_font_has_are_told_by_their_number(self):
+        self.assertEqual(_chart.plain("a\U0010ffffb"), "a[U+10FFFF]b" if "\U0010ffff".isprintable() else "a b")
+        self.assertEqual(_chart.plain("cost $5"), r"cost \$5")
+
+    def test_the_same_tables_give_the_same_bytes(self):
+        chart = charts(clca.run(SCENE, output="run"))[0]
+        for kind in ("png", "svg", "pdf"):
+            self.assertEqual(rendered(chart, Look(kind)), rendered(chart, Look(kind)))
+
+
+class CommandTest(ScratchTest):
+    def refused(self, code, message, *arguments, environment=None):
+        result = subprocess.run([PROGRAM, "plot", *arguments], capture_output=True, text=True, env=os.environ | (environment or {}))
+        self.assertEqual(result.returncode, code, result.stderr)
+        self.assertRegex(result.stderr, message)
+        self.assertEqual(result.stderr.count("\n"), 1)
+
+    def test_it_writes_what_the_options_say(self):
+        clca.run(SCENE, output="run")
+        said = clca_program("plot", "run", "--y", "mean_height", "--y2", "moving_share", "--no-filling", "--x-range", "0:50",
+                            "--y-range", ":60", "--running-mean", 3, "--width", "89mm", "--format", "PDF", "-o", "out")
+        self.assertEqual(said, "out/mean_height.pdf\n")
+        self.assertTrue(Path("out/mean_height.pdf").read_bytes().startswith(b"%PDF"))
+        said = clca_program("plot", "run", "--only", "profile,motion").splitlines()
+        self.assertEqual(said, ["run/plots/profile.png", "run/plots/motion.png"])
+        self.assertIn("profile.png", Path("run/plots/.clca.manifest").read_text())
+
+    def test_mistakes_are_one_line(self):
+        clca.run(SCENE, output="run")
+        self.refused(2, "none/run.json: No such file", "none")
+        self.refused(2, "no figure 'x'", "run", "--only", "x")
+        self.refused(2, "--x-range.*two numbers", "run", "--x-range", "5")
+        self.refused(1, "nowhere", "run", environment={"CLCA_PYTHON": str(self.folder / "nowhere")})
+        fake = self.folder / "python3"
+        fake.write_text("#!/bin/sh\necho 'no Python module matplotlib; install python3-matplotlib (Debian)' >&2\nexit 1\n")
+        fake.chmod(0o755)
+        self.refused(1, "no Python module matplotlib; install", "run", environment={"CLCA_PYTHON": str(fake)})
+        fake.write_text("#!/bin/sh\nexit 0\n")
+        (self.folder / "run/plots").mkdir()
+        (self.folder / "run/plots/profile.png").write_text("mine")
+        self.refused(1, "clca did not write the file", "run", "--only", "profile")
+        self.assertEqual((self.folder / "run/plots/profile.png").read_text(), "mine")
+
+    def test_a_signal_ends_both(self):
+        clca.run(SCENE, output="run")
+        fake = self.folder / "python3"
+        fake.write_text("#!/bin/sh\necho $$ > pid.new; mv pid.new " + str(self.folder / "pid") + "\nexec sleep 100\n")
+        fake.chmod(0o755)
+        with subprocess.Popen([PROGRAM, "plot", "run"], env=os.environ | {"CLCA_PYTHON": str(fake)}) as program:
+            while not (self.folder / "pid").exists():
+                time.sleep(0.01)
+            program.send_signal(signal.SIGINT)
+            self.assertEqual(program.wait(), 130)
+        self.assertFalse(Path("/proc", (self.folder / "pid").read_text().strip(), "cmdline").exists())
+
+
+class PlainTest(ScratchTest):
+    def test_folders_are_read_without_the_compiled_module(self):
+        run = clca.run(SCENE, output="run")
+        clca.sweep(SCENE, seeds=[1], output="sweep")
+        code = f"""
+import sys
+sys.modules["clca._clca"] = None
+import clca
+run = clca.open("run")
+assert run.frames[-1].positions.shape == ({len(run.frames[-1].ids)}, 2)
+assert run.measures["flow"]["repose_angle_deg"].unit == "degrees"
+assert run.series.label("mean_height") == "Mean height of the particles (spacings)"
+assert len(clca.open("sweep").runs) == 1
+try:
+    clca.run("heap")
+except clca.Error as error:
+    print(error)
+"""
+        result = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
+        self.assertIn("clca.run needs the compiled part of clca", result.stdout, result.stderr)
+
+    def test_frames_are_those_of_a_simulation(self):
+        for scene, step in ((SCENE, 20), (CONTACT, 50)):
+            run, simulation = clca.run(scene, output=f"run-{scene.get('model')}"), clca.Simulation(scene)
+            for name in ("name", "species", "degrees"):
+                self.assertEqual([getattr(kind, name) for kind in run.kinds], [getattr(kind, name) for kind in simulation.kinds])
+            for mine, compiled in zip(run.kinds, simulation.kinds):
+                self.assertEqual(sorted(map(tuple, mine.outline.round(9))), sorted(map(tuple, compiled.outline.round(9))))
+            simulation.step(step)
+            for name in ("positions", "velocities", "displacements", "ids", "kinds", "angular_velocities"):
+                numpy.testing.assert_allclose(getattr(run.frames.at(step), name), getattr(simulation.frame, name), atol=1e-12)
+            numpy.testing.assert_allclose(run.frames.at(step).particles["image"], simulation.frame.particles["image"])
+
+    def test_folders_say_what_each_column_is(self):
+        run = clca.run(CONTACT, output="run")
+        for name in run.tables:
+            table = run.table(name)
+            self.assertEqual(set(table.units), set(table.dtype.names))
+            said = json.loads((run.folder / "run.json").read_text())["tables"]
+            self.assertTrue(any(name == kind or name.startswith(f"{kind}-") for kind in said), name)
+            self.assertTrue(all(table.descriptions.values()), name)
+
+
+if __name__ == "__main__":
+    unittest.main()
