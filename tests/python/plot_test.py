@@ -191,7 +191,7 @@ class CommandTest(ScratchTest):
         self.assertTrue(Path("out/mean_height.pdf").read_bytes().startswith(b"%PDF"))
         said = clca_program("plot", "run", "--only", "profile,motion").splitlines()
         self.assertEqual(said, ["run/plots/profile.png", "run/plots/motion.png"])
-        self.assertIn("profile.png", Path("run/plots/.clca.manifest").read_text())
+        self.assertIn("profile.png", Path("run/.clca.manifest").read_text())
 
     def test_mistakes_are_one_line(self):
         clca.run(SCENE, output="run")
