@@ -21,31 +21,6 @@ using lattice::Direction;
 using testing::empty_state;
 using testing::particle_at;
 
-TEST(Rest, LiftsNoGrain) {
-  constexpr UnitVector kDown = {0, -(1 << kUnitBits)};
-  const UnitVector slanted = unit_of(Direction::down_right);
-  for (const UnitVector& gravity : {kDown, slanted}) {
-    for (const Direction direction : lattice::kDirections) {
-      Vector remainder = {};
-      take(remainder, -kSpacing / 3, direction);
-      const std::int32_t before = along(remainder, gravity);
-      EXPECT_TRUE(advance(remainder, {.x = 5, .y = -5}, true, 10, gravity));
-      EXPECT_GE(along(remainder, gravity), before - 1);
-    }
-  }
-}
-
-TEST(Rest, ForgetsASixteenthOfARemainderAcrossGravityAndAboveTheSite) {
-  Vector remainder = {1600, 3200};
-  EXPECT_TRUE(advance(remainder, {}, true, 10, {0, -(1 << kUnitBits)}));
-  EXPECT_EQ(remainder.x, 1500);
-  EXPECT_EQ(remainder.y, 3000);
-  remainder = {1600, -3200};
-  EXPECT_TRUE(advance(remainder, {}, true, 10, {0, -(1 << kUnitBits)}));
-  EXPECT_EQ(remainder.x, 1500);
-  EXPECT_EQ(remainder.y, -3200);
-}
-
 /// Hexagons of radius 1 that may move.
 struct Bench {
   grains::State state = empty_state(30, 60);
@@ -188,19 +163,37 @@ TEST(TheDirections, ComeDownFirstAndUpLastWithSidesByACoin) {
   EXPECT_EQ(seen.size(), 4U);
 }
 
+constexpr UnitVector kGravity = {0, -(1 << kUnitBits)};
+
 TEST(ARemainder, GrowsWithTheVelocityButForAGrainThatRests) {
-  Vector remainder = {1600, -800};
-  EXPECT_FALSE(advance(remainder, {100, 20, 0}, true, 50));
-  EXPECT_EQ(remainder, (Vector{1700, -780}));
-  EXPECT_TRUE(advance(remainder, {30, 40, 900}, true, 50)) << "spin is no motion from the spot";
-  EXPECT_EQ(remainder, (Vector{1700 - 106, -780 + 48}));
-  EXPECT_FALSE(advance(remainder, {30, 40, 0}, false, 50)) << "it flies";
-  EXPECT_EQ(remainder, (Vector{1700 - 106 + 30, -780 + 48 + 40}));
+  Vector remainder = {1600, 800};
+  EXPECT_FALSE(advance(remainder, {100, -20, 0}, true, 50, kGravity));
+  EXPECT_EQ(remainder, (Vector{1700, 780}));
+  EXPECT_TRUE(advance(remainder, {30, 40, 900}, true, 50, kGravity))
+      << "spin is no motion from the spot";
+  EXPECT_EQ(remainder, (Vector{1700 - 106, 780 - 48}));
+  EXPECT_FALSE(advance(remainder, {30, 40, 0}, false, 50, kGravity)) << "it flies";
+  EXPECT_EQ(remainder, (Vector{1700 - 106 + 30, 780 - 48 + 40}));
+}
+
+TEST(ARemainder, IsKeptAlongGravityByRest) {
+  Vector remainder = {1600, -3200};
+  EXPECT_TRUE(advance(remainder, {}, true, 50, kGravity));
+  EXPECT_EQ(remainder, (Vector{1500, -3200}));
+  for (const Direction gravity : lattice::kDirections) {
+    for (const Direction direction : lattice::kDirections) {
+      remainder = {};
+      take(remainder, -kSpacing / 3, direction);
+      const std::int32_t before = along(remainder, unit_of(gravity));
+      EXPECT_TRUE(advance(remainder, {}, true, 50, unit_of(gravity)));
+      EXPECT_GE(along(remainder, unit_of(gravity)), before - 1) << "rest lifts no grain";
+    }
+  }
 }
 
 TEST(ARemainder, StaysInRange) {
   Vector remainder = {kMaxRemainder, -kMaxRemainder};
-  advance(remainder, {kMaxVelocity, -kMaxVelocity, 0}, true, 50);
+  advance(remainder, {kMaxVelocity, -kMaxVelocity, 0}, true, 50, kGravity);
   EXPECT_EQ(remainder, (Vector{kMaxRemainder, -kMaxRemainder}));
 }
 
