@@ -489,9 +489,9 @@ TEST_F(CliTest, AFullDiskEndsTheRunWithItsReasonAndNoHalfFile) {
   CLCA_SKIP_IF_THREAD_SANITIZED();
   write("small.yaml", kScene);
   // Room for run.json and scene.yaml, not for a picture.
-  const auto result = run({"run", "small.yaml", "-o", "out", "--set", "output.frames.width=1280",
+  const auto result = run({"run", "small.yaml", "-o", "out", "--set", "output.frames.width=4000",
                            "--set", "output.series=none", "--set", "output.checkpoint=none"},
-                          {.file_size_limit = 3000});
+                          {.file_size_limit = 9000});
   EXPECT_EQ(result.code, 1);
   EXPECT_THAT(result.err, AllOf(HasSubstr("cannot write"), HasSubstr(".png")));
   EXPECT_TRUE(fs::is_empty(folder_.path() / "out" / "frames"));

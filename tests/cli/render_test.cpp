@@ -168,12 +168,16 @@ TEST_F(RenderCommandTest, ARunWithoutPicturesOfItsOwnIsDrawnWithTheDefaults) {
 
 TEST_F(RenderCommandTest, ARunWithoutPicturesOfItsOwnIsDrawnWithTheViewOfTheScene) {
   store("bare", {"output.frames.view=[0, 0, 6, 12]", "output.frames=none"});
-  EXPECT_EQ(render({"bare", "--from", "10", "--to", "10", "--width", "100"}).code, 0);
-  EXPECT_EQ(picture("bare/render/small-000010.png").height, 200);
-  EXPECT_EQ(render({"bare", "--width", "100", "--set", "output.frames.view=[0, 0, 6, 6]"}).code, 0);
-  EXPECT_EQ(picture("bare/render/small-000010.png").height, 100);
-  EXPECT_EQ(render({"bare", "--width", "100", "--set", "output.view=[0, 0, 6, 3]"}).code, 0);
-  EXPECT_EQ(picture("bare/render/small-000010.png").height, 50);
+  const auto height = [&](const char* setting) {
+    EXPECT_EQ(render({"bare", "--from", "10", "--to", "10", "--width", "100", "--set",
+                      "output.frames.caption=false", "--set", setting})
+                  .code,
+              0);
+    return picture("bare/render/small-000010.png").height;
+  };
+  EXPECT_EQ(height("output.frames.supersampling=2"), 200);
+  EXPECT_EQ(height("output.frames.view=[0, 0, 6, 6]"), 100);
+  EXPECT_EQ(height("output.view=[0, 0, 6, 3]"), 50);
 }
 
 TEST_F(RenderCommandTest, AMovieAndASheetNeedNoFolderOfPictures) {

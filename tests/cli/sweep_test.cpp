@@ -163,8 +163,8 @@ TEST_F(SweepCommandTest, FailedRunsAreNamedAndCountedAndTheExitCodeIsOne) {
 TEST_F(SweepCommandTest, AFullDiskIsOneLineAndExitCodeOne) {
   CLCA_SKIP_IF_THREAD_SANITIZED();
   // Room for run.json and scene.yaml, not for a picture.
-  expect_refused(sweep({"small.yaml", "-o", "out", "--set", "output.frames.width=1280"},
-                       {.file_size_limit = 3000}),
+  expect_refused(sweep({"small.yaml", "-o", "out", "--set", "output.frames.width=4000"},
+                       {.file_size_limit = 9000}),
                  1, AllOf(StartsWith("clca: error: cannot write"), HasSubstr(".png")));
   expect_refused(sweep({"small.yaml", "-o", "/proc/out"}), 1, HasSubstr("/proc/out"));
 }

@@ -9,7 +9,7 @@ endfunction()
 
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${prefix})
 run(${prefix}/bin/clca check wall-removal)
-foreach(file clca/plots/style.gp man/man1/clca-run.1.gz bash-completion/completions/clca)
+foreach(file clca/python/clca/__main__.py man/man1/clca-run.1.gz bash-completion/completions/clca)
   if(NOT EXISTS ${prefix}/share/${file})
     message(FATAL_ERROR "${file} is not installed")
   endif()

@@ -51,15 +51,16 @@ struct ContactRun {
   }
 };
 
-inline contact::Parameters any_contact_parameters(bool hexagons) {
+inline contact::Parameters any_contact_parameters(bool round) {
   using contact::Rolling;
   contact::Parameters parameters;
-  const auto friction = [] { return *rc::gen::element(0.0, 0.1, 0.4, 1.0, 10.0, 1e9); };
+  const auto friction = [] {
+    return *rc::gen::element(0.0, 0.1, 0.4, 1.0, 10.0, contact::kMaxFriction);
+  };
   parameters.friction = friction();
   parameters.wall_friction = friction();
-  parameters.rolling = hexagons
-                           ? *rc::gen::element(Rolling::none, Rolling::resistance, Rolling::free)
-                           : Rolling::none;
+  parameters.rolling =
+      round ? *rc::gen::element(Rolling::none, Rolling::resistance, Rolling::free) : Rolling::none;
   parameters.rolling_friction = friction();
   parameters.restitution = within(0, 91) / 100.0;
   parameters.sweeps = 2 * within(1, 5);
@@ -68,14 +69,17 @@ inline contact::Parameters any_contact_parameters(bool hexagons) {
   return parameters;
 }
 
-/// Where hexagons only, some of them of one site. Narrow periodic boxes see small ones only.
-inline std::vector<grains::Kind> any_kinds(bool hexagons, bool narrow) {
+/// Where hexagons and discs only, some of them of one site. Narrow periodic boxes see small ones
+/// only.
+inline std::vector<grains::Kind> any_kinds(bool round, bool narrow) {
   std::vector<grains::Kind> kinds;
   const int species = within(1, 4);
   for (int i = 0; i < species; ++i) {
-    kinds.push_back({narrow     ? lattice::Shape::hexagon(within(0, 2))
-                     : hexagons ? lattice::Shape::hexagon(within(0, 5))
-                                : any_shape(),
+    kinds.push_back({narrow  ? lattice::Shape::hexagon(within(0, 2))
+                     : round ? *rc::gen::arbitrary<bool>()
+                                   ? lattice::Shape::hexagon(within(0, 5))
+                                   : lattice::Shape::disc(within(0, 11) / 2.0)
+                             : any_shape(),
                      static_cast<std::uint16_t>(i)});
   }
   return kinds;
@@ -131,9 +135,9 @@ inline contact::Vessel any_vessel() {
 inline ContactRun any_contact_run(bool open, int steps) {
   const bool periodic = *rc::gen::arbitrary<bool>();
   const bool narrow = within(0, 4) == 0;
-  const bool hexagons = narrow || within(0, 3) != 0;
+  const bool round = narrow || within(0, 3) != 0;
   const int half_columns = narrow ? within(2, 5) : within(6, 20);
-  std::vector<grains::Kind> kinds = any_kinds(hexagons, narrow);
+  std::vector<grains::Kind> kinds = any_kinds(round, narrow);
   const int columns = std::max(2 * half_columns, periodic ? contact::needed_columns(kinds) : 0);
   grains::State grains{.lattice = lattice::Lattice(columns, within(12, 50), periodic),
                        .seed = *rc::gen::arbitrary<std::uint64_t>(),
@@ -144,7 +148,7 @@ inline ContactRun any_contact_run(bool open, int steps) {
     add_moving_wall(grains, lattice::Direction::down, MovingWalls::rigid);
   }
   ContactRun run{.state = {.grains = std::move(grains)},
-                 .parameters = any_contact_parameters(hexagons)};
+                 .parameters = any_contact_parameters(round)};
   for (std::size_t wall = 0; wall < run.state.grains.walls.size(); ++wall) {
     run.parameters.friction_by_wall.push_back(
         *rc::gen::arbitrary<bool>() ? std::optional(within(0, 20) / 10.0) : std::nullopt);

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from ._chart import INCH, THEORY, Axis, Chart, Curve, Panel, running_mean
 from ._error import Error
 from ._folder import Run, Sweep
-from ._table import Table
+from ._table import TEXT, Table
 
 LABEL = frozenset("0123456789abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_-+.")
 
@@ -638,6 +638,18 @@ FIGURES = [
 # fmt: on
 
 
+def check_numbers(source: Source, name: str, figure: Figure) -> None:
+    """Throws Error where a cell of what the figure needs is no number."""
+    table = source.folder.table(name)
+    for column in (*figure.y.split("/"), figure.x, *figure.needs):
+        if column in (table.dtype.names or ()) and column not in TEXT and table[column].dtype.kind not in "fiub":
+            for row, cell in enumerate(table[column]):
+                try:
+                    float(cell)
+                except ValueError:
+                    raise Error(f"{name}.csv: line {row + 2}: {str(cell)!r} in column {column!r} is no number") from None
+
+
 def allows(figure: Figure, table: Table) -> bool:
     """Whether a table has what the figure needs, with values."""
     names = table.dtype.names or ()
@@ -657,6 +669,8 @@ def charts_of(source: Source, figure: Figure) -> list[Chart]:
     if isinstance(source.folder, Sweep) or is_gas != (source.folder.kind == "boltzmann"):
         return []
     files = [(label, table) for label, table in source.files(figure.table) if allows(figure, table)]
+    for label, _ in files:
+        check_numbers(source, figure.table.replace("*", label), figure)
     if figure.name == "contacts":
         files = [(label, table) for label, table in files if f"loads-{label}" in source.names]
     if not files:

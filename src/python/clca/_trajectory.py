@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import atexit
+import os
 import re
 import threading
 from collections.abc import Iterator
@@ -9,6 +11,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
+import h5py  # type: ignore[import]
 import numpy
 from numpy.typing import NDArray
 
@@ -35,6 +38,10 @@ BODY = numpy.dtype(
 CONTACT = numpy.dtype(
     [("upper", "u4"), ("other", "i4"), ("place", "f8", 2), ("normal", "f8", 2), ("branch", "f8", 2), ("force", "f8", 2)]
 )
+# Python must neither end nor fork while a thread is in h5py: its lock would be held for ever.
+reading = threading.Lock()
+atexit.register(reading.acquire)
+os.register_at_fork(before=reading.acquire, after_in_parent=reading.release, after_in_child=reading.release)
 # Where the rows of a frame begin in its lists.
 FIRST = {"particles": "first", "origins": "first_origin", "pushes": "first_push", "contacts": "first_contact"}
 
@@ -116,8 +123,6 @@ class Trajectory:
 
     @contextmanager
     def _opened(self, file: Path) -> Iterator[Any]:
-        import h5py  # type: ignore[import]
-
         try:
             with file.open("rb") as stream:
                 header = HEADER.match(stream.read(HEADER_BYTES))
@@ -125,7 +130,7 @@ class Trajectory:
                 raise ValueError("it is no part of a trajectory of this version")
             if file.stat().st_size != HEADER_BYTES + int(header[1]):
                 raise ValueError("it is cut off")
-            with h5py.File(file, "r") as part:
+            with reading, h5py.File(file, "r") as part:
                 yield part
         except (OSError, KeyError, ValueError, IndexError, RuntimeError) as error:
             reason = error.strerror if isinstance(error, FileNotFoundError) else error
