@@ -22,11 +22,11 @@ double total_energy(const ContactModel& model, double gravity) {
   return energy.kinetic + energy.potential;
 }
 
-// Of hexagons and discs in a box, with some friction, where the fall height is not below that of the box and
-// steps are not longer than they are by default. Half a percent is for what sites cost: grains that
-// hardly move stay where they are, and those without room are set back to two spacings. Without
-// friction more is won in one box of some hundreds, where velocities along a row go on though the
-// lattice has no room for them; likewise where a wall touches a grain from two sides.
+// Of hexagons and discs in a box, with some friction, where the fall height is not below that of
+// the box and steps are not longer than they are by default. Half a percent is for what sites cost:
+// grains that hardly move stay where they are, and those without room are set back to two spacings.
+// Without friction more is won in one box of some hundreds, where velocities along a row go on
+// though the lattice has no room for them; likewise where a wall touches a grain from two sides.
 RC_GTEST_PROP(ContactEnergyProperty, EnergyDoesNotGrow, ()) {
   ContactRun run = any_contact_run(false, kSteps);
   RC_PRE(run.state.grains.walls.empty());

@@ -63,7 +63,8 @@ std::string moving_scene() {
 
 std::string contact_scene() {
   return testing::contact_with(
-      "contact: {friction: 0.2, wall_friction: 16384, rolling: free, restitution: 0.99, sweeps: 4,\n"
+      "contact: {friction: 0.2, wall_friction: 16384, rolling: free, restitution: 0.99, sweeps: "
+      "4,\n"
       "          resolution: 0.05, fall_height: auto}\n"
       "walls: {left: {box: [0, 0, 1, 50], friction: 0}}\n"
       "measure: [moved]\n");
