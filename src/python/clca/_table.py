@@ -149,7 +149,7 @@ def read_table(file: Path, known: Mapping[str, Quantity]) -> Table:
         raise Error(f"cannot read {file}: {error.strerror if isinstance(error, OSError) else error}") from None
     wrong = next((number for number, row in enumerate(cells) if len(row) != len(names)), None)
     if not names or len(set(names)) < len(names) or wrong is not None:
-        raise Error(f"cannot read {file}: line {2 + (wrong or 0)}: cut off or no row of the table")
+        raise Error(f"cannot read {file}: line {1 if wrong is None else 2 + wrong}: cut off or no row of the table")
     columns = list(zip(*cells)) if cells else [()] * len(names)
     return Table(
         (name, list(column) if name in TEXT else numbers_of(column), known.get(name, Quantity(name)))
