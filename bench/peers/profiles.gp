@@ -8,7 +8,7 @@ sizes = values(1)
 set terminal svg size 900, 60 + 300 * words(sizes) font 'DejaVu Sans,13' background '#ffffff'
 set output ARG2
 
-# Okabe & Ito 2008, as in plots/style.gp.
+# Okabe & Ito 2008.
 array colors[7] = [0x000000, 0x0072b2, 0x56b4e9, 0xd55e00, 0xe69f00, 0x009e73, 0xcc79a7]
 set border 3 linecolor '#404040'
 set tics out nomirror

@@ -6,5 +6,5 @@ set datafile columnheaders
 set border 3 linecolor '#404040'
 set tics out nomirror
 set key outside right top vertical Left reverse noenhanced samplen 2.5 spacing 1.25
-# Okabe & Ito 2008, as in plots/style.gp.
+# Okabe & Ito 2008.
 array colors[5] = [0xcc79a7, 0xd55e00, 0x0072b2, 0x009e73, 0x000000]
