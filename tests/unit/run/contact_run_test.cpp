@@ -1,6 +1,7 @@
 // Runs of the contact model: what they leave, and that they go on as if they had never been
 // stopped.
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -102,6 +103,33 @@ stages:
   }
   EXPECT_GT(sums["floor"], 1);
   EXPECT_GT(sums["box.floor"], 1);
+}
+
+// Shapes that lock into one another: none gets faster where it is. Once by 62 %.
+TEST_F(ContactRunTest, ABedOfShapesThatInterlockGainsNoEnergy) {
+  for (const int seed : {1, 2, 3}) {
+    const store::RunSummary summary =
+        run(scene::parse(R"(clca: 1
+model: contact
+box: {width: 80.4, height: 97, periodic: true}
+species:
+  a: {shape: {sites: [[0, 0], [1, 0], [2, -1], [-1, 1], [1, -1], [1, -2], [1, 1]]}}
+  b:
+    shape: {sites: [[0, 0], [1, -1], [1, -2], [-1, 0], [-1, 1], [1, -3], [0, 1], [2, -4], [-2, 0]]}
+    orientations: any
+contact: {rolling: none, fall_height: 42.5}
+walls: {w0: {disc: {centre: [30.1, 26.4], radius: 2.5}}}
+stages:
+  - name: bed
+    fill: {region: [0, 0, 80.4, 68], mix: {a: 1, b: 1}, method: deposition, level: 15}
+    until: settled
+    max_steps: 6000
+)",
+                         "locked.yaml", {fmt::format("seed={}", seed)}),
+            {.folder = path(), .overwrite = true});
+    EXPECT_LT(testing::measure_of(summary, "bed", "energy_growth"), 0.002) << seed;
+    EXPECT_EQ(summary.stages.front().ended, "settled") << seed;
+  }
 }
 
 // The grain touches a side all the time, so that it rests where it turns.
