@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 import numpy
 from numpy.typing import NDArray
 
-from ._chart import INCH, THEORY, Axis, Chart, Curve, Panel, running_mean
+from ._chart import THEORY, Axis, Chart, Curve, Panel, running_mean
 from ._error import Error
 from ._folder import Run, Sweep
 from ._table import TEXT, Table
