@@ -16,7 +16,7 @@ from ._arguments import MOST, absolute, path, whole
 from ._error import ArgumentError, CompiledPartError, Error
 from ._frames import Frames, Kind
 from ._picture import Picture, overrides
-from ._table import Named, Quantity, Table, Value, quantities, read_table
+from ._table import Named, Quantity, Table, Value, check_regular, quantities, read_table
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes  # type: ignore[import]
@@ -26,6 +26,7 @@ MOST_BYTES = 16 << 20  # of a run.json
 
 def read_json(file: Path) -> dict[str, Any]:
     """The object in a file. Throws Error."""
+    check_regular(file)
     try:
         with file.open("rb") as stream:
             text = stream.read(MOST_BYTES + 1)

@@ -136,8 +136,15 @@ def numbers_of(cells: Sequence[str]) -> Any:
         return list(cells)
 
 
+def check_regular(file: Path) -> None:
+    """Throws Error for a pipe or device, which might never end."""
+    if file.exists() and not file.is_file():
+        raise Error(f"cannot read {file}: it is not a regular file")
+
+
 def read_table(file: Path, known: Mapping[str, Quantity]) -> Table:
     """A table as clca writes it. Throws Error."""
+    check_regular(file)
     try:
         with file.open(encoding="utf-8", newline="") as lines:
             rows = csv.reader(lines, strict=True)

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from ._error import Error
 from ._frames import FrameData, Kind, Look, read_only
+from ._table import check_regular
 
 PITCH = float(numpy.sqrt(3) / 2)  # of columns, in lattice spacings
 HEADER = re.compile(rb"clca .* version 1\nbytes (\d+)\n")
@@ -123,6 +124,7 @@ class Trajectory:
 
     @contextmanager
     def _opened(self, file: Path) -> Iterator[Any]:
+        check_regular(file)
         try:
             with file.open("rb") as stream:
                 header = HEADER.match(stream.read(HEADER_BYTES))
