@@ -19,8 +19,6 @@ namespace clca::scene {
 
 namespace {
 
-constexpr int kDegreesPerSixth = 60;
-
 [[noreturn]] void refuse_yet(const TextLocation& location, std::string_view path,
                              std::string_view what) {
   fail(location, fmt::format("{}: model contact {} yet, model automaton does; remove it, or say "

@@ -14,8 +14,6 @@ namespace clca::scene {
 
 namespace {
 
-constexpr int kDegreesPerTurn = 60;
-
 [[noreturn]] void refuse(const std::string& location, const std::string& message) {
   throw SceneError(fmt::format("{}: error: {}", location, message));
 }
@@ -45,7 +43,7 @@ template <class Free>
 bool finds_room(const lattice::Lattice& lattice, const lattice::Rectangle& rectangle,
                 const Species& species, Free free) {
   return std::any_of(species.orientations.begin(), species.orientations.end(), [&](int degrees) {
-    const lattice::Shape shape = species.shape.rotated(degrees / kDegreesPerTurn);
+    const lattice::Shape shape = species.shape.rotated(degrees / kDegreesPerSixth);
     const lattice::Axial first = shape.sites().front();
     return any_site(lattice, rectangle, [&](lattice::Site at) {
       return std::all_of(shape.sites().begin(), shape.sites().end(), [&](lattice::Axial part) {

@@ -11,6 +11,8 @@
 
 namespace clca::scene {
 
+inline constexpr int kDegreesPerSixth = 360 / lattice::kDirectionCount;
+
 lattice::Lattice lattice_of(const Box& box);
 
 /// [x, y]. Throws SceneError, as all here.

@@ -16,8 +16,6 @@ namespace clca::scene {
 
 namespace {
 
-constexpr int kSixth = 60;
-
 std::vector<lattice::Axial> read_sites(const Value& value, const std::string& path,
                                        std::size_t least, std::size_t most) {
   std::vector<lattice::Axial> sites;
@@ -125,8 +123,8 @@ std::vector<int> read_orientations(const Value& value, const std::string& path,
   }
   std::vector<int> angles;
   for (const Value& item : read_list(value, path, 1, lattice::kDirectionCount)) {
-    const int angle = read_int(item, path, 0, 360 - kSixth);
-    if (angle % kSixth != 0) {
+    const int angle = read_int(item, path, 0, 360 - kDegreesPerSixth);
+    if (angle % kDegreesPerSixth != 0) {
       fail(item.location, fmt::format("{}: expected a multiple of 60, found {}", path, angle));
     }
     if (std::find(angles.begin(), angles.end(), angle) != angles.end()) {
@@ -195,7 +193,8 @@ void check_width(const Species& species, const Box& box, const KeyedMap& fields)
   }
   const int columns = lattice_of(box).columns();
   for (const int degrees : species.orientations) {
-    const std::vector<lattice::Axial> sites = species.shape.rotated(degrees / kSixth).sites();
+    const std::vector<lattice::Axial> sites =
+        species.shape.rotated(degrees / kDegreesPerSixth).sites();
     const int width = sites.back().x - sites.front().x + 1;
     if (width >= columns) {
       fail(fields.location(),

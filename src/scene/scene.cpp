@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <string>
 
+#include "scene/geometry.hpp"
+
 namespace clca::scene {
 
 std::optional<std::uint64_t> steps_of(const Until& until) {
@@ -40,16 +42,15 @@ bool pictures_compare_positions(const Scene& scene) {
 }
 
 std::vector<int> degrees_of(const Scene& scene, const std::vector<grains::Kind>& kinds) {
-  constexpr int kSixth = 60;
   std::vector<int> result;
   for (const grains::Kind& kind : kinds) {
     const Species& species = scene.species[kind.species];
     if (scene.model == Model::baxter) {
-      result.push_back(kSixth * static_cast<int>(result.size() % baxter::kAxes));
+      result.push_back(kDegreesPerSixth * static_cast<int>(result.size() % baxter::kAxes));
       continue;
     }
     const auto found = std::ranges::find_if(species.orientations, [&](int degrees) {
-      return species.shape.rotated(degrees / kSixth).congruent(kind.shape);
+      return species.shape.rotated(degrees / kDegreesPerSixth).congruent(kind.shape);
     });
     result.push_back(found != species.orientations.end() ? *found : 0);
   }
