@@ -1,13 +1,14 @@
 // clca compare: compares an automaton run with a Boltzmann run.
 
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "clca/compare/compare.hpp"
-#include "clca/plot/plot.hpp"
 #include "clca/store/output_folder.hpp"
 #include "clca/text/message.hpp"
 #include "cli/command.hpp"
 #include "cli/option_values.hpp"
+#include "cli/package.hpp"
 #include "cli/terminal.hpp"
 
 namespace clca::cli {
@@ -21,14 +22,14 @@ struct CompareOptions {
   compare::RunChoice choice;
 };
 
-void draw_figure(const std::filesystem::path& folder) {
-  const std::atomic<int>& stop = catch_stop_signals();
-  for (const plot::Picture& picture : plot::pictures(folder, {"comparison"}, {}, {}, &stop)) {
-    store::OutputFolder(folder).write(picture.name + ".png", picture.bytes);
-  }
+int draw_figure(const std::filesystem::path& folder) {
+  return run_package("plot", {{"only", {"comparison"}}}, {folder},
+                     [&](const std::string& name, std::span<const std::uint8_t> bytes) {
+                       store::OutputFolder(folder).write(name, bytes);
+                     });
 }
 
-void compare_runs(const CompareOptions& options) {
+int compare_runs(const CompareOptions& options) {
   const compare::Comparison comparison =
       compare::comparison(options.automaton, options.boltzmann, options.choice);
   compare::write(comparison, options.folder);
@@ -36,8 +37,9 @@ void compare_runs(const CompareOptions& options) {
   for (const compare::Distance& distance : compare::distances(comparison)) {
     print_out("{:40} D_H {:.3e}, floor {:.1e}\n", distance.name, distance.distance, distance.floor);
   }
-  draw_figure(options.folder);
+  const int code = draw_figure(options.folder);
   print_out("{}\n", options.folder);
+  return code;
 }
 
 }  // namespace
@@ -61,10 +63,7 @@ void add_compare_command(CommandLine& command_line) {
       .option("--restitution", &options->choice.restitution,
               "Restitution to choose if the Boltzmann run has several")
       .values(finite_number());
-  command.action([options] {
-    compare_runs(*options);
-    return static_cast<int>(ExitCode::done);
-  });
+  command.action([options] { return compare_runs(*options); });
 }
 
 }  // namespace clca::cli

@@ -200,10 +200,11 @@ class CommandTest(ScratchTest):
         self.refused(2, "--x-range.*two numbers", "run", "--x-range", "5")
         self.refused(1, "nowhere", "run", environment={"CLCA_PYTHON": str(self.folder / "nowhere")})
         fake = self.folder / "python3"
-        fake.write_text("#!/bin/sh\necho 'no Python module matplotlib; install python3-matplotlib (Debian)' >&2\nexit 1\n")
+        fake.write_text("#!/bin/sh\nexec /usr/bin/python3 -S \"$@\"\n")  # without the packages of the system
         fake.chmod(0o755)
-        self.refused(1, "no Python module matplotlib; install", "run", environment={"CLCA_PYTHON": str(fake)})
-        fake.write_text("#!/bin/sh\nexit 0\n")
+        self.refused(1, "no Python module numpy; install python3-numpy", "run", environment={"CLCA_PYTHON": str(fake)})
+        fake.write_text("#!/bin/sh\nkill -9 $$\n")
+        self.refused(1, "fails with exit code 137", "run", environment={"CLCA_PYTHON": str(fake)})
         (self.folder / "run/plots").mkdir()
         (self.folder / "run/plots/profile.png").write_text("mine")
         self.refused(1, "clca did not write the file", "run", "--only", "profile")

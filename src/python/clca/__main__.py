@@ -1,33 +1,47 @@
-"""What the commands of the program start: `python3 -m clca COMMAND OPTIONS`, the options as JSON."""
+"""What the commands of the program start: `python3 __main__.py COMMAND OPTIONS FOLDER...`, the options as JSON."""
 
+import importlib
 import json
 import os
 import signal
 import sys
 
-from ._error import Error
+COMMANDS = ("plot",)  # the function command() of the module of that name
+PACKAGES = {"matplotlib": "python3-matplotlib", "h5py": "python3-h5py", "numpy": "python3-numpy"}
+
+
+def failed(code: int, line: str) -> int:
+    print(f"clca: error: {line}", file=sys.stderr)
+    return code
+
+
+def missing(error: ImportError) -> int:
+    package = PACKAGES.get(error.name or "")
+    more = f"no Python module {error.name}; install {package} (Debian) or {error.name} (pip)"
+    return failed(1, more if package else str(error))
 
 
 def main() -> int:
     signal.signal(signal.SIGINT, signal.SIG_DFL)
     signal.signal(signal.SIGPIPE, signal.SIG_DFL)
     os.environ.setdefault("MPLBACKEND", "agg")
+    sys.path[0] = os.path.dirname(sys.path[0])  # the folder of the package, not of its modules
+    try:
+        from clca import Error
+        from clca._answer import printable
+    except ImportError as error:
+        return missing(error)
     try:
         name, options = sys.argv[1], json.loads(sys.argv[2])
-        from . import _plot
-
-        {"plot": _plot.command}[name](options, *sys.argv[3:])
+        if name not in COMMANDS:
+            raise Error(f"no command {name}")
+        importlib.import_module(f"clca._{name}").command(options, *sys.argv[3:])
     except Error as error:
-        print(error, file=sys.stderr)
-        return 2
+        return failed(2, printable(str(error).splitlines()[0]))
     except ImportError as error:
-        package = {"matplotlib": "python3-matplotlib", "h5py": "python3-h5py", "numpy": "python3-numpy"}
-        more = f"; install {package[error.name]} (Debian) or {error.name} (pip)" if error.name in package else ""
-        print(f"no Python module {error.name}{more}" if more else error, file=sys.stderr)
-        return 1
+        return missing(error)
     except Exception as error:  # one line, as of the program
-        print(f"{type(error).__name__}: {error}".splitlines()[0], file=sys.stderr)
-        return 1
+        return failed(1, printable(f"{type(error).__name__}: {error}".splitlines()[0]))
     return 0
 
 

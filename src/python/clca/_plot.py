@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import json
-import sys
 from typing import Any
 
-from . import _chart, _figures
+from . import _answer, _chart, _figures
 from ._chart import Look, rendered
 from ._error import Error
 from ._figures import Choice
@@ -44,29 +42,12 @@ def plot(folder: Run | Sweep, name: str, ax: Any, choice: Choice) -> Any:
 
 
 def command(options: dict[str, Any], folder_name: str) -> None:
-    """Draws what the command asks for to standard output: of each figure a line of JSON, then its bytes."""
-    folder = open(folder_name)
+    """Draws what the command asks for."""
     choice = Choice(
-        **{key: tuple(value) if isinstance(value, list) else value for key, value in options["choice"].items()}
+        **{key: tuple(value) if isinstance(value, list) else value for key, value in options.get("choice", {}).items()}
     )
-    limits = {key: tuple(value) for key, value in options["look"].items() if key.endswith("_limits")}
-    look = Look(**{**options["look"], **limits})
-    out = sys.stdout.buffer
-    if options.get("report"):
-        warnings: list[str] = []
-        found = sorted(
-            _figures.charts(folder, choice, lambda error: warnings.append(str(error))), key=lambda one: -one.rank
-        )
-        for warning in warnings:
-            out.write(json.dumps({"warning": warning}).encode() + b"\n")
-        found = [chart._replace(title="") for chart in found[: options["report"]]]
-    else:
-        found = _figures.chosen(folder, options["only"], choice)
-    for chart in found:
-        picture, kind = rendered(chart, look), look.format
-        if options.get("report") and len(picture) > 300_000:
-            kind = "png"
-            picture = rendered(chart, look._replace(format=kind, width=2 * look.width))
-        head = {"name": chart.name, "about": chart.about, "format": kind, "bytes": len(picture)}
-        out.write(json.dumps(head).encode() + b"\n" + picture)
-        out.flush()
+    look = Look(
+        **{key: tuple(value) if isinstance(value, list) else value for key, value in options.get("look", {}).items()}
+    )
+    for chart in _figures.chosen(open(folder_name), options["only"], choice):
+        _answer.file(f"{chart.name}.{look.format}", rendered(chart, look))

@@ -1,0 +1,33 @@
+"""What a command answers to the program that has started it, on standard output."""
+
+import json
+import sys
+from typing import Any
+
+from ._error import Error
+
+
+def printable(text: str) -> str:
+    """Control characters, which move the cursor of a terminal, as escapes."""
+    return "".join(letter if letter.isprintable() else ascii(letter)[1:-1] for letter in text)
+
+
+def _head(**values: Any) -> None:
+    sys.stdout.buffer.write(json.dumps(values).encode() + b"\n")
+
+
+def file(name: str, content: bytes) -> None:
+    """A file that the program writes, relative to the folder of the command."""
+    _head(file=name, bytes=len(content))
+    sys.stdout.buffer.write(content)
+    sys.stdout.buffer.flush()
+
+
+def line(text: str) -> None:
+    """A line for the user, on the standard output of the program."""
+    _head(line=text)
+
+
+def warning(error: Error | str) -> None:
+    """A line for the user, on standard error."""
+    print(f"clca: warning: {printable(str(error))}", file=sys.stderr, flush=True)
