@@ -39,7 +39,8 @@ void take(std::span<const std::uint8_t> answer, const FileReceiver& file) {
 }  // namespace
 
 int run_package(const std::string& command, const Json& options,
-                const std::vector<fs::path>& folders, const FileReceiver& file) {
+                const std::vector<fs::path>& folders, const FileReceiver& file,
+                std::span<const std::uint8_t> input) {
   constexpr int kMaxCode = 2;  // of the package itself
   const fs::path package = process::data_folder("python") / "clca/__main__.py";
   const fs::path python = process::python();
@@ -55,7 +56,9 @@ int run_package(const std::string& command, const Json& options,
   }
   const std::atomic<int>& stop = catch_stop_signals();
   const process::OutputCapture out;
-  const int code = process::Program(arguments, {.out = &out, .stop = &stop}).wait();
+  process::Program program(arguments, {.out = &out, .fed = true, .stop = &stop});
+  program.feed(input);
+  const int code = program.wait();
   if (code > kMaxCode) {
     throw process::ProcessError(fmt::format("{} fails with exit code {}", python.string(), code));
   }

@@ -15,10 +15,12 @@ using FileReceiver =
     std::function<void(const std::string& name, std::span<const std::uint8_t> bytes)>;
 
 /// Runs the function `command()` of the module `clca._COMMAND` with these options and folders.
-/// It writes to standard error itself. `file` gets the files that it returns, lines for the user
-/// are printed. Returns its exit code. Throws process::ProcessError where it cannot be started or
-/// is killed, and process::StoppedError after a signal to stop.
+/// It reads `input` from standard input and writes to standard error itself. `file` gets the files
+/// that it returns, lines for the user are printed. Returns its exit code. Throws
+/// process::ProcessError where it cannot be started or is killed, and process::StoppedError after a
+/// signal to stop.
 int run_package(const std::string& command, const nlohmann::json& options,
-                const std::vector<std::filesystem::path>& folders, const FileReceiver& file);
+                const std::vector<std::filesystem::path>& folders, const FileReceiver& file,
+                std::span<const std::uint8_t> input = {});
 
 }  // namespace clca::cli

@@ -5,8 +5,11 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 
+#include "clca/image/png.hpp"
+#include "clca/render/coloring.hpp"
 #include "clca/run/redraw.hpp"
 #include "clca/run/run.hpp"
 #include "clca/store/file.hpp"
@@ -14,6 +17,7 @@
 #include "cli/command.hpp"
 #include "cli/input.hpp"
 #include "cli/option_values.hpp"
+#include "cli/package.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/scene_options.hpp"
 #include "cli/terminal.hpp"
@@ -135,6 +139,58 @@ void set_folders(std::vector<run::RunToDraw>& runs, const RenderOptions& options
   }
 }
 
+nlohmann::json to_json(image::Rgb color) {
+  return {color.red, color.green, color.blue};
+}
+
+nlohmann::json to_json(const run::TimePicture::Axis& axis) {
+  return {{"label", axis.label}, {"low", axis.low}, {"high", axis.high}};
+}
+
+nlohmann::json to_json(const render::Legend::Bar& bar) {
+  constexpr int kColors = 64;
+  nlohmann::json colors = nlohmann::json::array();
+  for (int i = 0; i < kColors; ++i) {
+    colors.push_back(to_json(render::bar_color(bar, i / (kColors - 1.0))));
+  }
+  return {{"label", bar.label}, {"low", bar.low},     {"high", bar.high},
+          {"below", bar.below}, {"above", bar.above}, {"colors", colors}};
+}
+
+/// For _space_time.py.
+nlohmann::json to_json(const run::TimePicture& picture) {
+  nlohmann::json json = {{"width", picture.width},
+                         {"height", picture.height},
+                         {"annotations", picture.annotations},
+                         {"title", picture.title},
+                         {"time", to_json(picture.time)},
+                         {"position", to_json(picture.position)},
+                         {"stages", nlohmann::json::array()},
+                         {"patches", nlohmann::json::array()},
+                         {"bars", nlohmann::json::array()},
+                         {"text", picture.text}};
+  for (const auto& stage : picture.stages) {
+    json["stages"].push_back({{"name", stage.name}, {"begin", stage.begin}});
+  }
+  for (const auto& patch : picture.legend.patches) {
+    json["patches"].push_back({{"label", patch.label}, {"color", to_json(patch.color)}});
+  }
+  for (const auto& bar : picture.legend.bars) {
+    json["bars"].push_back(to_json(bar));
+  }
+  return json;
+}
+
+/// Axes and legend are those of figures.
+int draw_over_time(const run::TimePicture& picture, const fs::path& file) {
+  return run_package(
+      "space_time", to_json(picture), {},
+      [&](const std::string& /*name*/, std::span<const std::uint8_t> bytes) {
+        store::write_whole(file, bytes);
+      },
+      image::encode_png(picture.content, {}));
+}
+
 void print_totals(const std::vector<run::RunToDraw>& runs, const run::RedrawOptions& options,
                   std::size_t drawn, std::size_t moments) {
   print_out("{} of {} {} drawn\n", drawn, moments, runs.size() > 1 ? "moments" : "pictures");
@@ -170,6 +226,11 @@ int render_run(RenderOptions options) {
     events.progress = [&](const run::RedrawProgress& progress) { line.show(progress); };
   }
   const std::size_t drawn = drawing->draw(events);
+  if (redraw.space_time && drawn > 0) {
+    if (const int code = draw_over_time(drawing->over_time(), redraw.space_time->file); code != 0) {
+      return code;
+    }
+  }
   if (!options.quiet) {
     print_totals(runs, redraw, drawn, drawing->moments());
   }

@@ -131,6 +131,7 @@ class Deposit {
     const std::uint64_t drawn =
         random::below(random::draw(state_.seed, 0, id, random::Purpose::deposit_column), columns);
     for (std::uint64_t tried = 0; tried < columns; ++tried) {
+      box_.check_interruption();
       const int column = room.columns.low + static_cast<int>((drawn + tried) % columns);
       if (const auto start = landing(room, column)) {
         Particle particle = {.column = column, .row = *start, .kind = kind};

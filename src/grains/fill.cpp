@@ -31,11 +31,12 @@ std::vector<std::size_t> largest_first(const State& state, std::size_t species_c
   return order;
 }
 
-std::vector<Trial> all_trials(const std::vector<lattice::Site>& sites,
+std::vector<Trial> all_trials(Box& box, const std::vector<lattice::Site>& sites,
                               const std::vector<std::uint16_t>& kinds) {
   std::vector<Trial> trials;
   trials.reserve(sites.size() * kinds.size());
   for (const lattice::Site site : sites) {
+    box.check_interruption();
     for (const std::uint16_t kind : kinds) {
       trials.push_back({site, kind});
     }
@@ -54,6 +55,7 @@ class Trials {
   bool place_one(Box& box, const lattice::Rectangle& region) {
     const State& state = box.state;
     while (tried_ < trials_.size()) {
+      box.check_interruption();
       const std::uint64_t bits =
           random::draw(state.seed, tried_, key_, random::Purpose::fill_position);
       std::swap(trials_[tried_], trials_[tried_ + random::below(bits, trials_.size() - tried_)]);
@@ -86,7 +88,7 @@ void fill_part(Box& box, const lattice::Rectangle& region, const std::vector<lat
   for (std::size_t species = 0; species < weights.size(); ++species) {
     const std::vector<std::uint16_t> kinds =
         weights[species] > 0 ? kinds_of(state, species) : std::vector<std::uint16_t>();
-    trials.emplace_back(all_trials(sites, kinds),
+    trials.emplace_back(all_trials(box, sites, kinds),
                         next_id(state) + static_cast<std::uint32_t>(species));
   }
   std::size_t species = draw_species(state, weights);
@@ -151,7 +153,7 @@ FillResult fill_region(Box& box, const lattice::Rectangle& region,
     if (counts[species] == 0) {
       continue;
     }
-    Trials trials(all_trials(sites, kinds_of(state, species)), next_id(state));
+    Trials trials(all_trials(box, sites, kinds_of(state, species)), next_id(state));
     while (result.placed[species] < counts[species] && trials.place_one(box, region)) {
       ++result.placed[species];
     }

@@ -120,6 +120,10 @@ StepReport Model::step() {
   return whole([&] { return grains::step(*mechanics_); });
 }
 
+void Model::set_interruption(std::function<void()> check) {
+  mechanics_->box().interruption = std::move(check);
+}
+
 FillResult Model::fill(const lattice::Rectangle& region, std::span<const std::size_t> counts) {
   check_counts(grains(), counts);
   lattice::check(region);

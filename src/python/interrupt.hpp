@@ -37,9 +37,17 @@ class Interrupt {
       due_ = now + kInterval;
     }
   }
+  /// As look_at_times(). Throws process::StoppedError after a signal whose handler raises.
+  void check() {
+    look_at_times();
+    if (stop_ != 0) {
+      throw process::StoppedError("stopped by a signal");
+    }
+  }
   /// Calls `work` without the interpreter, which the caller has; then raises what was kept.
   template <class Work>
   void during(Work work) {
+    stop_ = 0;
     try {
       const Released free;
       work();

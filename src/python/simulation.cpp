@@ -7,6 +7,7 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <memory>
 
 #include "clca/measure/profile.hpp"
 #include "clca/scene/format.hpp"
@@ -23,14 +24,16 @@ namespace {
 
 class Simulation : public run::Simulation {
  public:
-  using run::Simulation::Simulation;
+  Simulation(const scene::Scene& scene, int threads, const std::shared_ptr<Interrupt>& by)
+      : run::Simulation(scene, threads, [by] { by->check(); }), interrupt(by) {}
 
+  std::shared_ptr<Interrupt> interrupt;
   bool busy = false;
 };
 
 std::uint64_t step(Simulation& simulation, std::uint64_t steps) {
   const Change change(simulation.busy);
-  Interrupt interrupt;
+  Interrupt& interrupt = *simulation.interrupt;
   std::uint64_t taken = 0;
   interrupt.during([&] {
     while (taken < steps && !simulation.is_over() && *interrupt.stop() == 0) {
@@ -50,8 +53,7 @@ void next_stage(Simulation& simulation) {
     throw text::InputError(
         fmt::format("{} is the last stage", simulation.scene().stages[simulation.stage()].name));
   }
-  const Released free;
-  simulation.next_stage();
+  simulation.interrupt->during([&] { simulation.next_stage(); });
 }
 
 /// Columns as of a table: positions and heights of the free surface, by lattice column.
@@ -128,8 +130,10 @@ namespace clca::python {
 void add_simulation(py::module_& module) {
   const auto make = [](const LoadedScene& loaded, int threads) {
     const scene::Scene& scene = loaded.of_grains();
-    const Released free;
-    return std::make_unique<Simulation>(scene, threads);
+    const auto interrupt = std::make_shared<Interrupt>();
+    std::unique_ptr<Simulation> made;
+    interrupt->during([&] { made = std::make_unique<Simulation>(scene, threads, interrupt); });
+    return made;
   };
   py::class_<Simulation>(module, "Simulation")
       .def(py::init(make), py::arg("scene"), py::arg("threads") = 1)

@@ -169,6 +169,7 @@ double FramePainter::bytes(const scene::Scene& scene, double particles, int capt
 CapturedFrame FramePainter::capture(const View& view, const PictureHistory& history) {
   const std::uint64_t step = view.state.step;
   render::Coloring colors = coloring(view, history);
+  render::mark_beyond(colors, view.state, view.occupancy);
   DrawnOverlay drawn = overlay_of(frames_.overlay, view, history, scales_);
   colors.legend.lines = std::move(drawn.keys);
   image::PngText text = scene_metadata(scene_);
@@ -184,7 +185,7 @@ CapturedFrame FramePainter::capture(const View& view, const PictureHistory& hist
                       .detail = fmt::format("{}, {}", history.stage, when),
                       .spacing = spacing_of(scene_)},
           .overlay = std::move(drawn.overlay),
-          .turn = turn(view),
+          .turn = frames_.upright ? contact::degrees(view.angle) : 0,
           .text = std::move(text)};
 }
 
@@ -211,13 +212,6 @@ render::Image FramePainter::legend(const render::Legend& legend) const {
 }
 
 render::Coloring FramePainter::coloring(const View& view, const PictureHistory& history) const {
-  render::Coloring colors = plain_coloring(view, history);
-  render::mark_beyond(colors, view.state, view.occupancy);
-  return colors;
-}
-
-render::Coloring FramePainter::plain_coloring(const View& view,
-                                              const PictureHistory& history) const {
   const grains::State& state = view.state;
   const auto range = [this](double high) {
     return frames_.range ? statistics::Range{frames_.range->low, frames_.range->high}

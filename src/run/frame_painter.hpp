@@ -92,10 +92,6 @@ class FramePainter {
 
   /// Reads what the picture needs; the state may change afterwards.
   CapturedFrame capture(const View& view, const PictureHistory& history);
-  /// The colours of the particles.
-  render::Coloring coloring(const View& view, const PictureHistory& history) const;
-  /// Of the picture, degrees anticlockwise about the middle of its view.
-  double turn(const View& view) const { return frames_.upright ? contact::degrees(view.angle) : 0; }
   Picture rasterize(const CapturedFrame& frame);
   std::vector<std::uint8_t> pdf(const CapturedFrame& frame);
 
@@ -106,7 +102,8 @@ class FramePainter {
   int height() const { return painter_.height(); }
 
  private:
-  render::Coloring plain_coloring(const View& view, const PictureHistory& history) const;
+  /// The colours of the particles.
+  render::Coloring coloring(const View& view, const PictureHistory& history) const;
 
   const scene::Scene& scene_;
   const scene::Frames& frames_;

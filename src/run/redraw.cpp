@@ -165,6 +165,7 @@ class Redraw::Impl {
 
   std::size_t draw(const RedrawEvents& events);
   std::size_t moments() const { return moments_.size(); }
+  TimePicture over_time() { return space_time_->picture(); }
 
  private:
   void draw_moment(std::size_t number);
@@ -208,7 +209,7 @@ Redraw::Impl::Impl(const std::vector<RunToDraw>& runs, const RedrawOptions& opti
   shown_.resize(runs.size());
   if (options.space_time) {
     RunDrawing& drawing = *drawings_.front();
-    space_time_.emplace(drawing.scene(), drawing.painter(), *options.space_time,
+    space_time_.emplace(drawing.scene(), drawing.initial(), *options.space_time,
                         drawing.latest_frames());
   }
 }
@@ -250,9 +251,6 @@ std::size_t Redraw::Impl::draw(const RedrawEvents& events) {
   if (number > 0) {
     targets_->finish();
   }
-  if (number > 0 && space_time_) {
-    space_time_->finish();
-  }
   return number;
 }
 
@@ -284,6 +282,10 @@ std::size_t Redraw::draw(const RedrawEvents& events) {
 
 std::size_t Redraw::moments() const {
   return impl_->moments();
+}
+
+TimePicture Redraw::over_time() {
+  return impl_->over_time();
 }
 
 }  // namespace clca::run

@@ -44,6 +44,8 @@ class RunDrawing {
   /// What the user should know of the choice of the frames; empty if nothing.
   const std::string& note() const { return note_; }
   const scene::Scene& scene() const { return scene_; }
+  /// The state before the first stage.
+  const grains::State& initial() const { return initial_; }
   FramePainter& painter() { return *painter_; }
   std::size_t pictures() const { return chosen_.size(); }
   std::uint64_t step(std::size_t number) const;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <functional>
 #include <limits>
 #include <stdexcept>
 #include <type_traits>
@@ -39,9 +40,10 @@ scene::Scene without_files(scene::Scene scene) {
 
 class Simulation::Impl {
  public:
-  Impl(const scene::Scene& scene, int threads)
+  Impl(const scene::Scene& scene, int threads, std::function<void()> interruption)
       : scene_(checked(scene)),
         options_{.threads = parallel::start_team(threads)},
+        interruption_(std::move(interruption)),
         model_(std::make_shared<SceneModel>(scene_, first_state(scene_), options_)),
         observed_(without_files(scene_)),
         observers_(observers_of(observed_, model_->state(), {.pictures = WantedPictures::none})) {
@@ -160,6 +162,7 @@ class Simulation::Impl {
     }
     history_ = stage_ > 0 ? StageHistory(scene_, model_->state())
                           : StageHistory(scene_, grains_of(empty_state(scene_)));
+    model_->grains().set_interruption(interruption_);
     prepare_stage(*model_, scene_, stage());
     history_.begin(model_->state());
     moving_ = 0;
@@ -171,6 +174,7 @@ class Simulation::Impl {
 
   scene::Scene scene_;
   grains::Options options_;
+  std::function<void()> interruption_;
   std::shared_ptr<SceneModel> model_;
   scene::Scene observed_;
   Observers observers_;
@@ -184,8 +188,8 @@ class Simulation::Impl {
   std::exception_ptr failure_;
 };
 
-Simulation::Simulation(const scene::Scene& scene, int threads)
-    : impl_(std::make_unique<Impl>(scene, threads)) {}
+Simulation::Simulation(const scene::Scene& scene, int threads, std::function<void()> interruption)
+    : impl_(std::make_unique<Impl>(scene, threads, std::move(interruption))) {}
 Simulation::~Simulation() = default;
 
 Simulation::Impl& Simulation::live() const {

@@ -2,10 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include "clca/measure/profile.hpp"
@@ -44,17 +42,6 @@ lattice::Rectangle shown_part(const scene::Scene& scene) {
           std::min(view.right, high.x()), std::min(view.top, high.y())};
 }
 
-/// The x of lines that stand for the slit, a column of sites apart; lattice spacings.
-std::vector<double> slit_lines(const SpaceTimeOptions& options) {
-  const int count =
-      std::max(1, static_cast<int>(std::lround(options.slit / lattice::kColumnPitch)));
-  std::vector<double> lines;
-  for (int i = 0; i < count; ++i) {
-    lines.push_back(*options.column + (i - (count - 1) / 2.0) * lattice::kColumnPitch);
-  }
-  return lines;
-}
-
 /// Throws RedrawError.
 [[noreturn]] void refuse(const SpaceTimeOptions& options, const std::string& message) {
   throw RedrawError(fmt::format("{}: {}", options.file.string(), message));
@@ -70,8 +57,9 @@ void check_column(const scene::Scene& scene, const SpaceTimeOptions& options,
                                 "box in view, found {:g}",
                                 width, options.slit));
   }
-  const std::vector<double> lines = slit_lines(options);
-  if (!(lines.front() >= part.left && lines.back() <= part.right)) {
+  // Half a column of sites may be cut off.
+  const double reach = std::max(0.0, (options.slit - SpaceTimeOptions().slit) / 2);
+  if (!(*options.column - reach >= part.left && *options.column + reach <= part.right)) {
     refuse(options,
            fmt::format("the column at x = {:g} reaches beyond the box in view, x = {:g} to {:g}",
                        *options.column, part.left, part.right));
@@ -103,6 +91,12 @@ const SpaceTimeOptions& checked(const scene::Scene& scene, const SpaceTimeOption
   return options;
 }
 
+/// Of an axis or colour bar of lengths.
+struct AxisUnit {
+  std::string name;
+  double spacing = 1;  ///< of the lattice
+};
+
 /// Metres, millimetres or micrometres for a length in lattice spacings, where the scene has units.
 AxisUnit unit_for(const scene::Scene& scene, double length) {
   if (!scene.units) {
@@ -115,7 +109,7 @@ AxisUnit unit_for(const scene::Scene& scene, double length) {
 }
 
 /// Time of a step and the label of its axis.
-render::Axis time_axis(const scene::Scene& scene, std::uint64_t from, std::uint64_t to) {
+TimePicture::Axis time_axis(const scene::Scene& scene, std::uint64_t from, std::uint64_t to) {
   if (const auto conversion = scene::conversion(scene)) {
     return {.label = fmt::format("time ({})", conversion->time_unit),
             .low = conversion->time(from),
@@ -124,16 +118,18 @@ render::Axis time_axis(const scene::Scene& scene, std::uint64_t from, std::uint6
   return {.label = "step", .low = static_cast<double>(from), .high = static_cast<double>(to)};
 }
 
-render::Axis position_axis(const SpaceTimeOptions& options, const lattice::Rectangle& part,
-                           const AxisUnit& unit) {
+TimePicture::Axis position_axis(const scene::Scene& scene, const SpaceTimeOptions& options,
+                                const lattice::Rectangle& part) {
   if (!options.column) {
+    const AxisUnit unit = unit_for(scene, part.right - part.left);
     return {.label = fmt::format("x ({})", unit.name),
             .low = unit.spacing * part.left,
             .high = unit.spacing * part.right};
   }
+  const AxisUnit unit = unit_for(scene, part.top - part.bottom);
   const double x = unit.spacing * *options.column;
   const double half = unit.spacing * options.slit / 2;
-  const std::string where = slit_lines(options).size() > 1
+  const std::string where = options.slit > SpaceTimeOptions().slit
                                 ? fmt::format("x = {:g} to {:g}", x - half, x + half)
                                 : fmt::format("x = {:g}", x);
   return {.label = fmt::format("height at {} ({})", where, unit.name),
@@ -141,27 +137,38 @@ render::Axis position_axis(const SpaceTimeOptions& options, const lattice::Recta
           .high = unit.spacing * part.top};
 }
 
-/// Without the legend.
-render::TimePlot plot_of(const scene::Scene& scene, const render::Axis& position,
-                         const std::vector<store::Trajectory::Frame>& frames) {
-  const scene::Frames& pictures = *scene.output.frames;
-  const std::uint64_t begin = frames.front().step;
-  render::TimePlot plot = {
-      .width = pictures.width.value_or(kUsualWidth),
-      .height = pictures.height.value_or(kUsualHeight),
-      .annotations = pictures.caption,
-      .title = pictures.style == scene::PictureStyle::screen ? scene.title : "",
-      .time = time_axis(scene, begin, frames.back().step),
-      .position = position,
-      .stages = {},
-      .legend = {}};
-  for (std::size_t i = 0; i < frames.size(); ++i) {
-    if (i == 0 || frames[i].stage != frames[i - 1].stage) {
-      plot.stages.push_back({.name = scene.stages[frames[i].stage].name,
-                             .begin = time_axis(scene, begin, frames[i].step).high});
-    }
+/// The scene with pictures of the particles alone: of the slit or, where they may be turned, of the
+/// whole view.
+scene::Scene pictured(scene::Scene scene, const SpaceTimeOptions& options,
+                      const lattice::Rectangle& part) {
+  scene::Frames& frames = *scene.output.frames;
+  frames.caption = false;
+  frames.overlay = scene::Overlay::none;
+  frames.height = frames.height.value_or(kUsualHeight);
+  frames.width.reset();
+  frames.view = part;
+  if (options.column && !frames.upright) {
+    frames.view->left = std::max(part.left, *options.column - options.slit / 2);
+    frames.view->right = std::min(part.right, *options.column + options.slit / 2);
+    const double scale = *frames.height / (part.top - part.bottom);
+    frames.width = static_cast<int>(std::ceil(scale * (frames.view->right - frames.view->left)));
   }
-  return plot;
+  return scene;
+}
+
+/// The columns of the lattice whose middle is in the part of the plane.
+std::pair<int, int> columns_in(const scene::Scene& scene, const lattice::Rectangle& part) {
+  const int last = lattice_of(scene).columns() - 1;
+  const auto nearest = [&](double x) {
+    return std::clamp(static_cast<int>(std::lround(x / lattice::kColumnPitch)), 0, last);
+  };
+  return {nearest(part.left), nearest(part.right)};
+}
+
+int rows_of(const scene::Scene& scene, const SpaceTimeOptions& options,
+            const lattice::Rectangle& part, int pixels) {
+  const auto [first, last] = columns_in(scene, part);
+  return options.column ? pixels : last - first + 1;
 }
 
 std::uint8_t channel(double value) {
@@ -170,19 +177,45 @@ std::uint8_t channel(double value) {
 
 }  // namespace
 
-SpaceTime::SpaceTime(const scene::Scene& scene, const FramePainter& painter,
+TimeMeans::TimeMeans(int columns, int rows, int values, double begin, double end)
+    : rows_(rows),
+      begin_(begin),
+      columns_per_time_(columns / (end - begin)),
+      sums_(Eigen::ArrayXXd::Zero(values, Eigen::Index{columns} * rows)),
+      weights_(Eigen::ArrayXd::Zero(columns)) {}
+
+void TimeMeans::add(double from, double to, const Eigen::ArrayXXd& line) {
+  const auto columns = static_cast<double>(weights_.size());
+  const double left = std::clamp((from - begin_) * columns_per_time_, 0.0, columns);
+  const double right = std::clamp((to - begin_) * columns_per_time_, 0.0, columns);
+  for (auto column = static_cast<Eigen::Index>(left); static_cast<double>(column) < right;
+       ++column) {
+    const auto x = static_cast<double>(column);
+    const double share = std::min(right, x + 1) - std::max(left, x);
+    sums_.middleCols(column * rows_, rows_) += share * line;
+    weights_[column] += share;
+  }
+}
+
+Eigen::ArrayXd TimeMeans::mean(int column, int row) const {
+  return sums_.col(column * rows_ + row) / weights_[column];
+}
+
+SpaceTime::SpaceTime(const scene::Scene& scene, const grains::State& initial,
                      const SpaceTimeOptions& options, std::vector<store::Trajectory::Frame> frames)
-    : scene_(scene),
-      painter_(painter),
-      options_(checked(scene, options, frames)),
+    : options_(checked(scene, options, frames)),
       frames_(std::move(frames)),
-      shown_box_(shown_part(scene)),
-      unit_(unit_for(scene, options.column ? shown_box_.top - shown_box_.bottom
-                                           : shown_box_.right - shown_box_.left)),
-      plot_(plot_of(scene, position_axis(options, shown_box_, unit_), frames_)),
-      panel_(render::time_panel(plot_)),
-      means_(panel_.width, panel_.height, options.column ? 3 : 2,
+      part_(shown_part(scene)),
+      annotations_(scene.output.frames->caption),
+      scene_(pictured(scene, options_, part_)),
+      painter_(scene_, initial, 1),
+      means_(scene.output.frames->width.value_or(kUsualWidth),
+             rows_of(scene, options_, part_, painter_.height()), options_.column ? 3 : 2,
              static_cast<double>(frames_.front().step), static_cast<double>(frames_.back().step)) {}
+
+void SpaceTime::require_writable() const {
+  store::named_file(options_.file).create();
+}
 
 void SpaceTime::add(const View& view, const PictureHistory& history, std::size_t number) {
   const std::uint64_t next = frames_[std::min(number + 1, frames_.size() - 1)].step;
@@ -190,83 +223,54 @@ void SpaceTime::add(const View& view, const PictureHistory& history, std::size_t
              options_.column ? column(view, history) : surface(view.state));
 }
 
-void SpaceTime::require_writable() const {
-  store::named_file(options_.file).create();
-}
-
-double SpaceTime::position(int row) const {
-  const double share = (row + 0.5) / panel_.height;
-  return options_.column ? shown_box_.bottom + share * (shown_box_.top - shown_box_.bottom)
-                         : shown_box_.left + share * (shown_box_.right - shown_box_.left);
-}
-
-std::vector<Eigen::Vector2d> SpaceTime::line(double x, double turn) const {
-  const lattice::Rectangle view = view_of(scene_);
-  const Eigen::Vector2d middle((view.left + view.right) / 2, (view.bottom + view.top) / 2);
-  const Eigen::Rotation2Dd back(-turn * std::numbers::pi / 180);
-  std::vector<Eigen::Vector2d> points;
-  for (int row = 0; row < panel_.height; ++row) {
-    points.emplace_back(middle + back * (Eigen::Vector2d(x, position(row)) - middle));
-  }
-  return points;
-}
-
 Eigen::ArrayXXd SpaceTime::column(const View& view, const PictureHistory& history) {
-  const render::Coloring coloring = painter_.coloring(view, history);
-  colors_ = colors_ ? render::common_legend(*colors_, coloring.legend) : coloring.legend;
-  Eigen::ArrayXXd mean = Eigen::ArrayXXd::Zero(3, panel_.height);
-  const std::vector<double> lines = slit_lines(options_);
-  for (const double x : lines) {
-    const render::LineColors seen =
-        render::line_colors(view.state, view.occupancy, coloring, line(x, painter_.turn(view)));
-    walls_.standing = walls_.standing || seen.walls.standing;
-    walls_.moving = walls_.moving || seen.walls.moving;
-    for (int row = 0; row < panel_.height; ++row) {
-      const render::Rgb color = seen.colors[static_cast<std::size_t>(row)];
+  const Picture picture = painter_.rasterize(painter_.capture(view, history));
+  legend_ = legend_ ? render::common_legend(*legend_, picture.legend) : picture.legend;
+  const lattice::Rectangle& seen = *scene_.output.frames->view;
+  const image::PixelBox& box = picture.parts.view;
+  const auto pixel = [&](double x) {
+    return static_cast<int>(std::lround((x - seen.left) / (seen.right - seen.left) * box.width));
+  };
+  const int left = std::clamp(pixel(*options_.column - options_.slit / 2), 0, box.width - 1);
+  const int right = std::clamp(pixel(*options_.column + options_.slit / 2), left + 1, box.width);
+  Eigen::ArrayXXd mean = Eigen::ArrayXXd::Zero(3, means_.rows());
+  for (int row = 0; row < means_.rows(); ++row) {
+    const int y = box.y + box.height - 1 - row * box.height / means_.rows();
+    for (int x = left; x < right; ++x) {
+      const render::Rgb color = picture.image.at(box.x + x, y);
       mean.col(row) += Eigen::Array3d(color.red, color.green, color.blue);
     }
   }
-  return mean / static_cast<double>(lines.size());
+  return mean / (right - left);
 }
 
 Eigen::ArrayXXd SpaceTime::surface(const grains::State& state) const {
   const std::vector<double> profile = measure::surface_profile(state);
-  Eigen::ArrayXXd result(2, panel_.height);
-  for (int row = 0; row < panel_.height; ++row) {
-    const double column = std::round(position(row) / lattice::kColumnPitch);
-    const double last = static_cast<double>(profile.size()) - 1;
-    const double height = profile[static_cast<std::size_t>(std::clamp(column, 0.0, last))];
+  const auto first = static_cast<std::size_t>(columns_in(scene_, part_).first);
+  Eigen::ArrayXXd result(2, means_.rows());
+  for (int row = 0; row < means_.rows(); ++row) {
+    const double height = profile[first + static_cast<std::size_t>(row)];
     result.col(row) << height, height > 0 ? 1 : 0;
   }
   return result;
 }
 
 template <class ColorOf>
-render::Image SpaceTime::content(ColorOf color_of) const {
-  render::Image image(panel_.width, panel_.height, kWhite);
-  for (int x = 0; x < panel_.width; ++x) {
-    for (int row = 0; means_.is_known(x) && row < panel_.height; ++row) {
-      image.at(x, panel_.height - 1 - row) = color_of(means_.mean(x, row));
+image::Image SpaceTime::content(ColorOf color_of) const {
+  image::Image image(means_.columns(), means_.rows(), kWhite);
+  for (int x = 0; x < image.width; ++x) {
+    for (int row = 0; means_.is_known(x) && row < image.height; ++row) {
+      image.at(x, image.height - 1 - row) = color_of(means_.mean(x, row));
     }
   }
   return image;
 }
 
-render::Image SpaceTime::column_content() {
-  if (colors_) {
-    plot_.legend = *colors_;
-  }
-  render::add_walls(plot_.legend, walls_);
-  return content([](const Eigen::ArrayXd& mean) {
-    return render::Rgb{channel(mean[0]), channel(mean[1]), channel(mean[2])};
-  });
-}
-
-render::Image SpaceTime::surface_content() {
+void SpaceTime::show_surface(TimePicture& picture) const {
   double highest = 0;
   bool bare = false;
-  for (int x = 0; x < panel_.width; ++x) {
-    for (int row = 0; means_.is_known(x) && row < panel_.height; ++row) {
+  for (int x = 0; x < means_.columns(); ++x) {
+    for (int row = 0; means_.is_known(x) && row < means_.rows(); ++row) {
       const Eigen::ArrayXd mean = means_.mean(x, row);
       if (mean[1] < kBare) {
         bare = true;
@@ -276,20 +280,41 @@ render::Image SpaceTime::surface_content() {
     }
   }
   const AxisUnit unit = unit_for(scene_, highest);
-  plot_.legend.bars = {{.label = fmt::format("height of the surface ({})", unit.name),
-                        .high = unit.spacing * highest}};
+  picture.legend.bars = {{.label = fmt::format("height of the surface ({})", unit.name),
+                          .high = unit.spacing * highest}};
   if (bare) {
-    plot_.legend.patches = {{.label = "no grains", .color = kWhite}};
+    picture.legend.patches = {{.label = "no grains", .color = kWhite}};
   }
-  return content([&](const Eigen::ArrayXd& mean) {
+  picture.content = content([&](const Eigen::ArrayXd& mean) {
     return mean[1] < kBare ? kWhite : render::map_color(mean[0] / mean[1] / highest);
   });
 }
 
-void SpaceTime::finish() {
-  const render::Image shown = options_.column ? column_content() : surface_content();
-  store::write_whole(options_.file,
-                     image::encode_png(render::time_picture(plot_, shown), scene_metadata(scene_)));
+TimePicture SpaceTime::picture() {
+  const std::uint64_t begin = frames_.front().step;
+  TimePicture picture = {
+      .width = means_.columns(),
+      .height = *scene_.output.frames->height,
+      .annotations = annotations_,
+      .title = scene_.output.frames->style == scene::PictureStyle::screen ? scene_.title : "",
+      .time = time_axis(scene_, begin, frames_.back().step),
+      .position = position_axis(scene_, options_, part_),
+      .text = scene_metadata(scene_)};
+  for (std::size_t i = 0; i < frames_.size(); ++i) {
+    if (i == 0 || frames_[i].stage != frames_[i - 1].stage) {
+      picture.stages.push_back({.name = scene_.stages[frames_[i].stage].name,
+                                .begin = time_axis(scene_, begin, frames_[i].step).high});
+    }
+  }
+  if (options_.column) {
+    picture.legend = legend_.value_or(render::Legend());
+    picture.content = content([](const Eigen::ArrayXd& mean) {
+      return render::Rgb{channel(mean[0]), channel(mean[1]), channel(mean[2])};
+    });
+  } else {
+    show_surface(picture);
+  }
+  return picture;
 }
 
 }  // namespace clca::run

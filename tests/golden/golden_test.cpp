@@ -165,7 +165,6 @@ INSTANTIATE_TEST_SUITE_P(Pictures, Golden, ::testing::ValuesIn(golden_cases()),
 /// A picture over time of a silo that runs out.
 image::Image over_time(std::optional<double> column) {
   const testing::ScratchFolder folder;
-  const fs::path file = folder.path() / "over-time.png";
   const scene::Scene scene = scene::parse_file(
       fs::path(CLCA_SOURCE_DIR) / "scenes" / "silo-discharge.yaml",
       {"stages.discharge.until={steps: 400}", "lines={}", "output.series=none",
@@ -173,10 +172,11 @@ image::Image over_time(std::optional<double> column) {
        "output.frames={every: 6, width: 320, height: 180, caption: false, color_by: stage_layer, "
        "layers: 5, view: [-5, 0, 110, 220]}"});
   run::run(scene, {.folder = folder.path() / "run", .pictures = run::WantedPictures::last});
-  run::Redraw({{scene, folder.path() / "run"}},
-              {.space_time = run::SpaceTimeOptions{.file = file, .column = column}})
-      .draw();
-  return image::decode_png(testing::bytes_of(file)).image;
+  run::Redraw redraw({{scene, folder.path() / "run"}},
+                     {.space_time = run::SpaceTimeOptions{.file = folder.path() / "over-time.png",
+                                                          .column = column}});
+  redraw.draw();
+  return redraw.over_time().content;
 }
 
 TEST(GoldenOverTime, AColumnAndTheSurfaceAreAsBlessed) {

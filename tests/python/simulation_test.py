@@ -210,6 +210,29 @@ class SimulationTest(ScratchTest):
         self.assertGreater(steps, 0)
         self.assertEqual(more, 5)
 
+    def test_ctrl_c_stops_a_fill(self):
+        size = {"width": 1000, "height": 1000}
+        fill = {"region": [0, 0, 1000, 1000], "counts": {"grain": 100_000}}
+        grain = {"grain": SCENE["species"]["grain"]}
+        scene = SCENE | {"box": size, "species": grain, "walls": {}, "stages": [{"name": "fill", "fill": fill, "until": {"steps": 1}}]}
+
+        def seconds():
+            begin = time.process_time()
+            try:
+                clca.Simulation(scene)
+            except KeyboardInterrupt:
+                pass
+            return time.process_time() - begin
+
+        whole = seconds()
+        old = signal.signal(signal.SIGVTALRM, signal.default_int_handler)
+        try:
+            signal.setitimer(signal.ITIMER_VIRTUAL, whole / 4)
+            self.assertLess(seconds(), 0.75 * whole)
+        finally:
+            signal.setitimer(signal.ITIMER_VIRTUAL, 0)
+            signal.signal(signal.SIGVTALRM, old)
+
     def test_a_step_costs_little_more_than_in_c(self):
         # Of grains at rest, so that little else is measured: 2 us a call; here the best of some tries.
         simulation = clca.Simulation(SCENE | {"stages": [SCENE["stages"][0] | {"until": {"steps": 10**9}}]})

@@ -2,6 +2,7 @@
 // A model of grains in a box: what all models of the same grains have in common.
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -68,6 +69,9 @@ class Model {
 
   /// One step: sources, moves of walls and particles as the model has them, outlets.
   StepReport step();
+
+  /// `check` is called now and then while particles are placed. What it throws ends that change.
+  void set_interruption(std::function<void()> check);
 
   // After each of these changes, particles that lie wholly in an outlet are removed.
 

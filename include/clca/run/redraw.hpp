@@ -15,6 +15,8 @@
 #include <vector>
 
 #include "clca/image/image.hpp"
+#include "clca/image/png.hpp"
+#include "clca/render/legend.hpp"
 #include "clca/scene/parse.hpp"
 #include "clca/scene/scene.hpp"
 #include "clca/store/output_folder.hpp"
@@ -47,7 +49,7 @@ image::Image picture(RunToDraw run, std::uint64_t step, double max_bytes);
 
 /// A picture over time.
 struct SpaceTimeOptions {
-  std::filesystem::path file = {};    ///< a PNG file
+  std::filesystem::path file = {};    ///< a PNG file, that the caller writes
   std::optional<double> column = {};  ///< x, lattice spacings; none: the free surface
   double slit = 1;                    ///< width around it, lattice spacings
 };
@@ -69,6 +71,29 @@ struct RedrawOptions {
   /// Checked before each picture: if not zero, drawing ends and the files are completed with what
   /// was drawn.
   const std::atomic<int>* stop = nullptr;
+};
+
+/// A line of the box or its free surface over time, without axes.
+struct TimePicture {
+  struct Axis {
+    std::string label;  ///< with the unit
+    double low = 0;
+    double high = 1;
+  };
+  struct Stage {
+    std::string name;
+    double begin = 0;  ///< on the axis of time
+  };
+  int width = 1280;  ///< pixels of the picture with axes
+  int height = 720;
+  bool annotations = true;  ///< title, axes, legend
+  std::string title;
+  Axis time;
+  Axis position;
+  std::vector<Stage> stages = {};  ///< in their order
+  render::Legend legend = {};
+  image::Image content = {};  ///< time to the right, position upwards; white where nothing is
+  image::PngText text;
 };
 
 struct RedrawProgress {
@@ -102,6 +127,8 @@ class Redraw {
   std::size_t draw(const RedrawEvents& events = {});
   /// Number of times or steps at which there is a picture; of a single run, of all its pictures.
   std::size_t moments() const;
+  /// After draw(), if it was asked for: of the frames so far.
+  TimePicture over_time();
 
  private:
   class Impl;

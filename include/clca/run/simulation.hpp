@@ -2,6 +2,7 @@
 // A scene of grains step by step, without a folder.
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -19,8 +20,10 @@ namespace clca::run {
 /// failed, all but scene() throws the same exception.
 class Simulation {
  public:
-  /// Begins the first stage. Throws as run().
-  explicit Simulation(const scene::Scene& scene, int threads = 1);
+  /// Begins the first stage. Throws as run(). `interruption`: see
+  /// grains::Model::set_interruption.
+  explicit Simulation(const scene::Scene& scene, int threads = 1,
+                      std::function<void()> interruption = {});
   ~Simulation();
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;

@@ -2,6 +2,7 @@
 // A state and what follows from it alone: what all models of the same grains share.
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "clca/grains/state.hpp"
@@ -33,10 +34,20 @@ struct Box {
     }
   }
 
+  /// Call for each trial of a change that may take long.
+  void check_interruption() {
+    constexpr unsigned kTrials = 256;
+    if (interruption && ++trials % kTrials == 0) {
+      interruption();
+    }
+  }
+
   State& state;
   OccupancyTable occupancy;
   FootprintTable footprints;
   WallEdges edges;
+  std::function<void()> interruption = {};  ///< see Model::set_interruption
+  unsigned trials = 0;
 };
 
 /// The particle one step further.

@@ -6,7 +6,7 @@ import os
 import signal
 import sys
 
-COMMANDS = ("plot",)  # the function command() of the module of that name
+COMMANDS = ("plot", "space_time")  # the function command() of the module of that name
 PACKAGES = {"matplotlib": "python3-matplotlib", "h5py": "python3-h5py", "numpy": "python3-numpy"}
 
 

@@ -5,8 +5,11 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <functional>
 #include <memory>
 #include <new>
+#include <stdexcept>
 
 #include "clca/automaton/automaton.hpp"
 #include "clca/baxter/baxter_model.hpp"
@@ -109,6 +112,22 @@ TEST(AModel, RefusesEveryChangeAfterOneThatFailedHalfway) {
   EXPECT_THROW(model.set_motion(0, true), std::logic_error);
   EXPECT_THROW(model.set_source(0, true), std::logic_error);
   EXPECT_THROW(model.mark_origins(), std::logic_error);
+}
+
+TEST(AModel, CanBeInterruptedWhileItIsFilled) {
+  const std::vector<std::size_t> counts = {200, 200};
+  const auto fills = std::to_array<std::function<FillResult(Model&)>>(
+      {[&](Model& model) { return model.fill({0, 0, 170, 200}, counts); },
+       [&](Model& model) { return model.deposit({0, 0, 170, 200}, counts); },
+       [](Model& model) { return model.fill({0, 0, 170, 200}, Mixture{.parts = {{1, 1}}}); }});
+  for (const auto& fill : fills) {
+    State state = empty_state(200, 200);
+    state.kinds = {{lattice::Shape::hexagon(1), 0}, {lattice::Shape::hexagon(2), 1}};
+    automaton::Automaton model(std::move(state), {});
+    model.set_interruption([] { throw std::domain_error("enough"); });
+    EXPECT_THROW(fill(model), std::domain_error);
+    EXPECT_THROW(fill(model), std::logic_error);
+  }
 }
 
 }  // namespace

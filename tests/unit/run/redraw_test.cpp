@@ -15,6 +15,7 @@
 #include "clca/store/file.hpp"
 #include "render/graphics.hpp"
 #include "run/run_drawing.hpp"
+#include "run/space_time.hpp"
 #include "support/missing.hpp"
 #include "support/runs.hpp"
 #include "support/stored_run.hpp"
@@ -253,14 +254,51 @@ TEST_F(RedrawTest, AContactSheetShowsPicturesEvenlyChosenWithoutWritingThem) {
   EXPECT_FALSE(fs::exists(folder_.path() / "run/render"));
 }
 
+/// A line of two places.
+Eigen::ArrayXXd line(double low, double high) {
+  Eigen::ArrayXXd values(1, 2);
+  values << low, high;
+  return values;
+}
+
+TEST(TimeMeans, HoldsEachLineAsLongAsItLasts) {
+  TimeMeans means(10, 2, 1, 100, 200);
+  means.add(100, 130, line(1, 5));
+  means.add(130, 200, line(2, 6));
+  for (int column = 0; column < 10; ++column) {
+    EXPECT_NEAR(means.mean(column, 0)[0], column < 3 ? 1 : 2, 1e-12) << column;
+    EXPECT_NEAR(means.mean(column, 1)[0], column < 3 ? 5 : 6, 1e-12) << column;
+  }
+}
+
+TEST(TimeMeans, ManyLinesInAPixelCountByTheirTime) {
+  TimeMeans means(2, 2, 1, 0, 20);
+  means.add(0, 2, line(1, 0));
+  means.add(2, 3, line(4, 0));
+  means.add(3, 14, line(10, 0));
+  EXPECT_NEAR(means.mean(0, 0)[0], (2 * 1 + 1 * 4 + 7 * 10) / 10.0, 1e-12);
+  EXPECT_NEAR(means.mean(1, 0)[0], 10, 1e-12);  // of what is known
+}
+
+TEST(TimeMeans, KnowsWhereThereIsNothing) {
+  TimeMeans means(4, 2, 1, 0, 4);
+  means.add(-5, 2, line(1, 1));
+  means.add(4, 4, line(1, 1));
+  means.add(4, 9, line(1, 1));
+  EXPECT_TRUE(means.is_known(0));
+  EXPECT_TRUE(means.is_known(1));
+  EXPECT_FALSE(means.is_known(2));
+  EXPECT_FALSE(means.is_known(3));
+}
+
 TEST_F(RedrawTest, AColumnOverTimeHoldsEachFrameUntilTheNext) {
   const scene::Scene scene = parse(kFalling, {"output.frames.every=7"});
   const fs::path run = folder_.path() / "run";
   run::run(scene, {.folder = run});
-  const fs::path file = folder_.path() / "column.png";
-  const SpaceTimeOptions options = {.file = file, .column = 10, .slit = 20};
-  EXPECT_GT(Redraw({{scene, run}}, {.space_time = options}).draw(), 10U);
-  const image::Image image = image::decode_png(testing::bytes_of(file)).image;
+  Redraw redraw({{scene, run}}, {.space_time = SpaceTimeOptions{
+                                     .file = folder_.path() / "a.png", .column = 10, .slit = 20}});
+  EXPECT_GT(redraw.draw(), 10U);
+  const image::Image image = redraw.over_time().content;
   ASSERT_EQ(image.width, 100);  // a pixel a step
   const auto same = [&](int one, int other) {
     for (int y = 0; y < image.height; ++y) {
@@ -286,13 +324,14 @@ TEST_F(RedrawTest, APictureOverTimeHasAllPicturesWhateverAMovieBesideItShows) {
   const fs::path run = folder_.path() / "run";
   run::run(scene, {.folder = run});
   const auto over_time = [&](const fs::path& movie, std::optional<double> duration) {
-    const fs::path file = folder_.path() / "column.png";
-    Redraw({{scene, run}}, {.movie = movie,
-                            .frames_per_second = 10,
-                            .duration = duration,
-                            .space_time = SpaceTimeOptions{.file = file, .column = 10, .slit = 20}})
-        .draw();
-    return testing::bytes_of(file);
+    Redraw redraw({{scene, run}},
+                  {.movie = movie,
+                   .frames_per_second = 10,
+                   .duration = duration,
+                   .space_time = SpaceTimeOptions{
+                       .file = folder_.path() / "column.png", .column = 10, .slit = 20}});
+    redraw.draw();
+    return redraw.over_time().content;
   };
   EXPECT_EQ(over_time(folder_.path() / "movie.png", 0.5), over_time("", {}));
 }
@@ -301,9 +340,10 @@ TEST_F(RedrawTest, TheSurfaceOverTimeIsWhiteWhereThereAreNoGrains) {
   const scene::Scene scene = parse(kFalling, {"output.frames.every=7"});
   const fs::path run = folder_.path() / "run";
   run::run(scene, {.folder = run});
-  const fs::path file = folder_.path() / "surface.png";
-  Redraw({{scene, run}}, {.space_time = SpaceTimeOptions{.file = file}}).draw();
-  const image::Image image = image::decode_png(testing::bytes_of(file)).image;
+  Redraw redraw({{scene, run}},
+                {.space_time = SpaceTimeOptions{.file = folder_.path() / "surface.png"}});
+  redraw.draw();
+  const image::Image image = redraw.over_time().content;
   const image::Rgb white = {255, 255, 255};
   EXPECT_EQ(image.at(0, 0), white);
   EXPECT_EQ(image.at(0, image.height - 1), white);

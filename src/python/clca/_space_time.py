@@ -1,0 +1,79 @@
+"""Pictures over time: axes and legend around what `clca render --space-time` has drawn."""
+
+from __future__ import annotations
+
+import io
+import sys
+from typing import Any
+
+from . import _answer
+from ._chart import PAGE, plain, style
+
+
+def colors(entry: list[int]) -> tuple[float, ...]:
+    return tuple(value / 255 for value in entry)
+
+
+def annotate(figure: Any, ax: Any, shown: dict[str, Any]) -> None:
+    """Title, axes, stages and legend."""
+    from matplotlib import rcParams
+    from matplotlib.cm import ScalarMappable
+    from matplotlib.colors import ListedColormap, Normalize
+    from matplotlib.patches import Patch
+    from matplotlib.transforms import ScaledTranslation
+
+    figure.suptitle(plain(shown["title"]), x=0.01, ha="left")
+    ax.set(xlabel=plain(shown["time"]["label"]), ylabel=plain(shown["position"]["label"]))
+    ends = [stage["begin"] for stage in shown["stages"][1:]] + [shown["time"]["high"]]
+    for stage, end in zip(shown["stages"], ends):
+        begin = max(stage["begin"], shown["time"]["low"])
+        if begin > shown["time"]["low"]:
+            ax.axvline(begin, color="black", linewidth=0.8)
+        if end - begin > 0.05 * (shown["time"]["high"] - shown["time"]["low"]) and ends[1:]:
+            name = plain(stage["name"])
+            ax.text((begin + end) / 2, 1.01, name, transform=ax.get_xaxis_transform(), ha="center", color="#60666e")
+    for bar in shown["bars"]:
+        extend = ("neither", "min", "max", "both")[bar["below"] + 2 * bar["above"]]
+        values = ScalarMappable(Normalize(bar["low"], bar["high"]), ListedColormap([colors(one) for one in bar["colors"]]))
+        figure.colorbar(values, ax=ax, label=plain(bar["label"]), extend=extend, aspect=30, pad=0.02)
+    handles = [
+        Patch(facecolor=colors(patch["color"]), edgecolor="#404040", linewidth=0.5, label=plain(patch["label"]))
+        for patch in shown["patches"]
+    ]
+    if handles:
+        below = ax.transAxes + ScaledTranslation(0, -3.2 * rcParams["font.size"] / 72, figure.dpi_scale_trans)
+        ax.legend(
+            handles=handles,
+            loc="upper left",
+            bbox_to_anchor=(0, 0),
+            bbox_transform=below,
+            ncol=6,
+            borderaxespad=0,
+            handlelength=1,
+            columnspacing=1.2,
+        )
+
+
+def command(shown: dict[str, Any]) -> None:
+    """Answers with the picture; what lies between its axes is a PNG on standard input."""
+    from matplotlib.figure import Figure
+    from matplotlib.image import imread
+
+    content = imread(io.BytesIO(sys.stdin.buffer.read()), format="png")
+    width, height = shown["width"] / 96, shown["height"] / 96
+    with style(width / PAGE):
+        figure = Figure(figsize=(width, height), dpi=96, layout="constrained" if shown["annotations"] else None)
+        ax = figure.add_subplot() if shown["annotations"] else figure.add_axes((0, 0, 1, 1))
+        ax.imshow(
+            content,
+            extent=[shown[axis][end] for axis in ("time", "position") for end in ("low", "high")],
+            aspect="auto",
+        )
+        ax.grid(False)
+        if shown["annotations"]:
+            annotate(figure, ax, shown)
+        else:
+            ax.set_axis_off()
+        out = io.BytesIO()
+        figure.savefig(out, format="png", metadata=shown["text"])
+    _answer.file("picture.png", out.getvalue())
