@@ -9,9 +9,9 @@ install(TARGETS clca_program RUNTIME)
 install(DIRECTORY scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/clca)
 # What reads folders, for the commands that draw: plain Python.
 install(DIRECTORY src/python/clca DESTINATION ${CMAKE_INSTALL_DATADIR}/clca/python PATTERN __pycache__ EXCLUDE)
-install(FILES shell/clca.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME clca)
-install(FILES shell/_clca DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions)
-install(FILES shell/clca.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
+install(FILES src/cli/completion/clca.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME clca)
+install(FILES src/cli/completion/_clca DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions)
+install(FILES src/cli/completion/clca.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
 install(CODE "
   set(folder \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_MANDIR}/man1\")
   file(MAKE_DIRECTORY \${folder})

@@ -44,7 +44,7 @@ Lines completions(Lines words) {
   return lines;
 }
 
-const fs::path kShell = fs::path(CLCA_SOURCE_DIR) / "shell";
+const fs::path kShell = fs::path(CLCA_SOURCE_DIR) / "src/cli/completion";
 
 TEST(Completion, NamesCommandsOptionsAndTheirWords) {
   EXPECT_THAT(completions({"re"}), ElementsAre("words", "resume", "render", "report"));

@@ -1,4 +1,4 @@
-// Feeds the files of a corpus to a fuzz target, and damaged copies of each: always the same ones.
+// Feeds the files of folders to a fuzz target, and damaged copies of each: always the same ones.
 // The last line names the file, and the copy, that it ends at.
 
 #include <algorithm>
@@ -15,10 +15,10 @@
 
 namespace {
 
-std::vector<std::filesystem::path> files_of(const std::filesystem::path& folder) {
-  std::vector<std::filesystem::path> files(std::filesystem::directory_iterator(folder), {});
-  std::sort(files.begin(), files.end());
-  return files;
+void add_files_of(const std::filesystem::path& folder, std::vector<std::filesystem::path>& files) {
+  std::vector<std::filesystem::path> more(std::filesystem::directory_iterator(folder), {});
+  std::sort(more.begin(), more.end());
+  files.insert(files.end(), more.begin(), more.end());
 }
 
 /// In a block of its own and of just that size, so that a sanitizer sees what is read beyond it.
@@ -61,14 +61,14 @@ std::vector<std::uint8_t> damaged(std::vector<std::uint8_t> bytes, std::minstd_r
 
 int main(int count, char** arguments) try {
   std::vector<std::filesystem::path> files;
-  if (count == 2 || count == 3) {
-    files = files_of(arguments[1]);
+  for (int argument = 2; argument < count; ++argument) {
+    add_files_of(arguments[argument], files);
   }
-  const int copies = count == 3 ? std::stoi(arguments[2]) : 10;
   if (files.empty()) {
-    std::cerr << "usage: " << arguments[0] << " FOLDER [COPIES]  (with files in it)\n";
+    std::cerr << "usage: " << arguments[0] << " COPIES FOLDER...  (with files in them)\n";
     return 2;
   }
+  const int copies = std::stoi(arguments[1]);
   for (const std::filesystem::path& file : files) {
     std::cerr << file.filename().string() << '\n';
     const auto bytes = bytes_of(file);
