@@ -28,7 +28,7 @@ struct DiffOptions {
 render::Image read_picture(const std::string& file) {
   const auto bytes = as_input([&] { return store::read_whole(file, store::kMaxPictureBytes); });
   try {
-    return image::decode_pixels(bytes);
+    return image::decode_png(bytes).image;
   } catch (const std::runtime_error& error) {
     throw text::InputError(fmt::format("{}: {}", file, error.what()));
   }

@@ -1,131 +1,62 @@
 #include <png.h>
 
 #include <algorithm>
-#include <array>
-#include <csetjmp>
-#include <cstring>
+#include <memory>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
 
 #include "clca/image/png.hpp"
 #include "clca/text/utf8.hpp"
-#include "image/png_error.hpp"
 
 namespace clca::image {
 
 namespace {
 
-constexpr png_uint_32 kMaxSide = 1U << 20U;
-constexpr std::size_t kMaxTextBytes = 1U << 22U;
-constexpr png_uint_32 kMaxTexts = 16;
-constexpr std::array<png_byte, 15> kTextChunks = {'t', 'E',  'X', 't', '\0', 'z', 'T', 'X',
-                                                  't', '\0', 'i', 'T', 'X',  't', '\0'};
-constexpr std::size_t kMaxInflationRatio = 1040;  // times; deflate packs 1032 times at best
+using Bytes = std::span<const std::uint8_t>;
 
-/// All memory that libpng reads or writes; resized only outside of its calls.
-struct ReadJob {
-  std::span<const std::uint8_t> bytes;
-  bool with_text = true;
-  std::size_t position = 0;
-  std::vector<png_byte> rgba;
-  std::vector<png_bytep> rows;
-  PngError error;
-};
-
-void take(png_structp png, png_bytep data, png_size_t size) {
-  auto* job = static_cast<ReadJob*>(png_get_io_ptr(png));
-  if (size > job->bytes.size() - job->position) {
-    png_error(png, "the file ends too soon");
-  }
-  std::memcpy(data, job->bytes.data() + job->position, size);
-  job->position += size;
+std::string_view as_text(Bytes bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-/// libpng allocates the claimed size of a chunk before reading it, so no chunk may claim more than
-/// the file has. libpng checks the rest.
-void require_honest_chunks(std::span<const std::uint8_t> bytes) {
-  constexpr std::size_t kSignature = 8;
-  constexpr std::size_t kFrame = 12;  // length, name, checksum
-  std::size_t position = kSignature;
-  while (position + kFrame <= bytes.size()) {
-    std::size_t length = 0;
-    for (std::size_t i = 0; i < 4; ++i) {
-      length = (length << 8U) | bytes[position + i];
-    }
-    if (length > bytes.size() - position - kFrame) {
-      throw std::runtime_error("cannot read a PNG file: it is cut off or no PNG file");
-    }
-    position += kFrame + length;
+/// A header that has been read. Freed at the end.
+std::unique_ptr<png_image, void (*)(png_image*)> opened(png_image& image, Bytes bytes) {
+  image = {};
+  image.version = PNG_IMAGE_VERSION;
+  png_image_begin_read_from_memory(&image, bytes.data(), bytes.size());
+  return {&image, png_image_free};
+}
+
+void require_no_error(const png_image& image) {
+  if (PNG_IMAGE_FAILED(image)) {
+    throw std::runtime_error(std::string("cannot read a PNG file: ") +
+                             static_cast<const char*>(image.message));
   }
 }
 
-/// Returns false after an error. No object with a destructor may live here: errors long-jump.
-bool read_header(png_structp png, png_infop info, ReadJob& job) {
-  if (setjmp(png_jmpbuf(png)) != 0) {
-    return false;
+Image pixels_of(Bytes bytes, std::size_t max_pixels) {
+  constexpr std::size_t kMaxInflationRatio = 1040;  // times; deflate packs 1032 times at best
+  constexpr std::size_t kPixelsPerByte = 8;         // of one bit
+  png_image header;
+  const auto image = opened(header, bytes);
+  require_no_error(header);
+  const std::size_t count = std::size_t{header.width} * header.height;
+  if (count > max_pixels) {
+    throw std::runtime_error(
+        "the picture in a PNG file is too large: " + std::to_string(header.width) + " x " +
+        std::to_string(header.height) + " pixels");
   }
-  png_set_user_limits(png, kMaxSide, kMaxSide);
-  png_set_chunk_malloc_max(png, std::min(kMaxTextBytes, kMaxInflationRatio * job.bytes.size()));
-  png_set_chunk_cache_max(png, kMaxTexts);
-  png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);  // such as profiles
-  if (job.with_text) {
-    png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_AS_DEFAULT, kTextChunks.data(), 3);
-  }
-  png_set_read_fn(png, &job, take);
-  png_read_info(png, info);
-  return true;
-}
-
-/// The same for the pixels: reads RGBA8 into job.rows.
-bool read_pixels(png_structp png, png_infop info, ReadJob& job) {
-  if (setjmp(png_jmpbuf(png)) != 0) {
-    return false;
-  }
-  png_set_expand(png);
-  png_set_scale_16(png);
-  png_set_gray_to_rgb(png);
-  png_set_add_alpha(png, 0xFF, PNG_FILLER_AFTER);
-  png_set_interlace_handling(png);
-  png_read_update_info(png, info);
-  if (png_get_rowbytes(png, info) * job.rows.size() != job.rgba.size()) {
-    png_error(png, "unexpected layout of pixels");
-  }
-  png_read_image(png, job.rows.data());
-  png_read_end(png, info);
-  return true;
-}
-
-/// Allocates the pixels once the file is known to be large enough for them.
-void reserve(png_structp png, png_infop info, std::size_t max_pixels, ReadJob& job) {
-  const std::size_t width = png_get_image_width(png, info);
-  const std::size_t height = png_get_image_height(png, info);
-  if (width > max_pixels / height) {
-    throw std::runtime_error("the picture in a PNG file is too large: " + std::to_string(width) +
-                             " x " + std::to_string(height) + " pixels");
-  }
-  if (png_get_rowbytes(png, info) > job.bytes.size() * kMaxInflationRatio / height) {
+  if (count > bytes.size() * kMaxInflationRatio * kPixelsPerByte) {
     throw std::runtime_error("cannot read a PNG file: too short for its picture");
   }
-  job.rgba.resize(4 * width * height);
-  job.rows.resize(height);
-  for (std::size_t y = 0; y < height; ++y) {
-    job.rows[y] = job.rgba.data() + 4 * width * y;
-  }
-}
-
-Image on_white(png_structp png, png_infop info, const std::vector<png_byte>& rgba) {
-  Image image(static_cast<int>(png_get_image_width(png, info)),
-              static_cast<int>(png_get_image_height(png, info)), Rgb{});
-  const png_byte* from = rgba.data();
-  for (Rgb& pixel : image.pixels) {
-    const unsigned alpha = from[3];
-    const auto mixed = [alpha](unsigned channel) {
-      return static_cast<std::uint8_t>((channel * alpha + 255 * (255 - alpha) + 127) / 255);
-    };
-    pixel = {mixed(from[0]), mixed(from[1]), mixed(from[2])};
-    from += 4;
-  }
-  return image;
+  header.format = PNG_FORMAT_RGB;
+  header.flags |= PNG_IMAGE_FLAG_16BIT_sRGB;
+  static_assert(sizeof(Rgb) == 3, "libpng writes rows of pixels as they are");
+  Image result(static_cast<int>(header.width), static_cast<int>(header.height), Rgb{});
+  constexpr png_color kWhite = {255, 255, 255};
+  png_image_finish_read(image.get(), &kWhite, result.pixels.data(), 0, nullptr);
+  require_no_error(header);
+  return result;
 }
 
 std::string from_latin1(std::string_view text) {
@@ -136,76 +67,62 @@ std::string from_latin1(std::string_view text) {
   return text::encode_utf8(letters);
 }
 
-PngText text_of(png_structp png, png_infop info) {
-  png_textp chunks = nullptr;
-  int count = 0;
-  png_get_text(png, info, &chunks, &count);
-  PngText text;
-  for (int i = 0; i < count; ++i) {
-    const png_text& chunk = chunks[i];
-    if (chunk.key == nullptr || chunk.text == nullptr) {
-      continue;
+/// PNG specification, section 11.3.4: keyword, 0, text in Latin-1; or keyword, 0, whether it is
+/// compressed, method, language, 0, translated keyword, 0, text in UTF-8.
+void add_text(PngText& texts, std::string_view type, std::string_view data) {
+  const std::size_t end = std::min(data.find('\0'), data.size());
+  const std::string keyword = from_latin1(data.substr(0, end));
+  std::string_view rest = data.substr(std::min(end + 1, data.size()));
+  if (type == "tEXt") {
+    texts.emplace(keyword, from_latin1(rest));
+  } else if (type == "iTXt" && rest.starts_with('\0')) {
+    const std::size_t language = rest.find('\0', 2);
+    const std::size_t translated =
+        language == std::string_view::npos ? language : rest.find('\0', language + 1);
+    if (translated != std::string_view::npos) {
+      texts.emplace(keyword, text::encode_utf8(text::decode_utf8(rest.substr(translated + 1))));
     }
-    const bool utf8 = chunk.compression >= PNG_ITXT_COMPRESSION_NONE;
-    text.emplace(from_latin1(chunk.key),
-                 utf8 ? text::encode_utf8(text::decode_utf8(chunk.text)) : from_latin1(chunk.text));
   }
-  return text;
 }
 
-/// Frees what libpng has allocated.
-struct Reader {
-  png_structp png = nullptr;
-  png_infop info = nullptr;
-
-  explicit Reader(ReadJob& job)
-      : png(png_create_read_struct(PNG_LIBPNG_VER_STRING, &job.error, fail, ignore)),
-        info(png == nullptr ? nullptr : png_create_info_struct(png)) {}
-  ~Reader() { png_destroy_read_struct(&png, &info, nullptr); }
-  Reader(const Reader&) = delete;
-  Reader& operator=(const Reader&) = delete;
-};
+/// Throws unless all chunks are as long as they claim: libpng reserves what they claim.
+PngText texts_of(Bytes bytes) {
+  constexpr std::size_t kSignature = 8;
+  constexpr std::size_t kHead = 8;      // length, type
+  constexpr std::size_t kChecksum = 4;  // of what libpng has read
+  if (bytes.size() < kSignature || png_sig_cmp(bytes.data(), 0, kSignature) != 0) {
+    throw std::runtime_error("cannot read a PNG file: it is no PNG file");
+  }
+  PngText texts;
+  bytes = bytes.subspan(kSignature);
+  while (bytes.size() >= kHead + kChecksum) {
+    const std::size_t length = png_get_uint_32(bytes.data());
+    const std::string_view type = as_text(bytes.subspan(4, 4));
+    if (type == "IEND") {
+      return texts;
+    }
+    if (length > bytes.size() - kHead - kChecksum) {
+      break;
+    }
+    add_text(texts, type, as_text(bytes.subspan(kHead, length)));
+    bytes = bytes.subspan(kHead + length + kChecksum);
+  }
+  throw std::runtime_error("cannot read a PNG file: it is cut off");
+}
 
 }  // namespace
 
 std::optional<PixelBox> png_size(std::span<const std::uint8_t> bytes) {
-  png_image image = {};
-  image.version = PNG_IMAGE_VERSION;
-  if (png_image_begin_read_from_memory(&image, bytes.data(), bytes.size()) == 0) {
-    return std::nullopt;
-  }
-  const PixelBox size = {0, 0, static_cast<int>(image.width), static_cast<int>(image.height)};
-  png_image_free(&image);
-  return size;
+  png_image header;
+  const auto image = opened(header, bytes);
+  return PNG_IMAGE_FAILED(header) ? std::nullopt
+                                  : std::optional(PixelBox{0, 0, static_cast<int>(header.width),
+                                                           static_cast<int>(header.height)});
 }
-
-namespace {
-
-DecodedPng decoded(std::span<const std::uint8_t> bytes, std::size_t max_pixels, bool with_text) {
-  require_honest_chunks(bytes);
-  ReadJob job;
-  job.bytes = bytes;
-  job.with_text = with_text;
-  const Reader reader(job);
-  const auto require = [&](bool done) {
-    if (!done) {
-      throw std::runtime_error(job.error.message("cannot read a PNG file"));
-    }
-  };
-  require(reader.info != nullptr && read_header(reader.png, reader.info, job));
-  reserve(reader.png, reader.info, max_pixels, job);
-  require(read_pixels(reader.png, reader.info, job));
-  return {on_white(reader.png, reader.info, job.rgba), text_of(reader.png, reader.info)};
-}
-
-}  // namespace
 
 DecodedPng decode_png(std::span<const std::uint8_t> bytes, std::size_t max_pixels) {
-  return decoded(bytes, max_pixels, true);
-}
-
-Image decode_pixels(std::span<const std::uint8_t> bytes, std::size_t max_pixels) {
-  return decoded(bytes, max_pixels, false).image;
+  PngText texts = texts_of(bytes);
+  return {.image = pixels_of(bytes, max_pixels), .text = std::move(texts)};
 }
 
 }  // namespace clca::image

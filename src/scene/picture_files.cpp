@@ -55,7 +55,7 @@ class PictureReader {
     try {
       const auto bytes = text::read_file(file, std::min(kMaxPictureBytes, bytes_left_));
       bytes_left_ -= static_cast<double>(bytes.size());
-      return {.image = image::decode_pixels(bytes, kMaxPicturePixels), .problem = {}};
+      return {.image = image::decode_png(bytes, kMaxPicturePixels).image, .problem = {}};
     } catch (const std::runtime_error& error) {
       return {.image = {}, .problem = error.what()};
     }

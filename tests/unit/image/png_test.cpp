@@ -42,19 +42,6 @@ TEST(Png, BringsBackPixelsAndText) {
   EXPECT_EQ(decoded.text, text);
 }
 
-TEST(Png, GivesPixelsAloneAndAFewTextsOnly) {
-  PngText text;
-  for (char name = 'a'; name <= 'z'; ++name) {
-    text[std::string(1, name)] = "text";
-  }
-  const Image image = colorful(61, 47);
-  const Bytes bytes = encode_png(image, text);
-  EXPECT_EQ(decode_pixels(bytes), image);
-  EXPECT_EQ(decode_png(bytes).image, image);
-  EXPECT_GE(decode_png(bytes).text.size(), 10U);
-  EXPECT_LE(decode_png(bytes).text.size(), 16U);
-}
-
 TEST(Png, TellsTheSizeOfAPictureAndOfNothingElse) {
   const Bytes bytes = encode_png(colorful(61, 47), {});
   EXPECT_EQ(png_size(bytes), (PixelBox{0, 0, 61, 47}));
@@ -84,7 +71,9 @@ TEST(Png, PutsTransparentPixelsOnWhite) {
                        0x80, 0x00, 0x00, 0x1f, 0x70, 0x03, 0x7e, 0x8a, 0xd2, 0x66, 0xb0, 0x00, 0x00,
                        0x00, 0x00, 0x49, 0x45, 0x4e, 0x44, 0xae, 0x42, 0x60, 0x82};
   const Image image = decode_png(bytes).image;
-  EXPECT_EQ(image.pixels, (std::vector<Rgb>{{255, 0, 0}, {255, 127, 127}, {255, 255, 255}}));
+  EXPECT_EQ(image.pixels,
+            (std::vector<Rgb>{
+                {255, 0, 0}, {255, 186, 186}, {255, 255, 255}}));  // mixed as light, not as numbers
 }
 
 TEST(Png, ReadsInterlacedSixteenBitGray) {
