@@ -1,11 +1,12 @@
 // clca report: a page about a run or a sweep.
 
 #include <memory>
+#include <nlohmann/json.hpp>
 
-#include "clca/report/report.hpp"
-#include "clca/text/message.hpp"
+#include "clca/store/output_folder.hpp"
 #include "cli/command.hpp"
 #include "cli/option_values.hpp"
+#include "cli/package.hpp"
 #include "cli/terminal.hpp"
 
 namespace clca::cli {
@@ -18,14 +19,19 @@ struct ReportOptions {
   std::optional<std::uint64_t> max_frames;
 };
 
-void write_report(const ReportOptions& options) {
-  const auto file = report::write_report(options.run, {.file = options.file,
-                                                       .max_frames = options.max_frames,
-                                                       .warning = [](const std::string& text) {
-                                                         print_error("clca: warning: {}\n",
-                                                                     text::printable(text));
-                                                       }});
-  print_out("{}\n", file.string());
+int write_report(const ReportOptions& options) {
+  const auto write = [&](const std::string& name, std::span<const std::uint8_t> page) {
+    const auto file = options.file.empty()
+                          ? store::OutputFile{store::OutputFolder(options.run), name}
+                          : store::named_file(options.file);
+    file.folder.write(file.name, page, file.replace);
+    print_out("{}\n", file.path().string());
+  };
+  nlohmann::json said = nlohmann::json::object();
+  if (options.max_frames) {
+    said["max_frames"] = *options.max_frames;
+  }
+  return run_package("report", said, {options.run}, write);
 }
 
 }  // namespace
@@ -40,10 +46,7 @@ void add_report_command(CommandLine& command_line) {
       .option("--max-frames", &options->max_frames,
               "Number of pictures in the page, at most [as many as keep the page below 20 MB]")
       .values(whole_number(0, 100'000));
-  command.action([options] {
-    write_report(*options);
-    return static_cast<int>(ExitCode::done);
-  });
+  command.action([options] { return write_report(*options); });
 }
 
 }  // namespace clca::cli

@@ -6,8 +6,13 @@ import os
 import signal
 import sys
 
-COMMANDS = ("plot", "space_time")  # the function command() of the module of that name
-PACKAGES = {"matplotlib": "python3-matplotlib", "h5py": "python3-h5py", "numpy": "python3-numpy"}
+COMMANDS = ("plot", "report", "space_time")  # the function command() of the module of that name
+PACKAGES = {
+    "h5py": "python3-h5py",
+    "jinja2": "python3-jinja2",
+    "matplotlib": "python3-matplotlib",
+    "numpy": "python3-numpy",
+}
 
 
 def failed(code: int, line: str) -> int:

@@ -77,6 +77,17 @@ class Folder:
         kinds = [kind for kind in known if table == kind or table.startswith(f"{kind}-")]
         return quantities(known[max(kinds, key=len)]) if kinds else {}
 
+    def report(self, path: str | os.PathLike[str] | None = None, max_frames: int | None = None) -> Path:
+        """Writes the page of `clca report`, `report.html` in the folder by default, and returns its path. `max_frames`: most
+        pictures to step through; by default as many as keep the page below 20 MB. What cannot be read is left out with a
+        warning of Python's. Throws Error, also if the file cannot be written. It needs Jinja2 and matplotlib.
+        """
+        from ._report import write
+
+        assert isinstance(self, (Run, Sweep))
+        most = None if max_frames is None else whole("max_frames", max_frames, 0, 100_000)
+        return write(self, None if path is None else absolute(path), most)
+
     def table(self, name: str) -> Table:
         """`NAME.csv` of the folder, such as `profile-flow`. Numbers are float64; an empty cell is NaN. Throws Error."""
         if name not in self.tables:
@@ -255,6 +266,21 @@ class Sweep(Folder):
         """`measures.csv`, a row for each combination, stage and measure: mean, standard error ... over the seeds."""
         return self.table("measures")
 
+    @cached_property
+    def _known(self) -> dict[str, Quantity]:
+        of_runs = [
+            one | {"key": one["key"].partition(".")[2]}
+            for one in self.summary.get("tables", {}).get("runs", [])
+            if "." in one["key"] and one["key"] not in self.keys
+        ]
+        return quantities([*self.summary.get("measures", []), *of_runs])
+
+    def _measure(self, name: str) -> Quantity:
+        """What a measure of `measures` is."""
+        whole, _, part = name.partition(".")
+        found = self._known.get(name) or self._known.get(whole)
+        return found._replace(of=found.of or part) if found else Quantity(name)
+
     def __len__(self) -> int:
         return len(self.runs)
 
@@ -302,7 +328,7 @@ class Sweep(Folder):
             "standard_error": f"{column}_se",
             "runs": "runs",
         }
-        return Table((key, rows[name], table._quantities.get(name, Quantity())) for key, name in names.items())
+        return Table((key, rows[name], table._quantities.get(name, Quantity(key))) for key, name in names.items())
 
 
 def open(folder: str | os.PathLike[str]) -> Run | Sweep:

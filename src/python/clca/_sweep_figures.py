@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy
@@ -11,7 +11,7 @@ import numpy
 from ._chart import MOST_COLORS, Axis, Chart, Curve, Panel, running_mean
 from ._error import Error
 from ._figures import LABEL, Source, has, logged, suggestion, text_of, title_of
-from ._table import Quantity, Table, quantities
+from ._table import Quantity, Table
 
 MOST_PANELS = 16
 MOST_WORDS = 72  # letters under an axis
@@ -101,31 +101,11 @@ def measure_charts(source: Source, table: Table) -> list[Chart]:
     words = [] if table[axis].dtype.kind == "f" or not is_key else in_order(table[axis])
     most = max(MOST_WORDS // max(len(words), 1), 4)
     shown_words = tuple(word if len(word) <= most else word[: most - 1] + "…" for word in words)
-    summary = source.folder.summary
-    of_runs = summary.get("tables", {}).get("runs", [])
-    floor = {one["key"].partition(".")[2] for one in of_runs if one.get("of_floor")}
-    known = quantities(
-        [
-            *summary.get("measures", []),
-            *(
-                {**one, "key": one["key"].partition(".")[2]}
-                for one in of_runs
-                if "." in one["key"] and one["key"] not in keys
-            ),
-        ]
-    )
+    of: Callable[[str], Quantity] = source.folder._measure  # type: ignore[union-attr]
     derived = derived_of(source)
     x_name = axis if is_key else choice.x
 
-    def of(measure: str) -> Quantity:
-        whole, _, part = measure.partition(".")
-        return known.get(measure) or known.get(whole, Quantity(measure))._replace(of=part)
-
-    def label(measure: str) -> str:
-        what = of(measure)
-        return ", ".join(filter(None, (what.name, what.of))) + (f" ({what.unit})" if what.unit else "")
-
-    x_label = label(x_name) if not is_key or x_name in derived else x_name
+    x_label = of(x_name).label() if not is_key or x_name in derived else x_name
     turned = {row_key(row, keys) for row in table[(table["measure"] == VESSEL_ANGLE) & (table["mean"] != 0)]}
     x_rows = {row_key(row, keys): row for row in table[table["measure"] == choice.x]} if not is_key else {}
 
@@ -155,7 +135,7 @@ def measure_charts(source: Source, table: Table) -> list[Chart]:
             if not wanted or not set(stage + measure) <= LABEL:
                 continue
             rows = table[(table["stage"] == stage) & (table["measure"] == measure) & numpy.isfinite(table["mean"])]
-            if not choice.y and measure in floor:
+            if not choice.y and of(measure).of_floor:
                 rows = rows[numpy.array([row_key(row, keys) not in turned for row in rows], bool)]
             if not is_key:
                 rows = rows[numpy.array([row_key(row, keys) in x_rows for row in rows], bool)]
@@ -177,7 +157,7 @@ def measure_charts(source: Source, table: Table) -> list[Chart]:
                         "Bars are one standard error over the seeds.",
                         contrast(part) + (FIRST if measure in derived else 0),
                         panels_of(
-                            ways, part, curve, Axis(x_label, words=shown_words), Axis(label(measure)), where, log
+                            ways, part, curve, Axis(x_label, words=shown_words), Axis(of(measure).label()), where, log
                         ),
                         title_of(source.folder),
                         "sweep",

@@ -25,12 +25,19 @@ class Quantity(NamedTuple):
     unit: str = ""  #: empty for a pure number
     description: str = ""
     of: str = ""  #: the outlet or wall that it is of, or x, y of a vector; empty: the whole
+    of_floor: bool = False  #: along or above the floor of the vessel: says little if it is turned
+
+    def label(self) -> str:
+        name = ", ".join(filter(None, (self.name, self.of)))
+        return f"{name} ({self.unit})" if self.unit else name
 
 
-def quantities(listed: Iterable[Mapping[str, str]]) -> dict[str, Quantity]:
+def quantities(listed: Iterable[Mapping[str, Any]]) -> dict[str, Quantity]:
     """What a list of `run.json` says of measures or columns."""
     return {
-        one["key"]: Quantity(one["name"], one.get("unit", ""), one.get("meaning", ""), one.get("of", ""))
+        one["key"]: Quantity(
+            one["name"], one.get("unit", ""), one.get("meaning", ""), one.get("of", ""), one.get("of_floor", False)
+        )
         for one in listed
     }
 
@@ -117,9 +124,7 @@ class Table(numpy.ndarray[Any, numpy.dtype[Any]]):
 
     def label(self, column: str) -> str:
         """`Mean height of the particles (spacings)`; the column itself where nothing is known of it."""
-        what = self._quantities.get(column, Quantity())
-        name = ", ".join(filter(None, (what.name or column, what.of)))
-        return f"{name} ({what.unit})" if what.unit else name
+        return self._quantities.get(column, Quantity(column)).label()
 
     def to_pandas(self) -> Any:
         """The same as a `pandas.DataFrame`, where pandas is installed."""

@@ -2,14 +2,10 @@
 
 // Steps through the pictures of the run.
 (function () {
-  const list = document.getElementById('frames');
-  const frames = list ? JSON.parse(list.textContent) : [];
+  const frames = [...document.querySelectorAll('#frames data')].map(function (frame) { return frame.dataset; });
   if (frames.length === 0) return;
-  const player = document.getElementById('player');
-  const picture = document.getElementById('frame');
-  const slider = document.getElementById('slider');
-  const label = document.getElementById('frame-label');
-  const button = document.getElementById('play');
+  const [player, picture, slider, label, button] =
+    ['player', 'frame', 'slider', 'frame-label', 'play'].map(function (id) { return document.getElementById(id); });
   const pause = 90;  // milliseconds from one picture to the next
   let at = 0;
   let timer = null;
@@ -17,13 +13,11 @@
   function show(number) {
     at = Math.max(0, Math.min(frames.length - 1, number));
     const frame = frames[at];
-    const words = 'Step ' + frame.step + (frame.time ? ', t = ' + frame.time : '') +
-      (frame.stage ? ', stage ' + frame.stage : '');
     picture.src = frame.same ? document.getElementById(frame.same).src : frame.image;
-    picture.alt = 'Picture of the particles. ' + words;
+    picture.alt = 'Picture of the particles. ' + frame.words;
     slider.value = at;
-    slider.setAttribute('aria-valuetext', words);
-    label.textContent = words + ' (' + (at + 1) + ' of ' + frames.length + ')';
+    slider.setAttribute('aria-valuetext', frame.words);
+    label.textContent = frame.words + ' (' + (at + 1) + ' of ' + frames.length + ')';
   }
 
   function stop() {
@@ -46,7 +40,7 @@
   function go() {
     const wanted = /^#step=(\d+)$/.exec(location.hash);
     if (!wanted) return false;
-    const found = frames.findIndex(function (frame) { return frame.step >= Number(wanted[1]); });
+    const found = frames.findIndex(function (frame) { return Number(frame.step) >= Number(wanted[1]); });
     show(found < 0 ? frames.length - 1 : found);
     return true;
   }

@@ -1,0 +1,493 @@
+"""One page about the folder of a run or a sweep: what is on it. How it looks is in templates/."""
+
+from __future__ import annotations
+
+import base64
+import fcntl
+import math
+import re
+import shlex
+import struct
+import sys
+import uuid
+import warnings
+from bisect import bisect_left
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from itertools import accumulate
+from pathlib import Path
+from typing import Any, NamedTuple, TypeVar
+
+import jinja2
+from markupsafe import Markup, escape
+
+from . import _answer
+from ._chart import Look, rendered
+from ._error import Error
+from ._figures import charts
+from ._folder import Run, Sweep, open
+from ._picture import png
+from ._sweep_figures import VESSEL_ANGLE
+from ._table import Quantity, Table, check_regular, quantities
+
+T = TypeVar("T")
+TEMPLATES = Path(__file__).parent / "templates"
+KINDS = {
+    "automaton": "Granular cellular automaton",
+    "contact": "Lattice contact dynamics",
+    "voids": "Rising voids",
+    "baxter": "Elongated grains, Baxter & Behringer",
+    "boltzmann": "Gas of rough spheres, Boltzmann equation",
+}
+MEDIA = {".mp4": "video/mp4", ".webm": "video/webm", ".webp": "image/webp", ".gif": "image/gif", ".png": "image/png"}
+USUAL_BYTES = 14 << 20  # of pictures: 19 MiB of page, in base64
+ASKED_BYTES = 192 << 20  # where a number of pictures is asked for
+MOST_SCENE = 256 << 10  # bytes
+MOST_FIGURES, MOST_SVG, WIDTH = 60, 300_000, 560  # WIDTH: pixels, for letters that can be read on a phone
+MOST_ENDS, MOST_AGAIN, MOST_DRAWN, MOST_DRAWN_ENDS = 12, 12, 8, 4  # pictures
+MOST_STAGES, MOST_MEASURES, MOST_WALL_TABLES, MOST_WALLS, MOST_COLUMNS, MOST_RUNS = 16, 200, 24, 100, 16, 500
+CONTROL = re.compile("[\0-\x08\x0b-\x1f\x7f-\x9f\u2028\u2029\ud800-\udfff\ufffe\uffff]")
+NO_USE = re.compile(rb'<metadata>.*?</metadata>|(?<=<g) id="[^"]*"', re.DOTALL)  # of SVG
+RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+
+
+def evenly(items: Sequence[T], count: int) -> list[T]:
+    """So many of them or all, with the first and the last."""
+    most = len(items) - 1
+    if most < count:
+        return list(items)
+    return [items[most]] if count == 1 else [items[(i * most + (count - 1) // 2) // (count - 1)] for i in range(count)]
+
+
+def files_in(folder: Path) -> list[Path]:
+    return sorted(file for file in folder.iterdir() if file.is_file()) if folder.is_dir() else []
+
+
+# Numbers
+
+
+def whole(number: float) -> str:
+    """12 345"""
+    return with_decimals(number, 0)
+
+
+def brief(number: float) -> str:
+    """Four digits."""
+    return with_decimals(number, decimals_for([number]))
+
+
+def decimals_for(numbers: Iterable[float | None], errors: Iterable[float | None] = ()) -> int:
+    """Behind the point: two digits of the smallest error, else four of the largest number."""
+    least, largest = (
+        [abs(number) for number in those if number is not None and math.isfinite(number) and number]
+        for those in (errors, numbers)
+    )
+    if least:
+        return min(max(1 - math.floor(math.log10(min(least))), 0), 7)
+    if all(number == round(number) for number in largest):
+        return 0
+    return min(max(3 - math.floor(math.log10(max(largest))), 0), 6)
+
+
+def is_scientific(number: float, decimals: int) -> bool:
+    """Too large, or too small to show three digits."""
+    size = abs(number)
+    return size >= 1e7 or (0 < size < 1e-3 and size * 10**decimals < 100)
+
+
+def scientific(number: float) -> str:
+    digits, exponent = f"{number:.2e}".split("e")
+    return f"{digits} × 10{str(int(exponent)).translate(RAISED)}".replace("-", "−")
+
+
+def with_decimals(number: float, decimals: int) -> str:
+    if not math.isfinite(number):
+        return "–" if math.isnan(number) else "∞" if number > 0 else "−∞"
+    if is_scientific(number, decimals):
+        return scientific(number)
+    text = f"{number:,.{decimals}f}" if abs(number) >= 10_000 else f"{number:.{decimals}f}"
+    return text.replace(",", "\u202f").replace("-", "−")
+
+
+def plain(cell: Any) -> str:
+    """As it is in the table."""
+    return str(cell) if not isinstance(cell, float) else "" if math.isnan(cell) else f"{cell:.15g}"
+
+
+class Row(NamedTuple):
+    """Of a table of measures."""
+
+    key: str
+    what: Quantity
+    cells: list[tuple[str, str]]  #: values and standard errors
+
+
+Measured = tuple[Any, float | None]  #: a number, yes or no, or None, and its standard error
+
+
+def rows_of(columns: Sequence[dict[str, Measured]], of: Callable[[str], Quantity]) -> tuple[list[Row], bool]:
+    """A row for each measure; whether a vessel is turned: then what is measured along its floor is left out."""
+    angles = [column.get(VESSEL_ANGLE, (None, None))[0] for column in columns]
+    turned = [angle is not None and abs(angle) > 0 for angle in angles]
+    rows = []
+    for key in list(dict.fromkeys(key for column in columns for key in column))[:MOST_MEASURES]:
+        what = of(key)
+        found = [None if out and what.of_floor else column.get(key) for column, out in zip(columns, turned)]
+        if any(found):
+            cells = [one or (None, None) for one in found]
+            decimals = decimals_for([value for value, _ in cells], [error for _, error in cells])
+            rows.append(Row(key, what, [texts_of(value, error, decimals) for value, error in cells]))
+    return rows, any(turned)
+
+
+def texts_of(value: Any, error: float | None, decimals: int) -> tuple[str, str]:
+    if value is None or isinstance(value, bool):
+        return "–" if value is None else "yes" if value else "no", ""
+    text = with_decimals(value, decimals if value else 0)
+    if error is None or math.isnan(value) or not math.isfinite(error):
+        return text, ""
+    return text, scientific(error) if error and is_scientific(value, decimals) else with_decimals(error, decimals)
+
+
+def breakable(text: str, mark: str = "") -> Markup:
+    """A key of a scene, KEY=VALUE or a heading; a line may end behind the dots of a key and `=`."""
+    html = re.sub(r"=|\.(?=[A-Za-z])", rf"\g<0>{mark or '<wbr>'}", str(escape(text)))
+    return Markup(html if mark else html.replace("\n", "<br>"))
+
+
+class Page:
+    """What goes onto the page, as far as it is found."""
+
+    def __init__(self, folder: Run | Sweep) -> None:
+        self.folder = folder
+        self.warnings: list[str] = []
+        self._parts: list[bytes] = []  # long ones, put in at the end
+        self._mark = uuid.uuid4().hex
+
+    def warn(self, error: Error | str) -> None:
+        text = str(error).replace(f"{self.folder.folder}/", "")
+        if text not in self.warnings and len(self.warnings) < 100:
+            self.warnings.append(text)
+
+    def read(self, file: Path, most: float) -> bytes | None:
+        """A file of the folder; a warning if it cannot be read."""
+        try:
+            check_regular(file)
+            size = file.stat().st_size
+            if size <= most:
+                return file.read_bytes()
+            self.warn(f"{file} is left out: it has {size} bytes, more than {most:.0f}")
+        except Error as error:
+            self.warn(error)
+        except OSError as error:
+            self.warn(f"cannot read {file}: {error.strerror}")
+        return None
+
+    def part(self, content: bytes) -> Markup:
+        self._parts.append(content)
+        return Markup(f"{self._mark}-{len(self._parts) - 1}.")
+
+    def data(self, kind: str, content: bytes) -> Markup:
+        return self.part(f"data:{kind};base64,".encode() + base64.b64encode(content))
+
+    def figures(self) -> list[dict[str, Any]]:
+        """The most telling first."""
+        found, figures = [], []
+        try:
+            found = sorted(charts(self.folder, unreadable=self.warn), key=lambda chart: -chart.rank)[:MOST_FIGURES]
+        except Error as error:
+            self.warn(error)
+        for number, chart in enumerate(found, 1):
+            progress(f"figure {number} of {len(found)}")
+            figure = {"name": chart.name, "about": chart.about}
+            try:
+                svg = rendered(chart._replace(title=""), Look("svg", width=WIDTH))
+                if len(svg) <= MOST_SVG:
+                    figure["svg"] = self.part(NO_USE.sub(b"", svg[svg.find(b"<svg") :]))
+                else:
+                    figure["url"] = self.data("image/png", rendered(chart._replace(title=""), Look(width=2 * WIDTH)))
+                figures.append(figure)
+            except ImportError:
+                raise
+            except Exception as error:  # the rest of the page is worth having
+                self.warn(f"figure {chart.name} is left out: {error}")
+        progress("")
+        return figures
+
+    def rendered(self, template: str, **values: Any) -> bytes:
+        environment = jinja2.Environment(
+            loader=jinja2.FileSystemLoader(TEMPLATES),
+            autoescape=True,
+            undefined=jinja2.StrictUndefined,
+            trim_blocks=True,
+            lstrip_blocks=True,
+        )
+        environment.globals["verbatim"] = lambda name: Markup((TEMPLATES / name).read_text("utf-8"))
+        environment.filters |= {
+            "breakable": breakable,
+            "brief": brief,
+            "shell": shlex.quote,
+            "time": lambda steps: time_text(self.folder, steps),
+            "whole": whole,
+            "zip": zip,
+        }
+        values |= {"charts": list(self.figures()), "tables": self.folder.tables, "warnings": self.warnings}
+        text = environment.get_template(template).render(summary=self.folder.summary, **values)
+        page = CONTROL.sub("\ufffd", text).encode()
+        return re.sub(rb"%s-(\d+)\." % self._mark.encode(), lambda found: self._parts[int(found[1])], page)
+
+
+def progress(text: str) -> None:
+    """One line on a terminal, which the next one replaces."""
+    if sys.stderr.isatty():
+        print(f"\r\x1b[K{text}", end="", file=sys.stderr, flush=True)
+
+
+def time_text(run: Run | Sweep, steps: int) -> str:
+    """0.0150 s; empty where steps have no length."""
+    units = run.summary.get("units")
+    if not units:
+        return ""
+    decimals = next((digits for digits in range(12) if units["time_step"] * 10**digits >= 1), 12)
+    return f"{steps * units['time_step']:.{decimals}f} {units['time']}"
+
+
+# Pictures
+
+
+class Picture(NamedTuple):
+    step: int
+    size: int  #: bytes
+    source: Path | bytes
+
+
+class Shown(NamedTuple):
+    """A picture on the page."""
+
+    step: int
+    when: str
+    stage: str
+    url: Markup
+    width: int
+    height: int
+    same: str = ""  #: id of a picture that is the same
+
+
+def pictures_in(folder: Path) -> list[Picture]:
+    """NAME-000120.png, by step."""
+    found = [(re.fullmatch(r".*-(\d+)\.png", file.name), file) for file in files_in(folder)]
+    pictures = [Picture(int(name[1]), file.stat().st_size, file) for name, file in found if name]
+    return sorted(pictures, key=lambda picture: picture.step)
+
+
+def chosen(pictures: list[Picture], most: int, size: float) -> list[Picture]:
+    """Evenly, with at most so many bytes."""
+    count = min(len(pictures), most)
+    while True:
+        those = evenly(pictures, count)
+        total = sum(picture.size for picture in those)
+        if total <= size:
+            return those
+        count = min(count - 1, int(count * size / total))
+
+
+def drawn(run: Run, ends: list[int]) -> list[Picture]:
+    """Of the trajectory: ends of stages, and others evenly. Throws Error."""
+    steps = run.frames.steps.tolist()
+    wanted = {*evenly(steps, MOST_DRAWN), *evenly([step for step in ends if step in steps], MOST_DRAWN_ENDS)}
+    pictures = []
+    for number, step in enumerate(sorted(wanted), 1):
+        progress(f"picture {number} of {len(wanted)}")
+        content = png(run.picture(step))
+        pictures.append(Picture(step, len(content), content))
+    return pictures
+
+
+def pictures_of(page: Page, run: Run, most: int | None) -> dict[str, Any]:
+    room = float(USUAL_BYTES if most is None else ASKED_BYTES)
+    ends, names = list(accumulate(stage.steps for stage in run.stages.values())), [*run.stages, ""]
+
+    def shown(picture: Picture, same: str = "") -> Shown | None:
+        content = picture.source if isinstance(picture.source, bytes) else page.read(picture.source, ASKED_BYTES)
+        if content is None:
+            return None
+        if len(content) < 24 or not content.startswith(b"\x89PNG"):
+            page.warn(f"{picture.source!s} is left out: it is no PNG")
+            return None
+        time = time_text(run, picture.step)
+        when = whole(picture.step) + (f", t = {time}" if time else "")
+        width, height = struct.unpack(">II", content[16:24])
+        stage = names[bisect_left(ends, picture.step)]
+        return Shown(picture.step, when, stage, page.data("image/png", content), width, height, same)
+
+    movies = []
+    for file in files_in(run.folder):
+        kind = MEDIA.get(file.suffix)
+        content = page.read(file, room / 2) if kind else None
+        if kind and content is not None:
+            room -= len(content)
+            movies.append({"name": file.name, "is_video": "video" in kind, "url": page.data(kind, content)})
+    all_again = pictures_in(run.folder / "render")
+    again = chosen(all_again, MOST_AGAIN, room / 2)
+    room -= sum(picture.size for picture in again)
+
+    pictures, frames_drawn, undrawn = pictures_in(run.folder / "frames"), 0, False
+    if not pictures and (run.folder / "trajectory").is_dir():
+        try:
+            pictures, frames_drawn = drawn(run, ends), len(run.frames)
+        except ImportError:  # also of the compiled part
+            undrawn = True
+        except Error as error:
+            page.warn(error)
+    at_ends: dict[int, Shown] = {}
+    for number, step in evenly(list(enumerate(ends)), MOST_ENDS):
+        for picture in [one for one in pictures if one.step == step and one.size <= room][:1]:
+            end = shown(picture, f"end-{number + 1}")
+            if end is not None:
+                at_ends[step] = end._replace(stage=names[number])
+                room -= picture.size
+    frames = chosen(pictures, len(pictures) if most is None else most, room)
+    return {
+        "movies": movies,
+        "again": [one for one in map(shown, again) if one],
+        "again_total": len(all_again),
+        "total": len(pictures),
+        "asked": most is not None,
+        "drawn": frames_drawn,
+        "undrawn": undrawn,
+        "ends": list(at_ends.values()),
+        "frames": [one for one in (at_ends.get(frame.step) or shown(frame) for frame in frames) if one],
+    }
+
+
+# Runs
+
+
+def walls_of(page: Page, run: Run) -> Iterator[tuple[str, list[str], list[list[str]]]]:
+    """Of each stage its name, headings and rows of cells."""
+    for stage in evenly([stage for stage in run.stages if f"walls-{stage}" in run.tables], MOST_WALL_TABLES):
+        try:
+            table = run.table(f"walls-{stage}")[:MOST_WALLS]
+        except Error as error:
+            page.warn(error)
+            continue
+        if len(table):
+            headings = [table.label(column) for column in table.dtype.names or ()]
+            yield stage, headings, [list(map(plain, row)) for row in table.tolist()]
+
+
+def run_page(page: Page, run: Run, most: int | None) -> bytes:
+    if run.kind not in KINDS:
+        raise Error(f"cannot read {run.folder / 'run.json'}: no report of a run of kind '{run.kind}'")
+    scene = page.read(run.folder / "scene.yaml", USUAL_BYTES) or b""
+    stages = evenly(run.summary["stages"], MOST_STAGES)
+    known = quantities(run.summary.get("measures", []))
+    measures, turned = rows_of(
+        [
+            {key: (value, of.get(f"{key}_se")) for key, value in of.items() if not key.endswith("_se")}
+            for of in (stage["measures"] for stage in stages)
+        ],
+        lambda key: known.get(key, Quantity(key)),
+    )
+    return page.rendered(
+        "run.html",
+        kind=KINDS[run.kind],
+        pictures=pictures_of(page, run, most),
+        stages=stages,
+        measures=measures,
+        turned=turned,
+        walls=list(walls_of(page, run)),
+        scene_is_long=len(scene) > MOST_SCENE,
+        scene_text=scene[:MOST_SCENE].decode(errors="replace"),
+        scene_url=page.data("text/yaml", scene),
+    )
+
+
+# Sweeps
+
+
+def rows(table: Table, *names: str) -> list[tuple[Any, ...]]:
+    """Of these columns."""
+    return list(zip(*(table[name].tolist() for name in names))) if names else [()] * len(table)
+
+
+def combinations_of(sweep: Sweep) -> tuple[list[str], list[tuple[str, list[Row], bool]]]:
+    """Combinations as KEY=VALUE, a line each; of each stage its name, rows, and whether a vessel is turned."""
+    table = sweep.measures
+    names = [
+        "\n".join(f"{key}={plain(value)}" for key, value in zip(sweep.keys, row)) for row in rows(table, *sweep.keys)
+    ]
+    shown = evenly(list(dict.fromkeys(names)), MOST_COLUMNS)
+    cells: dict[str, dict[str, dict[str, Measured]]] = {}
+    for name, (stage, measure, mean, error) in zip(names, rows(table, "stage", "measure", "mean", "standard_error")):
+        cells.setdefault(stage, {name: {} for name in shown}).setdefault(name, {})[measure] = (mean, error)
+    stages = [(stage, *rows_of([of[name] for name in shown], sweep._measure)) for stage, of in cells.items()]
+    return [name or "Mean" for name in shown], stages
+
+
+def sweep_page(page: Page, sweep: Sweep) -> bytes:
+    runs = sweep.runs
+    combinations: list[str] = []
+    stages: list[tuple[str, list[Row], bool]] = []
+    try:
+        combinations, stages = combinations_of(sweep)
+    except Error as error:
+        page.warn(error)
+    file = sweep.folder / "overview.png"
+    overview = page.read(file, USUAL_BYTES) if file.exists() else None
+    seeds = len(set(runs["seed"].tolist()))
+    names = [*sweep.keys, "seed", "status", "steps", "state_hash", "error"]
+    return page.rendered(
+        "sweep.html",
+        scene=Path(sweep.summary["scene"]).stem,
+        keys=sweep.keys,
+        states=runs["status"].tolist(),
+        overview=overview and page.data("image/png", overview),
+        overview_columns=min(seeds if seeds > 1 else len(runs), 8),
+        combinations=combinations,
+        stages=stages,
+        headings=[runs.label(name) for name in names],
+        runs=[list(map(plain, row)) for row in rows(runs[:MOST_RUNS], *names)],
+    )
+
+
+def report(folder: Run | Sweep, max_frames: int | None = None) -> tuple[bytes, list[str]]:
+    """The page, and what is left out. Throws Error."""
+    page = Page(folder)
+    made = run_page(page, folder, max_frames) if isinstance(folder, Run) else sweep_page(page, folder)
+    return made, page.warnings
+
+
+def write(folder: Run | Sweep, path: Path | None, max_frames: int | None) -> Path:
+    """Throws Error."""
+    page, left_out = report(folder, max_frames)
+    for text in left_out:
+        warnings.warn(f"{folder.folder}: {text}", stacklevel=3)
+    file = path or folder.folder / "report.html"
+    try:
+        if path is None:
+            listed(folder.folder, file.name)
+        new = file.with_name(f".{file.name}.new")
+        new.write_bytes(page)
+        new.replace(file)
+    except OSError as error:
+        raise Error(f"cannot write {file}: {error.strerror}") from None
+    return file
+
+
+def listed(folder: Path, name: str) -> None:
+    """Lists a file as one of clca, so that the next run into the folder removes it. Throws Error, OSError."""
+    line, manifest = f'file "{name}"\n', folder / ".clca.manifest"
+    if not manifest.is_file() or line in manifest.read_text():
+        return
+    if (folder / name).exists():
+        raise Error(f"cannot write {folder / name}: clca did not write the file that is there")
+    with manifest.open("a") as lines:
+        fcntl.flock(lines, fcntl.LOCK_EX)
+        lines.write(line)
+
+
+def command(options: dict[str, Any], folder_name: str) -> None:
+    page, left_out = report(open(folder_name), options.get("max_frames"))
+    for text in left_out:
+        _answer.warning(text)
+    _answer.file("report.html", page)
