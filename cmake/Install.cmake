@@ -27,6 +27,14 @@ if(CLCA_BUILD_PYTHON)
   set(CLCA_PYTHON_DIR lib/python3/dist-packages CACHE STRING "Where to install the Python package, below the prefix")
   install(TARGETS clca_python LIBRARY DESTINATION ${CLCA_PYTHON_DIR}/clca COMPONENT python)
   install(DIRECTORY src/python/clca DESTINATION ${CLCA_PYTHON_DIR} COMPONENT python PATTERN __pycache__ EXCLUDE)
+  if(NOT CLCA_PYTHON_DIR STREQUAL ".")  # so that the program draws grains by it, too; pip has no program
+    file(RELATIVE_PATH compiled /${CMAKE_INSTALL_DATADIR}/clca/python/clca /${CLCA_PYTHON_DIR}/clca)
+    install(CODE "
+      set(folder \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DATADIR}/clca/python/clca\")
+      file(MAKE_DIRECTORY \${folder})
+      file(CREATE_LINK ${compiled}/$<TARGET_FILE_NAME:clca_python> \${folder}/$<TARGET_FILE_NAME:clca_python> SYMBOLIC)"
+            COMPONENT python)
+  endif()
 endif()
 
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME development)

@@ -74,69 +74,41 @@ TEST_F(ReportCommand, WritesAPageAndSaysWhere) {
   EXPECT_THAT(text("run/report.html"), HasSubstr("A &lt;b&gt;small&lt;/b&gt; run</h1>"));
   result = clca({"report", "run", "-o", "page.html", "--max-frames", "2"});
   EXPECT_EQ(result.out, "page.html\n");
-  EXPECT_EQ(count_of(text("page.html"), "\"step\":"), 2U);
+  EXPECT_EQ(count_of(text("page.html"), "data-step="), 2U);
 }
 
-TEST_F(ReportCommand, WritesAPageAboutASweep) {
-  ASSERT_EQ(clca({"sweep", "small.yaml", "--vary", "rules.inertia=0,0.5", "--vary",
-                  "species.small.shape={hexagon: 1},nonsense", "--seeds", "1..2", "-o", "sweep",
-                  "--quiet"})
-                .code,
-            2);  // all values are checked before the first run
+TEST_F(ReportCommand, WritesAPageAboutASweepAndRefusesADamagedOneWithOneLine) {
   ASSERT_EQ(clca({"sweep", "small.yaml", "--vary", "rules.inertia=0,0.5", "--seeds", "1..2", "-o",
                   "sweep", "--quiet"})
                 .code,
             0);
-  const auto result = clca({"report", "sweep"});
+  auto result = clca({"report", "sweep"});
   EXPECT_EQ(result.code, 0) << result.err;
   EXPECT_EQ(result.out, "sweep/report.html\n");
   const std::string page = text("sweep/report.html");
-  EXPECT_THAT(page, HasSubstr("A &lt;b&gt;small&lt;/b&gt; run</h1>"));
   EXPECT_THAT(page, HasSubstr("class=\"overview\""));
-  EXPECT_THAT(
-      page,
-      HasSubstr("<pre>clca sweep small.yaml --vary &#39;rules.inertia=0,0.5&#39; --seeds 1..2"));
-  EXPECT_THAT(page, HasSubstr("<th scope=\"col\">rules.<wbr>inertia=<wbr>0.5</th>"));
-  for (const std::string stage : {"packing", "flow"}) {
-    EXPECT_EQ(count_of(page, "<h3>" + stage + "</h3>"), 1U) << stage;
-  }
   EXPECT_EQ(count_of(page, "<td data-of=\"Status\">done</td>"), 4U);
-  EXPECT_GT(count_of(page, "<figure class=\"chart\""), 3U);
   EXPECT_EQ(clca({"report", "sweep"}).code, 0);
   EXPECT_EQ(text("sweep/report.html"), page);
-}
-
-TEST_F(ReportCommand, RefusesASweepThatIsDamagedWithOneLine) {
-  ASSERT_EQ(clca({"sweep", "small.yaml", "--seeds", "1", "-o", "sweep", "--quiet"}).code, 0);
   const std::string request = text("sweep/sweep.json");
   for (const std::string& wrong :
        {std::string("{"), std::string("[]"), request.substr(0, request.size() / 2)}) {
     std::ofstream(folder_.path() / "sweep/sweep.json") << wrong;
-    const auto result = clca({"report", "sweep"});
+    result = clca({"report", "sweep"});
     EXPECT_EQ(result.code, 2);
-    EXPECT_EQ(result.err, "clca: error: cannot read sweep/sweep.json: it is damaged\n");
+    EXPECT_THAT(result.err, HasSubstr("sweep/sweep.json: it is cut off or no JSON\n"));
+    EXPECT_EQ(count_of(result.err, "\n"), 1U);
   }
-  std::ofstream(folder_.path() / "sweep/sweep.json") << request;
-  fs::remove(folder_.path() / "sweep/overview.png");
-  fs::remove(folder_.path() / "sweep/measures.csv");
-  auto result = clca({"report", "sweep"});
-  EXPECT_EQ(result.code, 0);
-  EXPECT_THAT(result.err, HasSubstr("measures.csv"));
-  fs::remove(folder_.path() / "sweep/runs.csv");
-  result = clca({"report", "sweep"});
-  EXPECT_EQ(result.code, 2);
-  EXPECT_EQ(count_of(result.err, "\n"), 1U);
 }
 
-TEST_F(ReportCommand, WithoutPythonHasTheRestAndOneWarning) {
+TEST_F(ReportCommand, WithoutPythonIsRefusedWithOneLine) {
   const auto result = testing::run_program(
       {"report", "run"}, {.folder = folder_.path().string(),
                           .environment = {{"CLCA_PYTHON", (folder_.path() / "missing").string()}}});
-  EXPECT_EQ(result.code, 0);
-  EXPECT_THAT(result.err, AllOf(HasSubstr("clca: warning: "), HasSubstr("missing")));
+  EXPECT_EQ(result.code, 1);
+  EXPECT_THAT(result.err, AllOf(HasSubstr("clca: error: "), HasSubstr("missing")));
   EXPECT_EQ(count_of(result.err, "\n"), 1U);
-  EXPECT_THAT(text("run/report.html"), AllOf(HasSubstr("id=\"measures\""), HasSubstr("missing"),
-                                             Not(HasSubstr("id=\"figures\""))));
+  EXPECT_FALSE(fs::exists(folder_.path() / "run/report.html"));
 }
 
 TEST_F(ReportCommand, IsClearedAwayByTheNextRun) {
@@ -148,7 +120,9 @@ TEST_F(ReportCommand, IsClearedAwayByTheNextRun) {
 TEST_F(ReportCommand, AnswersWrongInputInOneLine) {
   auto result = clca({"report", "none"});
   EXPECT_EQ(result.code, 2);
-  EXPECT_EQ(result.err, "clca: error: cannot read none/run.json: No such file or directory\n");
+  EXPECT_THAT(result.err,
+              ::testing::MatchesRegex("clca: error: cannot read .*/none/run.json: No such "
+                                      "file or directory\n"));
   EXPECT_EQ(clca({"report", "run", "--max-frames", "-1"}).code, 2);
   EXPECT_EQ(clca({"report", "run", "-o", "none/page.html"}).code, 1);
   std::ofstream(folder_.path() / "run/series.csv") << "step\n1,2\n";
