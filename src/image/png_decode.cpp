@@ -112,14 +112,6 @@ PngText texts_of(Bytes bytes) {
 
 }  // namespace
 
-std::optional<PixelBox> png_size(std::span<const std::uint8_t> bytes) {
-  png_image header;
-  const auto image = opened(header, bytes);
-  return PNG_IMAGE_FAILED(header) ? std::nullopt
-                                  : std::optional(PixelBox{0, 0, static_cast<int>(header.width),
-                                                           static_cast<int>(header.height)});
-}
-
 DecodedPng decode_png(std::span<const std::uint8_t> bytes, std::size_t max_pixels) {
   PngText texts = texts_of(bytes);
   return {.image = pixels_of(bytes, max_pixels), .text = std::move(texts)};

@@ -184,15 +184,6 @@ std::optional<ShownQuantity> KnownQuantities::find(std::string_view key) const {
                        .of_floor = known->of_floor};
 }
 
-std::string KnownQuantities::label(std::string_view key) const {
-  const auto known = find(key);
-  if (!known) {
-    return std::string(key);
-  }
-  return fmt::format("{}{}{}{}", known->name, known->of.empty() ? "" : ", ", known->of,
-                     known->unit.empty() ? "" : fmt::format(" ({})", known->unit));
-}
-
 KnownQuantities known_quantities(const store::RunSummary& summary) {
   using Of = KnownQuantities::Of;
   return {.of = summary.kind == "boltzmann" ? Of::gas

@@ -11,7 +11,7 @@
 namespace clca::run {
 
 // Measures of a stage that are also columns of tables.
-inline constexpr Quantity kVesselAngle = {kVesselAngleKey, "Angle of the vessel", "degrees",
+inline constexpr Quantity kVesselAngle = {"vessel_angle_deg", "Angle of the vessel", "degrees",
                                           "anticlockwise from upright"};
 inline constexpr Quantity kHeightMean = {"height_mean", "Mean height", "spacings",
                                          "of the surface, over the columns with particles", true};

@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <map>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -17,9 +16,6 @@ using PngText = std::map<std::string, std::string>;
 
 /// Throws std::runtime_error when libpng fails.
 std::vector<std::uint8_t> encode_png(const Image& image, const PngText& text);
-
-/// Width and height of the picture in a PNG, and none for what is no PNG.
-std::optional<PixelBox> png_size(std::span<const std::uint8_t> bytes);
 
 struct DecodedPng {
   Image image;

@@ -41,9 +41,6 @@ struct NamedQuantity {
 /// All that are declared; a name may come several times.
 std::vector<NamedQuantity> named_quantities();
 
-/// Measure of a stage that ends with a vessel at this angle, other than 0 if it is turned.
-inline constexpr std::string_view kVesselAngleKey = "vessel_angle_deg";
-
 /// A quantity of one run or sweep.
 struct ShownQuantity {
   std::string name;     ///< in words
@@ -63,8 +60,6 @@ struct KnownQuantities {
 
   /// One that is declared, or that the scene derives.
   std::optional<ShownQuantity> find(std::string_view key) const;
-  /// `Run-out of 99 % (spacings)`; the key itself where it is unknown.
-  std::string label(std::string_view key) const;
 };
 
 KnownQuantities known_quantities(const store::RunSummary& summary);

@@ -42,13 +42,6 @@ TEST(Png, BringsBackPixelsAndText) {
   EXPECT_EQ(decoded.text, text);
 }
 
-TEST(Png, TellsTheSizeOfAPictureAndOfNothingElse) {
-  const Bytes bytes = encode_png(colorful(61, 47), {});
-  EXPECT_EQ(png_size(bytes), (PixelBox{0, 0, 61, 47}));
-  EXPECT_EQ(png_size(Bytes(200, 7)), std::nullopt);
-  EXPECT_EQ(png_size({}), std::nullopt);
-}
-
 TEST(Png, IsTheSameBytesEachTime) {
   EXPECT_EQ(encode_png(colorful(33, 9), {{"k", "v"}}), encode_png(colorful(33, 9), {{"k", "v"}}));
 }

@@ -130,9 +130,9 @@ TEST(Run, DerivesMeasuresFromOthersAndSaysWhatTheyAre) {
   EXPECT_EQ(read.derived, summary.derived);
   EXPECT_EQ(read.stages[1].measures, measures);
   const KnownQuantities known = known_quantities(read);
-  EXPECT_EQ(known.label("ratio"), "Reach");
+  EXPECT_EQ(known.find("ratio")->name, "Reach");
   EXPECT_EQ(known.find("twice")->meaning, "=2*ratio");
-  EXPECT_EQ(known.label("runout_99"), "Run-out of 99 % (spacings)");
+  EXPECT_EQ(known.find("runout_99")->name, "Run-out of 99 %");
 }
 
 TEST(Run, RefusesDerivedMeasuresOfNamesThatThereAreNot) {

@@ -194,12 +194,15 @@ TEST_F(SeriesForces, AreNewtonsWithADensity) {
   expect_scaled("mean_height", 1);
   EXPECT_NEAR(column("force_y.plate").at(60), -1.1894e-4, 1e-7);  // 7 sites
   const KnownQuantities known = known_quantities(store::read_summary(path() / "run.json"));
-  EXPECT_EQ(known.label("force_y.plate"), "Force on the wall, y, plate (N)");
-  EXPECT_EQ(known.label("torque.box.floor"), "Torque on the wall, box.floor (N m)");
-  EXPECT_EQ(known.label("kinetic_energy"), "Kinetic energy (J)");
+  EXPECT_EQ(known.find("force_y.plate")->name, "Force on the wall, y");
+  EXPECT_EQ(known.find("force_y.plate")->of, "plate");
+  EXPECT_EQ(known.find("force_y.plate")->unit, "N");
+  EXPECT_EQ(known.find("torque.box.floor")->of, "box.floor");
+  EXPECT_EQ(known.find("torque.box.floor")->unit, "N m");
+  EXPECT_EQ(known.find("kinetic_energy")->unit, "J");
   EXPECT_EQ(
-      known_quantities(store::read_summary(path("plain") / "run.json")).label("force_y.plate"),
-      "Force on the wall, y, plate (weights of a site)");
+      known_quantities(store::read_summary(path("plain") / "run.json")).find("force_y.plate")->unit,
+      "weights of a site");
 }
 
 TEST_F(SeriesForces, WhatLeavesIsCountedInKilogramsAndParticlesASecond) {
