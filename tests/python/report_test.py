@@ -268,7 +268,7 @@ class ReportTest(PageTest):
         self.run["tables"] = {"walls": [{"key": "force_y", "name": "Force on the wall", "of": "y", "unit": "grain weights"}]}
         self.write("walls-flow.csv", "wall,contacts,force_y\nbox.floor,3,-2\nplate,,0.125\n")
         self.page()
-        self.assertHas('<td data-of="Force on the wall, y (grain weights)">-2</td>', '<td data-of="contacts">–</td>', ">0.125<")
+        self.assertHas('<td data-of="Force on the wall, y (grain weights)">−2.000</td>', '<td data-of="contacts">–</td>', ">0.125<")
 
     def test_a_run_with_units_is_in_these(self):
         self.run["units"] = {"length": "m", "time": "s", "velocity": "m/s", "spacing": 0.001, "time_step": 0.0005}
@@ -280,7 +280,7 @@ class ReportTest(PageTest):
     def test_numbers_are_readable_however_large_or_small(self):
         infinity = math.inf
         for number, error, text in (
-            (0.8125, None, "0.8125"), (12345.678, None, "12\u202f346"), (-0.25, 0.013, "−0.250 ± 0.013"), (3, None, "3"), (0, 0.01, "0 ± 0.010"),
+            (0.8125, None, "0.8125"), (12345.678, None, "12\u202f346"), (-0.25, 0.013, "−0.250 ± 0.013"), (0.029754, 0.000192, "0.02975 ± 0.00019"), (3, None, "3"), (0, 0.01, "0 ± 0.010"),
             (1e308, infinity, "1.00 × 10³⁰⁸"), (-1e308, None, "−1.00 × 10³⁰⁸"), (1e-320, None, "1.00 × 10⁻³²⁰"), (infinity, None, "∞"),
             (0.75, 1e300, "1 ± 1.00 × 10³⁰⁰"), (math.nan, 1.0, "–"), (None, None, "–"), (True, None, "yes"), (9.9999e9, 1e7, "1.00 × 10¹⁰ ± 1.00 × 10⁷"),
         ):

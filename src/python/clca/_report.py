@@ -145,7 +145,8 @@ def texts_of(value: Any, error: float | None, decimals: int) -> tuple[str, str]:
     text = with_decimals(value, decimals if value else 0)
     if error is None or math.isnan(value) or not math.isfinite(error):
         return text, ""
-    return text, scientific(error) if error and is_scientific(value, decimals) else with_decimals(error, decimals)
+    has_exponent = error >= 1e7 or (error > 0 and is_scientific(value, decimals))
+    return text, scientific(error) if has_exponent else f"{error:.{decimals}f}"
 
 
 def breakable(text: str, mark: str = "") -> Markup:
@@ -230,7 +231,7 @@ class Page:
             "whole": whole,
             "zip": zip,
         }
-        values |= {"charts": list(self.figures()), "tables": self.folder.tables, "warnings": self.warnings}
+        values |= {"charts": self.figures(), "tables": self.folder.tables, "warnings": self.warnings}
         text = environment.get_template(template).render(summary=self.folder.summary, **values)
         page = CONTROL.sub("\ufffd", text).encode()
         return re.sub(rb"%s-(\d+)\." % self._mark.encode(), lambda found: self._parts[int(found[1])], page)
@@ -362,7 +363,7 @@ def pictures_of(page: Page, run: Run, most: int | None) -> dict[str, Any]:
 # Runs
 
 
-def walls_of(page: Page, run: Run) -> Iterator[tuple[str, list[str], list[list[str]]]]:
+def walls_of(page: Page, run: Run) -> Iterator[tuple[str, list[str], list[tuple[str, ...]]]]:
     """Of each stage its name, headings and rows of cells."""
     for stage in evenly([stage for stage in run.stages if f"walls-{stage}" in run.tables], MOST_WALL_TABLES):
         try:
@@ -371,8 +372,13 @@ def walls_of(page: Page, run: Run) -> Iterator[tuple[str, list[str], list[list[s
             page.warn(error)
             continue
         if len(table):
-            headings = [table.label(column) for column in table.dtype.names or ()]
-            yield stage, headings, [list(map(plain, row)) for row in table.tolist()]
+            names = table.dtype.names or ()
+            columns = [table[name].tolist() for name in names]
+            for column in columns[1:]:
+                if isinstance(column[0], float):
+                    decimals = decimals_for(column)
+                    column[:] = [with_decimals(number, decimals) for number in column]
+            yield stage, [table.label(name) for name in names], list(zip(*columns))
 
 
 def run_page(page: Page, run: Run, most: int | None) -> bytes:
@@ -390,6 +396,7 @@ def run_page(page: Page, run: Run, most: int | None) -> bytes:
     )
     return page.rendered(
         "run.html",
+        title=run.title or run.scene,
         kind=KINDS[run.kind],
         pictures=pictures_of(page, run, most),
         stages=stages,
@@ -432,13 +439,15 @@ def sweep_page(page: Page, sweep: Sweep) -> bytes:
         combinations, stages = combinations_of(sweep)
     except Error as error:
         page.warn(error)
+    scene = Path(sweep.summary["scene"]).stem
     file = sweep.folder / "overview.png"
     overview = page.read(file, USUAL_BYTES) if file.exists() else None
     seeds = len(set(runs["seed"].tolist()))
     names = [*sweep.keys, "seed", "status", "steps", "state_hash", "error"]
     return page.rendered(
         "sweep.html",
-        scene=Path(sweep.summary["scene"]).stem,
+        title=sweep.title or scene,
+        scene=scene,
         keys=sweep.keys,
         states=runs["status"].tolist(),
         overview=overview and page.data("image/png", overview),
@@ -463,12 +472,16 @@ def write(folder: Run | Sweep, path: Path | None, max_frames: int | None) -> Pat
     for text in left_out:
         warnings.warn(f"{folder.folder}: {text}", stacklevel=3)
     file = path or folder.folder / "report.html"
+    new = file.with_name(f".{file.name}.new")
     try:
         if path is None:
             listed(folder.folder, file.name)
-        new = file.with_name(f".{file.name}.new")
         new.write_bytes(page)
-        new.replace(file)
+        try:
+            new.replace(file)
+        except OSError:
+            new.unlink()
+            raise
     except OSError as error:
         raise Error(f"cannot write {file}: {error.strerror}") from None
     return file
