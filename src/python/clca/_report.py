@@ -377,7 +377,7 @@ def walls_of(page: Page, run: Run) -> Iterator[tuple[str, list[str], list[tuple[
             for column in columns[1:]:
                 if isinstance(column[0], float):
                     decimals = decimals_for(column)
-                    column[:] = [with_decimals(number, decimals) for number in column]
+                    column[:] = [texts_of(number, None, decimals)[0] for number in column]
             yield stage, [table.label(name) for name in names], list(zip(*columns))
 
 
