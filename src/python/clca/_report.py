@@ -113,29 +113,22 @@ def plain(cell: Any) -> str:
     return str(cell) if not isinstance(cell, float) else "" if math.isnan(cell) else f"{cell:.15g}"
 
 
-class Row(NamedTuple):
-    """Of a table of measures."""
-
-    key: str
-    what: Quantity
-    cells: list[tuple[str, str]]  #: values and standard errors
-
-
-Measured = tuple[Any, float | None]  #: a number, yes or no, or None, and its standard error
+Row = tuple[str, Quantity, list[tuple[str, str]]]  # the key of a measure, what it is, values and standard errors
+Measured = tuple[Any, float | None]  # a number, yes or no, or None, and its standard error
 
 
 def rows_of(columns: Sequence[dict[str, Measured]], of: Callable[[str], Quantity]) -> tuple[list[Row], bool]:
     """A row for each measure; whether a vessel is turned: then what is measured along its floor is left out."""
     angles = [column.get(VESSEL_ANGLE, (None, None))[0] for column in columns]
     turned = [angle is not None and abs(angle) > 0 for angle in angles]
-    rows = []
+    rows: list[Row] = []
     for key in list(dict.fromkeys(key for column in columns for key in column))[:MOST_MEASURES]:
         what = of(key)
         found = [None if out and what.of_floor else column.get(key) for column, out in zip(columns, turned)]
         if any(found):
             cells = [one or (None, None) for one in found]
             decimals = decimals_for([value for value, _ in cells], [error for _, error in cells])
-            rows.append(Row(key, what, [texts_of(value, error, decimals) for value, error in cells]))
+            rows.append((key, what, [texts_of(value, error, decimals) for value, error in cells]))
     return rows, any(turned)
 
 
@@ -261,18 +254,6 @@ class Picture(NamedTuple):
     source: Path | bytes
 
 
-class Shown(NamedTuple):
-    """A picture on the page."""
-
-    step: int
-    when: str
-    stage: str
-    url: Markup
-    width: int
-    height: int
-    same: str = ""  #: id of a picture that is the same
-
-
 def pictures_in(folder: Path) -> list[Picture]:
     """NAME-000120.png, by step."""
     found = [(re.fullmatch(r".*-(\d+)\.png", file.name), file) for file in files_in(folder)]
@@ -307,18 +288,22 @@ def pictures_of(page: Page, run: Run, most: int | None) -> dict[str, Any]:
     room = float(USUAL_BYTES if most is None else ASKED_BYTES)
     ends, names = list(accumulate(stage.steps for stage in run.stages.values())), [*run.stages, ""]
 
-    def shown(picture: Picture, same: str = "") -> Shown | None:
+    def shown(picture: Picture) -> dict[str, Any] | None:
         content = picture.source if isinstance(picture.source, bytes) else page.read(picture.source, ASKED_BYTES)
         if content is None:
             return None
         if len(content) < 24 or not content.startswith(b"\x89PNG"):
             page.warn(f"{picture.source!s} is left out: it is no PNG")
             return None
-        time = time_text(run, picture.step)
-        when = whole(picture.step) + (f", t = {time}" if time else "")
-        width, height = struct.unpack(">II", content[16:24])
-        stage = names[bisect_left(ends, picture.step)]
-        return Shown(picture.step, when, stage, page.data("image/png", content), width, height, same)
+        time, (width, height) = time_text(run, picture.step), struct.unpack(">II", content[16:24])
+        return {
+            "step": picture.step,
+            "when": whole(picture.step) + (f", t = {time}" if time else ""),
+            "stage": names[bisect_left(ends, picture.step)],
+            "url": page.data("image/png", content),
+            "width": width,
+            "height": height,
+        }
 
     movies = []
     for file in files_in(run.folder):
@@ -339,13 +324,13 @@ def pictures_of(page: Page, run: Run, most: int | None) -> dict[str, Any]:
             undrawn = True
         except Error as error:
             page.warn(error)
-    at_ends: dict[int, Shown] = {}
+    at_ends: dict[int, dict[str, Any]] = {}
     for number, step in evenly(list(enumerate(ends)), MOST_ENDS):
-        for picture in [one for one in pictures if one.step == step and one.size <= room][:1]:
-            end = shown(picture, f"end-{number + 1}")
-            if end is not None:
-                at_ends[step] = end._replace(stage=names[number])
-                room -= picture.size
+        picture = next((one for one in pictures if one.step == step and one.size <= room), None)
+        end = picture and shown(picture)
+        if picture and end:
+            at_ends[step] = end | {"stage": names[number], "same": f"end-{number + 1}"}
+            room -= picture.size
     frames = chosen(pictures, len(pictures) if most is None else most, room)
     return {
         "movies": movies,
