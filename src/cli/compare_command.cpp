@@ -1,11 +1,11 @@
-// clca compare: compares an automaton run with a Boltzmann run.
+// clca compare: a run of grains beside one of the Boltzmann equation, by the Python package.
 
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
 
-#include "clca/compare/compare.hpp"
 #include "clca/store/output_folder.hpp"
-#include "clca/text/message.hpp"
 #include "cli/command.hpp"
 #include "cli/option_values.hpp"
 #include "cli/package.hpp"
@@ -19,26 +19,32 @@ struct CompareOptions {
   std::string automaton;
   std::string boltzmann;
   std::string folder = "renders/comparison";
-  compare::RunChoice choice;
+  std::optional<std::string> stage;
+  std::optional<double> time;
+  std::optional<double> restitution;
 };
 
-int draw_figure(const std::filesystem::path& folder) {
-  return run_package("plot", {{"only", {"comparison"}}}, {folder},
-                     [&](const std::string& name, std::span<const std::uint8_t> bytes) {
-                       store::OutputFolder(folder).write(name, bytes);
-                     });
+template <class T>
+nlohmann::json value_or_null(const std::optional<T>& value) {
+  return value ? nlohmann::json(*value) : nlohmann::json();
 }
 
 int compare_runs(const CompareOptions& options) {
-  const compare::Comparison comparison =
-      compare::comparison(options.automaton, options.boltzmann, options.choice);
-  compare::write(comparison, options.folder);
-  print_out("stage {} beside time {}\n", text::printable(comparison.stage), comparison.time);
-  for (const compare::Distance& distance : compare::distances(comparison)) {
-    print_out("{:40} D_H {:.3e}, floor {:.1e}\n", distance.name, distance.distance, distance.floor);
+  const store::OutputFolder folder(options.folder);
+  for (const char* name : {"comparison.csv", "distances.csv", "run.json", "comparison.png"}) {
+    folder.require_free(name);
   }
-  const int code = draw_figure(options.folder);
-  print_out("{}\n", options.folder);
+  const int code = run_package("compare",
+                               {{"stage", value_or_null(options.stage)},
+                                {"time", value_or_null(options.time)},
+                                {"restitution", value_or_null(options.restitution)}},
+                               {options.automaton, options.boltzmann, options.folder},
+                               [&](const std::string& name, std::span<const std::uint8_t> bytes) {
+                                 folder.write(name, bytes);
+                               });
+  if (code == 0) {
+    print_out("{}\n", options.folder);
+  }
   return code;
 }
 
@@ -54,13 +60,13 @@ void add_compare_command(CommandLine& command_line) {
       .required();
   command.option("-o,--output", &options->folder, "Folder to write to").show_default();
   command
-      .option("--stage", &options->choice.stage,
+      .option("--stage", &options->stage,
               "Stage of the automaton [the last with a fluctuation table]")
       .type("NAME");
-  command.option("--time", &options->choice.time, "Time of the histogram [the latest]")
+  command.option("--time", &options->time, "Time of the histogram [the latest]")
       .values(finite_number());
   command
-      .option("--restitution", &options->choice.restitution,
+      .option("--restitution", &options->restitution,
               "Restitution to choose if the Boltzmann run has several")
       .values(finite_number());
   command.action([options] { return compare_runs(*options); });

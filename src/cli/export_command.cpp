@@ -1,20 +1,21 @@
-// clca export: the trajectory of a run in formats of other programs.
-
-#include <fmt/format.h>
+// clca export: the trajectory of a run in formats of other programs, by the Python package.
 
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
 #include <system_error>
 
-#include "clca/export/export.hpp"
-#include "clca/run/setup.hpp"
 #include "clca/store/file.hpp"
+#include "clca/store/output_folder.hpp"
 #include "clca/store/run_folder.hpp"
 #include "clca/store/summary.hpp"
+#include "clca/store/trajectory.hpp"
 #include "cli/command.hpp"
 #include "cli/input.hpp"
 #include "cli/option_values.hpp"
-#include "cli/scene_options.hpp"
+#include "cli/package.hpp"
 #include "cli/terminal.hpp"
 
 namespace clca::cli {
@@ -25,77 +26,79 @@ namespace fs = std::filesystem;
 
 struct ExportOptions {
   fs::path run;
-  exports::Format format = exports::Format::vtp;
+  std::string format;
   fs::path file;
-  exports::FrameSelection choice;
-  SceneOptions scene;  ///< the limit on memory
+  std::optional<std::uint64_t> first;
+  std::optional<std::uint64_t> last;
+  std::uint64_t every = 1;
 };
 
-/// A run with a trajectory and the selected frames.
-struct Source {
-  std::string name;
-  scene::Scene scene;
-  std::unique_ptr<store::Trajectory> trajectory;
-};
+/// The folder to write to; gone at the end if it is new and empty.
+class Room {
+ public:
+  explicit Room(const fs::path& path)
+      : path_(fs::current_path() / path), is_new_(!fs::exists(path_)) {
+    store::make_folder(path_);
+  }
+  ~Room() {
+    std::error_code not_empty;
+    if (is_new_) {
+      fs::remove(path_, not_empty);
+    }
+  }
+  Room(const Room&) = delete;
+  Room& operator=(const Room&) = delete;
 
-Source open_run(const ExportOptions& options) {
-  const store::RunSummary summary = store::read_summary(options.run / "run.json");
-  if (summary.kind == "boltzmann") {
-    throw exports::ExportError(
-        fmt::format("{}: expected a run of grains, found one of the Boltzmann equation, which has "
-                    "no trajectory",
-                    options.run.string()));
-  }
-  std::error_code unknown;
-  if (!fs::exists(options.run / "trajectory", unknown) && !unknown) {
-    throw exports::ExportError(
-        fmt::format("{}: the run has left no trajectory; run the scene again with "
-                    "output.trajectory in it",
-                    options.run.string()));
-  }
-  Source source = {summary.scene, scene::parse_file(options.run / "scene.yaml"), nullptr};
-  source.scene.name = summary.scene;
-  const double limit = memory_limit(options.scene);
-  check_memory(source.scene, limit);
-  source.trajectory = std::make_unique<store::Trajectory>(options.run, source.scene,
-                                                          run::initial_state(source.scene), limit);
-  exports::selected_frames(source.trajectory->frames(),
-                           options.choice);  // before anything is written
-  return source;
-}
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+  bool is_new_;
+};
 
 store::OutputFile output_file(const ExportOptions& options, const std::string& scene) {
-  if (options.file.empty()) {
-    return {store::OutputFolder(options.run).subfolder(store::kExportFolder),
-            scene + std::string(exports::ending(options.format))};
+  if (!options.file.empty()) {
+    return store::named_file(options.file);
   }
-  if (options.file.has_parent_path()) {
-    store::make_folder(options.file.parent_path());
-  }
-  return store::named_file(options.file);
+  const char* ending = options.format == "vtp"    ? ".pvd"
+                       : options.format == "h5md" ? ".h5"
+                       : options.format == "gsd"  ? ".gsd"
+                                                  : ".xyz";
+  return {store::OutputFolder(options.run).subfolder(store::kExportFolder), scene + ending};
+}
+
+/// As `command` of _export.py.
+nlohmann::json to_json(const ExportOptions& options, const fs::path& file) {
+  const auto number_or_null = [](const std::optional<std::uint64_t>& number) {
+    return number ? nlohmann::json(*number) : nlohmann::json();
+  };
+  return {{"format", options.format},
+          {"file", file.string()},
+          {"first", number_or_null(options.first)},
+          {"last", number_or_null(options.last)},
+          {"every", options.every}};
 }
 
 int export_run(const ExportOptions& options) {
-  const Source source = as_input([&] { return open_run(options); });
-  const std::atomic<int>& stop = catch_stop_signals();
-  const store::OutputFile file = output_file(options, source.name);
-  const auto writer =
-      exports::writer(options.format, file, source.scene, run::initial_state(source.scene).kinds);
-  const std::size_t frames = exports::write(*source.trajectory, options.choice, *writer, stop);
-  print_out("{} frames\n{}\n", frames, file.path().string());
-  const int signal = stop.load();
-  return signal == 0 ? static_cast<int>(ExitCode::done)
-                     : static_cast<int>(ExitCode::signal_base) + signal;
-}
-
-void add_choice_options(Command& command, exports::FrameSelection& choice) {
-  command.option("--from", &choice.from, "First step").type("STEP").values(whole_number());
-  command.option("--to", &choice.until, "Last step").type("STEP").values(whole_number());
-  command
-      .option("--every", &choice.every,
-              "Least number of steps between frames of a stage [all frames]")
-      .type("STEPS")
-      .values(whole_number(1));
+  const std::string scene =
+      as_input([&] { return store::read_summary(options.run / "run.json"); }).scene;
+  if (fs::exists(options.run / "trajectory")) {  // which Python reads without a look at checksums
+    as_input([&] { store::check_parts(options.run); });
+  }
+  const Room room(options.file.empty() ? options.run / store::kExportFolder
+                                       : options.file.parent_path());
+  const store::OutputFile target = output_file(options, scene);
+  store::AtomicFile file = target.create();
+  const auto beside = [&](const std::string& name, std::span<const std::uint8_t> bytes) {
+    target.folder.write(name, bytes);
+  };
+  const int code = run_package("export", to_json(options, target.path()),
+                               {options.run, file.temporary_path()}, beside, room.path());
+  if (code == 0) {
+    file.finish();
+    print_out("{}\n", target.path().string());
+  }
+  return code;
 }
 
 }  // namespace
@@ -106,22 +109,22 @@ void add_export_command(CommandLine& command_line) {
   auto options = std::make_shared<ExportOptions>();
   command.option("DIR", &options->run, "Folder that a run with output.trajectory has left")
       .required();
-  command
-      .choice("--format", &options->format,
-              {{"vtp", exports::Format::vtp},
-               {"gsd", exports::Format::gsd},
-               {"xyz", exports::Format::xyz},
-               {"h5md", exports::Format::h5md}},
-              "Format")
+  command.option("--format", &options->format, "Format")
       .required()
-      .type("FORMAT");
+      .type("FORMAT")
+      .values(one_of({"vtp", "gsd", "xyz", "h5md"}));
   command
       .option("-o,--output", &options->file,
               "File to write, of vtp the .pvd with the others beside it "
               "[DIR/export/SCENE with .pvd, .gsd, .xyz or .h5]")
       .type("FILE");
-  add_choice_options(command, options->choice);
-  add_memory_limit(command, options->scene);
+  command.option("--from", &options->first, "First step").type("STEP").values(whole_number());
+  command.option("--to", &options->last, "Last step").type("STEP").values(whole_number());
+  command
+      .option("--every", &options->every,
+              "Least number of steps between frames of a stage [all frames]")
+      .type("STEPS")
+      .values(whole_number(1));
   command.action([options] { return export_run(*options); });
 }
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <system_error>
 
@@ -17,30 +17,35 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
+std::string line_of(std::FILE* file) {
+  std::string line;
+  for (int letter = 0; (letter = std::fgetc(file)) != EOF && letter != '\n';) {
+    line += static_cast<char>(letter);
+  }
+  return line;
+}
+
 /// Lines of JSON: {"line": TEXT}, or {"file": NAME, "bytes": COUNT}, with so many bytes after it.
-void take(std::span<const std::uint8_t> answer, const FileReceiver& file) {
-  while (!answer.empty()) {
-    const auto end = std::find(answer.begin(), answer.end(), '\n');
-    const Json head = Json::parse(answer.begin(), end);
-    answer = {end == answer.end() ? end : end + 1, answer.end()};
+void take(std::FILE* answer, const FileReceiver& file) {
+  for (std::string line = line_of(answer); !line.empty(); line = line_of(answer)) {
+    const Json head = Json::parse(line);
     if (head.contains("line")) {
       print_out("{}\n", head["line"].get<std::string>());
       continue;
     }
-    const auto size = head.at("bytes").get<std::size_t>();
-    if (size > answer.size()) {
+    std::vector<std::uint8_t> bytes(head.at("bytes").get<std::size_t>());
+    if (std::fread(bytes.data(), 1, bytes.size(), answer) < bytes.size()) {
       throw process::ProcessError("Python ends within a file");
     }
-    file(head.at("file"), answer.first(size));
-    answer = answer.subspan(size);
+    file(head.at("file"), bytes);
   }
 }
 
 }  // namespace
 
-int run_package(const std::string& command, const Json& options,
-                const std::vector<fs::path>& folders, const FileReceiver& file,
-                std::span<const std::uint8_t> input) {
+int run_package(const std::string& command, const Json& options, const std::vector<fs::path>& paths,
+                const FileReceiver& file, std::span<const std::uint8_t> input,
+                const fs::path& room) {
   constexpr int kMaxCode = 2;  // of the package itself
   const fs::path package = process::data_folder("python") / "clca/__main__.py";
   const fs::path python = process::python();
@@ -51,20 +56,22 @@ int run_package(const std::string& command, const Json& options,
   std::vector<std::string> arguments = {
       python.string(), package.string(), command,
       options.dump(-1, ' ', false, Json::error_handler_t::replace)};
-  for (const fs::path& folder : folders) {
-    arguments.push_back(fs::absolute(folder).string());
+  for (const fs::path& path : paths) {
+    arguments.push_back(fs::absolute(path).string());
   }
   const std::atomic<int>& stop = catch_stop_signals();
-  const process::OutputCapture out;
+  const process::OutputCapture out(room);
   process::Program program(arguments, {.out = &out, .fed = true, .stop = &stop});
   program.feed(input);
   const int code = program.wait();
   if (code > kMaxCode) {
     throw process::ProcessError(fmt::format("{} fails with exit code {}", python.string(), code));
   }
-  const std::vector<std::uint8_t> answer = out.bytes();
+  if (code != 0) {
+    return code;
+  }
   try {
-    take(answer, file);
+    take(out.rewound(), file);
   } catch (const Json::exception&) {
     throw process::ProcessError(
         fmt::format("{} answers what clca does not understand", python.string()));

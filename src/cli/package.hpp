@@ -14,13 +14,15 @@ namespace clca::cli {
 using FileReceiver =
     std::function<void(const std::string& name, std::span<const std::uint8_t> bytes)>;
 
-/// Runs the function `command()` of the module `clca._COMMAND` with these options and folders.
-/// It reads `input` from standard input and writes to standard error itself. `file` gets the files
-/// that it returns, lines for the user are printed. Returns its exit code. Throws
-/// process::ProcessError where it cannot be started or is killed, and process::StoppedError after a
-/// signal to stop.
+/// Runs the function `command()` of the module `clca._COMMAND` with these options and paths.
+/// It reads `input` from standard input and writes to standard error itself. If it has not failed,
+/// `file` gets the files that it returns, one at a time, and lines for the user are printed.
+/// `room`: a folder for what it returns until then, if that may be large. Returns its exit code.
+/// Throws process::ProcessError where it cannot be started or is killed, and
+/// process::StoppedError after a signal to stop.
 int run_package(const std::string& command, const nlohmann::json& options,
-                const std::vector<std::filesystem::path>& folders, const FileReceiver& file,
-                std::span<const std::uint8_t> input = {});
+                const std::vector<std::filesystem::path>& paths, const FileReceiver& file,
+                std::span<const std::uint8_t> input = {},
+                const std::filesystem::path& room = {});
 
 }  // namespace clca::cli

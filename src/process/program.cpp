@@ -41,6 +41,16 @@ std::array<int, 2> socket_pair() {
   return ends;
 }
 
+/// A file that is gone once it is closed.
+int nameless_file(const fs::path& folder) {
+  std::string path = folder / ".clca-XXXXXX";
+  const int file = ::mkostemp(path.data(), O_CLOEXEC);
+  if (file >= 0) {
+    ::unlink(path.c_str());
+  }
+  return file;
+}
+
 }  // namespace
 
 std::optional<fs::path> find_program(const std::string& name) {
@@ -57,9 +67,12 @@ std::optional<fs::path> find_program(const std::string& name) {
   return std::nullopt;
 }
 
-// In memory, so that a full disk cannot truncate it.
-OutputCapture::OutputCapture()
-    : file_(::fdopen(::memfd_create("transcript", MFD_CLOEXEC), "w+"), &std::fclose) {
+// In memory a full disk cannot truncate it.
+OutputCapture::OutputCapture(const fs::path& folder)
+    : file_(::fdopen(
+                folder.empty() ? ::memfd_create("transcript", MFD_CLOEXEC) : nameless_file(folder),
+                "w+"),
+            &std::fclose) {
   if (!file_) {
     throw ProcessError(fmt::format("cannot make a temporary file: {}", std::strerror(errno)));
   }
@@ -69,8 +82,13 @@ int OutputCapture::number() const {
   return ::fileno(file_.get());
 }
 
-std::vector<std::uint8_t> OutputCapture::bytes() const {
+std::FILE* OutputCapture::rewound() const {
   std::rewind(file_.get());
+  return file_.get();
+}
+
+std::vector<std::uint8_t> OutputCapture::bytes() const {
+  rewound();
   std::vector<std::uint8_t> all;
   std::vector<std::uint8_t> block(1U << 16U);
   while (const std::size_t count = std::fread(block.data(), 1, block.size(), file_.get())) {

@@ -28,7 +28,6 @@ py::dtype struct_type(const std::vector<Field>& fields, std::size_t size) {
 }
 
 py::dtype body_type() {
-  using exports::Body;
   return struct_type({{"id", "u4", offsetof(Body, id)},
                       {"kind", "u2", offsetof(Body, kind)},
                       {"position", "(2,)f8", offsetof(Body, centre)},
@@ -79,7 +78,7 @@ py::dtype particle_type() {
 FrameData::FrameData(const scene::Scene& scene, const grains::State& state,
                      store::ContactFrame contact)
     : step(state.step),
-      bodies(exports::bodies(state, contact, scene::conversion(scene))),
+      bodies(python::bodies(state, contact, scene::conversion(scene))),
       forces(std::move(contact.forces)) {
   for (const grains::Wall& wall : state.walls) {
     walls.push_back(wall.present ? std::optional(lattice::position(wall.shift())) : std::nullopt);
@@ -97,7 +96,7 @@ py::tuple FrameData::to_python() && {
 
 py::list kinds(const scene::Scene& scene, const std::vector<grains::Kind>& kinds) {
   py::list result;
-  for (const exports::KindAppearance& kind : exports::kind_appearances(scene, kinds)) {
+  for (const KindAppearance& kind : kind_appearances(scene, kinds)) {
     result.append(py::make_tuple(kind.name, scene.species[kind.species].name, kind.degrees,
                                  points(kind.outline)));
   }
@@ -108,7 +107,7 @@ py::dict units(const scene::Scene& scene) {
   const auto conversion = scene::conversion(scene);
   py::dict result;
   const std::string time = conversion ? conversion->time_unit : "steps";
-  result["time"] = py::make_tuple(time, exports::time_step(scene));
+  result["time"] = py::make_tuple(time, time_step(scene));
   result["velocity"] = py::make_tuple(conversion ? conversion->velocity_unit : "spacings/step",
                                       conversion ? conversion->velocity(1) : 1.0);
   return result;

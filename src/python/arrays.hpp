@@ -13,12 +13,12 @@
 #include <vector>
 
 #include "clca/contact/force.hpp"
-#include "clca/export/frame.hpp"
 #include "clca/grains/state.hpp"
 #include "clca/run/quantity.hpp"
 #include "clca/scene/scene.hpp"
 #include "clca/store/summary.hpp"
 #include "clca/store/trajectory.hpp"
+#include "python/body.hpp"
 
 namespace clca::python {
 
@@ -55,7 +55,7 @@ struct FrameData {
   FrameData(const scene::Scene& scene, const grains::State& state, store::ContactFrame contact);
 
   std::uint64_t step;
-  std::vector<exports::Body> bodies;
+  std::vector<Body> bodies;
   std::vector<std::optional<Eigen::Vector2d>> walls;  ///< from home; none: not there
   std::vector<contact::Force> forces;
 

@@ -11,12 +11,15 @@
 #include <system_error>
 
 #include "clca/store/file.hpp"
+#include "clca/store/trajectory.hpp"
 #include "store/internal/hdf5.hpp"
 #include "store/number_types.hpp"
 
 namespace clca::store {
 
 namespace {
+
+constexpr double kAnySize = 1e18;
 
 std::optional<std::uint64_t> part_number(const std::string& name) {
   constexpr std::string_view kStart = "part-";
@@ -79,6 +82,17 @@ std::vector<std::filesystem::path> find_parts(const std::filesystem::path& run_f
                                  folder.string()));
   }
   return parts;
+}
+
+void check_parts(const std::filesystem::path& run_folder) {
+  for (const std::filesystem::path& part : find_parts(run_folder)) {
+    const std::vector<std::uint8_t> file = read_whole(part, kAnySize);
+    try {
+      content_of(kTrajectoryKind, file);
+    } catch (const std::runtime_error& error) {
+      throw StoreError(fmt::format("cannot read {}: {}", part.string(), error.what()));
+    }
+  }
 }
 
 void remove_parts(const OutputFolder& run_folder, std::uint64_t kept) {

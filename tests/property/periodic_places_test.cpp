@@ -6,10 +6,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
-#include "clca/export/export.hpp"
 #include "clca/store/table.hpp"
 #include "property/random_motions.hpp"
 #include "run/frame_painter.hpp"
@@ -119,27 +116,6 @@ void look_at_parts(const fs::path& folder, bool contact, Places& places) {
   }
 }
 
-void look_at_export(const fs::path& folder, const store::Trajectory& trajectory,
-                    const scene::Scene& scene, const grains::State& fixed, Places& places) {
-  const fs::path file = folder / "all.xyz";
-  const auto writer =
-      exports::writer(exports::Format::xyz, store::named_file(file), scene, fixed.kinds);
-  exports::write(trajectory, {}, *writer, std::atomic<int>(0));
-  std::ifstream stream(file);
-  for (std::string line; std::getline(stream, line);) {
-    const std::size_t count = std::stoul(line);
-    std::getline(stream, line);
-    for (std::size_t row = 0; row < count && std::getline(stream, line); ++row) {
-      std::istringstream cells(line);
-      std::string species;
-      double x = 0;
-      double y = 0;
-      cells >> species >> x >> y;
-      places.require(x, y, file.filename());
-    }
-  }
-}
-
 /// The lines of forces in pictures.
 void look_at_pictures(const store::Trajectory& trajectory, bool contact, Places& places) {
   run::OverlayScales scales;
@@ -174,7 +150,6 @@ void look_at_a_run(bool contact) {
   look_at_tables(run, places);
   look_at_parts(run, contact, places);
   const store::Trajectory trajectory(run, scene, fixed, 1e9);
-  look_at_export(folder.path(), trajectory, scene, fixed, places);
   look_at_pictures(trajectory, contact, places);
   RC_ASSERT(places.count() > 0);
   const grains::State last = trajectory.state(trajectory.frames().size() - 1);

@@ -25,15 +25,17 @@ class ProcessError : public std::runtime_error {
 /// working directory must not decide what runs.
 std::optional<std::filesystem::path> find_program(const std::string& name);
 
-/// Keeps the output of a program in memory.
+/// Keeps the output of a program: in memory, or in a file without a name, for what may be large.
 class OutputCapture {
  public:
-  /// Throws ProcessError.
-  OutputCapture();
+  /// `folder`: of the file; none: in memory. Throws ProcessError.
+  explicit OutputCapture(const std::filesystem::path& folder = {});
   /// File descriptor for writing.
   int number() const;
   /// Everything written so far.
   std::vector<std::uint8_t> bytes() const;
+  /// To read it from its begin.
+  std::FILE* rewound() const;
 
  private:
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;

@@ -106,6 +106,9 @@ class Trajectory {
   std::unique_ptr<Impl> impl_;
 };
 
+/// Throws StoreError unless all parts of a trajectory are there and have their checksums.
+void check_parts(const std::filesystem::path& run_folder);
+
 /// Lets the HDF5 library end with the process without writing what is left of files that could not
 /// be written: it would crash. For a program that owns its process, before it uses the library.
 void end_without_hdf5();

@@ -6,8 +6,9 @@ import os
 import signal
 import sys
 
-COMMANDS = ("plot", "report", "space_time")  # the function command() of the module of that name
+COMMANDS = ("compare", "export", "plot", "report", "space_time")  # the function command() of the module of that name
 PACKAGES = {
+    "gsd": "python3-gsd",
     "h5py": "python3-h5py",
     "jinja2": "python3-jinja2",
     "matplotlib": "python3-matplotlib",
@@ -32,7 +33,7 @@ def main() -> int:
     os.environ.setdefault("MPLBACKEND", "agg")
     sys.path[0] = os.path.dirname(sys.path[0])  # the folder of the package, not of its modules
     try:
-        from clca import Error
+        from clca._error import Error, WriteError
         from clca._answer import printable
     except ImportError as error:
         return missing(error)
@@ -42,7 +43,7 @@ def main() -> int:
             raise Error(f"no command {name}")
         importlib.import_module(f"clca._{name}").command(options, *sys.argv[3:])
     except Error as error:
-        return failed(2, printable(str(error).splitlines()[0]))
+        return failed(1 if isinstance(error, WriteError) else 2, printable(str(error).splitlines()[0]))
     except ImportError as error:
         return missing(error)
     except Exception as error:  # one line, as of the program

@@ -16,10 +16,10 @@ def _head(**values: Any) -> None:
     sys.stdout.buffer.write(json.dumps(values).encode() + b"\n")
 
 
-def file(name: str, content: bytes) -> None:
-    """A file that the program writes, relative to the folder of the command."""
-    _head(file=name, bytes=len(content))
-    sys.stdout.buffer.write(content)
+def file(name: str, *parts: Any) -> None:
+    """A file that the program writes, relative to the folder of the command: the parts of its content, as bytes."""
+    _head(file=name, bytes=sum(memoryview(part).nbytes for part in parts))
+    sys.stdout.buffer.writelines(parts)
     sys.stdout.buffer.flush()
 
 

@@ -29,6 +29,10 @@ class ArgumentError(Error, ValueError):
     """An argument is wrong."""
 
 
+class WriteError(Error):
+    """A file cannot be written."""
+
+
 class CompiledPartError(Error, ImportError):
     """What was asked for needs the compiled module, which is not there."""
 

@@ -233,6 +233,26 @@ class Run(Folder):
             self.folder, path(file), whole("fps", fps, 1, 240), duration, overrides(frames)
         )
 
+    def export(
+        self,
+        format: str,
+        path: str | os.PathLike[str] | None = None,
+        first: int | None = None,
+        last: int | None = None,
+        every: int = 1,
+    ) -> Path:
+        """Writes the trajectory for other programs: `format` is `vtp` (ParaView), `gsd` (OVITO), `xyz` or `h5md`.
+        `path` is the file, of `vtp` the `.pvd` with all others beside it; without it SCENE with `.pvd`, `.gsd`, `.xyz`
+        or `.h5`, in the current folder. Files of these names are replaced once all are complete. Frames are those from
+        step `first` to `last`, at least `every` steps apart, and where stages begin. Lengths, times, masses and forces
+        are in SI units where the scene has them, else as frames have them. Returns the path. Throws Error.
+        """
+        from ._export import export
+
+        first, last = (None if step is None else whole("first, last", step, 0, MOST) for step in (first, last))
+        file = None if path is None else absolute(path)
+        return export(self, format, file, first, last, whole("every", every, 1, MOST))
+
     def __getstate__(self) -> dict[str, Any]:
         return {name: value for name, value in self.__dict__.items() if name != "frames"}  # of an open trajectory
 

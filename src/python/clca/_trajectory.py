@@ -85,6 +85,29 @@ def outline(sites: NDArray[Any], centre: NDArray[Any]) -> NDArray[numpy.float64]
     return read_only(positions(corners) / 2 - centre)
 
 
+def trapezoids(sites: NDArray[Any]) -> tuple[NDArray[numpy.float64], NDArray[Any]]:
+    """The body of these sites (axial vectors, as outline() has it) cut into trapezoids: their corners, anticlockwise,
+    one after the other, and how many corners each has.
+    """
+    known = sites @ [2**32, 1]
+    points = [2 * sites]
+    for step in ((1, 0), (0, 1), (1, -1)):
+        points.append(2 * sites[numpy.isin((sites + step) @ [2**32, 1], known)] + step)
+    # The small triangles between two columns of half the pitch, numbered upwards: those around each point.
+    doubled = numpy.concatenate(points) * (1, 2)
+    around = [(0, -1), (0, 0), (0, 1), (-1, 0), (-1, 1), (-1, 2)]
+    triangles = numpy.unique(numpy.concatenate([doubled + one for one in around]), axis=0)
+    begins = numpy.append(True, numpy.any(triangles[1:] - triangles[:-1] != (0, 1), 1))[: len(triangles)]
+    (left, low), high = triangles[begins].T, triangles[numpy.append(begins[1:], True)[: len(triangles)], 1]
+    corners = numpy.array(
+        [[left, low // 2], [left + 1, (low - 1) // 2], [left + 1, high // 2], [left, (high + 1) // 2]]
+    )
+    corners = corners.transpose(2, 0, 1)
+    kept = numpy.any(corners != corners[:, [3, 0, 1, 0]], 2)  # where two are one, it is a triangle
+    kept[:, :2] = True
+    return positions(corners[kept]) / 2, kept.sum(1)
+
+
 def rows_of(column: Any, first: int, size: int) -> NDArray[Any]:
     return numpy.asarray(column[first : first + size])
 
@@ -115,6 +138,8 @@ class Trajectory:
         self._starts = {
             name: [int(part[first][0]) for part in columns] for name, first in FIRST.items() if first in columns[0]
         }
+        self.entered = int(self._frames["entered"].max(initial=0))  # particles, by then
+        self.has_contacts = "contacts" in self._frames
         steps, stage = self._frames["step"], self._frames["stage"]
         is_first = numpy.append(True, stage[1:] != stage[:-1])
         self._stage_first = numpy.maximum.accumulate(numpy.where(is_first, numpy.arange(len(stage)), 0))
@@ -140,14 +165,14 @@ class Trajectory:
 
     def _look(self, part: Any, summary: dict[str, Any]) -> Look:
         scene = part["scene"]
-        species = [name.decode() for name in scene["species"]]
-        self._columns, _, self._periodic = (int(number) for number in scene["lattice"])
-        self._sizes = scene["kinds/size"][:]
-        self._radii = numpy.sqrt(PITCH * self._sizes / numpy.pi)  # of discs of the same area
+        self.species = species = [name.decode() for name in scene["species"]]
+        self.lattice = tuple(int(number) for number in scene["lattice"])  # columns, rows, 1 if periodic
+        self.sizes = scene["kinds/size"][:]
+        self.radii = numpy.sqrt(PITCH * self.sizes / numpy.pi)  # of discs of the same area
         self._centres = scene["kinds/centre"][:].reshape(-1, 2)
         sites = scene["kinds/sites"][:].reshape(-1, 2)
         firsts, of = scene["kinds/first"][:], scene["kinds/species"][:]
-        self._kind_sites = [sites[first : first + size] for first, size in zip(firsts, self._sizes)]
+        self._kind_sites = [sites[first : first + size] for first, size in zip(firsts, self.sizes)]
         degrees = [kind["degrees"] for kind in summary.get("kinds", [])] or len(of) * [0]
         several = numpy.bincount(of, minlength=len(species)) > 1
         kinds = [
@@ -211,10 +236,9 @@ class Trajectory:
             shifts = numpy.asarray(part["walls/position"][:]).reshape(-1, walls, 2)[row] if walls else []
             contacts = numpy.empty(0, CONTACT)
             if "contacts" in part:
-                columns = self._rows(part, frame, "contacts", list(CONTACT.names or ()))
-                contacts = numpy.empty(len(columns[0]), CONTACT)
-                for name, column in zip(CONTACT.names or (), columns):
-                    contacts[name] = column
+                contacts = numpy.empty(int(self._frames["contacts"][frame]), CONTACT)
+                for name in CONTACT.names or ():
+                    contacts[name] = self._rows(part, frame, "contacts", [name])[0]
         there = [(float(x), float(y)) if is_there else None for is_there, (x, y) in zip(present, shifts)]
         if len(contacts):
             loads = numpy.zeros(1 + int(max(bodies["id"].max(initial=0), contacts["upper"].max())))
@@ -236,12 +260,12 @@ class Trajectory:
         axials = axial(sites)
         bodies["displacement"] = positions(axials - axial(origins[ids]))
         beyond = positions(axials)[:, 0] + self._centres[kinds, 0] - place[:, 0]
-        bodies["image"] = numpy.rint(beyond / (PITCH * self._columns))
+        bodies["image"] = numpy.rint(beyond / (PITCH * self.lattice[0]))
         if "velocity" in part["particles"]:
             bodies["velocity"] = self._rows(part, frame, "particles", ["velocity"])[0] * self.look.units["velocity"][1]
             has_spins = "spin" in part["particles"]
             spins = self._rows(part, frame, "particles", ["spin"])[0] if has_spins else numpy.nan
-            bodies["angular_velocity"] = spins / (self._radii[kinds] * self.look.units["time"][1])
+            bodies["angular_velocity"] = spins / (self.radii[kinds] * self.look.units["time"][1])
         else:
             moves = numpy.array([(0, 1), (1, 0), (1, -1), (0, -1), (-1, 0), (-1, 1), (0, 0)])  # clockwise from up
             bodies["velocity"] = positions(moves)[numpy.minimum(move, NO_MOVE)]
@@ -264,8 +288,8 @@ class Trajectory:
         all_sites = numpy.concatenate(sites)
         column, q = all_sites.T
         row = q + column // 2
-        if self._periodic:
-            column = column % self._columns
+        if self.lattice[2]:
+            column = column % self.lattice[0]
         _, places, counts = numpy.unique(row * (2**32) + column, return_inverse=True, return_counts=True)
         shared = numpy.bincount(numpy.concatenate(owners), weights=counts[places] - 1.0, minlength=len(kinds) + 1)
         return numpy.asarray(shared[:-1], float)

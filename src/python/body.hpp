@@ -1,5 +1,5 @@
 #pragma once
-// Data of a state as all formats and the Python package show them.
+// Data of a state as the Python package shows them.
 
 #include <Eigen/Core>
 #include <cstdint>
@@ -12,7 +12,7 @@
 #include "clca/scene/units.hpp"
 #include "clca/store/trajectory.hpp"
 
-namespace clca::exports {
+namespace clca::python {
 
 /// A present particle; lengths in lattice spacings.
 struct Body {
@@ -44,4 +44,4 @@ double time_step(const scene::Scene& scene);
 std::vector<KindAppearance> kind_appearances(const scene::Scene& scene,
                                              const std::vector<grains::Kind>& kinds);
 
-}  // namespace clca::exports
+}  // namespace clca::python

@@ -1,11 +1,10 @@
-"""Reads an export with a reader that is not ours and compares it with the run's trajectory.
+"""Reads exports with readers that are not ours and compares them with the run's trajectory.
 
-read_exports.py FORMAT RUN FILE: FORMAT is gsd, vtp, xyz or h5md, RUN the folder of a run, FILE the export
-of all its frames. Everything that is expected is worked out here, from the sites in trajectory.h5.
+Everything that is expected is worked out here, from the sites in trajectory.h5.
 """
 
+import json
 import shlex
-import sys
 import xml.etree.ElementTree as xml
 from collections import Counter
 from pathlib import Path
@@ -45,27 +44,35 @@ def body_area(parts):
 
 
 class Run:
-    """The trajectory of a run, frame by frame, as columns of the particles present."""
+    """The trajectory of a run, frame by frame, as columns of the particles present; in metres with `units`, with a
+    density in kilograms and newtons, too. Where a stage ends and the next one begins there is one frame.
+    """
 
     def __init__(self, folder):
+        units = json.loads((Path(folder) / "run.json").read_text()).get("units", {})
+        self.spacing = units.get("spacing", 1)
+        self.site_mass, self.site_weight = units.get("site_mass", 1), units.get("site_weight")
         file = h5py.File(Path(folder) / "trajectory.h5", "r")
         scene = file["scene"]
         self.columns, self.rows, periodic = (int(value) for value in scene["lattice"][:])
         self.periodic = bool(periodic)
-        self.period = self.columns * PITCH
+        self.period = self.columns * PITCH * self.spacing
+        self.height = (self.rows + 0.5) * self.spacing
         self.species = [name.decode() for name in scene["species"][:]]
         self.kind_species = scene["kinds/species"][:]
         self.kinds = self.sets(scene["kinds"])
         self.walls = self.sets(scene["walls"])
-        # Of the contact model: a step in √(spacing/gravity), as none of the scenes has units.
         self.is_contact = "velocity" in file["particles"]
-        units = scene["units"][()].decode()
-        self.time_step = float(units.partition(" of ")[2].split()[0]) if self.is_contact else 1
+        self.has_contacts = "contacts" in file
+        self.time_step = units.get("time_step", 1)
+        self.sizes = np.array([len(parts) for parts in self.kinds])
         self.radius = np.sqrt([len(parts) * np.sqrt(3) / (2 * np.pi) for parts in self.kinds])
         origins = {}
         self.frames = []
-        for frame in range(len(file["frames/step"])):
-            self.frames.append(self.frame(file, frame, origins))
+        for number in range(len(file["frames/step"])):
+            frame = self.frame(file, number, origins)
+            if not self.frames or frame["step"] > self.frames[-1]["step"]:
+                self.frames.append(frame)
 
     @staticmethod
     def sets(group):
@@ -86,7 +93,7 @@ class Run:
             "step": int(file["frames/step"][number]),
             "id": table["id"],
             "kind": table["kind"],
-            "velocity": table["velocity"] / self.time_step if self.is_contact else MOVES[table["move"]],
+            "velocity": table["velocity"] * self.spacing / self.time_step if self.is_contact else MOVES[table["move"]],
             "spin": table["spin"] / self.radius[table["kind"]] / self.time_step if self.is_contact else None,
             "displacement": place(table["site"]) - place([origins[i] for i in table["id"]]),
             "centre": np.array([place(s).mean(axis=0) for s in sites]).reshape(-1, 2),
@@ -96,7 +103,39 @@ class Run:
         frame["centre"][:, 0] -= frame["image"] * self.period
         frame["sites"] = [place(s) - (i * self.period, 0) for s, i in zip(sites, frame["image"])]
         frame["force"] = self.forces(sites, frame["walls"])
+        frame["mass"] = self.site_mass * self.sizes[table["kind"]]
+        frame["diameter"] = 2 * self.radius[table["kind"]]
+        if self.has_contacts:
+            self.add_contacts(frame, rows("contacts", "first_contact", "contacts"))
+        for name in ("centre", "displacement", "diameter"):
+            frame[name] = frame[name] * self.spacing
+        frame["sites"] = [sites * self.spacing for sites in frame["sites"]]
         return frame
+
+    def add_contacts(self, frame, contacts):
+        """Each contact with its line and its force; by particle the sum of normal forces."""
+        weight = 1 if self.site_weight is None else self.site_weight * self.sizes[frame["kind"]].mean()
+        place_of = {one: place for place, one in enumerate(frame["id"])}
+        frame["contacts"] = []
+        for upper, other, normal, branch, force in zip(
+            *(contacts[k] for k in ("upper", "other", "normal", "branch", "force"))
+        ):
+            along, across = weight * force
+            frame["force"][place_of[upper]] += along
+            if other >= 0:
+                frame["force"][place_of[other]] += along
+            end = frame["centre"][place_of[upper]]
+            vector = along * normal + across * np.array([-normal[1], normal[0]])
+            frame["contacts"].append(
+                {
+                    "upper": upper,
+                    "other": other,
+                    "line": self.spacing * np.array([end - branch, end]),
+                    "force": vector,
+                    "normal_force": along,
+                    "tangential_force": across,
+                }
+            )
 
     def walls_of(self, file, number):
         """Sites in the box of each wall that is there."""
@@ -115,15 +154,18 @@ class Run:
         return np.array([sum(owners[tuple(s)] - 1 for s in body) for body in sites], dtype=float)
 
 
-def same(found, expected, what, tolerance=2e-5):
+def same(found, expected, what, tolerance=None):
+    """Tolerance: of numbers of 32 bits, the largest of which counts."""
     found, expected = np.asarray(found, dtype=float), np.asarray(expected, dtype=float)
     assert found.shape == expected.shape, f"{what}: {found.shape} instead of {expected.shape}"
+    if tolerance is None:
+        tolerance = 1e-6 * np.abs(expected).max(initial=1e-30)
     assert np.allclose(found, expected, rtol=0, atol=tolerance), f"{what} differs"
 
 
 def on_found_side(run, frame, x):
     """A particle right on the seam may stand on either side of it: the one where it was found."""
-    from_seam = (frame["centre"][:, 0] + PITCH / 2) / run.period
+    from_seam = (frame["centre"][:, 0] + PITCH / 2 * run.spacing) / run.period
     on_seam = run.periodic & (abs(from_seam - np.round(from_seam)) < 1e-9)
     side = on_seam * np.round((x - frame["centre"][:, 0]) / run.period)
     shift = np.stack([side * run.period, 0 * side], axis=1)
@@ -155,23 +197,24 @@ def inside(corners, point):
 
 
 def check_gsd(run, file):
-    for trajectory in (gsd.hoomd.open(file, "rb"), gsd.hoomd.HOOMDTrajectory(gsd.pygsd.GSDFile(open(file, "rb")))):
-        assert trajectory.file.schema == "hoomd" and trajectory.file.schema_version == (1, 4)
-        assert trajectory.file.gsd_version == (2, 0)
-        assert len(trajectory) == len(run.frames), "number of frames"
-        for found, expected in zip(trajectory, run.frames):
-            check_gsd_frame(run, found, expected)
+    with open(file, "rb") as stream, gsd.hoomd.open(file, "rb") as by_library:
+        for trajectory in (by_library, gsd.hoomd.HOOMDTrajectory(gsd.pygsd.GSDFile(stream))):
+            assert trajectory.file.schema == "hoomd" and trajectory.file.schema_version == (1, 4)
+            assert trajectory.file.gsd_version >= (1, 0)
+            assert len(trajectory) == len(run.frames), "number of frames"
+            for found, expected in zip(trajectory, run.frames):
+                check_gsd_frame(run, found, expected)
 
 
 def check_gsd_frame(run, found, expected):
     particles = found.particles
-    size = np.array([run.period, run.rows + 0.5])
+    size = np.array([run.period, run.height])
     assert found.configuration.step == expected["step"] and found.configuration.dimensions == 2
-    same(found.configuration.box, [*size, 1, 0, 0, 0], "box")
+    same(found.configuration.box, [*size, run.spacing, 0, 0, 0], "box")
     assert particles.N == len(expected["id"]), "particles"
     position = in_plane(particles.position)
     assert (abs(position) <= size / 2 + 1e-4).all(), "a particle is outside of the box"
-    middle = size / 2 - (PITCH / 2, 0.5)
+    middle = size / 2 - np.array([PITCH / 2, 0.5]) * run.spacing
     expected = on_found_side(run, expected, (position + middle)[:, 0])
     same(position, expected["centre"] - middle, "position")
     same(particles.typeid, expected["kind"], "typeid")
@@ -183,15 +226,31 @@ def check_gsd_frame(run, found, expected):
     assert ("particles/angular_velocity" in found.log) == run.is_contact
     if run.is_contact:
         same(found.log["particles/angular_velocity"], expected["spin"], "angular velocity")
+    same(particles.mass, expected["mass"], "mass")
+    same(particles.diameter, expected["diameter"], "diameter")
+    check_bonds(run, found, expected)
     names = [name.split("@")[0] for name in particles.types]
     assert names == [run.species[species] for species in run.kind_species], names
     assert len(particles.type_shapes) == len(run.kinds)
     for shape, parts in zip(particles.type_shapes, run.kinds):
         assert shape["type"] == "Polygon" and shape["rounding_radius"] == 0
-        same(polygon_area(shape["vertices"]), body_area(parts), "area of a type", 1e-4)
-        sites = place(sites_from((0, 0), parts))
+        same(polygon_area(shape["vertices"]), body_area(parts) * run.spacing**2, "area of a type")
+        sites = run.spacing * place(sites_from((0, 0), parts))
         for site in sites - sites.mean(axis=0):
             assert inside(shape["vertices"], site), "a site is outside of its type"
+
+
+def check_bonds(run, found, expected):
+    pairs = [contact for contact in expected.get("contacts", []) if contact["other"] >= 0]
+    assert found.bonds.N == len(pairs), "bonds"
+    if pairs:
+        assert found.bonds.types == ["contact"]
+        ids = [(contact["upper"], contact["other"]) for contact in pairs]
+        same(found.log["bonds/id"], ids, "ids of bonds")
+        same(expected["id"][found.bonds.group], ids, "particles of bonds")
+        same(in_plane(found.log["bonds/force"]), [contact["force"] for contact in pairs], "force of bonds")
+        for name in ("normal_force", "tangential_force"):
+            same(found.log[f"bonds/{name}"], [contact[name] for contact in pairs], name)
 
 
 def check_xyz(run, file):
@@ -199,26 +258,28 @@ def check_xyz(run, file):
     for expected in run.frames:
         count = int(next(lines))
         comment = dict(word.split("=", 1) for word in shlex.split(next(lines)))
-        properties = "species:S:1:pos:R:3:id:I:1:velo:R:3:displacement:R:3:force:R:1"
+        properties = "species:S:1:pos:R:3:id:I:1:velo:R:3:displacement:R:3:force:R:1:mass:R:1:radius:R:1"
         assert comment["Properties"] == properties + ":angular_velocity:R:1" * run.is_contact
         assert int(comment["Step"]) == expected["step"]
         same(float(comment["Time"]), expected["step"] * run.time_step, "time", 1e-9)
         assert comment["pbc"] == ("T F F" if run.periodic else "F F F")
-        same(comment["Lattice"].split(), [run.period, 0, 0, 0, run.rows + 0.5, 0, 0, 0, 1], "Lattice")
-        same(comment["Origin"].split(), [-PITCH / 2, -0.5, -0.5], "Origin")
+        same(comment["Lattice"].split(), [run.period, 0, 0, 0, run.height, 0, 0, 0, run.spacing], "Lattice")
+        same(comment["Origin"].split(), run.spacing * np.array([-PITCH / 2, -0.5, -0.5]), "Origin")
         assert count == len(expected["id"]), "particles"
         table = [next(lines).split() for _ in range(count)]
         species = [run.species[run.kind_species[kind]] for kind in expected["kind"]]
         assert [row[0] for row in table] == species, "species"
-        numbers = np.array([row[1:] for row in table], dtype=float).reshape(count, 11 + run.is_contact)
+        numbers = np.array([row[1:] for row in table], dtype=float).reshape(count, 13 + run.is_contact)
         position = in_plane(numbers[:, 0:3])
         same(position, on_found_side(run, expected, position[:, 0])["centre"], "pos")
         same(numbers[:, 3], expected["id"], "id")
         same(in_plane(numbers[:, 4:7]), expected["velocity"], "velo")
         same(in_plane(numbers[:, 7:10]), expected["displacement"], "displacement")
         same(numbers[:, 10], expected["force"], "force")
+        same(numbers[:, 11], expected["mass"], "mass")
+        same(numbers[:, 12], expected["diameter"] / 2, "radius")
         if run.is_contact:
-            same(numbers[:, 11], expected["spin"], "angular velocity")
+            same(numbers[:, 13], expected["spin"], "angular velocity")
     assert next(lines, None) is None, "more frames than there are"
 
 
@@ -246,15 +307,21 @@ def check_vtp(run, file):
     particles = [entry for entry in datasets if entry["part"] == "0"]
     assert len(particles) == len(run.frames), "number of frames"
     times = [float(entry["timestep"]) for entry in particles]
-    assert len(set(times)) == len(times) and times == sorted(times), "two frames at one time"
+    same(times, [frame["step"] * run.time_step for frame in run.frames], "times", 1e-9)
     for entry, expected in zip(particles, run.frames):
-        assert int(float(entry["timestep"]) / run.time_step + 1e-6) == expected["step"], "step"
         check_vtp_particles(run, Path(file).parent / entry["file"], expected)
     walls = [entry for entry in datasets if entry["part"] == "1"]
     assert len(walls) == (len(run.frames) if run.walls else 0)
     assert [entry["timestep"] for entry in walls] in ([], [entry["timestep"] for entry in particles])
     for entry, expected in zip(walls, run.frames):
-        check_vtp_walls(Path(file).parent / entry["file"], expected)
+        check_vtp_walls(run, Path(file).parent / entry["file"], expected)
+    beside = Path(file).with_name(Path(file).stem + "-contacts.pvd")
+    assert beside.exists() == run.has_contacts
+    if run.has_contacts:
+        contacts = [entry.attrib for entry in xml.parse(beside).getroot().iter("DataSet")]
+        assert [entry["timestep"] for entry in contacts] == [entry["timestep"] for entry in particles]
+        for entry, expected in zip(contacts, run.frames):
+            check_vtp_contacts(Path(file).parent / entry["file"], expected["contacts"])
 
 
 def check_vtp_particles(run, file, expected):
@@ -268,24 +335,44 @@ def check_vtp_particles(run, file, expected):
     same(column("species"), run.kind_species[expected["kind"]], "species")
     same(in_plane(column("velocity")), expected["velocity"], "velocity")
     same(in_plane(column("displacement")), expected["displacement"], "displacement")
-    same(column("force"), expected["force"], "force")
+    for name in ("force", "mass", "diameter"):
+        same(column(name), expected[name], name)
     assert bool(data.GetCellData().HasArray("angular_velocity")) == run.is_contact
     if run.is_contact:
         same(column("angular_velocity"), expected["spin"], "angular velocity")
     expected = on_found_side(run, expected, np.array([polygon[:, 0].mean() for polygon in polygons]))
     for polygon, kind, sites in zip(polygons, expected["kind"], expected["sites"]):
-        same(polygon_area(in_plane(polygon)), body_area(run.kinds[kind]), "area of a particle", 1e-3)
+        same(
+            polygon_area(in_plane(polygon)),
+            body_area(run.kinds[kind]) * run.spacing**2,
+            "area of a particle",
+            1e-3 * run.spacing**2,
+        )
         assert all(inside(polygon, site) for site in sites), "a site is outside of its particle"
 
 
-def check_vtp_walls(file, expected):
+def check_vtp_contacts(file, expected):
+    data, lines = read_polygons(file)
+    assert len(lines) == len(expected), "contacts"
+    column = lambda name: vtk_to_numpy(data.GetCellData().GetArray(name))
+    if not lines:
+        return
+    same([in_plane(line) for line in lines], [contact["line"] for contact in expected], "lines")
+    for name in ("upper", "other"):
+        assert column(name).tolist() == [contact[name] for contact in expected], name
+    same(in_plane(column("force")), [contact["force"] for contact in expected], "force of contacts")
+    for name in ("normal_force", "tangential_force"):
+        same(column(name), [contact[name] for contact in expected], name)
+
+
+def check_vtp_walls(run, file, expected):
     data, polygons = read_polygons(file)
     numbers = vtk_to_numpy(data.GetCellData().GetArray("wall")) if polygons else np.empty(0)
     assert set(numbers) == {wall for wall, sites in expected["walls"].items() if len(sites)}, "walls"
     for wall, sites in expected["walls"].items():
         axial = np.stack([sites[:, 0], sites[:, 1] - (sites[:, 0] >> 1)], axis=1)
         area = sum(polygon_area(polygon) for polygon, n in zip(polygons, numbers) if n == wall)
-        same(area, body_area(axial), "area of a wall", 1e-2)
+        same(area, body_area(axial) * run.spacing**2, "area of a wall", 1e-2 * run.spacing**2)
 
 
 def check_h5md(run, file):
@@ -299,7 +386,9 @@ def check_h5md(run, file):
         boundary = [b"periodic" if run.periodic else b"none", b"none", b"none"]
         assert grains["box"].attrs["boundary"].tolist() == boundary
         steps = [frame["step"] for frame in run.frames]
-        elements = [grains[name] for name in (*grains, "box/edges") if name not in ("box", "mass", "species")]
+        elements = [
+            grains[name] for name in (*grains, "box/edges") if name not in ("box", "diameter", "mass", "species")
+        ]
         assert len(elements) == 6 + run.periodic + run.is_contact
         for element in elements:
             assert element["value"].shape[0] == len(steps)
@@ -308,7 +397,7 @@ def check_h5md(run, file):
         assert np.issubdtype(grains["position/step"].dtype, np.integer)
         assert grains["position/step"][:].tolist() == steps
         same(grains["position/time"], np.array(steps) * run.time_step, "time", 1e-9)
-        same(grains["box/edges/value"], [[run.period, run.rows + 0.5, 1]] * len(steps), "edges")
+        same(grains["box/edges/value"], [[run.period, run.height, run.spacing]] * len(steps), "edges")
         assert grains["id/value"].fillvalue == -1
         for number, expected in enumerate(run.frames):
             check_h5md_frame(run, {e.name.split("/")[3]: e["value"][number] for e in elements}, expected)
@@ -316,7 +405,8 @@ def check_h5md(run, file):
         for expected in run.frames:
             found = [names[number] for number in grains["species"][:][expected["id"]]]
             assert found == [run.species[run.kind_species[kind]] for kind in expected["kind"]]
-            same(grains["mass"][:][expected["id"]], [len(run.kinds[kind]) for kind in expected["kind"]], "mass")
+            for name in ("mass", "diameter"):
+                same(grains[name][:][expected["id"]], expected[name], name)
         check_descriptions(h5)
 
 
@@ -344,17 +434,4 @@ def check_descriptions(h5):
     h5.visititems(check)
 
 
-def main():
-    kind, folder, file = sys.argv[1:]
-    run = Run(folder)
-    {"gsd": check_gsd, "vtp": check_vtp, "xyz": check_xyz, "h5md": check_h5md}[kind](run, file)
-    forced = sum((frame["force"] > 0).sum() for frame in run.frames)
-    moving = sum(frame["velocity"].any(axis=1).sum() for frame in run.frames)
-    wrapped = sum((frame["image"] != 0).sum() for frame in run.frames)
-    empty = sum(len(frame["id"]) == 0 for frame in run.frames)
-    turning = sum((frame["spin"] != 0).sum() for frame in run.frames if run.is_contact)
-    print(f"frames={len(run.frames)} forced={forced} moving={moving} wrapped={wrapped} turning={turning} empty={empty}")
-
-
-if __name__ == "__main__":
-    main()
+CHECKS = {"gsd": check_gsd, "vtp": check_vtp, "xyz": check_xyz, "h5md": check_h5md}

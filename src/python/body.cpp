@@ -1,4 +1,4 @@
-#include "clca/export/frame.hpp"
+#include "python/body.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include "clca/measure/contacts.hpp"
 #include "clca/render/body.hpp"
 
-namespace clca::exports {
+namespace clca::python {
 
 namespace {
 
@@ -102,4 +102,4 @@ std::vector<KindAppearance> kind_appearances(const scene::Scene& scene,
   return looks;
 }
 
-}  // namespace clca::exports
+}  // namespace clca::python

@@ -1,0 +1,454 @@
+"""Frames of a trajectory in the formats of other programs; docs/trajectory.md says what each has."""
+
+from __future__ import annotations
+
+import io
+import json
+import os
+from collections.abc import Callable, Iterator
+from importlib.metadata import version
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import TYPE_CHECKING, Any, NamedTuple
+from xml.sax.saxutils import quoteattr
+
+import h5py  # type: ignore[import]
+import numpy
+from numpy.typing import NDArray
+
+from . import _answer
+from ._error import ArgumentError, Error, WriteError
+from ._frames import Frame, Frames
+from ._trajectory import PITCH, Trajectory, axial, trapezoids
+
+if TYPE_CHECKING:
+    from ._folder import Run
+
+MANY = 1 << 14  # particles that are written together
+VECTORS = ("position", "velocity", "displacement", "image")
+VTK_TYPES = {"<f4": "Float32", "<i4": "Int32", "<u2": "UInt16", "<u4": "UInt32"}
+
+
+class Target(NamedTuple):
+    path: Path  #: to write to
+    file: Path  #: what it is going to be, as the user knows it
+    add: Callable[..., None]  #: a file beside it: its name, then the parts of its content
+
+
+class Source:
+    """The frames to export and what all formats have of them: in SI units where the run has them. Throws Error."""
+
+    def __init__(self, run: Run, first: int | None, last: int | None, every: int) -> None:
+        if run.kind == "boltzmann":
+            raise Error(
+                f"{run.folder}: expected a run of grains, found one of the Boltzmann equation, which has no trajectory"
+            )
+        if not (run.folder / "trajectory").exists():
+            raise Error(
+                f"{run.folder}: the run has left no trajectory; run the scene again with output.trajectory in it"
+            )
+        self.version = run.version
+        self.trajectory = Trajectory(run.folder, run.summary)
+        self.chosen = chosen(self.trajectory.list, first, last, every)
+        units = run.summary.get("units", {})
+        self.spacing = float(units.get("spacing", 1))
+        self.site_mass, self.site_weight = units.get("site_mass", 1.0), units.get("site_weight")
+        columns, rows, periodic = self.trajectory.lattice
+        self.periodic = bool(periodic)
+        self.size = self.spacing * numpy.array([PITCH * columns, rows + 0.5])  # of the box
+        self.corner = self.spacing * numpy.array([-PITCH / 2, -0.5])  # its lower left one
+        self.kinds = self.trajectory.look.kinds
+        self.species = numpy.array([self.trajectory.species.index(kind.species) for kind in self.kinds], "u2")
+        self.outlines = [self.spacing * kind.outline for kind in self.kinds]
+        time, velocity = (self.trajectory.look.units[what][0] for what in ("time", "velocity"))
+        length = "m" if units.get("length") == "m" else "spacings"
+        force = "sites" if not units else "weights of a grain of mean mass" if self.site_weight is None else "N"
+        #: What there is of each particle: unit and meaning.
+        self.columns = {
+            "position": (length, "x, y of the centre of mass, in the box; z is 0"),
+            "id": ("1", "of the particle, for life"),
+            "velocity": (velocity, "x, y, 0" if units else "x, y, 0: the last move"),
+            "displacement": (length, "x, y, 0: since its stage began or it entered, across a periodic boundary, too"),
+            "force": (force, "sum of the normal forces" if units else "that it shares with others and with walls"),
+            "mass": ("sites" if self.site_weight is None else "kg", "of the particle"),
+            "diameter": (length, "of a disc of the same area"),
+        }
+        if units:
+            self.columns["angular_velocity"] = (f"radians/({time})", "anticlockwise")
+        if self.periodic:
+            self.columns["image"] = ("1", "widths of the box that it has moved to the right; 0, 0")
+
+    def frames(self) -> Iterator[Frame]:
+        frames = Frames(self.trajectory)
+        return (frames[number] for number in self.chosen)
+
+    def force(self, frame: Frame) -> float:
+        """One of the forces of a frame, in the unit of the export."""
+        if self.site_weight is None or not len(frame.kinds):
+            return 1
+        return float(self.site_weight * self.trajectory.sizes[frame.kinds].mean())
+
+    def column(self, name: str, frame: Frame, rows: slice = slice(None)) -> NDArray[Any]:
+        """Of particles of a frame: N, or N x 3."""
+        some = frame.particles[rows]
+        if name in VECTORS:
+            vectors = numpy.zeros((len(some), 3))
+            vectors.T[: 1 if name == "image" else 2] = some[name].T
+            return vectors * self.spacing if name in ("position", "displacement") else vectors
+        if name in ("mass", "diameter"):
+            sizes = self.trajectory.sizes
+            of_kinds = self.site_mass * sizes if name == "mass" else 2 * self.spacing * self.trajectory.radii
+            return numpy.asarray(of_kinds[some["kind"]])
+        # A copy, which does not keep the frame.
+        return numpy.array(self.force(frame) * some["force"] if name == "force" else some[name])
+
+
+def chosen(frames: list[tuple[int, str]], first: int | None, last: int | None, every: int) -> list[int]:
+    """Which of the frames, of each the step and the stage. Throws Error if there are none."""
+    result: list[int] = []
+    for number, (step, stage) in enumerate(frames):
+        begins_stage = number + 1 < len(frames) and frames[number + 1][1] != stage  # where this one ends
+        is_due = not result or begins_stage or step - frames[result[-1]][0] >= every
+        if is_due and (first or 0) <= step <= (step if last is None else last):
+            result.append(number)
+    if not frames:
+        raise Error("the trajectory has no frames yet")
+    if not result:
+        raise Error(f"no frame at these steps; the trajectory goes from step {frames[0][0]} to {frames[-1][0]}")
+    return result
+
+
+def contact_columns(source: Source, frame: Frame, rows: NDArray[Any]) -> dict[str, NDArray[Any]]:
+    """Of contacts the force on the upper one: as a vector, along the normal and along the normal turned anticlockwise."""
+    vectors, parts = numpy.zeros((len(rows), 3), "f4"), numpy.empty((2, len(rows)), "f4")
+    for start in range(0, len(rows), MANY):
+        some = frame.contacts[rows[start : start + MANY]]
+        (x, y), (along, across) = some["normal"].T, source.force(frame) * some["force"].T
+        parts[:, start : start + MANY] = along, across
+        vectors[start : start + MANY, :2] = numpy.stack([along * x - across * y, along * y + across * x], 1)
+    return {"force": vectors, "normal_force": parts[0], "tangential_force": parts[1]}
+
+
+def xyz(source: Source, target: Target) -> None:
+    """Extended XYZ (github.com/libAtoms/extxyz): frame after frame as text."""
+    (width, height), (left, floor), depth = source.size, source.corner, source.spacing
+    names = [name for name in source.columns if name != "image"]
+    spin = names[7:]  # angular_velocity
+    box = (
+        f'Lattice="{width:.9g} 0 0 0 {height:.9g} 0 0 0 {depth:.9g}" Origin="{left:.9g} {floor:.9g} {-depth / 2:.9g}" '
+        "Properties=species:S:1:pos:R:3:id:I:1:velo:R:3:displacement:R:3:force:R:1:mass:R:1:radius:R:1"
+        + "".join(f":{name}:R:1" for name in spin)
+    )
+    line = "%s %.9g %.9g 0 %d %.7g %.7g 0 %.7g %.7g 0 %.7g %.7g %.7g" + " %.7g" * len(spin) + "\n"
+    species = numpy.array([kind.species for kind in source.kinds])
+    with target.path.open("w", encoding="utf-8") as file:
+        for frame in source.frames():
+            file.write(
+                f'{len(frame.ids)}\n{box} Time={frame.time!r} Step={frame.step} pbc="{"FT"[source.periodic]} F F"\n'
+            )
+            for start in range(0, len(frame.ids), MANY):
+                rows = slice(start, start + MANY)
+                columns = [source.column(name, frame, rows) for name in names]
+                columns[6] = columns[6] / 2  # of the diameter
+                cells = [column.T[:2] if column.ndim > 1 else column[None] for column in columns]
+                texts = (species[frame.kinds[rows]], *(row for cell in cells for row in cell))
+                file.writelines(map(line.__mod__, zip(*(text.tolist() for text in texts))))
+
+
+def gsd(source: Source, target: Target) -> None:
+    """GSD with the schema of HOOMD (gsd.readthedocs.io); contacts of two particles are bonds."""
+    import gsd.fl  # type: ignore[import]
+
+    def put(name: str, values: Any, dtype: str) -> None:
+        file.write_chunk(name, numpy.ascontiguousarray(values, dtype))
+
+    def put_texts(name: str, values: list[str]) -> None:
+        texts = [value.encode() + b"\0" for value in values]
+        put(name, numpy.array(texts, f"S{max(map(len, texts))}").view("i1").reshape(len(texts), -1), "i1")
+
+    middle = [*(source.corner + source.size / 2), 0]
+    mode = "wb" if version("gsd").startswith("2.") else "w"
+    with gsd.fl.open(str(target.path), mode, "clca", "hoomd", [1, 4]) as file:
+        for frame in source.frames():
+            if file.nframes == 0:  # for all frames; the box is a layer of some height, so that readers can invert it
+                put("configuration/dimensions", [2], "u1")
+                put("configuration/box", [*source.size, source.spacing, 0, 0, 0], "f4")
+                put_texts("particles/types", [kind.name for kind in source.kinds])
+                shapes = [{"type": "Polygon", "rounding_radius": 0, "vertices": x.tolist()} for x in source.outlines]
+                put_texts("particles/type_shapes", [json.dumps(shape) for shape in shapes])
+                if source.trajectory.has_contacts:
+                    put_texts("bonds/types", ["contact"])
+            put("configuration/step", [frame.step], "u8")
+            put("particles/N", [len(frame.ids)], "u4")
+            put("particles/typeid", frame.kinds, "u4")
+            for name in source.columns:
+                column = source.column(name, frame)
+                in_schema = name in ("position", "velocity", "mass", "diameter", "image")
+                put(
+                    f"particles/{name}" if in_schema else f"log/particles/{name}",
+                    column - middle if name == "position" else column,
+                    {"id": "u4", "image": "i4"}.get(name, "f4"),
+                )
+            if source.trajectory.has_contacts:
+                pairs = numpy.flatnonzero(frame.contacts["other"] >= 0)
+                both = numpy.stack([frame.contacts[name][pairs] for name in ("upper", "other")], 1).astype("u4")
+                put("bonds/N", [len(pairs)], "u4")
+                put("bonds/typeid", numpy.zeros(len(pairs), "u4"), "u4")
+                put("bonds/group", numpy.searchsorted(frame.ids, both), "u4")
+                put("log/bonds/id", both, "u4")
+                for name, column in contact_columns(source, frame, pairs).items():
+                    put(f"log/bonds/{name}", column, "f4")
+            file.end_frame()
+
+
+class Disk(io.FileIO):
+    """A file whose first error waits for check(): the HDF5 library crashes where it cannot end a file."""
+
+    error: OSError | None = None
+
+    def write(self, data: Any) -> int:
+        rest = memoryview(data)
+        try:
+            while len(rest) and self.error is None:
+                rest = rest[super().write(rest) :]
+        except OSError as error:
+            self.error = error
+        return len(data)
+
+    def truncate(self, size: int | None = None) -> int:
+        try:
+            return self.tell() if self.error else super().truncate(size)
+        except OSError as error:
+            self.error = error
+            return self.tell()
+
+    def check(self) -> None:
+        if self.error:
+            raise self.error
+
+
+def h5md(source: Source, target: Target) -> None:
+    """H5MD (h5md.org, version 1.1): row i of each dataset of particles is the particle with id i."""
+    frames, rows, units = len(source.chosen), max(1, source.trajectory.entered), source.trajectory.look.units
+
+    def dataset(name: str, unit: str, meaning: str, shape: tuple[int, ...], dtype: Any = "f4", **more: Any) -> Any:
+        data = grains.create_dataset(name, shape, dtype, track_times=False, **more)
+        data.attrs.update(units=unit, description=meaning)
+        return data
+
+    with Disk(target.path, "w+") as disk:
+        with h5py.File(disk, "w") as file:
+            file.create_group("h5md").attrs["version"] = numpy.array([1, 1], "i4")
+            file.create_group("h5md/author").attrs["name"] = numpy.bytes_("unknown")
+            file.create_group("h5md/creator").attrs["name"] = numpy.bytes_("clca")
+            file["h5md/creator"].attrs["version"] = numpy.bytes_(source.version)
+            grains = file.create_group("particles/grains")
+            box = grains.create_group("box")
+            box.attrs["dimension"] = numpy.int32(3)
+            box.attrs["boundary"] = numpy.array(["periodic" if source.periodic else "none", "none", "none"], "S")
+            step = dataset("position/step", "steps", "of the whole run", (frames,), "i8")
+            time = dataset("position/time", units["time"][0], "of the whole run", (frames,), "f8")
+            length = source.columns["position"][0]
+            edges = dataset("box/edges/value", length, "width and height of the box; of a layer", (frames, 3), "f8")
+            edges[:] = [*source.size, source.spacing]
+            elements = {}
+            for name, (unit, meaning) in source.columns.items():
+                if name not in ("mass", "diameter"):
+                    shape = (frames, rows, 3) if name in VECTORS else (frames, rows)
+                    fill = {"dtype": "i4", "fillvalue": -1} if name == "id" else {"fillvalue": numpy.nan}
+                    packed = {"chunks": (1, min(rows, MANY), *shape[2:]), "shuffle": True, "compression": 4}
+                    shown = "load" if name == "force" else name  # a force of H5MD is a vector
+                    elements[name] = dataset(f"{shown}/value", unit, meaning, shape, **fill, **packed)
+            for element in (edges, *elements.values()):
+                if element.parent != step.parent:
+                    element.parent["step"], element.parent["time"] = step, time
+            lasting = {name: numpy.full(rows, numpy.nan, "f4") for name in ("mass", "diameter")}
+            species = numpy.zeros(rows, "i4")
+            for number, frame in enumerate(source.frames()):
+                step[number], time[number] = frame.step, frame.time
+                species[frame.ids] = source.species[frame.kinds]
+                for name, values in lasting.items():
+                    values[frame.ids] = source.column(name, frame)
+                for name, element in elements.items():
+                    row = numpy.full(element.shape[1:], element.fillvalue, element.dtype)
+                    row[frame.ids] = source.column(name, frame)
+                    element[number] = row
+                disk.check()
+            for name, values in lasting.items():
+                dataset(name, *source.columns[name], (rows,))[:] = values
+            words = h5py.enum_dtype({name: number for number, name in enumerate(source.trajectory.species)}, "i4")
+            dataset("species", "1", "its name is that of the number in the type", (rows,), words)[:] = species
+        disk.check()
+
+
+def poly_data(
+    time: float,
+    names: tuple[str, list[str]],
+    kind: str,
+    points: NDArray[Any],
+    counts: NDArray[Any],
+    cells: dict[str, NDArray[Any]],
+) -> list[Any]:
+    """A file of VTK ("PolyData", with raw data appended) in parts. `kind`: Polys or Lines, of `counts` points each."""
+    parts: list[Any] = []
+    offset = 0
+
+    def array(name: str, values: NDArray[Any]) -> str:
+        nonlocal offset
+        width = values.shape[1] if values.ndim > 1 else 1
+        text = f'<DataArray Name="{name}" type="{VTK_TYPES[values.dtype.str]}" NumberOfComponents="{width}" '
+        text += f'format="appended" offset="{offset}"/>\n'
+        parts.extend([numpy.uint64(values.nbytes).tobytes(), numpy.ascontiguousarray(values)])
+        offset += 8 + values.nbytes
+        return text
+
+    letters = " ".join(str(byte) for name in names[1] for byte in name.encode() + b"\0")
+    head = f"""<?xml version="1.0"?>
+<VTKFile type="PolyData" version="1.0" byte_order="LittleEndian" header_type="UInt64">
+<PolyData>
+<FieldData>
+<DataArray Name="TimeValue" type="Float64" NumberOfTuples="1" format="ascii">{time!r}</DataArray>
+<DataArray Name="{names[0]}" type="String" NumberOfTuples="{len(names[1])}" format="ascii">{letters}</DataArray>
+</FieldData>
+<Piece NumberOfPoints="{len(points)}" NumberOf{kind}="{len(counts)}">
+<Points>{array("Points", points)}</Points>
+<{kind}>{array("connectivity", numpy.arange(len(points), dtype="i4"))}{array("offsets", numpy.cumsum(counts, dtype="i4"))}</{kind}>
+<CellData>{"".join(array(name, values) for name, values in cells.items())}</CellData>
+</Piece>
+</PolyData>
+<AppendedData encoding="raw">
+_"""
+    return [head.encode(), *parts, b"\n</AppendedData>\n</VTKFile>\n"]
+
+
+def narrow(column: NDArray[Any]) -> NDArray[Any]:
+    return column.astype("f4") if column.dtype.kind == "f" else column
+
+
+def bodies(source: Source, frame: Frame) -> list[Any]:
+    """A polygon for each particle."""
+    counts = numpy.array([len(outline) for outline in source.outlines], "i4")[frame.kinds]
+    ends = numpy.cumsum(counts)
+    points = numpy.zeros((int(counts.sum()), 3), "f4")
+    for kind, outline in enumerate(source.outlines):
+        those = numpy.flatnonzero(frame.kinds == kind)
+        for corner, place in enumerate(outline):
+            points[ends[those] - len(outline) + corner, :2] = source.spacing * frame.positions[those] + place
+    cells = {"species": source.species[frame.kinds]}
+    cells |= {name: narrow(source.column(name, frame)) for name in source.columns if name not in ("position", "image")}
+    return poly_data(frame.time, ("species_names", source.trajectory.species), "Polys", points, counts, cells)
+
+
+def walls(source: Source, frame: Frame) -> list[Any]:
+    """The walls that are there, cut into trapezoids."""
+    corners, counts, numbers = [numpy.empty((0, 2))], [numpy.empty(0, "i4")], [numpy.empty(0, "u4")]
+    columns, rows, periodic = source.trajectory.lattice
+    for number, (name, home) in enumerate(source.trajectory.look.walls.items()):
+        if name in frame.walls:
+            places = home + frame.walls[name]
+            column = numpy.rint(places[:, 0] / PITCH).astype(int)
+            row = numpy.floor(places[:, 1] + 0.25).astype(int)  # half a row higher in odd columns
+            inside = (row >= 0) & (row < rows) & (bool(periodic) | (column >= 0) & (column < columns))
+            sites = numpy.stack([column % columns if periodic else column, row], 1)[inside]
+            points, of_each = trapezoids(axial(sites))
+            corners.append(source.spacing * points)
+            counts.append(of_each.astype("i4"))
+            numbers.append(numpy.full(len(of_each), number, "u4"))
+    points = numpy.concatenate(corners)
+    flat = numpy.pad(points, ((0, 0), (0, 1))).astype("f4")
+    names = ("wall_names", list(source.trajectory.look.walls))
+    return poly_data(frame.time, names, "Polys", flat, numpy.concatenate(counts), {"wall": numpy.concatenate(numbers)})
+
+
+def contacts(source: Source, frame: Frame) -> list[Any]:
+    """A line for each contact, from the other centre, or from what is no particle, to the upper one."""
+    found = frame.contacts
+    points = numpy.zeros((len(found), 2, 3), "f4")
+    centres = frame.positions[numpy.searchsorted(frame.ids, found["upper"])]
+    points[:, 0, :2], points[:, 1, :2] = source.spacing * (centres - found["branch"]), source.spacing * centres
+    cells = {"upper": found["upper"], "other": found["other"]}
+    cells |= contact_columns(source, frame, numpy.arange(len(found)))
+    counts, names = numpy.full(len(found), 2), ("wall_names", list(source.trajectory.look.walls))
+    return poly_data(frame.time, names, "Lines", points.reshape(-1, 3), counts, cells)
+
+
+def vtp(source: Source, target: Target) -> None:
+    """Files of VTK for ParaView: particles of each frame, walls whenever they have changed, contacts, and collections."""
+    stem, digits = target.file.stem, max(6, len(str(source.trajectory.list[-1][0])))
+    listed: dict[str, list[str]] = {"": [], "-contacts": []}
+    stood: Any = None
+    wall_file = ""
+
+    def add(part: str, frame: Frame, content: list[Any]) -> str:
+        name = f"{stem}{part}-{frame.step:0{digits}}.vtp"
+        target.add(name, *content)
+        return name
+
+    def put(collection: str, frame: Frame, number: int, block: str, file: str) -> None:
+        listed[collection].append(
+            f'<DataSet timestep="{frame.time!r}" part="{number}" name="{block}" file={quoteattr(file)}/>\n'
+        )
+
+    for frame in source.frames():
+        put("", frame, 0, "particles", add("", frame, bodies(source, frame)))
+        if source.trajectory.look.walls:
+            if frame.walls != stood:
+                stood, wall_file = frame.walls, add("-walls", frame, walls(source, frame))
+            put("", frame, 1, "walls", wall_file)
+        if source.trajectory.has_contacts:
+            put("-contacts", frame, 0, "contacts", add("-contacts", frame, contacts(source, frame)))
+    for collection, entries in listed.items():
+        text = (
+            '<?xml version="1.0"?>\n<VTKFile type="Collection" version="1.0" byte_order="LittleEndian">\n'
+            f'<Collection>\n{"".join(entries)}</Collection>\n</VTKFile>\n'
+        )
+        if not collection:
+            target.path.write_text(text)
+        elif entries:
+            target.add(f"{stem}{collection}.pvd", text.encode())
+
+
+FORMATS: dict[str, tuple[Callable[[Source, Target], None], str]] = {
+    "vtp": (vtp, ".pvd"),
+    "gsd": (gsd, ".gsd"),
+    "xyz": (xyz, ".xyz"),
+    "h5md": (h5md, ".h5"),
+}
+
+
+def write(source: Source, form: str, target: Target) -> None:
+    """Throws Error, WriteError where the file cannot be written."""
+    try:
+        FORMATS[form][0](source, target)
+    except (OSError, RuntimeError) as error:  # also of the libraries
+        raise WriteError(f"cannot write {target.file}: {getattr(error, 'strerror', None) or error}") from None
+
+
+def export(run: Run, form: str, path: Path | None, first: int | None, last: int | None, every: int) -> Path:
+    """As Run.export()."""
+    if form not in FORMATS:
+        raise ArgumentError(f"format: expected {', '.join(FORMATS)}, found {form!r}")
+    source = Source(run, first, last, every)
+    file = path or Path.cwd() / f"{run.scene}{FORMATS[form][1]}"
+    try:
+        with TemporaryDirectory(prefix=".clca-", dir=file.parent) as folder:
+
+            def add(name: str, *parts: Any) -> None:
+                with (Path(folder) / name).open("wb") as beside:
+                    beside.writelines(parts)
+
+            write(source, form, Target(Path(folder) / file.name, file, add))
+            for name in sorted(os.listdir(folder), key=lambda name: name == file.name):  # which names the others
+                os.replace(Path(folder) / name, file.parent / name)
+    except OSError as error:
+        raise WriteError(f"cannot write {file}: {error.strerror}") from None
+    return file
+
+
+def command(options: dict[str, Any], folder: str, path: str) -> None:
+    """Writes what the command asks for; the program has made the file, and gives it its name."""
+    from ._folder import Run
+
+    source = Source(Run(folder), options["first"], options["last"], options["every"])
+    write(source, options["format"], Target(Path(path), Path(options["file"]), _answer.file))
+    _answer.line(f"{len(source.chosen)} frames")
