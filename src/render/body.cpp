@@ -142,11 +142,7 @@ std::vector<Outline> outlines(const lattice::Shape& shape) {
 }
 
 std::vector<Trapezoid> trapezoids(const lattice::Shape& shape) {
-  return trapezoids(std::span(shape.sites()));
-}
-
-std::vector<Trapezoid> trapezoids(std::span<const Axial> sites) {
-  const std::vector<SmallTriangle> triangles = small_triangles(sites);  // up the columns
+  const std::vector<SmallTriangle> triangles = small_triangles(shape.sites());  // up the columns
   const auto follows = [](const SmallTriangle& lower, const SmallTriangle& upper) {
     return lower.upper ? upper == SmallTriangle{lower.cell + Axial{0, 1}, false}
                        : upper == SmallTriangle{lower.cell, true};

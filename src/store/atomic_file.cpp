@@ -67,14 +67,6 @@ void AtomicFile::write(std::string_view text) {
   write(std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
 }
 
-void AtomicFile::rewrite_begin(std::span<const std::uint8_t> bytes) {
-  const int file = state_->file.number();
-  if (::lseek(file, 0, SEEK_SET) != 0 || !write_all(file, bytes) ||
-      ::lseek(file, 0, SEEK_END) < 0) {
-    fail_writing(state_->path);
-  }
-}
-
 void AtomicFile::flush() {
   if (::fsync(state_->file.number()) != 0) {
     fail_writing(state_->path);

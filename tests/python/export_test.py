@@ -13,6 +13,7 @@ from pathlib import Path
 import clca
 import numpy
 from clca._export import chosen
+from clca._trajectory import trapezoids
 from support import CONTACT, GAS, PROGRAM, SCENE, ScratchTest, clca_program, needs
 
 FORMATS = {"vtp": "pvd", "gsd": "gsd", "xyz": "xyz", "h5md": "h5"}
@@ -145,6 +146,20 @@ class ExportTest(ScratchTest):
             chosen(frames, 17, None, 1)
         with self.assertRaisesRegex(clca.Error, "no frames yet"):
             chosen([], None, None, 1)
+
+    def test_walls_may_have_holes_and_parts(self):
+        def area(sites):
+            points, counts = trapezoids(numpy.array(sites))
+            x, y = points.T
+            ends = numpy.cumsum(counts)
+            after = numpy.arange(len(points)) + 1
+            after[ends - 1] = ends - counts
+            return float((x * y[after] - x[after] * y).sum() / 2 / (numpy.sqrt(3) / 16))  # in small triangles
+
+        ring = [(1, 0), (0, 1), (-1, 1), (-1, 0), (0, -1), (1, -1)]
+        self.assertAlmostEqual(area(ring), 48)
+        self.assertAlmostEqual(area([*ring, (0, 0)]), 54)
+        self.assertAlmostEqual(area([(0, 0), (5, 5)]), 12)
 
     def test_takes_the_steps_that_are_asked_for(self):
         clca.run(PERIODIC | {"output": {"frames": "none", "trajectory": {"every": 5}}}, output="run")

@@ -47,7 +47,5 @@ std::vector<Outline> outlines(const lattice::Shape& shape);
 
 /// Cuts the body into few trapezoids.
 std::vector<Trapezoid> trapezoids(const lattice::Shape& shape);
-/// The same of any sites, sorted by x, then q: a wall may have holes and parts.
-std::vector<Trapezoid> trapezoids(std::span<const lattice::Axial> sites);
 
 }  // namespace clca::render

@@ -25,8 +25,6 @@ class AtomicFile {
   /// Appends.
   void write(std::span<const std::uint8_t> bytes);
   void write(std::string_view text);
-  /// Overwrites the first bytes, which must have been written.
-  void rewrite_begin(std::span<const std::uint8_t> bytes);
   std::uint64_t size() const;  ///< bytes written at the end
   /// To the disk, now.
   void flush();

@@ -150,21 +150,5 @@ TEST(Body, HasCornersOf120Or240DegreesOnly) {
   }
 }
 
-TEST(Body, OfAWallMayHaveHolesAndParts) {
-  std::vector<Axial> ring = Shape::hexagon(1).sites();
-  std::erase(ring, Axial{0, 0});
-  EXPECT_EQ(area_of(trapezoids(ring)), 48);  // 54 with the site in the middle
-  EXPECT_EQ(area_of(trapezoids(std::vector<Axial>{{0, 0}, {5, 5}})), 12);
-}
-
-TEST(Body, OfALongWallIsCutInTimeThatGrowsWithItsLength) {
-  std::vector<Axial> wall;
-  constexpr int kLength = 100'000;
-  for (int column = 0; column < kLength; ++column) {
-    wall.push_back(lattice::Site{column, 0} - lattice::Site{0, 0});
-  }
-  EXPECT_EQ(area_of(trapezoids(wall)), 6 * kLength + 2 * (kLength - 1));
-}
-
 }  // namespace
 }  // namespace clca::render::body_test
