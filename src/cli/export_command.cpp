@@ -82,7 +82,8 @@ nlohmann::json to_json(const ExportOptions& options, const fs::path& file) {
 int export_run(const ExportOptions& options) {
   const std::string scene =
       as_input([&] { return store::read_summary(options.run / "run.json"); }).scene;
-  if (fs::exists(options.run / "trajectory")) {  // which Python reads without a look at checksums
+  std::error_code unknown;  // Python reads without a look at checksums
+  if (fs::exists(options.run / "trajectory", unknown)) {
     as_input([&] { store::check_parts(options.run); });
   }
   const Room room(options.file.empty() ? options.run / store::kExportFolder

@@ -44,7 +44,7 @@ def shown(number: float) -> str:
 
 
 def hellinger(one: Iterable[float], other: Iterable[float]) -> float:
-    return max(0.0, 1 - math.fsum(math.sqrt(p * q) for p, q in zip(one, other)))
+    return max(0.0, 1 - sum(math.sqrt(p * q) for p, q in zip(one, other)))
 
 
 def run_of(folder: str, kinds: tuple[str, ...]) -> Run:

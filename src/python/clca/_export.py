@@ -102,6 +102,15 @@ class Source:
         # A copy, which does not keep the frame.
         return numpy.array(self.force(frame) * some["force"] if name == "force" else some[name])
 
+    def narrow(self, name: str, frame: Frame, origin: Any = 0) -> NDArray[Any]:
+        """The same of all particles in 32 bits, places from an origin."""
+        like = self.column(name, frame, slice(0))
+        result = numpy.empty((len(frame.ids), *like.shape[1:]), "f4" if like.dtype.kind == "f" else like.dtype)
+        for start in range(0, len(result), MANY):
+            rows = slice(start, start + MANY)
+            result[rows] = self.column(name, frame, rows) - (origin if name == "position" else numpy.uint8(0))
+        return result
+
 
 def chosen(frames: list[tuple[int, str]], first: int | None, last: int | None, every: int) -> list[int]:
     """Which of the frames, of each the step and the stage. Throws Error if there are none."""
@@ -182,13 +191,10 @@ def gsd(source: Source, target: Target) -> None:
             put("particles/N", [len(frame.ids)], "u4")
             put("particles/typeid", frame.kinds, "u4")
             for name in source.columns:
-                column = source.column(name, frame)
+                column = source.narrow(name, frame, middle)
                 in_schema = name in ("position", "velocity", "mass", "diameter", "image")
-                put(
-                    f"particles/{name}" if in_schema else f"log/particles/{name}",
-                    column - middle if name == "position" else column,
-                    {"id": "u4", "image": "i4"}.get(name, "f4"),
-                )
+                path = f"particles/{name}" if in_schema else f"log/particles/{name}"
+                put(path, column, {"id": "u4", "image": "i4"}.get(name, "f4"))
             if source.trajectory.has_contacts:
                 pairs = numpy.flatnonzero(frame.contacts["other"] >= 0)
                 both = numpy.stack([frame.contacts[name][pairs] for name in ("upper", "other")], 1).astype("u4")
@@ -321,10 +327,6 @@ _"""
     return [head.encode(), *parts, b"\n</AppendedData>\n</VTKFile>\n"]
 
 
-def narrow(column: NDArray[Any]) -> NDArray[Any]:
-    return column.astype("f4") if column.dtype.kind == "f" else column
-
-
 def bodies(source: Source, frame: Frame) -> list[Any]:
     """A polygon for each particle."""
     counts = numpy.array([len(outline) for outline in source.outlines], "i4")[frame.kinds]
@@ -332,10 +334,12 @@ def bodies(source: Source, frame: Frame) -> list[Any]:
     points = numpy.zeros((int(counts.sum()), 3), "f4")
     for kind, outline in enumerate(source.outlines):
         those = numpy.flatnonzero(frame.kinds == kind)
-        for corner, place in enumerate(outline):
-            points[ends[those] - len(outline) + corner, :2] = source.spacing * frame.positions[those] + place
+        for start in range(0, len(those), MANY):
+            some = those[start : start + MANY, None]
+            corners = ends[some] - len(outline) + numpy.arange(len(outline))
+            points[corners, :2] = source.spacing * frame.positions[some] + outline
     cells = {"species": source.species[frame.kinds]}
-    cells |= {name: narrow(source.column(name, frame)) for name in source.columns if name not in ("position", "image")}
+    cells |= {name: source.narrow(name, frame) for name in source.columns if name not in ("position", "image")}
     return poly_data(frame.time, ("species_names", source.trajectory.species), "Polys", points, counts, cells)
 
 
