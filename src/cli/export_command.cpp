@@ -94,7 +94,7 @@ int export_run(const ExportOptions& options) {
     target.folder.write(name, bytes);
   };
   const int code = run_package("export", to_json(options, target.path()),
-                               {options.run, file.temporary_path()}, beside, room.path());
+                               {options.run, file.temporary_path()}, beside, {}, room.path());
   if (code == 0) {
     file.finish();
     print_out("{}\n", target.path().string());

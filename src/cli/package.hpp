@@ -22,7 +22,6 @@ using FileReceiver =
 /// process::StoppedError after a signal to stop.
 int run_package(const std::string& command, const nlohmann::json& options,
                 const std::vector<std::filesystem::path>& paths, const FileReceiver& file,
-                std::span<const std::uint8_t> input = {},
-                const std::filesystem::path& room = {});
+                std::span<const std::uint8_t> input = {}, const std::filesystem::path& room = {});
 
 }  // namespace clca::cli
