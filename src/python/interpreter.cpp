@@ -1,5 +1,6 @@
 #include "python/interpreter.hpp"
 
+#include <pthread.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -14,7 +15,7 @@ namespace {
 struct End {
   std::atomic<bool> is_near = false;
   std::atomic<std::thread::id> thread;  ///< the one that goes on
-  std::atomic<int> takers = 0;          ///< threads that wait for the interpreter
+  std::atomic<int> at_work = 0;         ///< threads without the interpreter
 
   static End& get() {
     static End end;
@@ -22,40 +23,66 @@ struct End {
   }
 };
 
-template <class Take>
-void take_interpreter(Take take) {
-  End& end = End::get();
-  ++end.takers;
+thread_local int works = 0;  // of this thread: has it given the interpreter up?
+
+void begin_work() {
+  ++works;
+  ++End::get().at_work;
+}
+
+void end_work() {
+  --works;
+  --End::get().at_work;
+}
+
+/// For ever, where Python comes to its end in another thread.
+void wait_at_end() {
+  const End& end = End::get();
   if (end.is_near && end.thread.load() != std::this_thread::get_id()) {
-    --end.takers;
+    if (works > 0) {
+      end_work();
+    }
     for (;;) {
       ::pause();
     }
   }
-  take();
-  --end.takers;
 }
 
-/// Those that wait already get the interpreter now; no more will wait for it.
+/// Those at work look for signals now and then, and so get here. What they use, such as the HDF5
+/// library, must not end before.
 void come_to_end() {
   using namespace std::chrono_literals;
+  constexpr int kTries = 3000;
   End& end = End::get();
   end.thread = std::this_thread::get_id();
   end.is_near = true;
   const pybind11::gil_scoped_release free;
-  for (int tries = 0; end.takers > 0 && tries < 1000; ++tries) {  // those before a fork never come
+  for (int tries = 0; end.at_work > works && tries < kTries; ++tries) {
     std::this_thread::sleep_for(1ms);
   }
 }
 
+/// The other threads are not in the child.
+void forked() {
+  End::get().at_work = works;
+}
+
 }  // namespace
 
+Released::Released() : state_(PyEval_SaveThread()) {
+  begin_work();
+  wait_at_end();
+}
+
 Released::~Released() {
-  take_interpreter([this] { PyEval_RestoreThread(state_); });
+  wait_at_end();
+  PyEval_RestoreThread(state_);
+  end_work();
 }
 
 Acquired::Acquired() {
-  take_interpreter([this] { state_ = PyGILState_Ensure(); });
+  wait_at_end();
+  state_ = PyGILState_Ensure();
 }
 
 Acquired::~Acquired() {
@@ -63,6 +90,7 @@ Acquired::~Acquired() {
 }
 
 void watch_end() {
+  pthread_atfork(nullptr, nullptr, forked);
   pybind11::module_::import("atexit").attr("register")(pybind11::cpp_function(come_to_end));
 }
 

@@ -10,7 +10,7 @@ namespace clca::python {
 /// waits for the end of the process.
 class Released {
  public:
-  Released() : state_(PyEval_SaveThread()) {}
+  Released();
   ~Released();
   Released(const Released&) = delete;
   Released& operator=(const Released&) = delete;
