@@ -15,7 +15,7 @@ from mkdocs.structure.files import File
 ROOT = Path(__file__).resolve().parent.parent
 LINK = re.compile(r'(?P<before>\]\(|src=")(?!\w+:)(?P<target>[^)"#:\s]+)(?P<after>[^)"\s]*[)"])')
 TEXT_LINK = re.compile(r"\[(?P<text>[^\[\]]*)\]\((?P<target>[^)#:\s]+)\)")
-LANGUAGES = {".cpp": "cpp", ".hpp": "cpp", ".py": "python", ".yaml": "yaml", ".csv": "text", ".gp": "gnuplot",
+LANGUAGES = {".cpp": "cpp", ".hpp": "cpp", ".py": "python", ".yaml": "yaml", ".csv": "text",
              ".txt": "text", "": "text"}  # of sources, by the end of their names
 CODE = re.compile(r"^```.*?^```", re.MULTILINE | re.DOTALL)
 

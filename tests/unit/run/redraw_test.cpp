@@ -446,7 +446,7 @@ TEST_F(RedrawTest, SeveralRunsStandSideBySideAtEqualSteps) {
   EXPECT_EQ(redraw.draw(), redraw.moments());
   const Redraw alone({{often, folder_.path() / "often"}}, {});
   EXPECT_GE(redraw.moments(), alone.moments());  // all of its moments and some of the other
-  const image::Image picture = image::decode_pixels(testing::bytes_of(movie));
+  const image::Image picture = image::decode_png(testing::bytes_of(movie)).image;
   EXPECT_EQ(picture.width, 200 + 120);
   EXPECT_EQ(picture.height, 160);
   const image::DecodedPng png = image::decode_png(testing::bytes_of(sheet));
