@@ -64,7 +64,7 @@ class SpaceTime {
   std::vector<store::Trajectory::Frame> frames_;
   lattice::Rectangle part_;  // of the plane that is shown
   bool annotations_;
-  scene::Scene scene_;       // its pictures show what lies in the slit
+  scene::Scene scene_;  // its pictures show what lies in the slit
   FramePainter painter_;
   TimeMeans means_;
   std::optional<render::Legend> legend_;  // of a column

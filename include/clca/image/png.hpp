@@ -22,8 +22,8 @@ struct DecodedPng {
   PngText text;
 };
 
-/// Reads any PNG as RGB8 (alpha over white), with texts that are not compressed. Throws std::runtime_error with the reason for invalid
-/// PNGs and pictures of more than `max_pixels`.
+/// Reads any PNG as RGB8 (alpha over white), with texts that are not compressed. Throws
+/// std::runtime_error with the reason for invalid PNGs and pictures of more than `max_pixels`.
 DecodedPng decode_png(std::span<const std::uint8_t> bytes, std::size_t max_pixels = 1U << 28U);
 
 }  // namespace clca::image

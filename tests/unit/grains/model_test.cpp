@@ -117,9 +117,15 @@ TEST(AModel, RefusesEveryChangeAfterOneThatFailedHalfway) {
 TEST(AModel, CanBeInterruptedWhileItIsFilled) {
   const std::vector<std::size_t> counts = {200, 200};
   const auto fills = std::to_array<std::function<FillResult(Model&)>>(
-      {[&](Model& model) { return model.fill({0, 0, 170, 200}, counts); },
-       [&](Model& model) { return model.deposit({0, 0, 170, 200}, counts); },
-       [](Model& model) { return model.fill({0, 0, 170, 200}, Mixture{.parts = {{1, 1}}}); }});
+      {[&](Model& model) {
+         return model.fill({0, 0, 170, 200}, counts);
+       },
+       [&](Model& model) {
+         return model.deposit({0, 0, 170, 200}, counts);
+       },
+       [](Model& model) {
+         return model.fill({0, 0, 170, 200}, Mixture{.parts = {{1, 1}}});
+       }});
   for (const auto& fill : fills) {
     State state = empty_state(200, 200);
     state.kinds = {{lattice::Shape::hexagon(1), 0}, {lattice::Shape::hexagon(2), 1}};
