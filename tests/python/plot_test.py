@@ -166,6 +166,14 @@ class LettersTest(ScratchTest):
                     self.assertLess(height, 8 * 1.2, place)
                 self.assertIn("$5", text)
 
+    def test_letters_have_the_same_size_in_every_format(self):
+        run = clca.run(SCENE, output="run")
+        chart = next(chart for chart in charts(run) if chart.name == "mean-height")
+        sizes = set(re.findall(r"font: ([\d.]+)px", rendered(chart, Look("svg", True, 89)).decode()))
+        self.assertEqual(sizes, {"8"})  # 72 of its pixels are an inch
+        png = rendered(chart, Look("png", True, 89))
+        self.assertEqual(int.from_bytes(png[16:20], "big"), int(89 / 25.4 * 300))  # letters scale with the width
+
     def test_letters_that_no_font_has_are_told_by_their_number(self):
         self.assertEqual(_chart.plain("a\U0010ffffb"), "a[U+10FFFF]b" if "\U0010ffff".isprintable() else "a b")
         self.assertEqual(_chart.plain("cost $5"), r"cost \$5")

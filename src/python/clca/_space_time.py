@@ -16,11 +16,11 @@ def colors(entry: list[int]) -> tuple[float, ...]:
 
 def annotate(figure: Any, ax: Any, shown: dict[str, Any]) -> None:
     """Title, axes, stages and legend."""
-    from matplotlib import rcParams
-    from matplotlib.cm import ScalarMappable
-    from matplotlib.colors import ListedColormap, Normalize
-    from matplotlib.patches import Patch
-    from matplotlib.transforms import ScaledTranslation
+    from matplotlib import rcParams  # type: ignore[import]
+    from matplotlib.cm import ScalarMappable  # type: ignore[import]
+    from matplotlib.colors import ListedColormap, Normalize  # type: ignore[import]
+    from matplotlib.patches import Patch  # type: ignore[import]
+    from matplotlib.transforms import ScaledTranslation  # type: ignore[import]
 
     figure.suptitle(plain(shown["title"]), x=0.01, ha="left")
     ax.set(xlabel=plain(shown["time"]["label"]), ylabel=plain(shown["position"]["label"]))
@@ -56,8 +56,8 @@ def annotate(figure: Any, ax: Any, shown: dict[str, Any]) -> None:
 
 def command(shown: dict[str, Any]) -> None:
     """Answers with the picture; what lies between its axes is a PNG on standard input."""
-    from matplotlib.figure import Figure
-    from matplotlib.image import imread
+    from matplotlib.figure import Figure  # type: ignore[import]
+    from matplotlib.image import imread  # type: ignore[import]
 
     content = imread(io.BytesIO(sys.stdin.buffer.read()), format="png")
     width, height = shown["width"] / 96, shown["height"] / 96
