@@ -1,5 +1,7 @@
 // clca export: the trajectory of a run in formats of other programs, by the Python package.
 
+#include <algorithm>
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -56,15 +58,30 @@ class Room {
   bool is_new_;
 };
 
+struct Format {
+  const char* name;
+  const char* ending;
+};
+
+/// As `FORMATS` of _export.py.
+constexpr auto kFormats =
+    std::to_array<Format>({{"vtp", ".pvd"}, {"gsd", ".gsd"}, {"xyz", ".xyz"}, {"h5md", ".h5"}});
+
+std::vector<std::string> names_of_formats() {
+  std::vector<std::string> names;
+  for (const Format& format : kFormats) {
+    names.emplace_back(format.name);
+  }
+  return names;
+}
+
 store::OutputFile output_file(const ExportOptions& options, const std::string& scene) {
   if (!options.file.empty()) {
     return store::named_file(options.file);
   }
-  const char* ending = options.format == "vtp"    ? ".pvd"
-                       : options.format == "h5md" ? ".h5"
-                       : options.format == "gsd"  ? ".gsd"
-                                                  : ".xyz";
-  return {store::OutputFolder(options.run).subfolder(store::kExportFolder), scene + ending};
+  const auto* format = std::find_if(kFormats.begin(), kFormats.end(),
+                                    [&](const Format& one) { return one.name == options.format; });
+  return {store::OutputFolder(options.run).subfolder(store::kExportFolder), scene + format->ending};
 }
 
 /// As `command` of _export.py.
@@ -113,11 +130,11 @@ void add_export_command(CommandLine& command_line) {
   command.option("--format", &options->format, "Format")
       .required()
       .type("FORMAT")
-      .values(one_of({"vtp", "gsd", "xyz", "h5md"}));
+      .values(one_of(names_of_formats()));
   command
       .option("-o,--output", &options->file,
               "File to write, of vtp the .pvd with the others beside it "
-              "[DIR/export/SCENE with .pvd, .gsd, .xyz or .h5]")
+              "[DIR/export/SCENE with the ending of the format]")
       .type("FILE");
   command.option("--from", &options->first, "First step").type("STEP").values(whole_number());
   command.option("--to", &options->last, "Last step").type("STEP").values(whole_number());

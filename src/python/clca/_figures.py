@@ -655,7 +655,7 @@ def allows(figure: Figure, table: Table) -> bool:
     names = table.dtype.names or ()
     if figure.y.endswith("*"):
         return any(name.startswith(figure.y[:-1]) and set(name) <= LABEL and has(table, name) for name in names)
-    if figure.name.startswith("energy-"):
+    if figure.draw is energy:
         table = table[table["energy"] == figure.name.partition("-")[2]] if "energy" in names else table[:0]
     if figure.name == "particles" and has(table, "particles"):
         return len(numpy.unique(table["particles"])) > 1
