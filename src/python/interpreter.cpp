@@ -23,15 +23,19 @@ struct End {
   }
 };
 
-thread_local int works = 0;  // of this thread: has it given the interpreter up?
+/// How often this thread has given the interpreter up.
+int& works() {
+  thread_local int count = 0;
+  return count;
+}
 
 void begin_work() {
-  ++works;
+  ++works();
   ++End::get().at_work;
 }
 
 void end_work() {
-  --works;
+  --works();
   --End::get().at_work;
 }
 
@@ -39,7 +43,7 @@ void end_work() {
 void wait_at_end() {
   const End& end = End::get();
   if (end.is_near && end.thread.load() != std::this_thread::get_id()) {
-    if (works > 0) {
+    if (works() > 0) {
       end_work();
     }
     for (;;) {
@@ -57,14 +61,14 @@ void come_to_end() {
   end.thread = std::this_thread::get_id();
   end.is_near = true;
   const pybind11::gil_scoped_release free;
-  for (int tries = 0; end.at_work > works && tries < kTries; ++tries) {
+  for (int tries = 0; end.at_work > works() && tries < kTries; ++tries) {
     std::this_thread::sleep_for(1ms);
   }
 }
 
 /// The other threads are not in the child.
 void forked() {
-  End::get().at_work = works;
+  End::get().at_work = works();
 }
 
 }  // namespace
@@ -80,10 +84,7 @@ Released::~Released() {
   end_work();
 }
 
-Acquired::Acquired() {
-  wait_at_end();
-  state_ = PyGILState_Ensure();
-}
+Acquired::Acquired() : state_((wait_at_end(), PyGILState_Ensure())) {}
 
 Acquired::~Acquired() {
   PyGILState_Release(state_);
