@@ -206,8 +206,10 @@ TEST(Scenes, AreTakenFromTheNearestFolderThatOthersCannotWriteTo) {
   fs::create_directories(prefix / "share/clca/scenes");
   const fs::path program = prefix / "bin/clca";
   fs::copy_file(CLCA_PROGRAM, program);
-  fs::copy_file(fs::path(CLCA_SOURCE_DIR) / "scenes/maze.png", prefix / "share/clca/scenes/maze.png");
-  fs::copy_file(fs::path(CLCA_SOURCE_DIR) / "scenes/maze.yaml", prefix / "share/clca/scenes/planted.yaml");
+  fs::copy_file(fs::path(CLCA_SOURCE_DIR) / "scenes/maze.png",
+                prefix / "share/clca/scenes/maze.png");
+  fs::copy_file(fs::path(CLCA_SOURCE_DIR) / "scenes/maze.yaml",
+                prefix / "share/clca/scenes/planted.yaml");
   const auto scenes = [&] {
     return testing::run_program({"scenes"}, {.program = program.string()}).out;
   };
