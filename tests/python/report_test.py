@@ -344,7 +344,11 @@ class OfRunsTest(PageTest):
         table.unlink()
         self.page("sweep")
         self.assertWarned("no table 'measures'")
-        (sweep.folder / "runs.csv").unlink()
+        runs = sweep.folder / "runs.csv"
+        runs.write_text(runs.read_text().replace("status", "state", 1))
+        with self.assertRaisesRegex(clca.Error, "runs.csv: a table of the sweep has no column 'status'"):
+            self.page("sweep")
+        runs.unlink()
         with self.assertRaisesRegex(clca.Error, "no table 'runs'"):
             self.page("sweep")
 

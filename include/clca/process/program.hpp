@@ -34,7 +34,7 @@ class OutputCapture {
   int number() const;
   /// Everything written so far.
   std::vector<std::uint8_t> bytes() const;
-  /// To read it from its begin.
+  /// To read it from the beginning.
   std::FILE* rewound() const;
 
  private:

@@ -398,7 +398,10 @@ def run_page(page: Page, run: Run, most: int | None) -> bytes:
 
 
 def rows(table: Table, *names: str) -> list[tuple[Any, ...]]:
-    """Of these columns."""
+    """Of these columns. Throws Error."""
+    for name in names:
+        if name not in (table.dtype.names or ()):
+            raise Error(f"a table of the sweep has no column '{name}'")
     return list(zip(*(table[name].tolist() for name in names))) if names else [()] * len(table)
 
 
@@ -418,6 +421,11 @@ def combinations_of(sweep: Sweep) -> tuple[list[str], list[tuple[str, list[Row],
 
 def sweep_page(page: Page, sweep: Sweep) -> bytes:
     runs = sweep.runs
+    names = [*sweep.keys, "seed", "status", "steps", "state_hash", "error"]
+    try:
+        shown = [list(map(plain, row)) for row in rows(runs[:MOST_RUNS], *names)]
+    except Error as error:
+        raise Error(f"cannot read {sweep.folder / 'runs.csv'}: {error}") from None
     combinations: list[str] = []
     stages: list[tuple[str, list[Row], bool]] = []
     try:
@@ -428,7 +436,6 @@ def sweep_page(page: Page, sweep: Sweep) -> bytes:
     file = sweep.folder / "overview.png"
     overview = page.read(file, USUAL_BYTES) if file.exists() else None
     seeds = len(set(runs["seed"].tolist()))
-    names = [*sweep.keys, "seed", "status", "steps", "state_hash", "error"]
     return page.rendered(
         "sweep.html",
         title=sweep.title or scene,
@@ -440,7 +447,7 @@ def sweep_page(page: Page, sweep: Sweep) -> bytes:
         combinations=combinations,
         stages=stages,
         headings=[runs.label(name) for name in names],
-        runs=[list(map(plain, row)) for row in rows(runs[:MOST_RUNS], *names)],
+        runs=shown,
     )
 
 
