@@ -39,7 +39,8 @@ Boltzmann equation. The same scene and seed always give the same bits.")
 set(same "clca (= ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})")
 # OSMesa or EGL and the font are found at run time.
 clca_package(program clca science "simulator of granular flow in two dimensions" "libosmesa6 | libegl-mesa0, fonts-dejavu-core"
-             "python3, python3-gsd, python3-h5py, python3-jinja2, python3-matplotlib, python3-numpy, ffmpeg")
+             "python3, python3-gsd, python3-h5py, python3-jinja2, python3-matplotlib, python3-numpy, \
+python3-sklearn, python3-yaml, ffmpeg")
 clca_package(development libclca-dev libdevel "simulator of granular flow (static libraries and headers)"
              "g++, libeigen3-dev, libfmt-dev, libhdf5-dev, libmuparser-dev, libpango1.0-dev, libpng-dev, \
 libyaml-cpp-dev, nlohmann-json3-dev, pkg-config, zlib1g-dev")

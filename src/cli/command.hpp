@@ -137,6 +137,7 @@ void add_run_command(CommandLine& command_line);
 void add_resume_command(CommandLine& command_line, tasks::Ranks* ranks);
 void add_boltzmann_command(CommandLine& command_line, tasks::Ranks* ranks);
 void add_sweep_command(CommandLine& command_line, tasks::Ranks* ranks);
+void add_calibrate_command(CommandLine& command_line);
 void add_check_command(CommandLine& command_line);
 void add_compare_command(CommandLine& command_line);
 void add_diff_command(CommandLine& command_line);

@@ -87,6 +87,7 @@ int run_program(int argc, char** argv, clca::tasks::Ranks* ranks) {
   clca::cli::add_resume_command(command_line, ranks);
   clca::cli::add_boltzmann_command(command_line, ranks);
   clca::cli::add_sweep_command(command_line, ranks);
+  clca::cli::add_calibrate_command(command_line);
   clca::cli::add_check_command(command_line);
   clca::cli::add_compare_command(command_line);
   clca::cli::add_diff_command(command_line);

@@ -1,12 +1,12 @@
 // clca sweep: runs a scene for many seeds and values and leaves tables over all runs.
 
+#include "cli/sweep_command.hpp"
+
 #include <fmt/format.h>
 
 #include <chrono>
 #include <memory>
-#include <optional>
 
-#include "clca/sweep/sweep.hpp"
 #include "cli/command.hpp"
 #include "cli/option_values.hpp"
 #include "cli/progress_line.hpp"
@@ -17,19 +17,6 @@
 namespace clca::cli {
 
 namespace {
-
-struct SweepCommandOptions {
-  SceneOptions scene;
-  std::string seeds = "1..8";
-  std::vector<std::string> variations;
-  std::string folder;
-  std::optional<sweep::Part> part;
-  int jobs = machine_threads();
-  bool collect_only = false;
-  bool all_pictures = false;
-  bool quiet = false;
-  tasks::Ranks* ranks = nullptr;
-};
 
 /// Of this process, in bytes: ranks on one machine share its memory.
 double memory_of_rank(const SweepCommandOptions& options) {
@@ -105,6 +92,8 @@ sweep::Progress carry_out(const sweep::Plan& plan, const SweepCommandOptions& op
   return sweep::execute(plan, sweep_options(options, folder, jobs, stop), events);
 }
 
+}  // namespace
+
 int run_sweep(const SweepCommandOptions& options) {
   const sweep::Plan plan = plan_of(options);
   const std::string folder = folder_of(plan, options);
@@ -141,8 +130,6 @@ int run_sweep(const SweepCommandOptions& options) {
   }
   return static_cast<int>(ExitCode::done);
 }
-
-}  // namespace
 
 void add_sweep_command(CommandLine& command_line, tasks::Ranks* ranks) {
   Command command = command_line.command(

@@ -12,6 +12,7 @@ lists all keys of a scene, `clca explain --format quantities` what it can measur
 import importlib
 from typing import TYPE_CHECKING, Any
 
+from ._calibrate import Calibration, calibrate
 from ._error import CompiledPartError, Error
 from ._folder import Run, Stage, Sweep, open
 from ._frames import Frame, Frames, Kind
@@ -56,6 +57,7 @@ def __dir__() -> list[str]:
 
 
 __all__ = [
+    "Calibration",
     "CompiledPartError",
     "Error",
     "Frame",
@@ -70,6 +72,7 @@ __all__ = [
     "Sweep",
     "Table",
     "Value",
+    "calibrate",
     "open",
     "resume",
     "run",

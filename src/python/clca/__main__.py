@@ -6,13 +6,16 @@ import os
 import signal
 import sys
 
-COMMANDS = ("compare", "export", "plot", "report", "space_time")  # the function command() of the module of that name
+COMMANDS = ("calibrate", "compare", "export", "plot", "report", "space_time")  # the function command() of the module of that name
 PACKAGES = {
     "gsd": "python3-gsd",
     "h5py": "python3-h5py",
     "jinja2": "python3-jinja2",
     "matplotlib": "python3-matplotlib",
     "numpy": "python3-numpy",
+    "scipy": "python3-scipy",
+    "sklearn": "python3-sklearn",
+    "yaml": "python3-yaml",
 }
 
 
@@ -43,7 +46,11 @@ def main() -> int:
             raise Error(f"no command {name}")
         importlib.import_module(f"clca._{name}").command(options, *sys.argv[3:])
     except Error as error:
-        return failed(1 if isinstance(error, WriteError) else 2, printable(str(error).splitlines()[0]))
+        line = printable(str(error).splitlines()[0])
+        if error.line is None:
+            return failed(1 if isinstance(error, WriteError) else 2, line)
+        print(line, file=sys.stderr)  # as of a scene
+        return 2
     except ImportError as error:
         return missing(error)
     except Exception as error:  # one line, as of the program

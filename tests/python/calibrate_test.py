@@ -1,0 +1,146 @@
+"""Calibration: hidden truths, what is refused, the command and the function."""
+
+import json
+import subprocess
+import unittest
+
+import numpy
+from support import PROGRAM, SCENE, ScratchTest, needs
+
+for module in ("scipy", "sklearn", "yaml"):
+    needs(module)
+
+import clca
+from clca._surrogate import Surrogate, likely, sobol
+
+NOISE = (1.0, 0.05)
+STUDY = {
+    "vary": {"rules.inertia": [0, 0.9]},
+    "tests": [{"scene": "scene.yaml", "targets": {"flow.runout_99": [12, 0.5]}}],
+    "seeds": 2,
+    "points": 8,
+    "rounds": 1,
+    "check": 2,
+}
+
+
+def measures(points):
+    """As slope and run-out depend on friction and rolling friction."""
+    return 20 + 15 * numpy.tanh(3 * points[:, 0]) + 4 * points[:, 1], 2 + numpy.exp(-2 * points[:, 1]) + 0.3 * points[:, 0]
+
+
+class StatisticsTest(unittest.TestCase):
+    def test_intervals_hold_hidden_truths(self):
+        held, random = numpy.zeros(2, int), numpy.random.default_rng(1)
+        points, seeds = sobol(2, 64, 1), 4
+        for truth in random.uniform(0.1, 0.9, (12, 2)):
+            surrogates = []
+            for values, noise in zip(measures(points), NOISE):
+                means = (values[:, None] + noise * random.normal(size=(64, seeds))).mean(1)
+                surrogates.append(Surrogate(points, means, numpy.full(64, noise**2 / seeds)))
+            errors = [noise / 8**0.5 for noise in NOISE]
+            targets = [(value[0] + error * random.normal(), error) for value, error in zip(measures(truth[None]), errors)]
+            found = likely(surrogates, targets, 2)
+            self.assertAlmostEqual(found.weights.sum(), 1)
+            held += (found.quantile(0.025) <= truth) & (truth <= found.quantile(0.975))
+        self.assertGreaterEqual(held.min(), 10)  # of 12: 95 %
+
+    def test_a_parameter_that_changes_nothing_stays_open(self):
+        points = sobol(2, 32, 1)
+        surrogate = Surrogate(points, points[:, 0], numpy.full(32, 1e-4))
+        found = likely([surrogate], [(0.4, 0.02)], 2)
+        width = found.quantile(0.975) - found.quantile(0.025)
+        self.assertLess(width[0], 0.15)
+        self.assertGreater(width[1], 0.9)
+
+
+class CalibrateTest(ScratchTest):
+    def setUp(self):
+        super().setUp()
+        with open("scene.yaml", "w") as file:
+            json.dump(SCENE, file)
+
+    def study(self, **changes):
+        with open("study.yaml", "w") as file:
+            json.dump(STUDY | changes, file)
+        return subprocess.run([PROGRAM, "calibrate", "study.yaml", "-o", "found", "--quiet"], capture_output=True, text=True)
+
+    def test_the_command_gives_what_the_function_gives_and_goes_on(self):
+        told = self.study()
+        self.assertEqual((told.returncode, told.stderr), (0, ""))
+        self.assertIn("rules.inertia: ", told.stdout)
+        here = clca.calibrate("scene.yaml", {"flow.runout_99": (12, 0.5)}, {"rules.inertia": (0, 0.9)}, seeds=2, points=8, rounds=1,
+                              check=2, output="here")
+        files = ("calibration.json", "parameters.csv", "targets.csv", "likely.csv", "calibration.png")
+        for name in files:
+            self.assertEqual((self.folder / "found" / name).read_bytes(), (here.folder / name).read_bytes(), name)
+        self.assertEqual(here.summary["runs"], 12 * 2 + 2)
+        runs = clca.Sweep(here.folder / "runs/scene").runs
+        self.assertEqual((len(runs), set(runs["seed"])), (24, {1, 2}))
+        check = clca.Sweep(here.folder / "check/scene")
+        self.assertEqual(set(check.runs["seed"]), {3, 4})
+        self.assertEqual(check.runs["rules.inertia"][0], here.best["rules.inertia"])
+        row = here.targets[0]
+        self.assertAlmostEqual(row["checked"], check.runs["flow.runout_99"].mean())
+        self.assertEqual((row["unit"], row["value"], row["standard_deviation"]), ("spacings", 12, 0.5))
+        parameter = here.parameters[0]
+        self.assertLessEqual(parameter["low"], parameter["mean"])
+        self.assertLessEqual(parameter["mean"], parameter["high"])
+        self.assertEqual(clca.Calibration("found").best, here.best)
+        self.assertIn("rules.inertia: ", repr(here))
+        # The same command again runs nothing.
+        before = {file: file.stat().st_mtime_ns for file in (self.folder / "found/runs").rglob("run.json")}
+        self.assertEqual(self.study().returncode, 0)
+        self.assertEqual(before, {file: file.stat().st_mtime_ns for file in (self.folder / "found/runs").rglob("run.json")})
+
+    def test_what_cannot_be_had_is_said(self):
+        self.study(tests=[{"scene": "scene.yaml", "targets": {"flow.runout_99": [90, 0.5]}}])
+        notes = clca.Calibration("found").notes
+        self.assertIn("No values in these ranges give all targets", notes[0])
+        self.study(tests=[{"scene": "scene.yaml", "targets": {"packing.packing_fraction": [0.8, 1]}}])
+        self.assertIn("rules.inertia is not determined", clca.Calibration("found").notes[0])
+
+    def test_a_wrong_study_is_one_line_with_its_place(self):
+        for text, line in (
+            ("vary: {a.b: [1, 0]}\ntests: []", "study.yaml:1:8: error: the range is empty: 1 to 0"),
+            ("tests: []", "study.yaml:1:1: error: 'vary' is missing"),
+            ("vary: {a.b: [0, 1]}\ntests:\n  - scene: x\n    goals: 1", "study.yaml:4:5: error: unknown key 'goals'"),
+            ("vary: {a.b: [0, 1]}\ntests:\n  - scene: x\n    targets: {flow.x: [1, 0]}", "study.yaml:4:15: error: the standard"),
+            ("vary: {a.b: [0, 1]\ntests: 3", "study.yaml:2:1: error: expected"),
+            ("vary: &a {b: [0, 1]}\ntests: *a", "it has aliases"),
+            ("- 1", "study.yaml:1:1: error: expected a map"),
+            ("vary: {a.b: [0, 1], a.b: [0, 2]}", "study.yaml:1:21: error: 'a.b' stands twice"),
+            ("vary: {a.b: [0, .nan]}\ntests: []", "study.yaml:1:8: error: expected the range"),
+            ("\0", "it is no YAML"),
+        ):
+            with open("study.yaml", "w") as file:
+                file.write(text)
+            told = subprocess.run([PROGRAM, "calibrate", "study.yaml"], capture_output=True, text=True)
+            self.assertEqual(told.returncode, 2, told.stderr)
+            self.assertIn(line, told.stderr)
+            self.assertEqual(told.stderr.startswith("study.yaml:"), line.startswith("study.yaml:"), told.stderr)
+            self.assertEqual(told.stderr.count("\n"), 1)
+        self.assertFalse((self.folder / "renders").exists())
+
+    def test_scenes_are_checked_before_anything_runs(self):
+        told = self.study(vary={"rules.nosuch": [0, 1]})
+        self.assertEqual(told.returncode, 2)
+        self.assertIn("unknown key 'nosuch'", told.stderr)
+        told = self.study(tests=[{"scene": "scene.yaml", "targets": {"flow.nosuch": [1, 1]}}])
+        self.assertEqual(told.returncode, 2)
+        self.assertIn("no measure 'flow.nosuch'; there are packing.steps", told.stderr)
+        with self.assertRaisesRegex(clca.Error, "vary: expected a map"):
+            clca.calibrate("scene.yaml", {"flow.runout_99": (12, 1)})
+        with self.assertRaisesRegex(clca.Error, "either a scene with targets, or tests"):
+            clca.calibrate()
+
+    def test_files_of_others_stay(self):
+        (self.folder / "found").mkdir()
+        (self.folder / "found/parameters.csv").write_text("mine")
+        told = self.study()
+        self.assertNotEqual(told.returncode, 0)
+        self.assertEqual((self.folder / "found/parameters.csv").read_text(), "mine")
+
+
+if __name__ == "__main__":
+    unittest.main()
