@@ -45,11 +45,15 @@ double available_bytes() {
 
 std::string scene_file(const std::string& name) {
   std::error_code error;
-  if (name.find_first_of("/.") != std::string::npos || std::filesystem::exists(name, error)) {
+  const std::filesystem::path path(name);
+  const bool is_as_in_documents = path == "scenes" / path.stem().replace_extension(".yaml");
+  if ((name.find_first_of("/.") != std::string::npos && !is_as_in_documents) ||
+      std::filesystem::exists(path, error)) {
     return name;
   }
   const auto scenes = process::data_files("scenes", ".yaml");
-  if (const auto scene = scenes.find(name); scene != scenes.end()) {
+  if (const auto scene = scenes.find(is_as_in_documents ? path.stem().string() : name);
+      scene != scenes.end()) {
     return scene->second.string();
   }
   std::vector<std::string_view> names;

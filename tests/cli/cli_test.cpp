@@ -224,6 +224,13 @@ TEST_F(CliTest, ExplainsWhatASceneDerives) {
               HasSubstr("there is a quantity 'runout_ratio'"));
 }
 
+TEST_F(CliTest, AnInstalledSceneIsFoundByThePathThatDocumentsSay) {
+  EXPECT_EQ(run({"check", "scenes/collapse-aspect.yaml"}).out,
+            run({"check", "collapse-aspect"}).out);
+  EXPECT_THAT(run({"check", "scenes/nosuch.yaml"}).err,
+              StartsWith("scenes/nosuch.yaml:1:1: error: cannot read the file"));
+}
+
 TEST_F(CliTest, ASettingWithoutItsEqualsSignIsToldSo) {
   for (const std::string option : {"--set", "--vary"}) {
     const auto result = run({"sweep", "wall-removal", option, "rules.inertia", "0.5"});

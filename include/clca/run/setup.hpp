@@ -14,8 +14,8 @@ namespace clca::run {
 /// In which memory is told, in bytes.
 inline constexpr double kMebibyte = 1 << 20;
 
-/// The file of an installed scene if `name` is the name of one and of no file, else `name`. Throws
-/// scene::SceneError for what may be meant as the name of one.
+/// The file of an installed scene if `name` is NAME or scenes/NAME.yaml and no file, else `name`.
+/// Throws scene::SceneError for what may be meant as the name of one.
 std::string scene_file(const std::string& name);
 
 /// Number of threads of the machine.
