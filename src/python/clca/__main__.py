@@ -7,13 +7,7 @@ import signal
 import sys
 
 COMMANDS = ("compare", "export", "plot", "report", "space_time")  # the function command() of the module of that name
-PACKAGES = {
-    "gsd": "python3-gsd",
-    "h5py": "python3-h5py",
-    "jinja2": "python3-jinja2",
-    "matplotlib": "python3-matplotlib",
-    "numpy": "python3-numpy",
-}
+PACKAGES = ("gsd", "h5py", "jinja2", "matplotlib", "numpy")  # python3-NAME of Debian
 
 
 def failed(code: int, line: str) -> int:
@@ -22,9 +16,8 @@ def failed(code: int, line: str) -> int:
 
 
 def missing(error: ImportError) -> int:
-    package = PACKAGES.get(error.name or "")
-    more = f"no Python module {error.name}; install {package} (Debian) or {error.name} (pip)"
-    return failed(1, more if package else str(error))
+    more = f"no Python module {error.name}; install python3-{error.name} (Debian) or {error.name} (pip)"
+    return failed(1, more if error.name in PACKAGES else str(error))
 
 
 def main() -> int:
