@@ -294,7 +294,8 @@ class ExportTest(ScratchTest):
     def test_a_signal_and_the_death_of_python_leave_nothing(self):
         clca.run(PLATE, output="run")
         for fake, code in (("kill -9 $$", 1), ("sleep 60", 128 + signal.SIGTERM)):
-            Path("python").write_text(f'#!/bin/sh\necho \'{{"file": "x.vtp", "bytes": 1}}\'\n{fake}\n')
+            Path("begun").unlink(missing_ok=True)
+            Path("python").write_text(f'#!/bin/sh\necho \'{{"file": "x.vtp", "bytes": 1}}\'\ntouch {self.folder}/begun\n{fake}\n')
             os.chmod("python", 0o755)
             program = subprocess.Popen(
                 [PROGRAM, "export", "run", "--format", "vtp", "-o", "out/x.pvd"],
@@ -303,7 +304,8 @@ class ExportTest(ScratchTest):
                 text=True,
             )
             if code > 128:
-                time.sleep(0.5)
+                while not Path("begun").exists():
+                    time.sleep(0.01)
                 program.send_signal(signal.SIGTERM)
             self.assertEqual(program.communicate()[1].count("\n"), 1)
             self.assertEqual(program.returncode, code)

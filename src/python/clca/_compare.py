@@ -6,8 +6,6 @@ corresponds to bin k of the other.
 
 from __future__ import annotations
 
-import csv
-import io
 import json
 import math
 import os
@@ -121,12 +119,9 @@ def of_gas(run: Run, time: float | None, restitution: float | None) -> tuple[flo
     return time, [Distribution(f"boltzmann_{name}", shares[name], run.particles) for name in shown_names]
 
 
-def csv_of(names: Iterable[str], rows: Iterable[Iterable[Any]]) -> bytes:
-    text = io.StringIO()
-    table = csv.writer(text, lineterminator="\n")
-    table.writerow(names)
-    table.writerows([shown(cell) if isinstance(cell, float) else cell for cell in row] for row in rows)
-    return text.getvalue().encode()
+def csv_of(*rows: Iterable[Any]) -> bytes:
+    lines = [",".join(shown(cell) if isinstance(cell, float) else str(cell) for cell in row) for row in rows]
+    return "\n".join([*lines, ""]).encode()
 
 
 def distances_of(grains: list[Distribution], gas: list[Distribution]) -> list[tuple[str, float, float, int]]:
@@ -157,25 +152,19 @@ def compared(
         raise Error(f"{output}: there is a run of kind {kind} in it; write the comparison elsewhere")
     distances = distances_of(grains, gas)
     measures = {f"hellinger_{name}": distance for name, distance, _, _ in distances[: len(grains + gas)]}
-    summary = {key: run.summary[key] for key in ("clca", "threads", "build")} | {
-        "kind": "comparison",
-        "scene": f"{run.scene}, {stage}, and {other.scene} at {shown(time)}",
-        "title": "",
-        "status": "done",
-        "state_hash": f"{0:016x}",
-        "stages": [{"name": stage, "steps": 0, "ended": "", "measures": measures}],
-        "kinds": [],
-        "measures": [],
-        "tables": {},
-    }
+    summary = {key: run.summary[key] for key in ("clca", "threads", "build")}
+    summary |= {"kind": "comparison", "scene": f"{run.scene}, {stage}, and {other.scene} at {shown(time)}"}
+    summary |= {"title": "", "status": "done", "state_hash": f"{0:016x}"}
+    summary |= {"stages": [{"name": stage, "steps": 0, "ended": "", "measures": measures}]}
+    summary |= {"kinds": [], "measures": [], "tables": {}}
     numbers = ("seed", "particles", "steps", "wall_seconds", "step_seconds", "particle_updates_per_second")
     summary |= dict.fromkeys(numbers, 0)
     rows = enumerate(zip(*(one.shares for one in grains + gas)))
     names = ["quantile_lower", "quantile_upper", *(one.name for one in grains + gas), "reference"]
     said = [f"{name:40} D_H {distance:.3e}, floor {floor:.1e}" for name, distance, floor, _ in distances]
     return {
-        "comparison.csv": csv_of(names, ([i / bins, (i + 1) / bins, *row, 1 / bins] for i, row in rows)),
-        "distances.csv": csv_of(["name", "distance", "floor", "samples"], distances),
+        "comparison.csv": csv_of(names, *([i / bins, (i + 1) / bins, *row, 1 / bins] for i, row in rows)),
+        "distances.csv": csv_of(["name", "distance", "floor", "samples"], *distances),
         "run.json": json.dumps(summary, indent=2).encode() + b"\n",
     }, [f"stage {_answer.printable(stage)} beside time {shown(time)}", *said]
 

@@ -602,8 +602,8 @@ def charts_of(source: Source, figure: Figure) -> list[Chart]:
     what = "Stage" if figure.each == "file" else figure.each
 
     def chart(part: str, those: Files) -> Chart:
-        name, about = f"{figure.name}-{part}", f"{figure.about} {what}: {part}."
-        name, about = (name, about) if part else (figure.name, figure.about)
+        name = f"{figure.name}-{part}" if part else figure.name
+        about = f"{figure.about} {what}: {part}." if part else figure.about
         draw = partial(figure.draw or lines, source, figure, those, part)
         return Chart(name, about, figure.rank, lambda: [logged(draw(), source.choice.log)], source.title, figure.name)
 

@@ -5,10 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from functools import cached_property, partial
 from itertools import count
-from typing import Any, NamedTuple, Protocol, overload
+from typing import TYPE_CHECKING, Any, NamedTuple, overload
 
 import numpy
 from numpy.typing import NDArray
+
+if TYPE_CHECKING:
+    from ._trajectory import Trajectory
 
 MANY = 1 << 16  # rows that are read together
 #: Particles, shifts of walls (None: not there).
@@ -45,14 +48,6 @@ class Look(NamedTuple):
     walls: dict[str, NDArray[numpy.float64]]  #: of each its sites at home
     units: dict[str, tuple[str, float]]  #: of time and velocity: what a step, a spacing a step is in it
     bodies: dict[int, str]  #: what `other` of a contact is
-
-    @property
-    def species(self) -> NDArray[numpy.str_]:
-        return numpy.array([kind.species for kind in self.kinds])
-
-    @property
-    def degrees(self) -> NDArray[numpy.int_]:
-        return numpy.array([kind.degrees for kind in self.kinds])
 
 
 class Frame:
@@ -124,12 +119,12 @@ class Frame:
     @property
     def species(self) -> NDArray[numpy.str_]:
         """N: names."""
-        return read_only(self._look.species[self.kinds])
+        return read_only(numpy.array([kind.species for kind in self._look.kinds])[self.kinds])
 
     @property
     def orientation(self) -> NDArray[numpy.int_]:
         """N: degrees clockwise, multiples of 60."""
-        return read_only(self._look.degrees[self.kinds])
+        return read_only(numpy.array([kind.degrees for kind in self._look.kinds])[self.kinds])
 
     @property
     def outlines(self) -> list[NDArray[numpy.float64]]:
@@ -169,23 +164,11 @@ class Frame:
         return read_only(numpy.array(names, dtype=str))
 
 
-class Source(Protocol):
-    """Where frames come from."""
-
-    look: Look
-    list: list[tuple[int, str]]  #: step and stage of each
-
-    def frame(self, number: int) -> FrameData: ...
-    def contacts(self, number: int, rows: slice, columns: Sequence[str]) -> NDArray[numpy.void]: ...
-
-
 class Frames(Sequence[Frame]):
     """The frames of a trajectory, each step once; what a frame has is read when it is asked for."""
 
-    def __init__(self, source: Source) -> None:
-        self._source = source
-        self._list = source.list
-        self._look = source.look
+    def __init__(self, source: Trajectory) -> None:
+        self._source, self._list, self._look = source, source.list, source.look
         #: F: of each frame
         self.steps = read_only(numpy.array([step for step, _ in self._list], dtype=numpy.uint64))
 

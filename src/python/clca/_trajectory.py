@@ -114,7 +114,7 @@ class Trajectory:
                 columns.append(frames)
                 if number == 0:
                     stages = [name.decode() for name in part["scene/stages"]]
-                    self.look = self._look(part, summary)
+                    self.look: Look = self._look(part, summary)
         self._frames = {name: numpy.concatenate([part[name] for part in columns]) for name in columns[0]}
         firsts = {name: first for name, first in FIRST.items() if first in columns[0]}
         self._starts = {name: [int(part[first][0]) for part in columns] for name, first in firsts.items()}
@@ -125,7 +125,7 @@ class Trajectory:
         self._stage_first = numpy.maximum.accumulate(numpy.where(is_first, numpy.arange(len(stage)), 0))
         # Where a stage ends and the next one begins, a step has two frames: the first one is taken.
         self._numbers = numpy.flatnonzero(numpy.append(True, steps[1:] != steps[:-1]))
-        self.list = [(int(steps[i]), stages[stage[i]]) for i in self._numbers]
+        self.list: list[tuple[int, str]] = [(int(steps[i]), stages[stage[i]]) for i in self._numbers]
 
     @contextmanager
     def _opened(self, file: Path) -> Iterator[Any]:
