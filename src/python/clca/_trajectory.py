@@ -203,7 +203,7 @@ class Trajectory:
             row, walls = int(self._frames["row"][frame]), len(self.look.walls)
             present = numpy.asarray(part["walls/present"][:]).reshape(-1, walls)[row] if walls else []
             shifts = numpy.asarray(part["walls/position"][:]).reshape(-1, walls, 2)[row] if walls else []
-            if self._frames["pushes"][frame]:
+            if self._frames["pushes"][frame] and len(bodies):
                 sites = self._rows(part, frame, "particles", ["site"])[0]
         there = [(float(x), float(y)) if is_there else None for is_there, (x, y) in zip(present, shifts)]
         if self.has_contacts and self._frames["contacts"][frame]:
@@ -260,21 +260,25 @@ class Trajectory:
         self, kinds: NDArray[Any], axials: NDArray[numpy.int64], walls: list[tuple[float, float] | None]
     ) -> NDArray[numpy.float64]:
         """Of each particle how many sites it has in common with others and with walls, by each of them."""
-        sites, owners = [], []
-        for kind in numpy.unique(kinds):
-            those = numpy.flatnonzero(kinds == kind)
-            sites.append((axials[those, None] + self._kind_sites[kind]).reshape(-1, 2))
-            owners.append(numpy.repeat(those, len(self._kind_sites[kind])))
+
+        def rows_and_columns(places: NDArray[numpy.int64]) -> NDArray[numpy.int64]:
+            column, q = places.T
+            return numpy.stack([q + column // 2, column % self.lattice[0] if self.lattice[2] else column])
+
+        reach = 2 * max(int(numpy.abs(sites).max()) for sites in self._kind_sites) + 1
+        there = rows_and_columns(axials)
+        first, last = there.min(1) - reach, there.max(1) + reach  # where a particle may have a site
+        owners = numpy.zeros(last - first + 1, "i4")
         for home, shift in zip(self._wall_sites, walls):
             if shift is not None:
                 x = round(shift[0] / PITCH)
-                sites.append(home + numpy.array([x, round(shift[1] - 0.5 * x)]))
-                owners.append(numpy.full(len(home), len(kinds)))
-        all_sites = numpy.concatenate(sites)
-        column, q = all_sites.T
-        row = q + column // 2
-        if self.lattice[2]:
-            column = column % self.lattice[0]
-        _, places, counts = numpy.unique(row * (2**32) + column, return_inverse=True, return_counts=True)
-        shared = numpy.bincount(numpy.concatenate(owners), weights=counts[places] - 1.0, minlength=len(kinds) + 1)
-        return numpy.asarray(shared[:-1], float)
+                places = rows_and_columns(home + numpy.array([x, round(shift[1] - 0.5 * x)])).T
+                places = places[((places >= first) & (places <= last)).all(1)] - first
+                numpy.add.at(owners, tuple(places.T), 1)
+        parts = [(numpy.flatnonzero(kinds == kind), site) for kind in numpy.unique(kinds) for site in self._kind_sites[kind]]
+        for those, site in parts:
+            numpy.add.at(owners, tuple(rows_and_columns(axials[those] + site) - first[:, None]), 1)
+        shared = numpy.zeros(len(kinds))
+        for those, site in parts:
+            shared[those] += owners[tuple(rows_and_columns(axials[those] + site) - first[:, None])] - 1
+        return shared
