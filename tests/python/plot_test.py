@@ -174,7 +174,10 @@ class LegendTest(unittest.TestCase):
         self.assertEqual(len(self.check(self.page(12, 60))), 12)
         self.assertRegex(self.check(self.page(100, 60))[-1], "^… and .. more$")
 
-    def test_a_name_too_long_for_the_width_is_cut(self):
+    def test_a_name_too_long_for_the_width_is_broken_or_cut(self):
+        names = self.check(self.page(2, 60, name="{}, a name that takes two lines: 1e-3"))
+        self.assertEqual([name.replace("\n", " ") for name in names], [f"{i}, a name that takes two lines: 1e-3" for i in range(2)])
+        self.assertIn("\n", names[0])
         names = self.check(self.page(2, 60, name="{} " + "very " * 30))
         self.assertTrue(all(name.startswith(f"{i} very") and name.endswith("…") for i, name in enumerate(names)), names)
 

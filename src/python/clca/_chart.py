@@ -360,20 +360,28 @@ def legend_above(figure: Any, handles: list[Any], names: list[str], room: float,
     from matplotlib import rcParams
     from matplotlib.lines import Line2D  # type: ignore[import]
 
-    space = {"borderaxespad": 0, "borderpad": 0, "handlelength": 1.6, "columnspacing": 1.2, "labelspacing": 0.25}
-    widest = min(len(names), max(1, int(room * 72 / (3 * rcParams["font.size"]))))  # a column has 3 letters and more
+    def legend(handles: list[Any], names: list[str], columns: int) -> Any:
+        space = {"borderaxespad": 0, "borderpad": 0, "handlelength": 1.6, "columnspacing": 1.2, "labelspacing": 0.25}
+        made = figure.legend(handles, names, loc="upper left", ncol=columns, **space)
+        made.set_in_layout(False)
+        return made
+
+    letter = rcParams["font.size"]
+    widest = min(len(names), max(1, int(room * 72 / (3 * letter))))  # a column has 3 letters and more
     for columns in range(widest, 0, -1):
         lines, shown = math.ceil(len(names) / columns), (handles, names)
         if lines > most:
             lines, kept = most, columns * most - 1
             others = f"… and {len(names) - kept} more"
             shown = [*handles[:kept], Line2D([], [], linestyle="none")], [*names[:kept], others]
-        legend = figure.legend(*shown, loc="upper left", ncol=columns, **space)
-        legend.set_in_layout(False)
-        wide = legend.get_window_extent(figure.canvas.get_renderer()).width / figure.dpi
-        if wide <= room:
-            return legend, lines
-        legend.remove()
+        made = legend(*shown, columns)
+        if made.get_window_extent(figure.canvas.get_renderer()).width / figure.dpi <= room:
+            return made, lines
+        made.remove()
+    broken = [wrapped(name, room - 4 * letter / 72, letter) for name in names]
+    lines = sum(name.count("\n") + 1 for name in broken)
+    if 0 < lines <= most:
+        return legend(handles, broken, 1), lines
     longest = max(map(len, names), default=0)
     if longest < 12:  # there is no room for a legend
         return None, 0
