@@ -43,8 +43,8 @@ int calibrate(const CalibrateOptions& options) {
           ? "renders/" + std::filesystem::path(options.study).stem().string() + "-calibration"
           : options.folder;
   const store::OutputFolder folder(path);
-  for (const char* name :
-       {"calibration.json", "calibration.png", "likely.csv", "parameters.csv", "targets.csv"}) {
+  for (const char* name : {"calibration.json", "calibration.png", "likely.csv", "parameters.csv",
+                           "report.html", "targets.csv"}) {
     folder.require_free(name);
   }
   for (int step = 0;; ++step) {

@@ -71,7 +71,7 @@ class CalibrateTest(ScratchTest):
         self.assertIn("rules.inertia: ", told.stdout)
         here = clca.calibrate("scene.yaml", {"flow.runout_99": (12, 0.5)}, {"rules.inertia": (0, 0.9)}, seeds=2, points=8, rounds=1,
                               check=2, output="here")
-        files = ("calibration.json", "parameters.csv", "targets.csv", "likely.csv", "calibration.png")
+        files = ("calibration.json", "parameters.csv", "targets.csv", "likely.csv", "calibration.png", "report.html")
         for name in files:
             self.assertEqual((self.folder / "found" / name).read_bytes(), (here.folder / name).read_bytes(), name)
         self.assertEqual(here.summary["runs"], 12 * 2 + 2)

@@ -8,7 +8,11 @@ import unittest
 from pathlib import Path
 
 import clca
+import matplotlib
 from support import PROGRAM, ScratchTest, clca_program
+
+matplotlib.use("agg")
+from matplotlib import pyplot  # noqa: E402
 
 SHAKEN = {
     "clca": 1,
@@ -87,7 +91,7 @@ def distances(folder="out"):
         return {row["name"]: row for row in csv.DictReader(file)}
 
 
-class CompareTest(ScratchTest):
+class FolderTest(ScratchTest):
     def setUp(self):
         super().setUp()
         write_run("grains", "automaton", "shaken", stages=("packing", "shaking"))
@@ -105,6 +109,8 @@ class CompareTest(ScratchTest):
         self.assertEqual(sorted(path.name for path in Path("out").glob("*.csv")), [])
         return result.stderr
 
+
+class CompareTest(FolderTest):
     def test_the_numbers_are_those_of_earlier_versions(self):
         said = self.compare()
         for found, expected in zip(distances().values(), csv.reader(DISTANCES.splitlines())):
@@ -215,6 +221,37 @@ class CompareTest(ScratchTest):
     def test_a_folder_that_cannot_be_written_is_a_failure(self):
         Path("out").write_text("")
         self.assertIn("out", self.refused(code=1))
+
+
+class PythonTest(FolderTest):
+    def test_it_gives_the_files_of_the_command_as_a_run(self):
+        self.compare("--stage", "shaking", "--time", 5)
+        found = clca.compare("grains", clca.Run("gas"), stage="shaking", time=5)
+        self.assertEqual(found.folder, self.folder / "renders/comparison")
+        for name in ("comparison.csv", "distances.csv", "run.json"):
+            self.assertEqual((found.folder / name).read_bytes(), Path("out", name).read_bytes())
+        self.assertEqual(found.table("distances").names, ("name", "distance", "floor", "samples"))
+        self.assertAlmostEqual(found.measures["shaking"]["hellinger_automaton"], 0.0016750839516659344)
+        ax = found.plot("comparison")
+        self.assertEqual(len(ax.lines), 5)
+        pyplot.close("all")
+
+    def test_the_command_and_python_write_over_one_another_and_over_nothing_else(self):
+        clca.compare("grains", "gas", "out")
+        self.compare()
+        clca.compare("grains", "gas", "out")
+        Path("mine").mkdir()
+        Path("mine/distances.csv").write_text("mine")
+        with self.assertRaisesRegex(clca.Error, "mine/distances.csv: clca did not write the file that is there"):
+            clca.compare("grains", "gas", "mine")
+        self.assertEqual(Path("mine/distances.csv").read_text(), "mine")
+        with self.assertRaisesRegex(clca.Error, "found boltzmann"):
+            clca.compare("gas", "grains")
+        with self.assertRaisesRegex(clca.Error, "there is a run of kind boltzmann in it"):
+            clca.compare("grains", "gas", "gas")
+        Path("file").write_text("")
+        with self.assertRaisesRegex(clca.Error, "cannot write .*/file: "):
+            clca.compare("grains", "gas", "file")
 
 
 class RunTest(ScratchTest):

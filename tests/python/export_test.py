@@ -7,10 +7,12 @@ import shutil
 import signal
 import subprocess
 import time
+import tracemalloc
 import unittest
 from pathlib import Path
 
 import clca
+import h5py
 import numpy
 from clca._export import chosen
 from clca._trajectory import trapezoids
@@ -78,6 +80,37 @@ IN_METRES = TURNING | {
     "units": {"spacing": "2 mm", "density": 100},
     "output": {"frames": "none", "trajectory": {"every": 30, "contacts": True}},
 }
+
+
+def enlarge(run, count, frames):
+    """Puts frames of so many grains with two contacts each in place of the trajectory of a run of the contact model."""
+    file = run.folder / "trajectory/part-000000.h5"
+    with h5py.File(file) as old, h5py.File("enlarged.h5", "w", userblock_size=512) as new:
+        old.copy("scene", new)
+        side, many, ones = int(numpy.sqrt(count)) + 1, 2 * count, numpy.ones(frames, "u8")
+        new["scene/lattice"][:] = [3 * side, 3 * side, 0]
+        number, nothing = numpy.arange(frames, dtype="u8"), numpy.zeros(frames, "u8")
+        rows = {"step": 10 * number, "stage": nothing, "entered": count * ones, "particles": count * ones, "contacts": many * ones}
+        rows |= {"first": count * number, "first_contact": many * number, "first_push": nothing, "pushes": nothing}
+        rows |= {"origins": count * (number == 0), "first_origin": count * (number > 0)}
+        for name, values in rows.items():
+            new[f"frames/{name}"] = values.astype(old[f"frames/{name}"].dtype)
+        ids = numpy.arange(count)
+        site = 3 * numpy.stack([ids % side, ids // side], 1)
+        grains = {"id": ids, "site": site, "kind": 0 * ids, "species": 0 * ids, "move": 0 * ids + 6, "spin": 1.0 * ids}
+        grains |= {"position": site * (0.75**0.5, 1), "velocity": 1.0 * site}
+        upper = numpy.repeat(ids, 2)
+        contacts = {"upper": upper, "other": (upper + 1) % count}
+        contacts |= {name: numpy.ones((many, 2)) for name in ("place", "normal", "branch", "force")}
+        for group, columns, times in (("particles", grains, frames), ("contacts", contacts, frames), ("origins", grains, 1)):
+            for name in old[group]:
+                values = numpy.concatenate(times * [columns[name]]).astype(old[f"{group}/{name}"].dtype)
+                new.create_dataset(f"{group}/{name}", data=values, chunks=(4096, *values.shape[1:]), compression=1)
+        for name, walls in old["walls"].items():
+            new[f"walls/{name}"] = numpy.concatenate(frames * [walls[:1]])
+    with open("enlarged.h5", "r+b") as part:
+        part.write(b"clca trajectory version 1\nbytes %d\n" % (os.path.getsize("enlarged.h5") - 512))
+    os.replace("enlarged.h5", file)
 
 
 def refused(*arguments):
@@ -179,6 +212,17 @@ class ExportTest(ScratchTest):
         self.assertEqual(steps, [str(step) for step in run.frames.steps])
         self.assertEqual(len(set(steps)), len(steps))
 
+    def test_memory_is_that_of_one_frame_without_its_contacts(self):
+        needs("gsd")
+        run, count = clca.run(CONTACT, output="run"), 200_000
+        enlarge(run, count, 3)
+        for form in ("vtp", "gsd"):
+            tracemalloc.start()
+            run.export(form, f"x.{form}")
+            peak = tracemalloc.get_traced_memory()[1]
+            tracemalloc.stop()
+            self.assertLess(peak, 240 * count)  # 300 MB at 10^6 grains, of which 60 are those of Python
+
     def test_walls_that_stand_are_written_once(self):
         clca.run(PLATE, output="run")
         clca_program("export", "run", "--format", "vtp", "--to", 6)
@@ -250,7 +294,8 @@ class ExportTest(ScratchTest):
     def test_a_signal_and_the_death_of_python_leave_nothing(self):
         clca.run(PLATE, output="run")
         for fake, code in (("kill -9 $$", 1), ("sleep 60", 128 + signal.SIGTERM)):
-            Path("python").write_text(f'#!/bin/sh\necho \'{{"file": "x.vtp", "bytes": 1}}\'\n{fake}\n')
+            Path("begun").unlink(missing_ok=True)
+            Path("python").write_text(f'#!/bin/sh\necho \'{{"file": "x.vtp", "bytes": 1}}\'\ntouch {self.folder}/begun\n{fake}\n')
             os.chmod("python", 0o755)
             program = subprocess.Popen(
                 [PROGRAM, "export", "run", "--format", "vtp", "-o", "out/x.pvd"],
@@ -259,7 +304,8 @@ class ExportTest(ScratchTest):
                 text=True,
             )
             if code > 128:
-                time.sleep(0.5)
+                while not Path("begun").exists():
+                    time.sleep(0.01)
                 program.send_signal(signal.SIGTERM)
             self.assertEqual(program.communicate()[1].count("\n"), 1)
             self.assertEqual(program.returncode, code)

@@ -13,7 +13,7 @@ from pathlib import Path
 import clca
 import numpy
 from clca import _chart, _figures
-from clca._chart import Look, rendered
+from clca._chart import Axis, Chart, Curve, Look, Panel, rendered
 from clca._figures import Choice, charts, chosen
 from support import CONTACT, GAS, PROGRAM, SCENE, ScratchTest, clca_program
 
@@ -142,6 +142,44 @@ class SweepTest(ScratchTest):
         other = sweep.plot(x="rules.inertia", y="flow.runout_99")
         self.assertEqual((other.get_xlabel(), other.get_ylabel()), ("rules.inertia", "Run-out of 99 % (spacings)"))
         pyplot.close("all")
+
+
+class LegendTest(unittest.TestCase):
+    def page(self, count, width, height=None, name="rules.ties={}"):
+        x = numpy.array([0.0, 1.0])
+        curves = [Curve(name.format(i), x, x + i) for i in range(count)]
+        chart = Chart("many", "", 0, lambda: [Panel(curves, Axis("x"), Axis("y"))], "A title")
+        with _chart.style(1):
+            page = _chart.page(chart, Look(in_mm=True), width / 25.4, height and height / 25.4, 8)
+            page.canvas.draw()
+        return page
+
+    def check(self, page):
+        """The names; the legend is whole and leaves the larger part to the axes, with the labels of these."""
+        box, whole, (ax,) = page.legends[0].get_window_extent(), page.bbox, page.axes
+        self.assertTrue(0 <= box.x0 and box.x1 <= whole.x1 and box.y0 >= 0 and box.y1 <= whole.y1, (box, whole))
+        self.assertFalse(box.overlaps(ax.get_tightbbox()))
+        self.assertGreater(ax.get_window_extent().height, 0.25 * whole.height)
+        return [text.get_text() for text in page.legends[0].texts]
+
+    def test_a_legend_too_long_for_the_height_says_how_many_names_are_left_out(self):
+        self.assertEqual(self.check(self.page(4, 89, 60)), [f"rules.ties={i}" for i in range(4)])
+        for width, height in ((89, 60), (60, 50), (180, 40)):
+            names = self.check(self.page(60, width, height))
+            self.assertEqual(names[:-1], [f"rules.ties={i}" for i in range(len(names) - 1)])
+            self.assertEqual(names[-1], f"… and {61 - len(names)} more")
+            self.assertGreater(len(names), 4)
+
+    def test_a_legend_is_not_higher_than_the_plot(self):
+        self.assertEqual(len(self.check(self.page(12, 60))), 12)
+        self.assertRegex(self.check(self.page(100, 60))[-1], "^… and .. more$")
+
+    def test_a_name_too_long_for_the_width_is_broken_or_cut(self):
+        names = self.check(self.page(2, 60, name="{}, a name that takes two lines: 1e-3"))
+        self.assertEqual([name.replace("\n", " ") for name in names], [f"{i}, a name that takes two lines: 1e-3" for i in range(2)])
+        self.assertIn("\n", names[0])
+        names = self.check(self.page(2, 60, name="{} " + "very " * 30))
+        self.assertTrue(all(name.startswith(f"{i} very") and name.endswith("…") for i, name in enumerate(names)), names)
 
 
 class LettersTest(ScratchTest):

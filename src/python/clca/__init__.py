@@ -20,61 +20,37 @@ from ._picture import Picture
 from ._table import Table, Value
 
 if TYPE_CHECKING:
-    from ._gas import Gas
+    from ._compare import compare
     from ._scene import Scene
-    from ._simulation import Simulation
+    from ._simulation import Gas, Simulation
     from ._start import resume, run, sweep
 
     __version__: str
 
-# What runs and steps is compiled, and loaded when it is asked for: folders can be read without it.
-_COMPILED = {
-    "Gas": "_gas",
-    "Scene": "_scene",
-    "Simulation": "_simulation",
-    "resume": "_start",
-    "run": "_start",
-    "sweep": "_start",
-}
+# Loaded when it is asked for: what runs and steps is compiled, and folders can be read without it.
+_LATER = {"compare": "_compare", "Gas": "_simulation", "Scene": "_scene", "Simulation": "_simulation"}
+_LATER |= dict.fromkeys(("resume", "run", "sweep"), "_start")
 
 
 def __getattr__(name: str) -> Any:
     try:
         if name == "__version__":
             found = importlib.import_module("._clca", __name__).version()
-        elif name in _COMPILED:
-            found = getattr(importlib.import_module(f".{_COMPILED[name]}", __name__), name)
+        elif name in _LATER:
+            found = getattr(importlib.import_module(f".{_LATER[name]}", __name__), name)
         else:
             raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     except ImportError as error:
+        if name == "compare":
+            raise
         raise CompiledPartError(f"clca.{name}", error) from None
     globals()[name] = found
     return found
 
 
 def __dir__() -> list[str]:
-    return sorted({*globals(), *_COMPILED, "__version__"})
+    return sorted({*globals(), *_LATER, "__version__"})
 
 
-__all__ = [
-    "Calibration",
-    "CompiledPartError",
-    "Error",
-    "Frame",
-    "Frames",
-    "Gas",
-    "Kind",
-    "Picture",
-    "Run",
-    "Scene",
-    "Simulation",
-    "Stage",
-    "Sweep",
-    "Table",
-    "Value",
-    "calibrate",
-    "open",
-    "resume",
-    "run",
-    "sweep",
-]
+__all__ = ["Calibration", "CompiledPartError", "Error", "Frame", "Frames", "Gas", "Kind", "Picture", "Run", "Scene"]
+__all__ += ["Simulation", "Stage", "Sweep", "Table", "Value", "calibrate", "compare", "open", "resume", "run", "sweep"]

@@ -7,16 +7,8 @@ import signal
 import sys
 
 COMMANDS = ("calibrate", "compare", "export", "plot", "report", "space_time")  # the function command() of the module of that name
-PACKAGES = {
-    "gsd": "python3-gsd",
-    "h5py": "python3-h5py",
-    "jinja2": "python3-jinja2",
-    "matplotlib": "python3-matplotlib",
-    "numpy": "python3-numpy",
-    "scipy": "python3-scipy",
-    "sklearn": "python3-sklearn",
-    "yaml": "python3-yaml",
-}
+PACKAGES = ("gsd", "h5py", "jinja2", "matplotlib", "numpy", "scipy", "sklearn", "yaml")  # python3-NAME of Debian
+PIP = {"sklearn": "scikit-learn", "yaml": "PyYAML"}  # where it has another name
 
 
 def failed(code: int, line: str) -> int:
@@ -25,9 +17,9 @@ def failed(code: int, line: str) -> int:
 
 
 def missing(error: ImportError) -> int:
-    package = PACKAGES.get(error.name or "")
-    more = f"no Python module {error.name}; install {package} (Debian) or {error.name} (pip)"
-    return failed(1, more if package else str(error))
+    name = error.name or ""
+    more = f"no Python module {name}; install python3-{name} (Debian) or {PIP.get(name, name)} (pip)"
+    return failed(1, more if name in PACKAGES else str(error))
 
 
 def main() -> int:

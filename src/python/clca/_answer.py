@@ -2,6 +2,7 @@
 
 import json
 import sys
+from collections.abc import Iterable
 from typing import Any
 
 from ._error import Error
@@ -16,11 +17,15 @@ def _head(**values: Any) -> None:
     sys.stdout.buffer.write(json.dumps(values).encode() + b"\n")
 
 
-def file(name: str, *parts: Any) -> None:
-    """A file that the program writes, relative to the folder of the command: the parts of its content, as bytes."""
-    _head(file=name, bytes=sum(memoryview(part).nbytes for part in parts))
-    sys.stdout.buffer.writelines(parts)
+def parts(name: str, size: int, content: Iterable[Any]) -> None:
+    """A file that the program writes, relative to the folder of the command: its bytes, part by part."""
+    _head(file=name, bytes=size)
+    sys.stdout.buffer.writelines(content)
     sys.stdout.buffer.flush()
+
+
+def file(name: str, content: bytes) -> None:
+    parts(name, len(content), [content])
 
 
 def line(text: str) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import base64
 import csv
 import io
 import json
@@ -18,9 +19,9 @@ import numpy
 from . import _answer
 from ._arguments import absolute, plain, to_yaml, whole
 from ._error import ArgumentError, Error
-from ._folder import Folder, Sweep
+from ._folder import Sweep, read_json
 from ._surrogate import Likely, Numbers, Surrogate, likely, sobol
-from ._table import Table
+from ._table import Table, quantities, read_table
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure  # type: ignore[import]
@@ -397,22 +398,27 @@ def files_of(summary: dict[str, Any], tables: dict[str, Rows]) -> Iterator[tuple
         writer.writerows(rows)
         yield f"{name}.csv", text.getvalue().encode()
     drawn = {key: numpy.array([row[key] for row in tables["likely"]]) for key in summary["vary"]}
-    yield "calibration.png", picture(summary["vary"], tables["parameters"], drawn)
+    png = picture(summary["vary"], tables["parameters"], drawn)
+    yield "calibration.png", png
+    yield "report.html", page(summary, tables, png)
 
 
 def scene_name(test: Test) -> str:
     return os.fspath(test.scene) if isinstance(test.scene, (str, os.PathLike)) else test.name
 
 
-class Calibration(Folder):
+class Calibration:
     """What `calibrate` has found; also read again from its folder."""
 
+    folder: Path
+    summary: dict[str, Any]  #: what calibration.json says
     notes: list[str]  #: where the targets do not determine the parameters, or cannot be had
     keys: list[str]  #: the parameters
     correlations: Numbers  #: D x D, of the ranks of likely values, from -1 to 1
 
     def __init__(self, folder: str | os.PathLike[str]) -> None:
-        super().__init__(folder, "calibration.json")
+        self.folder = absolute(folder)
+        self.summary = read_json(self.folder / "calibration.json")
         try:
             self.notes, self.keys = self.summary["notes"], list(self.summary["vary"])
             self.correlations = numpy.array(self.summary["correlations"], dtype=float)
@@ -423,6 +429,9 @@ class Calibration(Folder):
     def __repr__(self) -> str:
         return "\n".join(summary_lines(self.parameters, self.targets, self.notes))
 
+    def _table(self, name: str) -> Table:
+        return read_table(self.folder / f"{name}.csv", quantities(self.summary["tables"][name]))
+
     @property
     def best(self) -> dict[str, float]:
         """The most likely value of each parameter, as `set` of `clca.run` takes them."""
@@ -431,17 +440,17 @@ class Calibration(Folder):
     @cached_property
     def parameters(self) -> Table:
         """A row for each parameter: `best`, `mean`, and `low`, `high` of the interval of 95 %."""
-        return self.table("parameters")
+        return self._table("parameters")
 
     @cached_property
     def targets(self) -> Table:
         """A row for each target: measured, predicted by the surrogate, checked by fresh runs."""
-        return self.table("targets")
+        return self._table("targets")
 
     @cached_property
     def likely(self) -> Table:
         """Equally likely values of all parameters, a row each."""
-        return self.table("likely")
+        return self._table("likely")
 
     def plot(self) -> Figure:
         """What is likely: each parameter alone and each pair. A figure of pyplot, in the style that is set."""
@@ -499,6 +508,13 @@ def picture(vary: Mapping[str, Sequence[float]], parameters: Any, drawn: Any) ->
         draw(figure, vary, parameters, drawn)
         figure.savefig(out, format="png", dpi=150, metadata={"Software": None})
     return out.getvalue()
+
+
+def page(summary: dict[str, Any], tables: dict[str, Rows], png: bytes) -> bytes:
+    from ._report import html
+
+    shown: dict[str, Any] = {"picture": f"data:image/png;base64,{base64.b64encode(png).decode()}"}
+    return html("calibration.html", {}, **(summary | tables | shown))
 
 
 # What users call

@@ -1,4 +1,4 @@
-"""The command `clca compare`: energies of a run of grains beside those of a gas of the Boltzmann equation.
+"""Energies of a run of grains beside those of a gas of the Boltzmann equation.
 
 Bins are equally probable under chi-square, with 2 degrees of freedom in the plane and 3 in space, so that bin k of one
 corresponds to bin k of the other.
@@ -6,11 +6,12 @@ corresponds to bin k of the other.
 
 from __future__ import annotations
 
-import csv
-import io
 import json
 import math
+import os
+import re
 from collections.abc import Iterable
+from itertools import product
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any, NamedTuple
@@ -18,14 +19,15 @@ from typing import Any, NamedTuple
 import numpy
 
 from . import _answer
+from ._arguments import absolute
 from ._chart import Look, rendered
-from ._error import Error
+from ._error import Error, WriteError
 from ._figures import Choice, chosen
-from ._folder import Run, read_json
+from ._folder import MANIFEST, Run, read_json, write_file
 from ._table import Table
 
 ROUNDING = 1e-6  # tables may be cut to fewer digits
-MODELS = ("automaton", "contact", "voids", "baxter")
+MODELS, GAS = ("automaton", "contact", "voids", "baxter"), ("boltzmann",)
 
 
 class Distribution(NamedTuple):
@@ -47,15 +49,16 @@ def hellinger(one: Iterable[float], other: Iterable[float]) -> float:
     return max(0.0, 1 - sum(math.sqrt(p * q) for p, q in zip(one, other)))
 
 
-def run_of(folder: str, kinds: tuple[str, ...]) -> Run:
-    run = Run(folder)
+def run_of(folder: Run | str | os.PathLike[str], kinds: tuple[str, ...]) -> Run:
+    run = folder if isinstance(folder, Run) else Run(folder)
     if run.kind not in kinds:
-        raise Error(f"{folder}: expected a run of kind {' or '.join(kinds)}, found {run.kind}")
+        name = folder.folder if isinstance(folder, Run) else os.fspath(folder)
+        raise Error(f"{name}: expected a run of kind {' or '.join(kinds)}, found {run.kind}")
     return run
 
 
 def column_of(file: Path, table: Table, column: str) -> Any:
-    if column not in (table.dtype.names or ()):
+    if column not in table.names:
         raise Error(f"{file}: it has no column '{column}'")
     return table[column]
 
@@ -77,10 +80,8 @@ def of_grains(run: Run, stage: str | None) -> tuple[str, list[Distribution]]:
     """The stage, by default the last one that has a table, and its distributions."""
     found = [name for name in run.stages if f"fluctuation-{name}" in run.tables]
     if not found:
-        raise Error(
-            f"{run.folder}: no stage has a fluctuation table; the scene needs output.fields with a window that a stage is "
-            "long enough for"
-        )
+        needs = "the scene needs output.fields with a window that a stage is long enough for"
+        raise Error(f"{run.folder}: no stage has a fluctuation table; {needs}")
     if stage is not None and stage not in found:
         raise Error(f"{run.folder}: no fluctuation table of a stage '{stage}'; there are {', '.join(found)}")
     stage = stage or found[-1]
@@ -92,29 +93,18 @@ def of_grains(run: Run, stage: str | None) -> tuple[str, list[Distribution]]:
     return stage, [Distribution(name, shares_of(file, table, key), int(samples)) for name, key in columns.items()]
 
 
-def times_of(run: Run) -> dict[float, str]:
-    """The tables `histogram-TIME` by time."""
-    times = {}
-    for name in run.tables:
-        try:
-            times[float(name.removeprefix("histogram-"))] = name
-        except ValueError:
-            pass
-    return dict(sorted((time, name) for time, name in times.items() if math.isfinite(time)))
-
-
 def of_gas(run: Run, time: float | None, restitution: float | None) -> tuple[float, list[Distribution]]:
     """The time, by default the latest one, and its distributions: no rotation of spheres that do not spin."""
-    times = times_of(run)
+    found = [(re.fullmatch(r"histogram-(\d+(?:\.\d+)?(?:e[+-]?\d+)?)", name), name) for name in run.tables]
+    times = {float(match[1]): name for match, name in found if match}
     if not times:
         raise Error(f"{run.folder}: it has no histogram-TIME.csv; the scene needs output.histograms")
     if time is not None and time not in times:
-        raise Error(
-            f"{run.folder}: no histogram of time {shown(time)}; there are {', '.join(shown(one) for one in times)}"
-        )
-    time = list(times)[-1] if time is None else time
+        there = ", ".join(map(shown, sorted(times)))
+        raise Error(f"{run.folder}: no histogram of time {shown(time)}; there are {there}")
+    time = max(times) if time is None else time
     file, table = run.folder / f"{times[time]}.csv", run.table(times[time])
-    if "restitution" in (table.dtype.names or ()):
+    if "restitution" in table.names:
         all_of = [float(one) for one in numpy.unique(table["restitution"])]
         if restitution not in all_of and (restitution is not None or len(all_of) > 1):
             texts = ", ".join(shown(one) for one in all_of)
@@ -123,86 +113,99 @@ def of_gas(run: Run, time: float | None, restitution: float | None) -> tuple[flo
     elif restitution is not None:
         raise Error(f"{file}: it has no column 'restitution' to choose from")
     energies = column_of(file, table, "energy").astype(str)
-    found = [
-        Distribution(f"boltzmann_{energy}", shares_of(file, table[energies == energy], "share"), run.particles)
-        for energy in ("translational", "rotational")
-    ]
-    return time, [one for one in found if any(one.shares) or one.name == "boltzmann_translational"]
+    names = ("translational", "rotational")
+    shares = {name: shares_of(file, table[energies == name], "share") for name in names}
+    shown_names = [name for name in names if any(shares[name]) or name == names[0]]
+    return time, [Distribution(f"boltzmann_{name}", shares[name], run.particles) for name in shown_names]
 
 
-def csv_of(names: Iterable[str], rows: Iterable[Iterable[Any]]) -> bytes:
-    text = io.StringIO()
-    table = csv.writer(text, lineterminator="\n")
-    table.writerow(names)
-    table.writerows([shown(cell) if isinstance(cell, float) else cell for cell in row] for row in rows)
-    return text.getvalue().encode()
+def csv_of(*rows: Iterable[Any]) -> bytes:
+    lines = [",".join(shown(cell) if isinstance(cell, float) else str(cell) for cell in row) for row in rows]
+    return "\n".join([*lines, ""]).encode()
 
 
 def distances_of(grains: list[Distribution], gas: list[Distribution]) -> list[tuple[str, float, float, int]]:
     """Name, distance, floor, samples: each from chi-square, then each of grains from each of the gas."""
     bins = len(grains[0].shares)
-    alone = [(one.name, hellinger(one.shares, [1 / bins] * bins), one.floor, one.samples) for one in grains + gas]
-    return alone + [
-        (
-            f"{one.name}:{other.name}",
-            hellinger(one.shares, other.shares),
-            one.floor + other.floor,
-            min(one.samples, other.samples),
-        )
-        for one in grains
-        for other in gas
-    ]
+    rows = [(one.name, hellinger(one.shares, [1 / bins] * bins), one.floor, one.samples) for one in grains + gas]
+    for one, other in product(grains, gas):
+        distance, samples = hellinger(one.shares, other.shares), min(one.samples, other.samples)
+        rows.append((f"{one.name}:{other.name}", distance, one.floor + other.floor, samples))
+    return rows
 
 
-def command(options: dict[str, Any], of_automaton: str, of_boltzmann: str, output: str) -> None:
-    """Answers comparison.csv, distances.csv, a run.json and the figure of them, and a line for each distance."""
-    run, other = run_of(of_automaton, MODELS), run_of(of_boltzmann, ("boltzmann",))
-    stage, grains = of_grains(run, options["stage"])
-    time, gas = of_gas(other, options["time"], options["restitution"])
+def compared(
+    run: Run, other: Run, output: Path, stage: str | None, time: float | None, restitution: float | None
+) -> tuple[dict[str, bytes], list[str]]:
+    """comparison.csv, distances.csv and a run.json for that folder, and what to say of them."""
+    stage, grains = of_grains(run, stage)
+    time, gas = of_gas(other, time, restitution)
     bins = len(grains[0].shares)
     for one in grains + gas:
         if one.samples == 0:
             raise Error(f"{other.folder}: there are no particles")
         if len(one.shares) != bins or bins < 2:
-            raise Error(
-                f"{other.folder}: the {one.name} energy is in {len(one.shares)} bins, that of the automaton in {bins} "
-                "(bins: q20 in the scene)"
-            )
-    there = Path(output) / "run.json"
+            of = f"the {one.name} energy is in {len(one.shares)} bins, that of the automaton in {bins}"
+            raise Error(f"{other.folder}: {of} (bins: q20 in the scene)")
+    there = output / "run.json"
     if there.exists() and (kind := read_json(there).get("kind")) != "comparison":
         raise Error(f"{output}: there is a run of kind {kind} in it; write the comparison elsewhere")
     distances = distances_of(grains, gas)
-    title = f"{run.scene}, {stage}, and {other.scene} at {shown(time)}"
     measures = {f"hellinger_{name}": distance for name, distance, _, _ in distances[: len(grains + gas)]}
-    summary = {key: run.summary[key] for key in ("clca", "threads", "build")} | {
-        "kind": "comparison",
-        "scene": title,
-        "title": "",
-        "status": "done",
-        "state_hash": f"{0:016x}",
-        "stages": [{"name": stage, "steps": 0, "ended": "", "measures": measures}],
-        "kinds": [],
-        "measures": [],
-        "tables": {},
-    }
-    summary |= dict.fromkeys(
-        ("seed", "particles", "steps", "wall_seconds", "step_seconds", "particle_updates_per_second"), 0
-    )
-    rows = zip(*(one.shares for one in grains + gas))
-    files = {
-        "comparison.csv": csv_of(
-            ["quantile_lower", "quantile_upper", *(one.name for one in grains + gas), "reference"],
-            ([bin / bins, (bin + 1) / bins, *row, 1 / bins] for bin, row in enumerate(rows)),
-        ),
-        "distances.csv": csv_of(["name", "distance", "floor", "samples"], distances),
+    summary = {key: run.summary[key] for key in ("clca", "threads", "build")}
+    summary |= {"kind": "comparison", "scene": f"{run.scene}, {stage}, and {other.scene} at {shown(time)}"}
+    summary |= {"title": "", "status": "done", "state_hash": f"{0:016x}"}
+    summary |= {"stages": [{"name": stage, "steps": 0, "ended": "", "measures": measures}]}
+    summary |= {"kinds": [], "measures": [], "tables": {}}
+    numbers = ("seed", "particles", "steps", "wall_seconds", "step_seconds", "particle_updates_per_second")
+    summary |= dict.fromkeys(numbers, 0)
+    rows = enumerate(zip(*(one.shares for one in grains + gas)))
+    names = ["quantile_lower", "quantile_upper", *(one.name for one in grains + gas), "reference"]
+    said = [f"{name:40} D_H {distance:.3e}, floor {floor:.1e}" for name, distance, floor, _ in distances]
+    return {
+        "comparison.csv": csv_of(names, *([i / bins, (i + 1) / bins, *row, 1 / bins] for i, row in rows)),
+        "distances.csv": csv_of(["name", "distance", "floor", "samples"], *distances),
         "run.json": json.dumps(summary, indent=2).encode() + b"\n",
-    }
+    }, [f"stage {_answer.printable(stage)} beside time {shown(time)}", *said]
+
+
+def compare(
+    automaton: Run | str | os.PathLike[str],
+    boltzmann: Run | str | os.PathLike[str],
+    output: str | os.PathLike[str] = "renders/comparison",
+    stage: str | None = None,
+    time: float | None = None,
+    restitution: float | None = None,
+) -> Run:
+    """Energies of a run of grains with `output.fields` beside those of a gas with `output.histograms`, as `clca compare`.
+
+    Writes tables into the folder `output` and returns it as a run: `table("comparison")` has the shares by bin,
+    `table("distances")` how far each is from chi-square and from the others; `plot("comparison")` is the figure. By
+    default `stage` is the last one that has a table, `time` the latest. Throws Error.
+    """
+    folder = absolute(output)
+    grains, gas = run_of(automaton, MODELS), run_of(boltzmann, GAS)
+    files, _ = compared(grains, gas, folder, stage, None if time is None else float(time), restitution)
+    manifest = folder / MANIFEST
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        if not manifest.exists():
+            manifest.write_text("clca manifest 1\n")
+    except OSError as error:
+        raise WriteError(f"cannot write {folder}: {error.strerror}") from None
+    for name, content in files.items():
+        write_file(folder / name, content, is_listed=True)
+    return Run(folder)
+
+
+def command(options: dict[str, Any], of_automaton: str, of_boltzmann: str, output: str) -> None:
+    """Answers the files and the figure of them, and a line for each distance."""
+    files, said = compared(run_of(of_automaton, MODELS), run_of(of_boltzmann, GAS), Path(output), **options)
     with TemporaryDirectory() as folder:
         for name, content in files.items():
             (Path(folder) / name).write_bytes(content)
         files["comparison.png"] = rendered(chosen(Run(folder), ["comparison"], Choice())[0], Look())
     for name, content in files.items():
         _answer.file(name, content)
-    _answer.line(f"stage {_answer.printable(stage)} beside time {shown(time)}")
-    for name, distance, floor, _ in distances:
-        _answer.line(f"{name:40} D_H {distance:.3e}, floor {floor:.1e}")
+    for text in said:
+        _answer.line(text)

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import io
 import json
+import math
 import os
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from importlib.metadata import version
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -19,7 +20,7 @@ from numpy.typing import NDArray
 from . import _answer
 from ._error import ArgumentError, Error, WriteError
 from ._frames import Frame, Frames
-from ._trajectory import PITCH, Trajectory, axial, trapezoids
+from ._trajectory import PITCH, Trajectory, axial, slices, trapezoids
 
 if TYPE_CHECKING:
     from ._folder import Run
@@ -32,7 +33,27 @@ VTK_TYPES = {"<f4": "Float32", "<i4": "Int32", "<u2": "UInt16", "<u4": "UInt32"}
 class Target(NamedTuple):
     path: Path  #: to write to
     file: Path  #: what it is going to be, as the user knows it
-    add: Callable[..., None]  #: a file beside it: its name, then the parts of its content
+    add: Callable[[str, int, Iterable[Any]], None]  #: a file beside it: its name, its size and the parts of its content
+
+
+class Array(NamedTuple):
+    """Made block by block when it is written."""
+
+    name: str
+    kind: str  #: of its numbers, as of VTK_TYPES
+    shape: tuple[int, ...]
+    blocks: Iterable[NDArray[Any]]
+
+    @property
+    def size(self) -> int:
+        return numpy.dtype(self.kind).itemsize * math.prod(self.shape)
+
+    def whole(self) -> NDArray[Any]:
+        return numpy.concatenate(list(self.blocks))
+
+
+def array(name: str, values: NDArray[Any]) -> Array:
+    return Array(name, values.dtype.str, values.shape, [values])
 
 
 class Source:
@@ -40,13 +61,11 @@ class Source:
 
     def __init__(self, run: Run, first: int | None, last: int | None, every: int) -> None:
         if run.kind == "boltzmann":
-            raise Error(
-                f"{run.folder}: expected a run of grains, found one of the Boltzmann equation, which has no trajectory"
-            )
+            found = "found one of the Boltzmann equation, which has no trajectory"
+            raise Error(f"{run.folder}: expected a run of grains, {found}")
         if not (run.folder / "trajectory").exists():
-            raise Error(
-                f"{run.folder}: the run has left no trajectory; run the scene again with output.trajectory in it"
-            )
+            again = "run the scene again with output.trajectory in it"
+            raise Error(f"{run.folder}: the run has left no trajectory; {again}")
         self.version = run.version
         self.trajectory = Trajectory(run.folder, run.summary)
         self.chosen = chosen(self.trajectory.list, first, last, every)
@@ -102,14 +121,12 @@ class Source:
         # A copy, which does not keep the frame.
         return numpy.array(self.force(frame) * some["force"] if name == "force" else some[name])
 
-    def narrow(self, name: str, frame: Frame, origin: Any = 0) -> NDArray[Any]:
+    def narrow(self, name: str, frame: Frame, origin: Any = 0) -> Array:
         """The same of all particles in 32 bits, places from an origin."""
-        like = self.column(name, frame, slice(0))
-        result = numpy.empty((len(frame.ids), *like.shape[1:]), "f4" if like.dtype.kind == "f" else like.dtype)
-        for start in range(0, len(result), MANY):
-            rows = slice(start, start + MANY)
-            result[rows] = self.column(name, frame, rows) - (origin if name == "position" else numpy.uint8(0))
-        return result
+        kind, start = "<u4" if name == "id" else "<f4", origin if name == "position" else 0
+        shape = (len(frame.ids), 3) if name in VECTORS else (len(frame.ids),)
+        blocks = ((self.column(name, frame, rows) - start).astype(kind) for rows in slices(len(frame.ids)))
+        return Array(name, kind, shape, blocks)
 
 
 def chosen(frames: list[tuple[int, str]], first: int | None, last: int | None, every: int) -> list[int]:
@@ -127,15 +144,19 @@ def chosen(frames: list[tuple[int, str]], first: int | None, last: int | None, e
     return result
 
 
-def contact_columns(source: Source, frame: Frame, rows: NDArray[Any]) -> dict[str, NDArray[Any]]:
+def contact_arrays(source: Source, frame: Frame, count: int, pairs: bool = False) -> list[Array]:
     """Of contacts the force on the upper one: as a vector, along the normal and along the normal turned anticlockwise."""
-    vectors, parts = numpy.zeros((len(rows), 3), "f4"), numpy.empty((2, len(rows)), "f4")
-    for start in range(0, len(rows), MANY):
-        some = frame.contacts[rows[start : start + MANY]]
-        (x, y), (along, across) = some["normal"].T, source.force(frame) * some["force"].T
-        parts[:, start : start + MANY] = along, across
-        vectors[start : start + MANY, :2] = numpy.stack([along * x - across * y, along * y + across * x], 1)
-    return {"force": vectors, "normal_force": parts[0], "tangential_force": parts[1]}
+    unit = source.force(frame)
+
+    def blocks(name: str) -> Iterator[NDArray[Any]]:
+        for some in frame._contact_blocks("other", "normal", "force"):
+            some = some[some["other"] >= 0] if pairs else some
+            (x, y), (along, across) = some["normal"].T, unit * some["force"].T
+            vector = numpy.stack([along * x - across * y, along * y + across * x, numpy.zeros_like(x)], 1)
+            yield {"force": vector, "normal_force": along, "tangential_force": across}[name].astype("f4")
+
+    shapes: dict[str, tuple[int, ...]] = {"force": (count, 3), "normal_force": (count,), "tangential_force": (count,)}
+    return [Array(name, "<f4", shape, blocks(name)) for name, shape in shapes.items()]
 
 
 def xyz(source: Source, target: Target) -> None:
@@ -143,20 +164,16 @@ def xyz(source: Source, target: Target) -> None:
     (width, height), (left, floor), depth = source.size, source.corner, source.spacing
     names = [name for name in source.columns if name != "image"]
     spin = names[7:]  # angular_velocity
-    box = (
-        f'Lattice="{width:.9g} 0 0 0 {height:.9g} 0 0 0 {depth:.9g}" Origin="{left:.9g} {floor:.9g} {-depth / 2:.9g}" '
-        "Properties=species:S:1:pos:R:3:id:I:1:velo:R:3:displacement:R:3:force:R:1:mass:R:1:radius:R:1"
-        + "".join(f":{name}:R:1" for name in spin)
-    )
+    box = f'Lattice="{width:.9g} 0 0 0 {height:.9g} 0 0 0 {depth:.9g}" Origin="{left:.9g} {floor:.9g} {-depth / 2:.9g}" '
+    box += "Properties=species:S:1:pos:R:3:id:I:1:velo:R:3:displacement:R:3:force:R:1:mass:R:1:radius:R:1"
+    box += "".join(f":{name}:R:1" for name in spin)
     line = "%s %.9g %.9g 0 %d %.7g %.7g 0 %.7g %.7g 0 %.7g %.7g %.7g" + " %.7g" * len(spin) + "\n"
     species = numpy.array([kind.species for kind in source.kinds])
     with target.path.open("w", encoding="utf-8") as file:
         for frame in source.frames():
-            file.write(
-                f'{len(frame.ids)}\n{box} Time={frame.time!r} Step={frame.step} pbc="{"FT"[source.periodic]} F F"\n'
-            )
-            for start in range(0, len(frame.ids), MANY):
-                rows = slice(start, start + MANY)
+            time = f"Time={frame.time!r} Step={frame.step}"
+            file.write(f'{len(frame.ids)}\n{box} {time} pbc="{"FT"[source.periodic]} F F"\n')
+            for rows in slices(len(frame.ids), MANY):
                 columns = [source.column(name, frame, rows) for name in names]
                 columns[6] = columns[6] / 2  # of the diameter
                 cells = [column.T[:2] if column.ndim > 1 else column[None] for column in columns]
@@ -194,16 +211,18 @@ def gsd(source: Source, target: Target) -> None:
                 column = source.narrow(name, frame, middle)
                 in_schema = name in ("position", "velocity", "mass", "diameter", "image")
                 path = f"particles/{name}" if in_schema else f"log/particles/{name}"
-                put(path, column, {"id": "u4", "image": "i4"}.get(name, "f4"))
+                put(path, column.whole(), "i4" if name == "image" else column.kind)
             if source.trajectory.has_contacts:
-                pairs = numpy.flatnonzero(frame.contacts["other"] >= 0)
-                both = numpy.stack([frame.contacts[name][pairs] for name in ("upper", "other")], 1).astype("u4")
-                put("bonds/N", [len(pairs)], "u4")
-                put("bonds/typeid", numpy.zeros(len(pairs), "u4"), "u4")
-                put("bonds/group", numpy.searchsorted(frame.ids, both), "u4")
+                blocks = (some[some["other"] >= 0] for some in frame._contact_blocks("upper", "other"))
+                ids = [numpy.stack([some["upper"], some["other"]], 1).astype("u4") for some in blocks]
+                both = numpy.concatenate(ids)
+                places = [numpy.searchsorted(frame.ids, both[some]).astype("u4") for some in slices(len(both))]
+                put("bonds/N", [len(both)], "u4")
+                put("bonds/typeid", numpy.zeros(len(both)), "u4")
+                put("bonds/group", numpy.concatenate(places), "u4")
                 put("log/bonds/id", both, "u4")
-                for name, column in contact_columns(source, frame, pairs).items():
-                    put(f"log/bonds/{name}", column, "f4")
+                for force in contact_arrays(source, frame, len(both), pairs=True):
+                    put(f"log/bonds/{force.name}", force.whole(), "f4")
             file.end_frame()
 
 
@@ -277,7 +296,8 @@ def h5md(source: Source, target: Target) -> None:
                     values[frame.ids] = source.column(name, frame)
                 for name, element in elements.items():
                     row = numpy.full(element.shape[1:], element.fillvalue, element.dtype)
-                    row[frame.ids] = source.column(name, frame)
+                    for rows_of in slices(len(frame.ids)):
+                        row[frame.ids[rows_of]] = source.column(name, frame, rows_of)
                     element[number] = row
                 disk.check()
             for name, values in lasting.items():
@@ -288,26 +308,28 @@ def h5md(source: Source, target: Target) -> None:
 
 
 def poly_data(
-    time: float,
-    names: tuple[str, list[str]],
-    kind: str,
-    points: NDArray[Any],
-    counts: NDArray[Any],
-    cells: dict[str, NDArray[Any]],
-) -> list[Any]:
-    """A file of VTK ("PolyData", with raw data appended) in parts. `kind`: Polys or Lines, of `counts` points each."""
-    parts: list[Any] = []
-    offset = 0
+    time: float, names: tuple[str, list[str]], kind: str, points: Array, counts: NDArray[Any], cells: list[Array]
+) -> tuple[int, Iterator[Any]]:
+    """A file of VTK ("PolyData", raw data appended): size and parts. `kind`: Polys or Lines, of `counts` points each."""
+    arrays: list[Array] = []
 
-    def array(name: str, values: NDArray[Any]) -> str:
-        nonlocal offset
-        width = values.shape[1] if values.ndim > 1 else 1
-        text = f'<DataArray Name="{name}" type="{VTK_TYPES[values.dtype.str]}" NumberOfComponents="{width}" '
-        text += f'format="appended" offset="{offset}"/>\n'
-        parts.extend([numpy.uint64(values.nbytes).tobytes(), numpy.ascontiguousarray(values)])
-        offset += 8 + values.nbytes
+    def declared(one: Array) -> str:
+        text = f'<DataArray Name="{one.name}" type="{VTK_TYPES[one.kind]}" NumberOfComponents="{(*one.shape, 1)[1]}" '
+        text += f'format="appended" offset="{sum(8 + before.size for before in arrays)}"/>\n'
+        arrays.append(one)
         return text
 
+    def parts() -> Iterator[Any]:
+        yield head.encode()
+        for one in arrays:
+            yield numpy.uint64(one.size).tobytes()
+            yield from map(numpy.ascontiguousarray, one.blocks)
+        yield tail
+
+    count = points.shape[0]
+    numbers = (numpy.arange(rows.start, rows.stop, dtype="i4") for rows in slices(count))
+    connectivity = Array("connectivity", "<i4", (count,), numbers)
+    offsets = array("offsets", numpy.cumsum(counts, dtype="i4"))
     letters = " ".join(str(byte) for name in names[1] for byte in name.encode() + b"\0")
     head = f"""<?xml version="1.0"?>
 <VTKFile type="PolyData" version="1.0" byte_order="LittleEndian" header_type="UInt64">
@@ -316,34 +338,39 @@ def poly_data(
 <DataArray Name="TimeValue" type="Float64" NumberOfTuples="1" format="ascii">{time!r}</DataArray>
 <DataArray Name="{names[0]}" type="String" NumberOfTuples="{len(names[1])}" format="ascii">{letters}</DataArray>
 </FieldData>
-<Piece NumberOfPoints="{len(points)}" NumberOf{kind}="{len(counts)}">
-<Points>{array("Points", points)}</Points>
-<{kind}>{array("connectivity", numpy.arange(len(points), dtype="i4"))}{array("offsets", numpy.cumsum(counts, dtype="i4"))}</{kind}>
-<CellData>{"".join(array(name, values) for name, values in cells.items())}</CellData>
+<Piece NumberOfPoints="{count}" NumberOf{kind}="{len(counts)}">
+<Points>{declared(points)}</Points>
+<{kind}>{declared(connectivity)}{declared(offsets)}</{kind}>
+<CellData>{"".join(map(declared, cells))}</CellData>
 </Piece>
 </PolyData>
 <AppendedData encoding="raw">
 _"""
-    return [head.encode(), *parts, b"\n</AppendedData>\n</VTKFile>\n"]
+    tail = b"\n</AppendedData>\n</VTKFile>\n"
+    return len(head.encode()) + sum(8 + one.size for one in arrays) + len(tail), parts()
 
 
-def bodies(source: Source, frame: Frame) -> list[Any]:
+def bodies(source: Source, frame: Frame) -> tuple[int, Iterator[Any]]:
     """A polygon for each particle."""
     counts = numpy.array([len(outline) for outline in source.outlines], "i4")[frame.kinds]
-    ends = numpy.cumsum(counts)
-    points = numpy.zeros((int(counts.sum()), 3), "f4")
-    for kind, outline in enumerate(source.outlines):
-        those = numpy.flatnonzero(frame.kinds == kind)
-        for start in range(0, len(those), MANY):
-            some = those[start : start + MANY, None]
-            corners = ends[some] - len(outline) + numpy.arange(len(outline))
-            points[corners, :2] = source.spacing * frame.positions[some] + outline
-    cells = {"species": source.species[frame.kinds]}
-    cells |= {name: source.narrow(name, frame) for name in source.columns if name not in ("position", "image")}
+
+    def blocks() -> Iterator[NDArray[Any]]:
+        for rows in slices(len(frame.ids), MANY):
+            kinds, places, ends = frame.kinds[rows], frame.positions[rows], numpy.cumsum(counts[rows])
+            points = numpy.zeros((counts[rows].sum(), 3), "f4")
+            for kind in numpy.unique(kinds):
+                those, outline = numpy.flatnonzero(kinds == kind)[:, None], source.outlines[kind]
+                corners = ends[those] - len(outline) + numpy.arange(len(outline))
+                points[corners, :2] = source.spacing * places[those] + outline
+            yield points
+
+    points = Array("Points", "<f4", (int(counts.sum()), 3), blocks())
+    cells = [array("species", source.species[frame.kinds])]
+    cells += [source.narrow(name, frame) for name in source.columns if name not in ("position", "image")]
     return poly_data(frame.time, ("species_names", source.trajectory.species), "Polys", points, counts, cells)
 
 
-def walls(source: Source, frame: Frame) -> list[Any]:
+def walls(source: Source, frame: Frame) -> tuple[int, Iterator[Any]]:
     """The walls that are there, cut into trapezoids."""
     corners, counts, numbers = [numpy.empty((0, 2))], [numpy.empty(0, "i4")], [numpy.empty(0, "u4")]
     columns, rows, periodic = source.trajectory.lattice
@@ -358,40 +385,45 @@ def walls(source: Source, frame: Frame) -> list[Any]:
             corners.append(source.spacing * points)
             counts.append(of_each.astype("i4"))
             numbers.append(numpy.full(len(of_each), number, "u4"))
-    points = numpy.concatenate(corners)
-    flat = numpy.pad(points, ((0, 0), (0, 1))).astype("f4")
+    flat = array("Points", numpy.pad(numpy.concatenate(corners), ((0, 0), (0, 1))).astype("f4"))
     names = ("wall_names", list(source.trajectory.look.walls))
-    return poly_data(frame.time, names, "Polys", flat, numpy.concatenate(counts), {"wall": numpy.concatenate(numbers)})
+    cells = [array("wall", numpy.concatenate(numbers))]
+    return poly_data(frame.time, names, "Polys", flat, numpy.concatenate(counts), cells)
 
 
-def contacts(source: Source, frame: Frame) -> list[Any]:
+def contacts(source: Source, frame: Frame) -> tuple[int, Iterator[Any]]:
     """A line for each contact, from the other centre, or from what is no particle, to the upper one."""
-    found = frame.contacts
-    points = numpy.zeros((len(found), 2, 3), "f4")
-    centres = frame.positions[numpy.searchsorted(frame.ids, found["upper"])]
-    points[:, 0, :2], points[:, 1, :2] = source.spacing * (centres - found["branch"]), source.spacing * centres
-    cells = {"upper": found["upper"], "other": found["other"]}
-    cells |= contact_columns(source, frame, numpy.arange(len(found)))
-    counts, names = numpy.full(len(found), 2), ("wall_names", list(source.trajectory.look.walls))
-    return poly_data(frame.time, names, "Lines", points.reshape(-1, 3), counts, cells)
+    upper = numpy.concatenate([some["upper"] for some in frame._contact_blocks("upper")])
+    other = Array("other", "<i4", upper.shape, (some["other"] for some in frame._contact_blocks("other")))
+
+    def blocks() -> Iterator[NDArray[Any]]:
+        for some in frame._contact_blocks("upper", "branch"):
+            points = numpy.zeros((len(some), 2, 3), "f4")
+            centres = frame.positions[numpy.searchsorted(frame.ids, some["upper"])]
+            points[:, 0, :2], points[:, 1, :2] = source.spacing * (centres - some["branch"]), source.spacing * centres
+            yield points
+
+    points = Array("Points", "<f4", (2 * len(upper), 3), blocks())
+    cells = [array("upper", upper), other, *contact_arrays(source, frame, len(upper))]
+    names = ("wall_names", list(source.trajectory.look.walls))
+    return poly_data(frame.time, names, "Lines", points, numpy.full(len(upper), 2, "i1"), cells)
 
 
 def vtp(source: Source, target: Target) -> None:
     """Files of VTK for ParaView: particles of each frame, walls whenever they have changed, contacts, and collections."""
     stem, digits = target.file.stem, max(6, len(str(source.trajectory.list[-1][0])))
-    listed: dict[str, list[str]] = {"": [], "-contacts": []}
+    listed: dict[str, list[str]] = {"": [], "-contacts": []}  # collections
     stood: Any = None
     wall_file = ""
 
-    def add(part: str, frame: Frame, content: list[Any]) -> str:
+    def add(part: str, frame: Frame, content: tuple[int, Iterator[Any]]) -> str:
         name = f"{stem}{part}-{frame.step:0{digits}}.vtp"
         target.add(name, *content)
         return name
 
     def put(collection: str, frame: Frame, number: int, block: str, file: str) -> None:
-        listed[collection].append(
-            f'<DataSet timestep="{frame.time!r}" part="{number}" name="{block}" file={quoteattr(file)}/>\n'
-        )
+        head = f'<DataSet timestep="{frame.time!r}" part="{number}" name="{block}"'
+        listed[collection].append(f"{head} file={quoteattr(file)}/>\n")
 
     for frame in source.frames():
         put("", frame, 0, "particles", add("", frame, bodies(source, frame)))
@@ -402,14 +434,12 @@ def vtp(source: Source, target: Target) -> None:
         if source.trajectory.has_contacts:
             put("-contacts", frame, 0, "contacts", add("-contacts", frame, contacts(source, frame)))
     for collection, entries in listed.items():
-        text = (
-            '<?xml version="1.0"?>\n<VTKFile type="Collection" version="1.0" byte_order="LittleEndian">\n'
-            f'<Collection>\n{"".join(entries)}</Collection>\n</VTKFile>\n'
-        )
+        text = '<?xml version="1.0"?>\n<VTKFile type="Collection" version="1.0" byte_order="LittleEndian">\n'
+        text += f'<Collection>\n{"".join(entries)}</Collection>\n</VTKFile>\n'
         if not collection:
             target.path.write_text(text)
         elif entries:
-            target.add(f"{stem}{collection}.pvd", text.encode())
+            target.add(f"{stem}{collection}.pvd", len(text.encode()), [text.encode()])
 
 
 FORMATS: dict[str, tuple[Callable[[Source, Target], None], str]] = {
@@ -437,7 +467,7 @@ def export(run: Run, form: str, path: Path | None, first: int | None, last: int 
     try:
         with TemporaryDirectory(prefix=".clca-", dir=file.parent) as folder:
 
-            def add(name: str, *parts: Any) -> None:
+            def add(name: str, _: int, parts: Iterable[Any]) -> None:
                 with (Path(folder) / name).open("wb") as beside:
                     beside.writelines(parts)
 
@@ -454,5 +484,5 @@ def command(options: dict[str, Any], folder: str, path: str) -> None:
     from ._folder import Run
 
     source = Source(Run(folder), options["first"], options["last"], options["every"])
-    write(source, options["format"], Target(Path(path), Path(options["file"]), _answer.file))
+    write(source, options["format"], Target(Path(path), Path(options["file"]), _answer.parts))
     _answer.line(f"{len(source.chosen)} frames")

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import difflib
 import math
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from functools import partial
 from typing import Any, NamedTuple
 
@@ -17,20 +17,22 @@ from numpy.typing import NDArray
 from ._chart import THEORY, Axis, Chart, Curve, Panel, running_mean
 from ._error import Error
 from ._folder import Run, Sweep
-from ._table import TEXT, Table
+from ._table import TEXT, Table, numbers_of
 
 LABEL = frozenset("0123456789abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_-+.")
+NONE = numpy.empty(0)
+Files = list[tuple[str, Table]]  # what `*` in the name stands for, and the table
 
 
 class Choice(NamedTuple):
     """What is drawn in place of all that the tables allow."""
 
     x: str = ""
-    y: tuple[str, ...] = ()
-    over: tuple[str, ...] = ()
+    y: Sequence[str] = ()
+    over: Sequence[str] = ()
     y2: str = ""  #: of a run: a column on a second axis
     log: str = ""  #: x, y or xy
-    stages: tuple[str, ...] = ()
+    stages: Sequence[str] = ()
     first: float | None = None  #: of the time, or of the step where there is no time
     last: float | None = None
     filling: bool = True  #: also the stages that only fill the box
@@ -41,58 +43,48 @@ class Source:
     """The tables of a folder, as far as they are chosen."""
 
     def __init__(self, folder: Run | Sweep, choice: Choice) -> None:
-        self.folder, self.choice = folder, choice
-        self.names = folder.tables
-        self.stages = list(folder.stages) if isinstance(folder, Run) else _stages_of(folder)
-        unknown = [stage for stage in choice.stages if stage not in self.stages]
-        if unknown:
-            raise Error(
-                f"{folder.folder}: no stage '{unknown[0]}'{suggestion(unknown[0], self.stages)}; "
-                f"there are {', '.join(self.stages)}"
-            )
+        self.folder, self.choice, self.names = folder, choice, folder.tables
+        self.title = folder.title or (folder.scene if isinstance(folder, Run) else folder.folder.name)
+        if isinstance(folder, Run):
+            self.stages = list(folder.stages)
+        else:
+            self.stages = list(dict.fromkeys(map(str, folder.measures["stage"]))) if "measures" in self.names else []
+        for stage in choice.stages:
+            if stage not in self.stages:
+                near = suggestion(stage, self.stages)
+                raise Error(f"{folder.folder}: no stage '{stage}'{near}; there are {', '.join(self.stages)}")
         self._tables: dict[str, Table] = {}
 
     def is_wanted(self, stage: str) -> bool:
-        fills = (
-            self.folder.stages[stage].fills if isinstance(self.folder, Run) and stage in self.folder.stages else False
-        )
-        return (not self.choice.stages or stage in self.choice.stages) and (self.choice.filling or not fills)
+        known = self.folder.stages.get(stage) if isinstance(self.folder, Run) else None
+        is_left_out = known is not None and known.fills and not self.choice.filling
+        return not is_left_out and (not self.choice.stages or stage in self.choice.stages)
 
     def table(self, name: str) -> Table:
         if name not in self._tables:
             table, choice = self.folder.table(name), self.choice
-            names = table.dtype.names or ()
             keep = numpy.ones(len(table), bool)
-            if "stage" in names:
+            if "stage" in table.names:
                 keep &= numpy.array([self.is_wanted(str(stage)) for stage in table["stage"]], bool)
-            time = "time" if "time" in names else "step"
-            if time in names and table[time].dtype.kind == "f":
+            time = "time" if "time" in table.names else "step"
+            if time in table.names and table[time].dtype.kind == "f":
                 keep &= table[time] >= (-math.inf if choice.first is None else choice.first)
                 keep &= table[time] <= (math.inf if choice.last is None else choice.last)
             self._tables[name] = table[keep]
         return self._tables[name]
 
-    def files(self, pattern: str) -> list[tuple[str, Table]]:
+    def files(self, pattern: str) -> Files:
         """What `*` of a table stands for, in the order of stages or times, and the tables."""
         begin, star, _ = pattern.partition("*")
         if not star:
             return [("", self.table(pattern))] if pattern in self.names else []
-        parts = [
-            name[len(begin) :] for name in self.names if name.startswith(begin) and set(name[len(begin) :]) <= LABEL
-        ]
+        labels = [name[len(begin) :] for name in self.names if name.startswith(begin)]
 
         def order(label: str) -> tuple[int, float, str]:
             return (self.stages.index(label) if label in self.stages else len(self.stages), number_in(label), label)
 
-        return [
-            (label, self.table(begin + label))
-            for label in sorted(filter(None, parts), key=order)
-            if label not in self.stages or self.is_wanted(label)
-        ]
-
-
-def _stages_of(sweep: Sweep) -> list[str]:
-    return list(dict.fromkeys(map(str, sweep.measures["stage"]))) if "measures" in sweep.tables else []
+        labels = sorted((label for label in labels if label and set(label) <= LABEL), key=order)
+        return [(one, self.table(begin + one)) for one in labels if one not in self.stages or self.is_wanted(one)]
 
 
 def number_in(text: str) -> float:
@@ -109,24 +101,23 @@ def suggestion(name: str, known: Iterable[str]) -> str:
 
 def has(table: Table, column: str) -> bool:
     """Whether a column is there, with a value other than 0."""
-    if column not in (table.dtype.names or ()):
+    if column not in table.names:
         return False
     cells = table[column]
     return bool(numpy.any(numpy.isfinite(cells) & (cells != 0))) if cells.dtype.kind == "f" else len(cells) > 0
 
 
 def time_of(table: Table) -> str:
-    names = table.dtype.names or ()
-    return next((name for name in ("time", "step", "cycle") if name in names), "")
+    return next((name for name in ("time", "step", "cycle") if name in table.names), "")
 
 
 def text_of(value: Any) -> str:
-    return f"{value:g}" if isinstance(value, (float, numpy.floating)) else str(value)
+    return f"{value:g}" if isinstance(value, float) else str(value)
 
 
 def groups_of(table: Table, column: str) -> list[tuple[str, Table]]:
     """The rows of each value of a column: in their order, numbers ascending."""
-    if column not in (table.dtype.names or ()):
+    if column not in table.names:
         return [("", table)]
     cells = table[column]
     values = sorted(set(cells[numpy.isfinite(cells)])) if cells.dtype.kind == "f" else list(dict.fromkeys(cells))
@@ -135,12 +126,16 @@ def groups_of(table: Table, column: str) -> list[tuple[str, Table]]:
 
 def curve_of(source: Source, label: str, rows: Table, x: str, y: str, **more: Any) -> Curve:
     """A column, with its standard error where it has one."""
-    values, over = rows[y], source.choice.mean
-    error = rows[f"{y}_se"] if f"{y}_se" in (rows.dtype.names or ()) else None
-    if over > 1:
-        values, error = running_mean(values, over), None
-    low, high = (None, None) if error is None else (values - error, values + error)
-    return Curve(label, rows[x], values, low, high, **more)
+    if source.choice.mean > 1:
+        return Curve(label, rows[x], running_mean(rows[y], source.choice.mean), **more)
+    if f"{y}_se" not in rows.names:
+        return Curve(label, rows[x], rows[y], **more)
+    return Curve(label, rows[x], rows[y], rows[y] - rows[f"{y}_se"], rows[y] + rows[f"{y}_se"], **more)
+
+
+def legend_entry(label: str, line: str = "--") -> Curve:
+    """Only a line in the legend."""
+    return Curve(label, NONE, NONE, line=line, color=THEORY)
 
 
 class Figure(NamedTuple):
@@ -159,100 +154,80 @@ class Figure(NamedTuple):
     log: bool = False
     style: str = "line"
     each: str = ""  #: a figure for each `file` or for each value of this column
-    draw: Callable[[Source, Figure, list[tuple[str, Table]], str], Panel] | None = None
+    draw: Callable[[Source, Figure, Files, str], Panel] | None = None
 
 
-def lines(source: Source, figure: Figure, files: list[tuple[str, Table]], part: str) -> Panel:
+def lines(source: Source, figure: Figure, files: Files, part: str) -> Panel:
     """Columns over time or another column."""
     table = files[0][1]
     x = figure.x or time_of(table)
     if figure.y.endswith("*"):
         prefix = figure.y[:-1]
-        columns = [name for name in table.dtype.names or () if name.startswith(prefix) and has(table, name)]
+        columns = [name for name in table.names if name.startswith(prefix) and has(table, name)]
         curves = [curve_of(source, column[len(prefix) :], table, x, column) for column in columns]
         label = table.label(columns[0]).replace(f", {columns[0][len(prefix):]}", "", 1)
     else:
-        curves = [
-            curve_of(source, group, rows, x, figure.y, style=figure.style)
-            for group, rows in groups_of(table, figure.by)
-        ]
+        groups = groups_of(table, figure.by)
+        curves = [curve_of(source, group, rows, x, figure.y, style=figure.style) for group, rows in groups]
         label = table.label(figure.y)
     return Panel(curves, Axis(table.label(x)), Axis(label, figure.log, figure.zero, high=figure.top), part)
 
 
-def profile(source: Source, figure: Figure, files: list[tuple[str, Table]], part: str) -> Panel:
+def profile(source: Source, figure: Figure, files: Files, part: str) -> Panel:
     curves = [Curve(f"end of {label}", table["x"], table["height_end"]) for label, table in files]
     bed = numpy.concatenate([curve.x[curve.y > 0] for curve in curves])
     tall = 1.05 * max(float(numpy.nanmax(curve.y)) for curve in curves)
     margin = 0.03 * float(numpy.ptp(bed)) + 1
     table = files[0][1]
-    return Panel(
-        curves,
-        Axis(table.label("x"), low=bed.min() - margin, high=bed.max() + margin),
-        Axis(table.label("height_end"), low=0, high=tall),
-        part,
-        equal=True,
-    )
+    x = Axis(table.label("x"), low=bed.min() - margin, high=bed.max() + margin)
+    return Panel(curves, x, Axis(table.label("height_end"), low=0, high=tall), part, equal=True)
 
 
-def slope(source: Source, figure: Figure, files: list[tuple[str, Table]], part: str) -> Panel:
+def slope(source: Source, figure: Figure, files: Files, part: str) -> Panel:
     y = "repose_gravity_deg" if has(files[0][1], "repose_gravity_deg") else figure.y
     panel = lines(source, figure._replace(y=y, style="points"), files, part)
-    return panel._replace(y=Axis(panel.y.label, zero=False))
+    return panel._replace(y=Axis(panel.y.label))
 
 
-def neighbours(source: Source, figure: Figure, files: list[tuple[str, Table]], part: str) -> Panel:
+def neighbours(source: Source, figure: Figure, files: Files, part: str) -> Panel:
     table = files[0][1]
     table = table[table["pairs"] >= 100]
-    kept, apart = (
-        Curve(name, table["fallen_d"], table[column], style="marked", color=color)
-        for color, (name, column) in enumerate(
-            (("neighbours kept", "kept"), ("diffusion of pairs (right)", "pair_diffusion"))
-        )
-    )
-    return Panel(
-        [kept],
-        Axis(table.label("fallen_d")),
-        Axis(table.label("kept"), zero=True, high=1),
-        part,
-        Axis(table.label("pair_diffusion"), zero=True),
-        [apart],
-    )
+    fallen = table["fallen_d"]
+    kept = Curve("neighbours kept", fallen, table["kept"], style="marked", color=0)
+    apart = Curve("diffusion of pairs (right)", fallen, table["pair_diffusion"], style="marked", color=1)
+    left, right = Axis(table.label("kept"), zero=True, high=1), Axis(table.label("pair_diffusion"), zero=True)
+    return Panel([kept], Axis(table.label("fallen_d")), left, part, right, [apart])
 
 
-def base_pressure(source: Source, figure: Figure, files: list[tuple[str, Table]], part: str) -> Panel:
+def base_pressure(source: Source, figure: Figure, files: Files, part: str) -> Panel:
     table = files[0][1]
     rules = [rule for rule in ("inner", "outer", "pair", "q", "contact") if has(table, f"pressure_{rule}")]
     curves = [Curve(rule, table["base_position"], table[f"pressure_{rule}"], style="marked") for rule in rules]
-    return Panel(
-        curves, Axis(table.label("base_position"), low=-1, high=1), Axis("Base pressure over its mean", zero=True), part
-    )
+    x = Axis(table.label("base_position"), low=-1, high=1)
+    return Panel(curves, x, Axis("Base pressure over its mean", zero=True), part)
 
 
-def across(source: Source, figure: Figure, files: list[tuple[str, Table]], part: str) -> Panel:
+def across(source: Source, figure: Figure, files: Files, part: str) -> Panel:
     """Profiles across lines: over x or y where all are level or upright."""
     table = files[0][1]
     groups = groups_of(table, "line")
-    x = next(
-        (
-            along
-            for along, fixed in (("x", "y"), ("y", "x"))
-            if all(numpy.ptp(rows[fixed]) < 1e-6 for _, rows in groups)
-        ),
-        "position",
-    )
+    x = "position"
+    for along, fixed in (("y", "x"), ("x", "y")):
+        if all(numpy.ptp(rows[fixed]) < 1e-6 for _, rows in groups):
+            x = along
     curves = [curve_of(source, group, rows, x, figure.y) for group, rows in groups]
     label = table.label(figure.y)
     if figure.y == "v_across":
-        curves += [
-            Curve("", rows[x], rows["v_along"], line="--", color=number) for number, (_, rows) in enumerate(groups)
-        ]
-        curves += [
-            Curve(name, numpy.array([]), numpy.array([]), line=line, color=THEORY)
-            for name, line in (("across, to the right", "-"), ("along", "--"))
-        ]
+        curves += [Curve("", rows[x], rows["v_along"], line="--", color=i) for i, (_, rows) in enumerate(groups)]
+        curves += [legend_entry("across, to the right", "-"), legend_entry("along")]
         label = f"Velocity ({table.units['v_across']})"
     return Panel(curves, Axis(table.label(x)), Axis(label, zero=figure.zero, high=figure.top), part)
+
+
+def place_panel(draw: Callable[[Any], None], title: str, x: Sequence[float], y: Sequence[float]) -> Panel:
+    """In the plane, at equal scales."""
+    across, up = (Axis(f"{name}, lattice spacings", low=low, high=high) for name, (low, high) in (("x", x), ("y", y)))
+    return Panel((), across, up, title, draw=draw, equal=True)
 
 
 def grid_of(table: Table) -> tuple[NDArray[Any], NDArray[Any], dict[str, NDArray[Any]], int]:
@@ -270,40 +245,31 @@ def grid_of(table: Table) -> tuple[NDArray[Any], NDArray[Any], dict[str, NDArray
     return xs, ys, means | {"packing": total(table["packing"]) / windows}, windows
 
 
-def pitch_of(centres: NDArray[Any]) -> float:
-    steps = numpy.diff(numpy.unique(centres))
-    return float(steps[steps > 1e-6].min(initial=math.inf))
+def pitch_of(*centres: NDArray[Any]) -> float:
+    """The least distance of columns or rows of cells; where there is one, of the next ones given, or 1."""
+    steps = [numpy.diff(numpy.unique(one)) for one in centres]
+    return float(next((found[found > 1e-6].min() for found in steps if (found > 1e-6).any()), 1))
 
 
-def arrows(
-    ax: Any, x: NDArray[Any], y: NDArray[Any], dx: NDArray[Any], dy: NDArray[Any], cell: float, color: str
-) -> float:
+def arrows(ax: Any, places: Sequence[Any], ends: Sequence[Any], cell: float, color: str) -> None:
     """Of mean length 0.7 cells, and none longer than 1.3, so that the fast ones do not hide the others."""
-    length = numpy.hypot(dx, dy)
+    length = numpy.hypot(*ends)
     with numpy.errstate(invalid="ignore", divide="ignore"):
-        mean = float(numpy.nanmean(length)) or 1.0
-        scale = numpy.minimum(0.7 * cell / mean, 1.3 * cell / length)
-    ax.quiver(
-        x, y, dx * scale, dy * scale, pivot="mid", angles="xy", scale_units="xy", scale=1, color=color, width=0.0025
-    )
-    return mean
+        scale = numpy.minimum(0.7 * cell / (float(numpy.nanmean(length)) or 1.0), 1.3 * cell / length)
+    how = {"pivot": "mid", "angles": "xy", "scale_units": "xy", "scale": 1, "color": color, "width": 0.0025}
+    ax.quiver(*places, *(end * scale for end in ends), **how)
 
 
-def field(source: Source, figure: Figure, files: list[tuple[str, Table]], part: str) -> Panel:
+def field(source: Source, figure: Figure, files: Files, part: str) -> Panel:
     table = files[0][1]
-    table = table[table["stage"] == part] if part else table
-    xs, ys, means, windows = grid_of(table)
-    wide, tall = pitch_of(xs), pitch_of(ys)
-    wide, tall = (wide if math.isfinite(wide) else tall), (tall if math.isfinite(tall) else wide)
-    wide, tall = (wide, tall) if math.isfinite(wide) else (1.0, 1.0)
-    speed = (
-        float(numpy.nanmean(numpy.hypot(means["vx"], means["vy"]))) if numpy.isfinite(means["vx"]).any() else math.nan
-    )
-    name, label = (
-        ("packing", f"Packing; mean arrow: {speed:.2g} {table.units['vx']}")
-        if figure.y == "packing"
-        else ("fluctuation", table.label("fluctuation"))
-    )
+    xs, ys, means, windows = grid_of(table[table["stage"] == part] if part else table)
+    wide, tall = pitch_of(xs, ys), pitch_of(ys, xs)
+    moves, speed = numpy.isfinite(means["vx"]).any(), math.nan
+    if moves:
+        speed = float(numpy.nanmean(numpy.hypot(means["vx"], means["vy"])))
+    label = table.label(figure.y)
+    if figure.y == "packing":
+        label = f"Packing; mean arrow: {speed:.2g} {table.units['vx']}"
 
     def draw(ax: Any) -> None:
         from matplotlib.colors import LinearSegmentedColormap  # type: ignore[import]
@@ -311,72 +277,56 @@ def field(source: Source, figure: Figure, files: list[tuple[str, Table]], part: 
         edges = [numpy.append(centres - size / 2, centres[-1] + size / 2) for centres, size in ((xs, wide), (ys, tall))]
         blue = LinearSegmentedColormap.from_list("blue", ["#ffffff", "#0072b2"])
         ax.grid(False)
-        shown = ax.pcolormesh(*edges, means[name], cmap=blue, vmin=0)
+        shown = ax.pcolormesh(*edges, means[figure.y], cmap=blue, vmin=0)
         ax.figure.colorbar(shown, ax=ax, shrink=0.9, aspect=25)
-        if name == "packing" and numpy.isfinite(means["vx"]).any():
-            x, y = numpy.meshgrid(xs, ys)
-            arrows(ax, x, y, means["vx"], means["vy"], wide, "#202020")
+        if figure.y == "packing" and moves:
+            arrows(ax, numpy.meshgrid(xs, ys), (means["vx"], means["vy"]), wide, "#202020")
 
     title = f"{part}, mean over {windows} window{'s' * (windows > 1)}\n{label}"
     return place_panel(draw, title, (xs[0] - wide / 2, xs[-1] + wide / 2), (ys[0] - tall / 2, ys[-1] + tall / 2))
 
 
-def place_panel(draw: Callable[[Any], None], title: str, x: tuple[float, float], y: tuple[float, float]) -> Panel:
-    """In the plane, at equal scales."""
-    return Panel(
-        (),
-        Axis("x, lattice spacings", low=x[0], high=x[1]),
-        Axis("y, lattice spacings", low=y[0], high=y[1]),
-        title,
-        draw=draw,
-        equal=True,
-    )
-
-
-def convection(source: Source, figure: Figure, files: list[tuple[str, Table]], part: str) -> Panel:
+def convection(source: Source, figure: Figure, files: Files, part: str) -> Panel:
     table = files[0][1]
     cell = pitch_of(table["x"])
-    cell = cell if math.isfinite(cell) else 1.0
     longest = float(numpy.nanmax(numpy.hypot(table["dx"], table["dy"])))
 
     def draw(ax: Any) -> None:
-        arrows(ax, table["x"], table["y"], table["dx"], table["dy"], cell, "#0072b2")
+        arrows(ax, (table["x"], table["y"]), (table["dx"], table["dy"]), cell, "#0072b2")
 
     limits = [(float(table[axis].min()) - cell, float(table[axis].max()) + cell) for axis in ("x", "y")]
-    return place_panel(draw, f"{part} (longest: {longest:.2g} spacings per cycle)", limits[0], limits[1])
+    return place_panel(draw, f"{part} (longest: {longest:.2g} spacings per cycle)", *limits)
 
 
-def contacts(source: Source, figure: Figure, files: list[tuple[str, Table]], part: str) -> Panel:
+def contacts(source: Source, figure: Figure, files: Files, part: str) -> Panel:
     table, loads = files[0][1], source.table(f"loads-{part}")
-    strength = table["normal_force"] if has(table, "normal_force") else table["sites"]
+    column, unit = ("normal_force", "grain weights") if has(table, "normal_force") else ("sites", "sites")
+    strongest = float(numpy.nanmax(table[column]))
     centres = {text_of(number): (x, y) for number, x, y in zip(loads["id"], loads["x"], loads["y"])}
     box = source.folder.summary.get("box", {})
     wide = box["right"] - box["left"] if box.get("periodic") else 0.0
     segments, widths = [], []
-    for first, second, x, y, force in zip(table["first"], table["second"], table["x"], table["y"], strength):
+    for first, second, x, y, force in zip(*(table[name] for name in ("first", "second", "x", "y", column))):
         start, end = centres.get(text_of(first)), centres.get(text_of(second), (x, y))
         if start is None or not force > 0:
             continue
-        width = math.ceil(10 * force / float(numpy.nanmax(strength)))
+        those = [[start, end]]
         apart = end[0] - start[0]
         if wide and abs(apart) > wide / 2:  # the shorter way round: it ends at a side and goes on at the other
             turn = -math.copysign(wide, apart)
-            segments.append([start, (end[0] + turn, end[1])])
-            start = (start[0] - turn, start[1])
-            widths.append(width)
-        segments.append([start, end])
-        widths.append(width)
+            those = [[start, (end[0] + turn, end[1])], [(start[0] - turn, start[1]), end]]
+        segments += those
+        widths += len(those) * [0.3 * math.ceil(10 * force / strongest)]
 
     def draw(ax: Any) -> None:
         from matplotlib.collections import LineCollection  # type: ignore[import]
 
-        ax.add_collection(LineCollection(segments, linewidths=[0.3 * width for width in widths], colors="#d55e00"))
+        ax.add_collection(LineCollection(segments, linewidths=widths, colors="#d55e00"))
 
-    unit = "grain weights" if has(table, "normal_force") else "sites"
-    points = numpy.array(segments).reshape(-1, 2) if segments else numpy.zeros((1, 2))
+    points = numpy.array(segments or [[(0, 0)]]).reshape(-1, 2)
     low, high = points.min(0) - 1, points.max(0) + 1
     x_limits = (box["left"], box["right"]) if wide else (low[0], high[0])
-    return place_panel(draw, f"{part} (widest: {numpy.nanmax(strength):.3g} {unit})", x_limits, (low[1], high[1]))
+    return place_panel(draw, f"{part} (widest: {strongest:.3g} {unit})", x_limits, (low[1], high[1]))
 
 
 def density(table: Table, share: str) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
@@ -388,28 +338,17 @@ def density(table: Table, share: str) -> tuple[NDArray[Any], NDArray[Any], NDArr
     return table["lower"], values, width
 
 
-def fluctuation(source: Source, figure: Figure, files: list[tuple[str, Table]], part: str) -> Panel:
+def fluctuation(source: Source, figure: Figure, files: Files, part: str) -> Panel:
     curves = []
-    for column, name, line in (
-        ("share", "over the mean of the window", "-"),
-        ("share_local", "over the mean of the cell", "-"),
-        ("reference", "chi-square", "--"),
-    ):
+    names = {"share": "over the mean of the window", "share_local": "over the mean of the cell"}
+    for column, name in (names | {"reference": "chi-square"}).items():
         x, y, _ = density(files[0][1], column)
-        curves.append(
-            Curve(
-                name,
-                x,
-                numpy.where(y > 0, y, numpy.nan),
-                line=line,
-                style="steps",
-                color=THEORY if column == "reference" else None,
-            )
-        )
+        curves.append(Curve(name, x, numpy.where(y > 0, y, numpy.nan), style="steps"))
+    curves[-1] = curves[-1]._replace(line="--", color=THEORY)
     return Panel(curves, Axis("X"), Axis("Probability density of X", log=True), part)
 
 
-def forces(source: Source, figure: Figure, files: list[tuple[str, Table]], part: str) -> Panel:
+def forces(source: Source, figure: Figure, files: Files, part: str) -> Panel:
     curves = []
     for label, table in files:
         middle = (table["low"] + table["high"]) / 2
@@ -419,94 +358,87 @@ def forces(source: Source, figure: Figure, files: list[tuple[str, Table]], part:
     return Panel(curves, Axis("f / mean f"), Axis("Probability density of f / mean f", log=True))
 
 
-def gas(source: Source, figure: Figure, files: list[tuple[str, Table]], part: str) -> Panel:
+def theory_of(source: Source, *columns: str) -> Table | None:
+    """The closed forms, if they have values of all these columns."""
+    table = source.table("closure") if "closure" in source.names else None
+    return table if table is not None and all(has(table, column) for column in columns) else None
+
+
+def gas(source: Source, figure: Figure, files: Files, part: str) -> Panel:
     """Over time, with a curve for each restitution, error bars and the closed forms dashed."""
     table = files[0][1]
-    is_ratio, is_shear = figure.y == "t_rot/t_tr", has(table, "p_xy")
     columns = figure.y.split("/")
+    is_ratio = len(columns) > 1
+    theory = theory_of(source, *columns)
 
-    def values(rows: Table) -> NDArray[Any]:
+    def curve(label: str, rows: Table, **more: Any) -> Curve:
         with numpy.errstate(invalid="ignore", divide="ignore"):
-            return numpy.asarray(rows[columns[0]] / rows[columns[1]] if is_ratio else rows[figure.y])
+            values = rows[columns[0]] / rows[columns[1]] if is_ratio else rows[figure.y]
+        return Curve(label, rows["time"], values, **more)
 
-    groups = groups_of(table, "restitution")
-    curves = []
-    for name, rows in groups:
-        label = f"ε = {name}" if name else "simulation"
-        curves.append(
-            Curve(label, rows["time"], values(rows))
-            if is_ratio
-            else curve_of(source, label, rows, "time", figure.y, style="sparse")
-        )
-    if "closure" in source.names and all(has(source.table("closure"), column) for column in columns):
-        theory = groups_of(source.table("closure"), "restitution")
-        numbers = {name: number for number, (name, _) in enumerate(groups)}
-        curves += [
-            Curve("", rows["time"], values(rows), line="--", color=numbers.get(name, 0)) for name, rows in theory
-        ]
-        curves.append(Curve("closed form", numpy.array([]), numpy.array([]), line="--", color=THEORY))
+    groups = [(name, f"ε = {name}" if name else "simulation", rows) for name, rows in groups_of(table, "restitution")]
+    if is_ratio:
+        curves = [curve(label, rows) for _, label, rows in groups]
+    else:
+        curves = [curve_of(source, label, rows, "time", figure.y, style="sparse") for _, label, rows in groups]
+    if theory is not None:
+        numbers = {name: number for number, (name, _, _) in enumerate(groups)}
+        shown = groups_of(theory, "restitution")
+        curves += [curve("", rows, line="--", color=numbers.get(name, 0)) for name, rows in shown]
+        curves.append(legend_entry("closed form"))
     floor = measure_of(source, "hellinger_floor")
     if figure.y.startswith("dh_") and floor > 0:
         ends = numpy.array([table["time"].min(), table["time"].max()])
         curves.append(Curve("chance", ends, numpy.full(2, floor), line=":", color=THEORY))
     label = "T_rot / T_tr, relative to time 0" if is_ratio else table.label(figure.y)
-    return Panel(
-        curves,
-        Axis(table.label("time")),
-        Axis(label, figure.log and not (is_shear and figure.y.startswith("t_"))),
-        part,
-    )
+    log = figure.log and not (has(table, "p_xy") and figure.y.startswith("t_"))
+    return Panel(curves, Axis(table.label("time")), Axis(label, log), part)
 
 
 def measure_of(source: Source, name: str) -> float:
     """Of the last stage that has it."""
     stages = source.folder.stages.values() if isinstance(source.folder, Run) else ()
-    found = [float(stage.measures[name]) for stage in stages if name in stage.measures]
-    return found[-1] if found else math.nan
+    return float(next((one.measures[name] for one in reversed(list(stages)) if name in one.measures), math.nan))
 
 
-def energy(source: Source, figure: Figure, files: list[tuple[str, Table]], part: str) -> Panel:
+def energy(source: Source, figure: Figure, files: Files, part: str) -> Panel:
     """Distributions at the times of the histograms, and chi-square with three degrees of freedom."""
     kind, curves, end = figure.name.partition("-")[2], [], 0.0
     for label, table in files:
         table = table[table["energy"] == kind]
-        table = table[table["restitution"] == float(part)] if part else table
+        table = of_restitution(table, part)
         if not len(table):
             continue
         x, y, width = density(table, "share")
         end = max(end, float(numpy.nanmax(table["upper"])))
-        error = table["share_se"] / width if "share_se" in (table.dtype.names or ()) else None
         shown = numpy.where(y > 0, y, 1e-12)  # in place of 0, which a logarithmic axis does not have
-        low, high = (None, None) if error is None else (y - error, y + error)
-        curves.append(Curve(f"time {label}", x, shown, low, high, style="steps"))
+        error = table["share_se"] / width if "share_se" in table.names else numpy.nan
+        curves.append(Curve(f"time {label}", x, shown, y - error, y + error, style="steps"))
     x = numpy.linspace(0, end, 400)[1:]
     curves.append(Curve("chi-square", x, numpy.sqrt(x / (2 * math.pi)) * numpy.exp(-x / 2), line="--", color=THEORY))
     least = max(1e-4, min(float(curve.y[curve.y > 1e-12].min(initial=1)) for curve in curves) / 2)
     symbol = "ω" if kind == "rotational" else "v"
-    return Panel(
-        curves,
-        Axis(f"X = |{symbol}|² / {symbol}₀²(t)", low=0, high=end),
-        Axis("Probability density of X", log=True, low=least),
-        f"ε = {part}" if part else "",
-    )
+    y_axis = Axis("Probability density of X", log=True, low=least)
+    return Panel(curves, Axis(f"X = |{symbol}|² / {symbol}₀²(t)", low=0, high=end), y_axis, f"ε = {part}" if part else "")
 
 
-def stress(source: Source, figure: Figure, files: list[tuple[str, Table]], part: str) -> Panel:
-    def rows_of(table: Table) -> Table:
-        rows: Table = table[table["restitution"] == float(part)] if part else table
-        return rows
+def of_restitution(table: Table, part: str) -> Table:
+    chosen: Table = table[table["restitution"] == float(part)] if part else table
+    return chosen
 
-    table = rows_of(files[0][1])
-    columns = {"p_xx": "p xx", "p_yy": "p yy", "p_xy": "p xy"}
-    curves = [curve_of(source, name, table, "time", column, style="sparse") for column, name in columns.items()]
-    if "closure" in source.names and has(source.table("closure"), "p_xy"):
-        theory = rows_of(source.table("closure"))
-        curves += [Curve("", theory["time"], theory[column], line="--", color=i) for i, column in enumerate(columns)]
-        curves.append(Curve("theory, steady", numpy.array([]), numpy.array([]), line="--", color=THEORY))
+
+def stress(source: Source, figure: Figure, files: Files, part: str) -> Panel:
+    table, theory = of_restitution(files[0][1], part), theory_of(source, "p_xy")
+    columns = ["p_xx", "p_yy", "p_xy"]
+    curves = [curve_of(source, name.replace("_", " "), table, "time", name, style="sparse") for name in columns]
+    if theory is not None:
+        theory = of_restitution(theory, part)
+        curves += [Curve("", theory["time"], theory[name], line="--", color=i) for i, name in enumerate(columns)]
+        curves.append(legend_entry("theory, steady"))
     return Panel(curves, Axis(table.label("time")), Axis("Stress / mean pressure"), f"ε = {part}" if part else "")
 
 
-def comparison(source: Source, figure: Figure, files: list[tuple[str, Table]], part: str) -> Panel:
+def comparison(source: Source, figure: Figure, files: Files, part: str) -> Panel:
     table, curves = files[0][1], []
     names = {
         "automaton": "automaton, a temperature for all",
@@ -518,20 +450,11 @@ def comparison(source: Source, figure: Figure, files: list[tuple[str, Table]], p
     for column, name in names.items():
         if has(table, column):  # spheres that do not spin have no column of their own
             shares = table[column] / table["reference"]
-            curves.append(
-                Curve(
-                    f"{name}: D_H = {measure_of(source, f'hellinger_{column}'):.1e}",
-                    ends,
-                    numpy.append(shares, shares[-1]),
-                    style="steps",
-                )
-            )
+            label = f"{name}: D_H = {measure_of(source, f'hellinger_{column}'):.1e}"
+            curves.append(Curve(label, ends, numpy.append(shares, shares[-1]), style="steps"))
     curves.append(Curve("chi-square", numpy.array([0.0, 1.0]), numpy.ones(2), line="--", color=THEORY))
-    return Panel(
-        curves,
-        Axis("Quantile of chi-square: 2 degrees of freedom in the plane, 3 in space", low=0, high=1),
-        Axis("Share / share under chi-square", zero=True),
-    )
+    x = Axis("Quantile of chi-square: 2 degrees of freedom in the plane, 3 in space", low=0, high=1)
+    return Panel(curves, x, Axis("Share / share under chi-square", zero=True))
 
 
 # fmt: off
@@ -640,27 +563,23 @@ FIGURES = [
 
 def check_numbers(source: Source, name: str, figure: Figure) -> None:
     """Throws Error where a cell of what the figure needs is no number."""
-    table = source.folder.table(name)
+    table = source.table(name)
     for column in (*figure.y.split("/"), figure.x, *figure.needs):
-        if column in (table.dtype.names or ()) and column not in TEXT and table[column].dtype.kind not in "fiub":
-            for row, cell in enumerate(table[column]):
-                try:
-                    float(cell)
-                except ValueError:
-                    raise Error(f"{name}.csv: line {row + 2}: {str(cell)!r} in column {column!r} is no number") from None
+        if column in table.names and column not in TEXT and table[column].dtype.kind != "f":
+            cells = enumerate(source.folder.table(name)[column], 2)
+            line, cell = next((line, str(cell)) for line, cell in cells if isinstance(numbers_of([cell]), list))
+            raise Error(f"{name}.csv: line {line}: {cell!r} in column {column!r} is no number")
 
 
 def allows(figure: Figure, table: Table) -> bool:
     """Whether a table has what the figure needs, with values."""
-    names = table.dtype.names or ()
     if figure.y.endswith("*"):
-        return any(name.startswith(figure.y[:-1]) and set(name) <= LABEL and has(table, name) for name in names)
+        return any(name.startswith(figure.y[:-1]) and set(name) <= LABEL and has(table, name) for name in table.names)
     if figure.draw is energy:
-        table = table[table["energy"] == figure.name.partition("-")[2]] if "energy" in names else table[:0]
+        table = table[table["energy"] == figure.name.partition("-")[2]] if "energy" in table.names else table[:0]
     if figure.name == "particles" and has(table, "particles"):
         return len(numpy.unique(table["particles"])) > 1
-    wanted = [*figure.y.split("/"), *([figure.x] if figure.x else []), *figure.needs]
-    return all(has(table, column) for column in wanted)
+    return all(has(table, column) for column in (*figure.y.split("/"), figure.x, *figure.needs) if column)
 
 
 def charts_of(source: Source, figure: Figure) -> list[Chart]:
@@ -673,82 +592,52 @@ def charts_of(source: Source, figure: Figure) -> list[Chart]:
         check_numbers(source, figure.table.replace("*", label), figure)
     if figure.name == "contacts":
         files = [(label, table) for label, table in files if f"loads-{label}" in source.names]
-    if not files:
-        return []
     if figure.each == "file":
-        parts = [(label, [(label, table)]) for label, table in files]
+        parts = {label: [(label, table)] for label, table in files}
     elif figure.each:
-        groups = dict.fromkeys(
-            group for _, table in files for group, rows in groups_of(table, figure.each) if allows(figure, rows)
-        )
-        parts = [(group, files) for group in groups]
+        groups = [group for _, table in files for group in groups_of(table, figure.each)]
+        parts = {group: files for group, rows in groups if allows(figure, rows)}
     else:
-        parts = [("", files)]
+        parts = {"": files} if files else {}
     what = "Stage" if figure.each == "file" else figure.each
-    draw = figure.draw or lines
 
-    def chart(part: str, those: list[tuple[str, Table]]) -> Chart:
+    def chart(part: str, those: Files) -> Chart:
+        name = f"{figure.name}-{part}" if part else figure.name
         about = f"{figure.about} {what}: {part}." if part else figure.about
-        return Chart(
-            f"{figure.name}-{part}" if part else figure.name,
-            about,
-            figure.rank,
-            lambda: [logged(draw(source, figure, those, part), source.choice.log)],
-            title_of(source.folder),
-            figure.name,
-        )
+        draw = partial(figure.draw or lines, source, figure, those, part)
+        return Chart(name, about, figure.rank, lambda: [logged(draw(), source.choice.log)], source.title, figure.name)
 
-    return [chart(part, those) for part, those in parts]
-
-
-def title_of(folder: Run | Sweep) -> str:
-    return folder.title or (folder.scene if isinstance(folder, Run) else folder.folder.name)
+    return [chart(part, those) for part, those in parts.items()]
 
 
 def logged(panel: Panel, log: str) -> Panel:
-    return panel._replace(
-        x=panel.x._replace(log=panel.x.log or "x" in log), y=panel.y._replace(log=panel.y.log or "y" in log)
-    )
+    x, y = (axis._replace(log=axis.log or name in log) for name, axis in (("x", panel.x), ("y", panel.y)))
+    return panel._replace(x=x, y=y)
 
 
-def column_charts(source: Source) -> list[Chart]:
-    """Of columns of a run that were asked for. Throws Error."""
+def column_chart(source: Source, y: str) -> Chart:
+    """Of a column of a run that was asked for. Throws Error."""
     choice, where = source.choice, source.folder.folder
     if len(choice.over) > 1:
-        raise Error(
-            f"{where}: of a run, a curve is drawn for each value of one column, not of {' and '.join(choice.over)}"
-        )
-
-    def chart(y: str) -> Chart:
-        wanted = [y, *filter(None, (choice.x, choice.y2, *choice.over))]
-        table = table_with(source, wanted)
-        names = table.dtype.names or ()
-        x = choice.x or time_of(table)
-        by = (
-            choice.over[0]
-            if choice.over
-            else next((name for name in ("line", "probe", "restitution", "stage") if name in names), "")
-        )
-        if not x:
-            raise Error(f"{where}: say which column is x")
-        for column in filter(None, (x, y, choice.y2)):
-            if table[column].dtype.kind != "f":
-                raise Error(f"{where}: column '{column}' is not of numbers")
-        groups = groups_of(table, by)
-        curves = [curve_of(source, group, rows, x, y) for group, rows in groups]
-        panel = Panel(curves, Axis(table.label(x)), Axis(table.label(y)))
-        if choice.y2:
-            right = [curve_of(source, "", rows, x, choice.y2, line="--", color=i) for i, (_, rows) in enumerate(groups)]
-            marks = [
-                Curve(f"{table.label(column)} {side}", numpy.array([]), numpy.array([]), line=line, color=THEORY)
-                for column, side, line in ((y, "(left)", "-"), (choice.y2, "(right, dashed)", "--"))
-            ]
-            panel = panel._replace(curves=[*curves, *marks], y2=Axis(table.label(choice.y2)), on_y2=right)
-        return Chart(
-            y, table.descriptions.get(y, y), 0, lambda: [logged(panel, choice.log)], title_of(source.folder), y
-        )
-
-    return [chart(y) for y in choice.y]
+        over = " and ".join(choice.over)
+        raise Error(f"{where}: of a run, a curve is drawn for each value of one column, not of {over}")
+    table = table_with(source, [y, *filter(None, (choice.x, choice.y2, *choice.over))])
+    x = choice.x or time_of(table)
+    by = next((name for name in choice.over or ("line", "probe", "restitution", "stage") if name in table.names), "")
+    if not x:
+        raise Error(f"{where}: say which column is x")
+    for column in filter(None, (x, y, choice.y2)):
+        if table[column].dtype.kind != "f":
+            raise Error(f"{where}: column '{column}' is not of numbers")
+    groups = groups_of(table, by)
+    curves = [curve_of(source, group, rows, x, y) for group, rows in groups]
+    panel = Panel(curves, Axis(table.label(x)), Axis(table.label(y)))
+    if choice.y2:
+        right = [curve_of(source, "", rows, x, choice.y2, line="--", color=i) for i, (_, rows) in enumerate(groups)]
+        left, dashed = f"{table.label(y)} (left)", f"{table.label(choice.y2)} (right, dashed)"
+        curves += [legend_entry(left, "-"), legend_entry(dashed)]
+        panel = panel._replace(y2=Axis(table.label(choice.y2)), on_y2=right)
+    return Chart(y, table.descriptions.get(y, y), 0, lambda: [logged(panel, choice.log)], source.title, y)
 
 
 def table_with(source: Source, columns: list[str]) -> Table:
@@ -756,9 +645,9 @@ def table_with(source: Source, columns: list[str]) -> Table:
     known: list[str] = []
     for name in sorted(source.names, key=lambda name: (name != "series", name)):
         table = source.table(name)
-        if set(columns) <= set(table.dtype.names or ()):
+        if set(columns) <= set(table.names):
             return table
-        known += table.dtype.names or ()
+        known += table.names
     missing = next((column for column in columns if column not in known), None)
     if missing is not None:
         raise Error(f"{source.folder.folder}: no table with a column '{missing}'{suggestion(missing, known)}")
@@ -772,13 +661,14 @@ def charts(
     from ._sweep_figures import sweep_charts
 
     source = Source(folder, choice)
-    if isinstance(folder, Run) and not choice.y and (choice.x or choice.over or choice.log or choice.y2):
-        raise Error(f"{folder.folder}: of a run, say which columns are y, too")
-    if isinstance(folder, Run) and choice.y:
-        return column_charts(source)
-    makers: list[Callable[[], list[Chart]]] = [partial(charts_of, source, figure) for figure in FIGURES]
     if isinstance(folder, Sweep):
-        makers = [partial(sweep_charts, source)]
+        makers: list[Callable[[], list[Chart]]] = [partial(sweep_charts, source, folder)]
+    elif choice.y:
+        return [column_chart(source, y) for y in choice.y]
+    elif choice.x or choice.over or choice.log or choice.y2:
+        raise Error(f"{folder.folder}: of a run, say which columns are y, too")
+    else:
+        makers = [partial(charts_of, source, figure) for figure in FIGURES]
     found: list[Chart] = []
     for make in makers:
         try:
@@ -790,20 +680,20 @@ def charts(
     return found
 
 
-def chosen(folder: Run | Sweep, only: Iterable[str], choice: Choice) -> list[Chart]:
+def chosen(folder: Run | Sweep, only: Sequence[str], choice: Choice) -> list[Chart]:
     """Those of these names, of a figure or of its row. Throws Error."""
-    possible, only = charts(folder, choice), list(only)
+    possible = charts(folder, choice)
     if not possible:
         raise Error(f"{folder.folder}: no tables that a figure could be drawn from")
+    known = {name for chart in possible for name in (chart.name, chart.source)}
+    rows = {row.name: row for row in FIGURES}
     for name in only:
-        if not any(name in (chart.name, chart.source) for chart in possible):
-            row = next((figure for figure in FIGURES if figure.name == name), None)
-            if row is not None:
-                raise Error(
-                    f"{folder.folder}: the tables do not allow the figure '{name}', which needs {row.table}.csv: "
-                    f"{', '.join(filter(None, (row.x, row.y, *row.needs)))}"
-                )
-            raise Error(
-                f"{folder.folder}: no figure '{name}' (there are: {', '.join(chart.name for chart in possible)})"
-            )
+        if name in rows and name not in known:
+            row = rows[name]
+            columns = ", ".join(filter(None, (row.x, row.y, *row.needs)))
+            needs = f"which needs {row.table}.csv: {columns}"
+            raise Error(f"{folder.folder}: the tables do not allow the figure '{name}', {needs}")
+        if name not in known:
+            there = ", ".join(chart.name for chart in possible)
+            raise Error(f"{folder.folder}: no figure '{name}' (there are: {there})")
     return [chart for chart in possible if not only or chart.name in only or chart.source in only]

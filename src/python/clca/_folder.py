@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import fcntl
 import json
 import os
 from collections.abc import Iterator, Sequence
@@ -13,7 +14,7 @@ import numpy
 from numpy.typing import NDArray
 
 from ._arguments import MOST, absolute, path, whole
-from ._error import ArgumentError, CompiledPartError, Error
+from ._error import ArgumentError, CompiledPartError, Error, WriteError
 from ._frames import Frames, Kind
 from ._picture import Picture, overrides
 from ._table import Named, Quantity, Table, Value, check_regular, quantities, read_table
@@ -22,6 +23,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes  # type: ignore[import]
 
 MOST_BYTES = 16 << 20  # of a run.json
+MANIFEST = ".clca.manifest"
 
 
 def read_json(file: Path) -> dict[str, Any]:
@@ -42,6 +44,25 @@ def read_json(file: Path) -> dict[str, Any]:
     return found
 
 
+def write_file(file: Path, content: bytes, is_listed: bool) -> None:
+    """A whole file. One that the manifest of its folder lists is removed by the next run into it. Throws Error."""
+    new, line, manifest = file.with_name(f".{file.name}.new"), f'file "{file.name}"\n', file.with_name(MANIFEST)
+    try:
+        if is_listed and manifest.is_file() and line not in manifest.read_text():
+            if file.exists():
+                raise WriteError(f"cannot write {file}: clca did not write the file that is there")
+            with manifest.open("a") as lines:
+                fcntl.flock(lines, fcntl.LOCK_EX)
+                lines.write(line)
+        try:
+            new.write_bytes(content)
+            new.replace(file)
+        finally:
+            new.unlink(missing_ok=True)
+    except OSError as error:
+        raise WriteError(f"cannot write {file}: {error.strerror}") from None
+
+
 def compiled(what: str) -> Any:
     """The compiled module, for what needs it. Throws Error."""
     try:
@@ -51,7 +72,14 @@ def compiled(what: str) -> Any:
     return _clca
 
 
-def names(given: str | Sequence[str]) -> tuple[str, ...]:
+def wrong(file: Path, error: Exception) -> Error:
+    return Error(f"cannot read {file}: {error} is missing or not what it should be")
+
+
+Names = str | Sequence[str]
+
+
+def names(given: Names) -> tuple[str, ...]:
     return (given,) if isinstance(given, str) and given else tuple(given)
 
 
@@ -87,6 +115,21 @@ class Folder:
         assert isinstance(self, (Run, Sweep))
         most = None if max_frames is None else whole("max_frames", max_frames, 0, 100_000)
         return write(self, None if path is None else absolute(path), most)
+
+    def plot(
+        self, name: str = "", ax: Axes | None = None, *, x: str = "", y: Names = (), over: Names = (), y2: str = "",
+        log: str = "", stage: Names = (), first: float | None = None, last: float | None = None, filling: bool = True,
+        mean: int = 1
+    ) -> Axes:
+        """A figure of `clca plot`, such as `profile`, or what the options of that command choose: of a run columns `y`
+        against `x`, of a sweep measures `y`, also as `STAGE.MEASURE`, against a key or a measure `x`. It has the style of
+        matplotlib that is set. Draws into `ax` if given. Returns Axes, or a list if there are several. Throws Error.
+        """
+        from ._figures import Choice
+        from ._plot import plot
+
+        assert isinstance(self, (Run, Sweep))
+        return plot(self, name, ax, Choice(x, names(y), names(over), y2, log, names(stage), first, last, filling, mean))
 
     def table(self, name: str) -> Table:
         """`NAME.csv` of the folder, such as `profile-flow`. Numbers are float64; an empty cell is NaN. Throws Error."""
@@ -129,26 +172,14 @@ class Run(Folder):
             self.version, self.seed, self.status = said["clca"], said["seed"], said["status"]
             self.particles, self.steps, self.state_hash = said["particles"], said["steps"], int(said["state_hash"], 16)
             known = quantities(said.get("measures", []))
-            self.stages = {
-                stage["name"]: Stage(
-                    stage["steps"],
-                    stage["ended"],
-                    Named(
-                        "measure",
-                        (
-                            (key, Value(number, *known.get(key, Quantity())[:3]))
-                            for key, number in stage["measures"].items()
-                        ),
-                    ),
-                    stage.get("notes", []),
-                    stage.get("fills", False),
-                )
-                for stage in said["stages"]
-            }
+            self.stages = {}
+            for stage in said["stages"]:
+                of = {key: Value(number, *known.get(key, Quantity())[:3]) for key, number in stage["measures"].items()}
+                notes, fills = stage.get("notes", []), stage.get("fills", False)
+                measures = Named("measure", of.items())
+                self.stages[stage["name"]] = Stage(stage["steps"], stage["ended"], measures, notes, fills)
         except (KeyError, TypeError, ValueError, AttributeError) as error:
-            raise Error(
-                f"cannot read {self.folder / 'run.json'}: {error} is missing or not what it should be"
-            ) from None
+            raise wrong(self.folder / "run.json", error) from None
 
     def __repr__(self) -> str:
         return f"<run {self.folder}: {self.scene}, seed {self.seed}, {self.status} after {self.steps} steps>"
@@ -188,30 +219,6 @@ class Run(Folder):
         """`contacts` of the frame of that step."""
         return self.frames.at(step).contacts
 
-    def plot(
-        self,
-        name: str = "",
-        ax: Axes | None = None,
-        *,
-        x: str = "",
-        y: str | Sequence[str] = (),
-        over: str = "",
-        y2: str = "",
-        log: str = "",
-        stage: str | Sequence[str] = (),
-        first: float | None = None,
-        last: float | None = None,
-        filling: bool = True,
-        mean: int = 1,
-    ) -> Axes:
-        """A figure of `clca plot`, such as `profile`, or columns `y` against `x`, in the style of matplotlib that is
-        set. Draws into `ax` if given. Options are those of the command. Returns Axes. Throws Error.
-        """
-        from ._figures import Choice
-        from ._plot import plot
-
-        return plot(self, name, ax, Choice(x, names(y), names(over), y2, log, names(stage), first, last, filling, mean))
-
     def picture(self, step: int, **frames: Any) -> Picture:
         """The box at a step of the trajectory. `frames` are keys of `output.frames` in place of the scene's, such as
         `color_by="stage_layer"`, `width=400`. Throws Error.
@@ -229,9 +236,8 @@ class Run(Folder):
             if not 0.1 <= duration <= 86_400:
                 raise ArgumentError(f"duration: expected 0.1 to 86400 seconds, found {duration:g}")
             frames = {"every": 1, **frames}
-        compiled("drawing grains").movie(
-            self.folder, path(file), whole("fps", fps, 1, 240), duration, overrides(frames)
-        )
+        movie = compiled("drawing grains").movie
+        movie(self.folder, path(file), whole("fps", fps, 1, 240), duration, overrides(frames))
 
     def export(
         self,
@@ -241,11 +247,11 @@ class Run(Folder):
         last: int | None = None,
         every: int = 1,
     ) -> Path:
-        """Writes the trajectory for other programs: `format` is `vtp` (ParaView), `gsd` (OVITO), `xyz` or `h5md`.
-        `path` is the file, of `vtp` the `.pvd` with all others beside it; without it SCENE with `.pvd`, `.gsd`, `.xyz`
-        or `.h5`, in the current folder. Files of these names are replaced once all are complete. Frames are those from
-        step `first` to `last`, at least `every` steps apart, and where stages begin. Lengths, times, masses and forces
-        are in SI units where the scene has them, else as frames have them. Returns the path. Throws Error.
+        """Writes the trajectory in a format of other programs, as `clca export` names them. `path` is the file, of `vtp`
+        the `.pvd` with all others beside it; without it SCENE with the ending of the format, in the current folder. Files
+        of these names are replaced once all are complete. Frames are those from step `first` to `last`, at least `every`
+        steps apart, and where stages begin. Lengths, times, masses and forces are in SI units where the scene has them,
+        else as frames have them. Returns the path. Throws Error.
         """
         from ._export import export
 
@@ -269,9 +275,7 @@ class Sweep(Folder):
             self.title = self.summary.get("title", "")
             self.keys = [key for varied in self.summary["vary"] for key in varied["keys"]]
         except (KeyError, TypeError, AttributeError) as error:
-            raise Error(
-                f"cannot read {self.folder / 'sweep.json'}: {error} is missing or not what it should be"
-            ) from None
+            raise wrong(self.folder / "sweep.json", error) from None
 
     def __repr__(self) -> str:
         return f"<sweep {self.folder}: {len(self)} runs>"
@@ -311,31 +315,6 @@ class Sweep(Folder):
     def __iter__(self) -> Iterator[Run]:
         return (self[number] for number in range(len(self)))
 
-    def plot(
-        self,
-        name: str = "",
-        ax: Axes | None = None,
-        *,
-        x: str = "",
-        y: str | Sequence[str] = (),
-        over: str | Sequence[str] = (),
-        log: str = "",
-        stage: str | Sequence[str] = (),
-        mean: int = 1,
-    ) -> Axes:
-        """A measure `y`, also as `STAGE.MEASURE`, against a key or a measure `x`, or a figure of `clca plot` by name,
-        in the style of matplotlib that is set. Draws into `ax` if given. Returns Axes, a list of panels if there are
-        several. Throws Error.
-        """
-        from ._figures import Choice
-        from ._plot import plot
-
-        chosen = names(y)
-        of = [one.split(".", 1) for one in chosen if one in (self.runs.dtype.names or ()) and "." in one]
-        if of:
-            stage, chosen = [of[0][0]], tuple(one[1] for one in of)
-        return plot(self, name, ax, Choice(x, chosen, names(over), "", log, names(stage), mean=mean))
-
     def series(self, stage: str, column: str) -> Table:
         """A column of `series.csv` in a stage, for each combination averaged over the seeds, as in `mean-series.csv`:
         `step` since the stage began, `mean`, `standard_error` and `runs`. It goes as far as all runs do. NaN is the error of a
@@ -343,11 +322,8 @@ class Sweep(Folder):
         """
         table = self.table("mean-series")
         rows = table[table["stage"] == stage]
-        names = {key: key for key in (*self.keys, "step")} | {
-            "mean": column,
-            "standard_error": f"{column}_se",
-            "runs": "runs",
-        }
+        names = {key: key for key in (*self.keys, "step")}
+        names |= {"mean": column, "standard_error": f"{column}_se", "runs": "runs"}
         return Table((key, rows[name], table._quantities.get(name, Quantity(key))) for key, name in names.items())
 
 

@@ -2,15 +2,29 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from functools import cached_property
-from typing import Any, NamedTuple, Protocol, overload
+from collections.abc import Callable, Iterator, Sequence
+from functools import cached_property, partial
+from itertools import count
+from typing import TYPE_CHECKING, Any, NamedTuple, overload
 
 import numpy
 from numpy.typing import NDArray
 
-#: Step, particles, shifts of walls (None: not there), contacts.
-FrameData = tuple[int, NDArray[numpy.void], list[tuple[float, float] | None], NDArray[numpy.void]]
+if TYPE_CHECKING:
+    from ._trajectory import Trajectory
+
+MANY = 1 << 16  # rows that are read together
+#: Particles, shifts of walls (None: not there).
+FrameData = tuple[NDArray[numpy.void], list[tuple[float, float] | None]]
+#: Rows and columns of contacts.
+ContactReader = Callable[[slice, Sequence[str]], NDArray[numpy.void]]
+BODY = numpy.dtype(
+    [("id", "u4"), ("kind", "u2"), ("position", "f8", 2), ("velocity", "f8", 2), ("displacement", "f8", 2)]
+    + [("angular_velocity", "f8"), ("image", "i4"), ("force", "f4")]
+)
+CONTACT = numpy.dtype(
+    [("upper", "u4"), ("other", "i4"), ("place", "f8", 2), ("normal", "f8", 2), ("branch", "f8", 2), ("force", "f8", 2)]
+)
 
 
 class Kind(NamedTuple):
@@ -35,14 +49,6 @@ class Look(NamedTuple):
     units: dict[str, tuple[str, float]]  #: of time and velocity: what a step, a spacing a step is in it
     bodies: dict[int, str]  #: what `other` of a contact is
 
-    @property
-    def species(self) -> NDArray[numpy.str_]:
-        return numpy.array([kind.species for kind in self.kinds])
-
-    @property
-    def degrees(self) -> NDArray[numpy.int_]:
-        return numpy.array([kind.degrees for kind in self.kinds])
-
 
 class Frame:
     """The particles that are in the box at one step, by ascending id. Arrays cannot be written.
@@ -50,9 +56,10 @@ class Frame:
     Lengths are in lattice spacings from the lower left site; x goes right, y goes up.
     """
 
-    def __init__(self, look: Look, step: int, stage: str, load: Callable[[], FrameData]) -> None:
-        self._look = look
-        self._load = load
+    def __init__(
+        self, look: Look, step: int, stage: str, load: Callable[[], FrameData], contacts: ContactReader
+    ) -> None:
+        self._look, self._load, self._read_contacts = look, load, contacts
         self.step = step
         self.stage = stage
 
@@ -76,7 +83,7 @@ class Frame:
     @property
     def particles(self) -> NDArray[numpy.void]:
         """All of the following that is a number, as one structured array of `N` rows."""
-        return self._data[1]
+        return self._data[0]
 
     @property
     def ids(self) -> NDArray[numpy.uint32]:
@@ -112,12 +119,12 @@ class Frame:
     @property
     def species(self) -> NDArray[numpy.str_]:
         """N: names."""
-        return read_only(self._look.species[self.kinds])
+        return read_only(numpy.array([kind.species for kind in self._look.kinds])[self.kinds])
 
     @property
     def orientation(self) -> NDArray[numpy.int_]:
         """N: degrees clockwise, multiples of 60."""
-        return read_only(self._look.degrees[self.kinds])
+        return read_only(numpy.array([kind.degrees for kind in self._look.kinds])[self.kinds])
 
     @property
     def outlines(self) -> list[NDArray[numpy.float64]]:
@@ -128,9 +135,9 @@ class Frame:
     @property
     def walls(self) -> dict[str, tuple[float, float]]:
         """Of the walls that are there: how far they are from home."""
-        return {name: shift for name, shift in zip(self._look.walls, self._data[2]) if shift is not None}
+        return {name: shift for name, shift in zip(self._look.walls, self._data[1]) if shift is not None}
 
-    @property
+    @cached_property
     def contacts(self) -> NDArray[numpy.void]:
         """Of the contact model, with `output.trajectory.contacts`: a row for each of C contacts, else none.
 
@@ -138,7 +145,15 @@ class Frame:
         `normal` (to the upper particle) and `branch` (from the other centre to the upper one) are x and y; `force` is
         along the normal and along the normal turned anticlockwise, in weights of a grain of mean mass.
         """
-        return self._data[3]
+        return read_only(self._read_contacts(slice(None), CONTACT.names or ()))
+
+    def _contact_blocks(self, *columns: str) -> Iterator[NDArray[numpy.void]]:
+        """Some of their columns, some rows at a time."""
+        for start in count(0, MANY):
+            block = self._read_contacts(slice(start, start + MANY), columns)
+            yield block
+            if len(block) < MANY:
+                return
 
     @property
     def contact_names(self) -> NDArray[numpy.str_]:
@@ -149,22 +164,11 @@ class Frame:
         return read_only(numpy.array(names, dtype=str))
 
 
-class Source(Protocol):
-    """Where frames come from."""
-
-    look: Look
-    list: list[tuple[int, str]]  #: step and stage of each
-
-    def frame(self, number: int) -> FrameData: ...
-
-
 class Frames(Sequence[Frame]):
     """The frames of a trajectory, each step once; what a frame has is read when it is asked for."""
 
-    def __init__(self, source: Source) -> None:
-        self._source = source
-        self._list = source.list
-        self._look = source.look
+    def __init__(self, source: Trajectory) -> None:
+        self._source, self._list, self._look = source, source.list, source.look
         #: F: of each frame
         self.steps = read_only(numpy.array([step for step, _ in self._list], dtype=numpy.uint64))
 
@@ -183,7 +187,8 @@ class Frames(Sequence[Frame]):
             raise IndexError(f"no frame {number}; there are {len(self)}, at() takes steps")
         position = number % len(self)
         step, stage = self._list[position]
-        return Frame(self._look, step, stage, lambda: self._source.frame(position))
+        load, contacts = partial(self._source.frame, position), partial(self._source.contacts, position)
+        return Frame(self._look, step, stage, load, contacts)
 
     def at(self, step: int) -> Frame:
         """The frame of a step; KeyError if there is none."""

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from . import _answer, _chart, _figures
-from ._chart import Look, rendered
+from . import _answer, _figures
+from ._chart import Look, draw_panel, legend_of, rendered
 from ._error import Error
 from ._figures import Choice
 from ._folder import Run, Sweep, open
@@ -15,39 +15,29 @@ def plot(folder: Run | Sweep, name: str, ax: Any, choice: Choice) -> Any:
     """One figure into axes: those given, or new ones of pyplot in the style of the user. Returns Axes."""
     from matplotlib import pyplot  # type: ignore[import]
 
+    if isinstance(folder, Sweep):
+        of_runs = [one.partition(".") for one in choice.y if "." in one and one in folder.runs.names]
+        if of_runs:
+            choice = choice._replace(stages=[of_runs[0][0]], y=[measure for _, _, measure in of_runs])
     found = _figures.chosen(folder, [name] if name else [], choice)
-    if name:
-        found = [chart for chart in found if chart.name == name] or found
-    panels = found[0].panels()
+    chart = next((chart for chart in found if chart.name == name), found[0])
+    panels = chart.panels()
     if ax is not None and len(panels) > 1:
-        raise Error(f"{found[0].name} has {len(panels)} panels: call without ax, or choose by over")
+        raise Error(f"{chart.name} has {len(panels)} panels: call without ax, or choose by over")
+    axes = [ax]
     if ax is None:
-        _, axes = pyplot.subplots(
-            1,
-            len(panels),
-            squeeze=False,
-            sharey=True,
-            layout="constrained",
-            figsize=(pyplot.rcParams["figure.figsize"][0] * min(len(panels), 3), pyplot.rcParams["figure.figsize"][1]),
-        )
-        all_axes = list(axes.ravel())
-    else:
-        all_axes = [ax]
-    for one, panel in zip(all_axes, panels):
-        _chart.draw_panel(one, panel)
-        handles, names = _chart.legend_of([one], [panel])
-        if any(names[1:]) or (names and names[0]):
+        wide, high = pyplot.rcParams["figure.figsize"]
+        size = (wide * min(len(panels), 3), high)
+        axes = pyplot.subplots(1, len(panels), squeeze=False, sharey=True, layout="constrained", figsize=size)[1][0]
+    for one, panel in zip(axes, panels):
+        handles, names = legend_of([draw_panel(one, panel)], [panel])
+        if names:
             one.legend(handles, names)
-    return all_axes[0] if len(all_axes) == 1 else all_axes
+    return axes[0] if len(axes) == 1 else list(axes)
 
 
-def command(options: dict[str, Any], folder_name: str) -> None:
+def command(options: dict[str, Any], folder: str) -> None:
     """Draws what the command asks for."""
-    choice = Choice(
-        **{key: tuple(value) if isinstance(value, list) else value for key, value in options.get("choice", {}).items()}
-    )
-    look = Look(
-        **{key: tuple(value) if isinstance(value, list) else value for key, value in options.get("look", {}).items()}
-    )
-    for chart in _figures.chosen(open(folder_name), options["only"], choice):
+    look = Look(**options["look"])
+    for chart in _figures.chosen(open(folder), options["only"], Choice(**options["choice"])):
         _answer.file(f"{chart.name}.{look.format}", rendered(chart, look))

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import base64
-import fcntl
 import math
 import re
 import shlex
@@ -12,7 +11,8 @@ import sys
 import uuid
 import warnings
 from bisect import bisect_left
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from functools import partial
 from itertools import accumulate
 from pathlib import Path
 from typing import Any, NamedTuple, TypeVar
@@ -24,7 +24,7 @@ from . import _answer
 from ._chart import Look, rendered
 from ._error import Error
 from ._figures import charts
-from ._folder import Run, Sweep, open
+from ._folder import Run, Sweep, open, write_file
 from ._picture import png
 from ._sweep_figures import VESSEL_ANGLE
 from ._table import Quantity, Table, check_regular, quantities
@@ -65,16 +65,6 @@ def files_in(folder: Path) -> list[Path]:
 # Numbers
 
 
-def whole(number: float) -> str:
-    """12 345"""
-    return with_decimals(number, 0)
-
-
-def brief(number: float) -> str:
-    """Four digits."""
-    return with_decimals(number, decimals_for([number]))
-
-
 def decimals_for(numbers: Iterable[float | None], errors: Iterable[float | None] = ()) -> int:
     """Behind the point: two digits of the smallest error, else four of the largest number."""
     least, largest = (
@@ -92,6 +82,11 @@ def is_scientific(number: float, decimals: int) -> bool:
     """Too large, or too small to show three digits."""
     size = abs(number)
     return size >= 1e7 or (0 < size < 1e-3 and size * 10**decimals < 100)
+
+
+def whole(number: float) -> str:
+    """12 345"""
+    return with_decimals(number, 0)
 
 
 def scientific(number: float) -> str:
@@ -192,14 +187,14 @@ class Page:
             self.warn(error)
         for number, chart in enumerate(found, 1):
             progress(f"figure {number} of {len(found)}")
-            figure = {"name": chart.name, "about": chart.about}
+            untitled = chart._replace(title="")
             try:
-                svg = rendered(chart._replace(title=""), Look("svg", width=WIDTH))
+                svg = rendered(untitled, Look("svg", width=WIDTH))
                 if len(svg) <= MOST_SVG:
-                    figure["svg"] = self.part(NO_USE.sub(b"", svg[svg.find(b"<svg") :]))
+                    content = {"svg": self.part(NO_USE.sub(b"", svg[svg.find(b"<svg") :]))}
                 else:
-                    figure["url"] = self.data("image/png", rendered(chart._replace(title=""), Look(width=2 * WIDTH)))
-                figures.append(figure)
+                    content = {"url": self.data("image/png", rendered(untitled, Look(width=2 * WIDTH)))}
+                figures.append({"name": chart.name, "about": chart.about, **content})
             except ImportError:
                 raise
             except Exception as error:  # the rest of the page is worth having
@@ -208,26 +203,21 @@ class Page:
         return figures
 
     def rendered(self, template: str, **values: Any) -> bytes:
-        environment = jinja2.Environment(
-            loader=jinja2.FileSystemLoader(TEMPLATES),
-            autoescape=True,
-            undefined=jinja2.StrictUndefined,
-            trim_blocks=True,
-            lstrip_blocks=True,
-        )
-        environment.globals["verbatim"] = lambda name: Markup((TEMPLATES / name).read_text("utf-8"))
-        environment.filters |= {
-            "breakable": breakable,
-            "brief": brief,
-            "shell": shlex.quote,
-            "time": lambda steps: time_text(self.folder, steps),
-            "whole": whole,
-            "zip": zip,
-        }
+        time = {"time": partial(time_text, self.folder)}
         values |= {"charts": self.figures(), "tables": self.folder.tables, "warnings": self.warnings}
-        text = environment.get_template(template).render(summary=self.folder.summary, **values)
-        page = CONTROL.sub("\ufffd", text).encode()
+        page = html(template, time, summary=self.folder.summary, **values)
         return re.sub(rb"%s-(\d+)\." % self._mark.encode(), lambda found: self._parts[int(found[1])], page)
+
+
+def html(template: str, filters: Mapping[str, Any] = {}, **values: Any) -> bytes:
+    loader, strict = jinja2.FileSystemLoader(TEMPLATES), jinja2.StrictUndefined
+    environment = jinja2.Environment(
+        loader=loader, autoescape=True, undefined=strict, trim_blocks=True, lstrip_blocks=True
+    )
+    environment.globals["verbatim"] = lambda name: Markup((TEMPLATES / name).read_text("utf-8"))
+    environment.filters |= {"breakable": breakable, "shell": shlex.quote, "whole": whole, "zip": zip, **filters}
+    environment.filters["brief"] = lambda number: with_decimals(number, decimals_for([number]))  # four digits
+    return CONTROL.sub("\ufffd", environment.get_template(template).render(**values)).encode()
 
 
 def progress(text: str) -> None:
@@ -296,14 +286,9 @@ def pictures_of(page: Page, run: Run, most: int | None) -> dict[str, Any]:
             page.warn(f"{picture.source!s} is left out: it is no PNG")
             return None
         time, (width, height) = time_text(run, picture.step), struct.unpack(">II", content[16:24])
-        return {
-            "step": picture.step,
-            "when": whole(picture.step) + (f", t = {time}" if time else ""),
-            "stage": names[bisect_left(ends, picture.step)],
-            "url": page.data("image/png", content),
-            "width": width,
-            "height": height,
-        }
+        when, url = whole(picture.step) + (f", t = {time}" if time else ""), page.data("image/png", content)
+        stage = names[bisect_left(ends, picture.step)]
+        return {"step": picture.step, "when": when, "stage": stage, "url": url, "width": width, "height": height}
 
     movies = []
     for file in files_in(run.folder):
@@ -332,17 +317,10 @@ def pictures_of(page: Page, run: Run, most: int | None) -> dict[str, Any]:
             at_ends[step] = end | {"stage": names[number], "same": f"end-{number + 1}"}
             room -= picture.size
     frames = chosen(pictures, len(pictures) if most is None else most, room)
-    return {
-        "movies": movies,
-        "again": [one for one in map(shown, again) if one],
-        "again_total": len(all_again),
-        "total": len(pictures),
-        "asked": most is not None,
-        "drawn": frames_drawn,
-        "undrawn": undrawn,
-        "ends": list(at_ends.values()),
-        "frames": [one for one in (at_ends.get(frame.step) or shown(frame) for frame in frames) if one],
-    }
+    shown_frames = [one for one in (at_ends.get(frame.step) or shown(frame) for frame in frames) if one]
+    found = {"movies": movies, "again": list(filter(None, map(shown, again))), "again_total": len(all_again)}
+    found |= {"total": len(pictures), "asked": most is not None, "drawn": frames_drawn, "undrawn": undrawn}
+    return found | {"ends": list(at_ends.values()), "frames": shown_frames}
 
 
 # Runs
@@ -357,13 +335,12 @@ def walls_of(page: Page, run: Run) -> Iterator[tuple[str, list[str], list[tuple[
             page.warn(error)
             continue
         if len(table):
-            names = table.dtype.names or ()
-            columns = [table[name].tolist() for name in names]
+            columns = [table[name].tolist() for name in table.names]
             for column in columns[1:]:
                 if isinstance(column[0], float):
                     decimals = decimals_for(column)
                     column[:] = [texts_of(number, None, decimals)[0] for number in column]
-            yield stage, [table.label(name) for name in names], list(zip(*columns))
+            yield stage, list(map(table.label, table.names)), list(zip(*columns))
 
 
 def run_page(page: Page, run: Run, most: int | None) -> bytes:
@@ -372,26 +349,15 @@ def run_page(page: Page, run: Run, most: int | None) -> bytes:
     scene = page.read(run.folder / "scene.yaml", USUAL_BYTES) or b""
     stages = evenly(run.summary["stages"], MOST_STAGES)
     known = quantities(run.summary.get("measures", []))
-    measures, turned = rows_of(
-        [
-            {key: (value, of.get(f"{key}_se")) for key, value in of.items() if not key.endswith("_se")}
-            for of in (stage["measures"] for stage in stages)
-        ],
-        lambda key: known.get(key, Quantity(key)),
-    )
-    return page.rendered(
-        "run.html",
-        title=run.title or run.scene,
-        kind=KINDS[run.kind],
-        pictures=pictures_of(page, run, most),
-        stages=stages,
-        measures=measures,
-        turned=turned,
-        walls=list(walls_of(page, run)),
-        scene_is_long=len(scene) > MOST_SCENE,
-        scene_text=scene[:MOST_SCENE].decode(errors="replace"),
-        scene_url=page.data("text/yaml", scene),
-    )
+    columns = [
+        {key: (value, of.get(f"{key}_se")) for key, value in of.items() if not key.endswith("_se")}
+        for of in (stage["measures"] for stage in stages)
+    ]
+    measures, turned = rows_of(columns, lambda key: known.get(key, Quantity(key)))
+    found = {"stages": stages, "measures": measures, "turned": turned, "walls": list(walls_of(page, run))}
+    found |= {"scene_is_long": len(scene) > MOST_SCENE, "scene_text": scene[:MOST_SCENE].decode(errors="replace")}
+    found |= {"scene_url": page.data("text/yaml", scene), "pictures": pictures_of(page, run, most)}
+    return page.rendered("run.html", title=run.title or run.scene, kind=KINDS[run.kind], **found)
 
 
 # Sweeps
@@ -400,7 +366,7 @@ def run_page(page: Page, run: Run, most: int | None) -> bytes:
 def rows(table: Table, *names: str) -> list[tuple[Any, ...]]:
     """Of these columns. Throws Error."""
     for name in names:
-        if name not in (table.dtype.names or ()):
+        if name not in table.names:
             raise Error(f"a table of the sweep has no column '{name}'")
     return list(zip(*(table[name].tolist() for name in names))) if names else [()] * len(table)
 
@@ -408,9 +374,8 @@ def rows(table: Table, *names: str) -> list[tuple[Any, ...]]:
 def combinations_of(sweep: Sweep) -> tuple[list[str], list[tuple[str, list[Row], bool]]]:
     """Combinations as KEY=VALUE, a line each; of each stage its name, rows, and whether a vessel is turned."""
     table = sweep.measures
-    names = [
-        "\n".join(f"{key}={plain(value)}" for key, value in zip(sweep.keys, row)) for row in rows(table, *sweep.keys)
-    ]
+    values = rows(table, *sweep.keys)
+    names = ["\n".join(f"{key}={plain(value)}" for key, value in zip(sweep.keys, row)) for row in values]
     shown = evenly(list(dict.fromkeys(names)), MOST_COLUMNS)
     cells: dict[str, dict[str, dict[str, Measured]]] = {}
     for name, (stage, measure, mean, error) in zip(names, rows(table, "stage", "measure", "mean", "standard_error")):
@@ -426,29 +391,19 @@ def sweep_page(page: Page, sweep: Sweep) -> bytes:
         shown = [list(map(plain, row)) for row in rows(runs[:MOST_RUNS], *names)]
     except Error as error:
         raise Error(f"cannot read {sweep.folder / 'runs.csv'}: {error}") from None
-    combinations: list[str] = []
-    stages: list[tuple[str, list[Row], bool]] = []
     try:
         combinations, stages = combinations_of(sweep)
     except Error as error:
+        combinations, stages = [], []
         page.warn(error)
     scene = Path(sweep.summary["scene"]).stem
     file = sweep.folder / "overview.png"
     overview = page.read(file, USUAL_BYTES) if file.exists() else None
     seeds = len(set(runs["seed"].tolist()))
-    return page.rendered(
-        "sweep.html",
-        title=sweep.title or scene,
-        scene=scene,
-        keys=sweep.keys,
-        states=runs["status"].tolist(),
-        overview=overview and page.data("image/png", overview),
-        overview_columns=min(seeds if seeds > 1 else len(runs), 8),
-        combinations=combinations,
-        stages=stages,
-        headings=[runs.label(name) for name in names],
-        runs=shown,
-    )
+    found = {"combinations": combinations, "stages": stages, "runs": shown, "states": runs["status"].tolist()}
+    found |= {"overview": overview and page.data("image/png", overview), "headings": list(map(runs.label, names))}
+    found |= {"overview_columns": min(seeds if seeds > 1 else len(runs), 8), "keys": sweep.keys}
+    return page.rendered("sweep.html", title=sweep.title or scene, scene=scene, **found)
 
 
 def report(folder: Run | Sweep, max_frames: int | None = None) -> tuple[bytes, list[str]]:
@@ -464,31 +419,8 @@ def write(folder: Run | Sweep, path: Path | None, max_frames: int | None) -> Pat
     for text in left_out:
         warnings.warn(f"{folder.folder}: {text}", stacklevel=3)
     file = path or folder.folder / "report.html"
-    new = file.with_name(f".{file.name}.new")
-    try:
-        if path is None:
-            listed(folder.folder, file.name)
-        new.write_bytes(page)
-        try:
-            new.replace(file)
-        except OSError:
-            new.unlink()
-            raise
-    except OSError as error:
-        raise Error(f"cannot write {file}: {error.strerror}") from None
+    write_file(file, page, is_listed=path is None)
     return file
-
-
-def listed(folder: Path, name: str) -> None:
-    """Lists a file as one of clca, so that the next run into the folder removes it. Throws Error, OSError."""
-    line, manifest = f'file "{name}"\n', folder / ".clca.manifest"
-    if not manifest.is_file() or line in manifest.read_text():
-        return
-    if (folder / name).exists():
-        raise Error(f"cannot write {folder / name}: clca did not write the file that is there")
-    with manifest.open("a") as lines:
-        fcntl.flock(lines, fcntl.LOCK_EX)
-        lines.write(line)
 
 
 def command(options: dict[str, Any], folder_name: str) -> None:

@@ -1,4 +1,4 @@
-"""Scenes step by step."""
+"""Scenes step by step, and gases."""
 
 from __future__ import annotations
 
@@ -10,16 +10,12 @@ import numpy
 from numpy.typing import NDArray
 
 from . import _clca
-from ._arguments import MOST, whole
+from ._arguments import MOST, threads as checked_threads, whole
 from ._error import Error
 from ._frames import Frame, Kind, Look
 from ._picture import Picture, overrides
 from ._scene import AnyScene, Scene
 from ._table import Quantity, Table, Value
-
-
-def look_of(source: _clca.Simulation) -> Look:
-    return Look([Kind(*kind) for kind in source._kinds()], dict(source._walls()), source._units(), source._body_names())
 
 
 class Simulation(_clca.Simulation):
@@ -30,11 +26,7 @@ class Simulation(_clca.Simulation):
     """
 
     def __init__(
-        self,
-        scene: AnyScene,
-        seed: int | None = None,
-        set: Mapping[str, Any] | None = None,
-        threads: int = 1,
+        self, scene: AnyScene, seed: int | None = None, set: Mapping[str, Any] | None = None, threads: int = 1
     ) -> None:
         super().__init__(Scene.of(scene, seed, set), whole("threads", threads, 1, 1024))
 
@@ -52,7 +44,7 @@ class Simulation(_clca.Simulation):
 
     @cached_property
     def _look(self) -> Look:
-        return look_of(self)
+        return Look([Kind(*kind) for kind in self._kinds()], dict(self._walls()), self._units(), self._body_names())
 
     @property
     def kinds(self) -> list[Kind]:
@@ -67,8 +59,8 @@ class Simulation(_clca.Simulation):
     @property
     def frame(self) -> Frame:
         """The particles in the box as they are now, as of a run; a copy."""
-        data = self._frame()
-        return Frame(self._look, data[0], self.stage, lambda: data)
+        step, particles, walls, contacts = self._frame()
+        return Frame(self._look, step, self.stage, lambda: (particles, walls), lambda rows, _: contacts[rows])
 
     @property
     def measures(self) -> dict[str, Value]:
@@ -88,3 +80,22 @@ class Simulation(_clca.Simulation):
         `color_by="stage_layer"`, `width=400`. Throws Error.
         """
         return self._picture(overrides(frames)).view(Picture)
+
+
+class Gas(_clca.Gas):
+    """The first gas of the ensemble of a scene of the Boltzmann equation, with its first restitution.
+
+    `scene`, `seed` and `set` are as for `Scene`. Velocities are in v0, the root of <v^2>/3 at time 0, and times in the
+    unit of docs/boltzmann.md. `threads`: all by default; the bits do not depend on it. Throws Error.
+    """
+
+    def __init__(
+        self, scene: AnyScene, seed: int | None = None, set: Mapping[str, Any] | None = None, threads: int | None = None
+    ) -> None:
+        super().__init__(Scene.of(scene, seed, set), checked_threads(threads))
+
+    def __repr__(self) -> str:
+        try:
+            return f"<gas at time {self.time:g}>"
+        except Error as error:
+            return f"<gas that has failed: {error}>"

@@ -34,7 +34,8 @@ def annotate(figure: Any, ax: Any, shown: dict[str, Any]) -> None:
             ax.text((begin + end) / 2, 1.01, name, transform=ax.get_xaxis_transform(), ha="center", color="#60666e")
     for bar in shown["bars"]:
         extend = ("neither", "min", "max", "both")[bar["below"] + 2 * bar["above"]]
-        values = ScalarMappable(Normalize(bar["low"], bar["high"]), ListedColormap([colors(one) for one in bar["colors"]]))
+        shown_colors = ListedColormap([colors(one) for one in bar["colors"]])
+        values = ScalarMappable(Normalize(bar["low"], bar["high"]), shown_colors)
         figure.colorbar(values, ax=ax, label=plain(bar["label"]), extend=extend, aspect=30, pad=0.02)
     handles = [
         Patch(facecolor=colors(patch["color"]), edgecolor="#404040", linewidth=0.5, label=plain(patch["label"]))
@@ -42,16 +43,8 @@ def annotate(figure: Any, ax: Any, shown: dict[str, Any]) -> None:
     ]
     if handles:
         below = ax.transAxes + ScaledTranslation(0, -3.2 * rcParams["font.size"] / 72, figure.dpi_scale_trans)
-        ax.legend(
-            handles=handles,
-            loc="upper left",
-            bbox_to_anchor=(0, 0),
-            bbox_transform=below,
-            ncol=6,
-            borderaxespad=0,
-            handlelength=1,
-            columnspacing=1.2,
-        )
+        space = {"borderaxespad": 0, "handlelength": 1, "columnspacing": 1.2}
+        ax.legend(handles=handles, loc="upper left", bbox_to_anchor=(0, 0), bbox_transform=below, ncol=6, **space)
 
 
 def command(shown: dict[str, Any]) -> None:
@@ -64,11 +57,8 @@ def command(shown: dict[str, Any]) -> None:
     with style(width / PAGE):
         figure = Figure(figsize=(width, height), dpi=96, layout="constrained" if shown["annotations"] else None)
         ax = figure.add_subplot() if shown["annotations"] else figure.add_axes((0, 0, 1, 1))
-        ax.imshow(
-            content,
-            extent=[shown[axis][end] for axis in ("time", "position") for end in ("low", "high")],
-            aspect="auto",
-        )
+        extent = [shown[axis][end] for axis in ("time", "position") for end in ("low", "high")]
+        ax.imshow(content, extent=extent, aspect="auto")
         ax.grid(False)
         if shown["annotations"]:
             annotate(figure, ax, shown)

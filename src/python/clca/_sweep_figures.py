@@ -4,19 +4,22 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
+from functools import partial
 from typing import Any
 
 import numpy
 
 from ._chart import MOST_COLORS, Axis, Chart, Curve, Panel, running_mean
 from ._error import Error
-from ._figures import LABEL, Source, has, logged, suggestion, text_of, title_of
-from ._table import Quantity, Table
+from ._figures import LABEL, Choice, Source, has, logged, suggestion, text_of
+from ._folder import Sweep
+from ._table import Table
 
 MOST_PANELS = 16
 MOST_WORDS = 72  # letters under an axis
 FIRST = 1e6  # rank of what the scene itself derives
 VESSEL_ANGLE = "vessel_angle_deg"
+Cell = tuple[Any, ...]  # a value of each key
 
 
 def in_order(cells: Any) -> list[Any]:
@@ -24,150 +27,140 @@ def in_order(cells: Any) -> list[Any]:
     return sorted(set(cells.tolist())) if cells.dtype.kind == "f" else list(dict.fromkeys(cells.tolist()))
 
 
-def vary_together(table: Table, first: str, second: str) -> bool:
-    pairs = set(zip(table[first].tolist(), table[second].tolist()))
-    return len(pairs) == len(set(table[first].tolist())) == len(set(table[second].tolist()))
+def listed(*parts: str) -> str:
+    return ", ".join(filter(None, parts))
+
+
+def label_of(keys: Sequence[str], cell: Cell) -> str:
+    return ", ".join(f"{key}={text_of(value)}" for key, value in zip(keys, cell))
 
 
 class Keys:
     """What of the keys that vary goes along the axis, tells curves, panels and figures apart."""
 
-    def __init__(self, source: Source, table: Table, along: Sequence[str]) -> None:
-        choice, keys = source.choice, source.folder.keys  # type: ignore[union-attr]
-        self.table = table
-        others = [key for key in keys if key not in along]
+    def __init__(self, sweep: Sweep, choice: Choice, table: Table, along: Sequence[str]) -> None:
+        others = [key for key in sweep.keys if key not in along]
         self.over = [key for key in choice.over if key in others] or ([] if choice.over else others)
         self.apart = [key for key in others if key not in self.over]
         self.values = {key: in_order(table[key]) for key in others}
         self.split: list[str] = []  # keys with a panel for each combination
-        count = math.prod(len(self.values[key]) for key in self.over)
-        if count > MOST_COLORS and len(self.over) > 1:
+        if len(self.over) > 1 and self.count(self.over) > MOST_COLORS:
             self.over, self.split = self.over[:1], self.over[1:]
-            while math.prod(len(self.values[key]) for key in self.split) > MOST_PANELS:
+            while self.count(self.split) > MOST_PANELS:
                 self.apart.append(self.split.pop())
 
-    def label(self, keys: Sequence[str], values: Sequence[Any], bare: bool = False) -> str:
-        is_word = bare and len(keys) == 1 and isinstance(values[0], str)
-        return ", ".join(text_of(value) if is_word else f"{key}={text_of(value)}" for key, value in zip(keys, values))
+    def count(self, keys: Sequence[str]) -> int:
+        return math.prod(len(self.values[key]) for key in keys)
 
-    def combinations(self, rows: Table, keys: Sequence[str]) -> list[tuple[tuple[Any, ...], Table]]:
+    def combinations(self, rows: Table, keys: Sequence[str]) -> list[tuple[Cell, Table]]:
         """The rows of each combination of values that is there, in order."""
         if not keys:
             return [((), rows)]
         cells = list(zip(*(rows[key].tolist() for key in keys)))
-        places = {cell: tuple(self.values[key].index(value) for key, value in zip(keys, cell)) for cell in set(cells)}
-        found = []
-        for cell in sorted(places, key=lambda cell: places[cell]):
-            found.append((cell, rows[numpy.array([one == cell for one in cells])]))
-        return found
+        there = sorted(set(cells), key=lambda cell: [self.values[key].index(value) for key, value in zip(keys, cell)])
+        return [(cell, rows[numpy.array([one == cell for one in cells])]) for cell in there]
 
-    def scale(self, cells: Sequence[tuple[Any, ...]]) -> tuple[str, list[float]] | None:
-        """Of a colour bar, where there are many numbers."""
-        numbers = [cell[0] for cell in cells if len(cell) == 1 and isinstance(cell[0], float)]
-        return (self.over[0], numbers) if len(numbers) == len(cells) > MOST_COLORS else None
+    def label(self, cell: Cell) -> str:
+        """Of a curve; a word alone says enough."""
+        is_word = self.apart and len(cell) == 1 and isinstance(cell[0], str)
+        return str(cell[0]) if is_word else label_of(self.over, cell)
+
+    def panels(
+        self, rows: Table, curve: Callable[[Table, str], Curve], x: Axis, y: Axis, title: str, log: str
+    ) -> list[Panel]:
+        made: list[Panel] = []
+        all_cells = [cell for cell, _ in self.combinations(rows, self.over)]
+        has_scale = len(self.over) == 1 and len(all_cells) > MOST_COLORS and isinstance(all_cells[0][0], float)
+        for values, part in self.combinations(rows, self.split):
+            lines = self.combinations(part, self.over)
+            curves = [curve(those, self.label(cell)) for cell, those in lines]
+            scale = (self.over[0], [cell[0] for cell, _ in lines]) if has_scale else None
+            if len(all_cells) <= MOST_COLORS:
+                curves = [one._replace(color=all_cells.index(cell)) for one, (cell, _) in zip(curves, lines)]
+            name = listed(title if not made else "", label_of(self.split, values))
+            made.append(logged(Panel(curves, x, y, name, scale=scale), log))
+        return made
 
 
-def sweep_charts(source: Source) -> list[Chart]:
+def sweep_charts(source: Source, sweep: Sweep) -> list[Chart]:
     """Throws Error, also for a choice of what is not there."""
     if "measures" not in source.names:
         return []
-    table = source.table("measures")
-    keys, choice = source.folder.keys, source.choice  # type: ignore[union-attr]
+    table, keys, choice = source.table("measures"), sweep.keys, source.choice
     means = [name for name in source.names if name.startswith("mean-")]
-    averaged = {name for mean in means for name in source.table(mean).dtype.names or ()}
     measures = list(dict.fromkeys(map(str, table["measure"])))
-    wrong = [
-        (name, "varied key or measure", [*keys, *measures])
-        for name in filter(None, [choice.x])
-        if name not in keys and name not in measures
-    ]
-    wrong += [(name, "measure", measures) for name in choice.y if name not in measures and f"{name}_se" not in averaged]
-    wrong += [(name, "varied key", list(keys)) for name in choice.over if name not in keys]
-    for name, what, known in wrong:
-        raise Error(f"{source.folder.folder / 'measures.csv'}: no {what} '{name}'{suggestion(name, known)}")
-    charts = measure_charts(source, table) if keys else []
-    if not choice.x:
-        for mean in means:
-            charts += mean_charts(source, mean)
-    return charts
+    averaged = {name.removesuffix("_se") for mean in means for name in source.table(mean).names if name.endswith("_se")}
+    for chosen, what, shown, known in (
+        ([choice.x] if choice.x else [], "varied key or measure", [*keys, *measures], {*keys, *measures}),
+        (choice.y, "measure", measures, {*measures, *averaged}),
+        (choice.over, "varied key", keys, {*keys}),
+    ):
+        for name in chosen:
+            if name not in known:
+                raise Error(f"{sweep.folder / 'measures.csv'}: no {what} '{name}'{suggestion(name, shown)}")
+    charts = measure_charts(source, sweep, table) if keys else []
+    return charts + [chart for mean in means if not choice.x for chart in mean_charts(source, sweep, mean)]
 
 
-def measure_charts(source: Source, table: Table) -> list[Chart]:
-    choice, keys = source.choice, list(source.folder.keys)  # type: ignore[union-attr]
+def measure_charts(source: Source, sweep: Sweep, table: Table) -> list[Chart]:
+    choice, keys, of = source.choice, sweep.keys, sweep._measure
     is_key = not choice.x or choice.x in keys
     axis = choice.x if choice.x in keys else next((key for key in keys if key not in choice.over), keys[0])
-    along = [axis, *(key for key in keys if key != axis and key not in choice.over and vary_together(table, axis, key))]
-    ways = Keys(source, table, along)
+    first = table[axis].tolist()
+    along = [axis]
+    for key in keys:
+        second = table[key].tolist()
+        vary_together = len(set(zip(first, second))) == len(set(first)) == len(set(second))
+        along += [key] if key != axis and key not in choice.over and vary_together else []
+    ways = Keys(sweep, choice, table, along)
     words = [] if table[axis].dtype.kind == "f" or not is_key else in_order(table[axis])
     most = max(MOST_WORDS // max(len(words), 1), 4)
     shown_words = tuple(word if len(word) <= most else word[: most - 1] + "…" for word in words)
-    of: Callable[[str], Quantity] = source.folder._measure  # type: ignore[union-attr]
-    derived = derived_of(source)
-    x_name = axis if is_key else choice.x
+    x_name, derived = axis if is_key else choice.x, derived_of(sweep)
+    x_axis = Axis(of(x_name).label() if not is_key or x_name in derived else x_name, words=shown_words)
 
-    x_label = of(x_name).label() if not is_key or x_name in derived else x_name
-    turned = {row_key(row, keys) for row in table[(table["measure"] == VESSEL_ANGLE) & (table["mean"] != 0)]}
-    x_rows = {row_key(row, keys): row for row in table[table["measure"] == choice.x]} if not is_key else {}
+    def of_row(row: Any) -> Cell:
+        return (str(row["stage"]), *(row[key] for key in keys))
+
+    turned = {of_row(row) for row in table[(table["measure"] == VESSEL_ANGLE) & (table["mean"] != 0)]}
+    x_rows = {of_row(row): row for row in table[table["measure"] == x_name]}
 
     def curve(rows: Table, name: str) -> Curve:
-        x = rows[axis] if is_key and not words else None
-        if words:
-            x = numpy.array([words.index(value) for value in rows[axis]], float)
         left = right = None
-        if not is_key:
-            against = [x_rows[row_key(row, keys)] for row in rows]
-            x, left, right = (
-                numpy.array([row[column] for row in against], float) for column in ("mean", "low", "high")
-            )
-            left, right = numpy.where(numpy.isfinite(left), left, x), numpy.where(numpy.isfinite(right), right, x)
-        order = numpy.argsort(x, kind="stable")
-        low, high = rows["low"], rows["high"]
-        if left is not None and right is not None:
-            left, right = left[order], right[order]
-        return Curve(
-            name, numpy.asarray(x)[order], rows["mean"][order], low[order], high[order], left, right, style="bars"
-        )
+        if is_key:
+            x = numpy.array([words.index(value) for value in rows[axis]], float) if words else rows[axis]
+            rows, x = rows[order := numpy.argsort(x, kind="stable")], x[order]
+        else:
+            against = [[x_rows[of_row(row)][column] for column in ("mean", "low", "high")] for row in rows]
+            x, left, right = numpy.array(against, float).reshape(-1, 3).T
+            left, right = (numpy.where(numpy.isfinite(end), end, x) for end in (left, right))
+            order = numpy.argsort(x, kind="stable")
+            rows, x, left, right = rows[order], x[order], left[order], right[order]
+        return Curve(name, x, rows["mean"], rows["low"], rows["high"], left, right, style="bars")
 
     charts = []
-    for stage in dict.fromkeys(map(str, table["stage"])):
-        for measure in dict.fromkeys(map(str, table["measure"][table["stage"] == stage])):
-            wanted = measure in choice.y if choice.y else measure != x_name
-            if not wanted or not set(stage + measure) <= LABEL:
+    for stage, measure in dict.fromkeys(zip(map(str, table["stage"]), map(str, table["measure"]))):
+        if not (measure in choice.y if choice.y else measure != x_name) or not set(stage + measure) <= LABEL:
+            continue
+        rows = table[(table["stage"] == stage) & (table["measure"] == measure) & numpy.isfinite(table["mean"])]
+        what = of(measure)
+        left_out = turned if what.of_floor and not choice.y else set()
+        places = list(map(of_row, rows))
+        rows = rows[numpy.array([(is_key or place in x_rows) and place not in left_out for place in places], bool)]
+        for number, (values, part) in enumerate(ways.combinations(rows, ways.apart), 1):
+            seen = part["mean"] > 0 if "y" in choice.log else (part["mean"] != 0) | bool(choice.y)
+            if not seen.any():
                 continue
-            rows = table[(table["stage"] == stage) & (table["measure"] == measure) & numpy.isfinite(table["mean"])]
-            if not choice.y and of(measure).of_floor:
-                rows = rows[numpy.array([row_key(row, keys) not in turned for row in rows], bool)]
-            if not is_key:
-                rows = rows[numpy.array([row_key(row, keys) in x_rows for row in rows], bool)]
-            parts = ways.combinations(rows, ways.apart)
-            for number, (values, part) in enumerate(parts, 1):
-                seen = part["mean"] > 0 if "y" in choice.log else (part["mean"] != 0) | bool(choice.y)
-                if not len(part) or not seen.any():
-                    continue
-                log = choice.log + ("y" if measure.startswith("discharged_until_clog") else "")
-                where = ", ".join(filter(None, (stage, ways.label(ways.apart, values))))
-                what = of(measure)
-                about = ", ".join(filter(None, (what.name, what.of))) + (
-                    f": {what.description}" if what.description else ""
-                )
-                charts.append(
-                    Chart(
-                        f"sweep-{stage}-{measure}" + (f"-{number}" if ways.apart else ""),
-                        f"{about}, against {x_label}, at the end of stage {where}. "
-                        "Bars are one standard error over the seeds.",
-                        contrast(part) + (FIRST if measure in derived else 0),
-                        panels_of(
-                            ways, part, curve, Axis(x_label, words=shown_words), Axis(of(measure).label()), where, log
-                        ),
-                        title_of(source.folder),
-                        "sweep",
-                    )
-                )
+            log = choice.log + ("y" if measure.startswith("discharged_until_clog") else "")
+            where = listed(stage, label_of(ways.apart, values))
+            about = listed(what.name, what.of) + (f": {what.description}" if what.description else "")
+            about += f", against {x_axis.label}, at the end of stage {where}. "
+            about += "Bars are one standard error over the seeds."
+            name = f"sweep-{stage}-{measure}" + (f"-{number}" if ways.apart else "")
+            rank = contrast(part) + (FIRST if measure in derived else 0)
+            panels = partial(ways.panels, part, curve, x_axis, Axis(what.label()), where, log)
+            charts.append(Chart(name, about, rank, panels, source.title, "sweep"))
     return charts
-
-
-def row_key(row: Any, keys: Sequence[str]) -> tuple[Any, ...]:
-    return (str(row["stage"]), *(row[key] for key in keys))
 
 
 def contrast(rows: Table) -> float:
@@ -176,94 +169,54 @@ def contrast(rows: Table) -> float:
     return float(numpy.ptp(means) / (errors.mean() + 0.01 * numpy.abs(means).max() + 1e-300))
 
 
-def derived_of(source: Source) -> set[str]:
+def derived_of(sweep: Sweep) -> set[str]:
     """Measures that the scene derives."""
     try:
-        run = next(iter(numpy.flatnonzero(source.folder.runs["status"] == "done")), None)  # type: ignore[union-attr]
-        return set() if run is None else set(source.folder[int(run)].summary.get("derived", {}))  # type: ignore[index]
+        done = numpy.flatnonzero(sweep.runs["status"] == "done")
+        return set(sweep[int(done[0])].summary.get("derived", {})) if len(done) else set()
     except Error:
         return set()
 
 
-def panels_of(ways: Keys, rows: Table, curve: Any, x: Axis, y: Axis, title: str, log: str) -> Any:
-    def panels() -> list[Panel]:
-        made: list[Panel] = []
-        all_cells = [cell for cell, _ in ways.combinations(rows, ways.over)]
-        for values, part in ways.combinations(rows, ways.split):
-            lines = ways.combinations(part, ways.over)
-            scale = ways.scale(all_cells)
-            shown = [curve(those, ways.label(ways.over, cell, bool(ways.apart))) for cell, those in lines]
-            if scale is not None:
-                places = {cell: number for number, cell in enumerate(all_cells)}
-                scale = (scale[0], [scale[1][places[cell]] for cell, _ in lines])
-            else:
-                shown = (
-                    [one._replace(color=all_cells.index(cell)) for one, (cell, _) in zip(shown, lines)]
-                    if len(all_cells) <= MOST_COLORS
-                    else shown
-                )
-            name = ", ".join(
-                filter(None, (title if not made or not ways.split else "", ways.label(ways.split, values)))
-            )
-            made.append(logged(Panel(shown, x, y, name, scale=scale), log))
-        return made
-
-    return panels
-
-
-def mean_charts(source: Source, name: str) -> list[Chart]:
+def mean_charts(source: Source, sweep: Sweep, name: str) -> list[Chart]:
     """Of a table of means over the seeds: each column over time or position, with bands of one standard error."""
     table, choice = source.table(name), source.choice
-    keys = list(source.folder.keys)  # type: ignore[union-attr]
-    names = list(table.dtype.names or ())
-    if "runs" not in names or not len(table):
+    if "runs" not in table.names or not len(table):
         return []
-    heads = names[len(keys) : names.index("runs")]
+    at = table.names.index("runs")
+    heads, columns = table.names[len(sweep.keys) : at], table.names[at + 1 :: 2]
     groups = [head for head in heads if head in ("stage", "probe", "line")]
     positions = [head for head in heads if head not in groups]
     x = "time" if "time" in positions and numpy.isfinite(table["time"]).all() else positions[0]
-    ways = Keys(source, table, ())
-    begin = "-".join(name.split("-")[:2])
-    stage = name[len(begin) + 1 :]
+    x_axis = Axis(table.label(x) + (", since the stage began" if x in ("step", "time") else ""))
+    ways = Keys(sweep, choice, table, ())
+
+    def curve(column: str, those: Table, label: str) -> Curve:
+        error = numpy.nan_to_num(those[f"{column}_se"])
+        means = running_mean(those[column], choice.mean) if choice.mean > 1 else those[column]
+        style = "marked" if len(those) < 30 else "line"
+        return Curve(label, those[x], means, means - error, means + error, style=style)
+
     charts = []
     cells = list(zip(*(map(str, table[group]) for group in groups))) if groups else [()] * len(table)
     for group in dict.fromkeys(cells):
         rows = table[numpy.array([cell == group for cell in cells])]
         group_name = "-".join(group)
         for number, (values, part) in enumerate(ways.combinations(rows, ways.apart), 1):
-            for column in names[names.index("runs") + 1 :: 2]:
-                if (
-                    (choice.y and column not in choice.y)
-                    or not has(part, column)
-                    or not set(column + group_name) <= LABEL
-                ):
+            where = listed(group_name or "-".join(name.split("-")[2:]), label_of(ways.apart, values))
+            for column in columns:
+                is_wanted = column in choice.y if choice.y else True
+                if not is_wanted or not has(part, column) or not set(column + group_name) <= LABEL:
                     continue
-                where = ", ".join(filter(None, (group_name or stage, ways.label(ways.apart, values))))
-                ending = f"-{number}" if ways.apart else ""
-
-                def curve(those: Table, label: str, column: str = column) -> Curve:
-                    error = numpy.nan_to_num(those[f"{column}_se"])
-                    means = running_mean(those[column], choice.mean) if choice.mean > 1 else those[column]
-                    marked = "marked" if len(those) < 30 else "line"
-                    return Curve(label, those[x], means, means - error, means + error, style=marked)
-
-                x_label = table.label(x) + (", since the stage began" if x in ("step", "time") else "")
-                axis = Axis(x_label)
+                axis = x_axis
                 if x in ("x", "position"):
                     there = part[x][numpy.isfinite(part[column]) & (part[column] != 0)]
-                    axis = (
-                        Axis(x_label, low=float(there.min()), high=float(there.max())) if len(set(there)) > 1 else axis
-                    )
-                charts.append(
-                    Chart(
-                        "-".join(filter(None, (name, group_name, column))) + ending,
-                        f"{table.descriptions[column]}, against {table.label(x)}: {where}. "
-                        "Means over the seeds; the band is one "
-                        "standard error to either side.",
-                        0.5,
-                        panels_of(ways, part, curve, axis, Axis(table.label(column)), where, choice.log),
-                        title_of(source.folder),
-                        "means",
-                    )
-                )
+                    if numpy.ptp(there) > 0:
+                        axis = axis._replace(low=float(there.min()), high=float(there.max()))
+                title = "-".join(filter(None, (name, group_name, column))) + (f"-{number}" if ways.apart else "")
+                about = f"{table.descriptions[column]}, against {table.label(x)}: {where}. "
+                about += "Means over the seeds; the band is one standard error to either side."
+                y_axis = Axis(table.label(column))
+                panels = partial(ways.panels, part, partial(curve, column), axis, y_axis, where, choice.log)
+                charts.append(Chart(title, about, 0.5, panels, source.title, "means"))
     return charts

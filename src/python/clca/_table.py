@@ -34,12 +34,8 @@ class Quantity(NamedTuple):
 
 def quantities(listed: Iterable[Mapping[str, Any]]) -> dict[str, Quantity]:
     """What a list of `run.json` says of measures or columns."""
-    return {
-        one["key"]: Quantity(
-            one["name"], one.get("unit", ""), one.get("meaning", ""), one.get("of", ""), one.get("of_floor", False)
-        )
-        for one in listed
-    }
+    more = {"unit": "", "meaning": "", "of": "", "of_floor": False}
+    return {one["key"]: Quantity(one["name"], *(one.get(key, usual) for key, usual in more.items())) for one in listed}
 
 
 class Value(float):
@@ -84,7 +80,7 @@ def as_array(cells: Any) -> NDArray[Any]:
 class Table(numpy.ndarray[Any, numpy.dtype[Any]]):
     """A structured array: a row for each line, a field for each column.
 
-    `units` and `descriptions` are by column; empty where there is none.
+    `names` are the columns; `units` and `descriptions` are by column, empty where there is none.
     """
 
     _quantities: dict[str, Quantity]
@@ -115,6 +111,10 @@ class Table(numpy.ndarray[Any, numpy.dtype[Any]]):
         return part.view(numpy.ndarray) if isinstance(part, Table) and part.dtype.names is None else part
 
     @property
+    def names(self) -> tuple[str, ...]:
+        return self.dtype.names or ()
+
+    @property
     def units(self) -> dict[str, str]:
         return {key: what.unit for key, what in self._quantities.items()}
 
@@ -130,7 +130,7 @@ class Table(numpy.ndarray[Any, numpy.dtype[Any]]):
         """The same as a `pandas.DataFrame`, where pandas is installed."""
         import pandas  # type: ignore[import]
 
-        return pandas.DataFrame({name: self[name] for name in self.dtype.names or ()})
+        return pandas.DataFrame({name: self[name] for name in self.names})
 
 
 def numbers_of(cells: Sequence[str]) -> Any:

@@ -6,8 +6,9 @@ import atexit
 import os
 import re
 import threading
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -16,7 +17,7 @@ import numpy
 from numpy.typing import NDArray
 
 from ._error import Error
-from ._frames import FrameData, Kind, Look, read_only
+from ._frames import BODY, CONTACT, MANY, FrameData, Kind, Look, read_only
 from ._table import check_regular
 
 PITCH = float(numpy.sqrt(3) / 2)  # of columns, in lattice spacings
@@ -24,21 +25,6 @@ HEADER = re.compile(rb"clca .* version 1\nbytes (\d+)\n")
 HEADER_BYTES = 512
 SIDES = {-(2**31): "box.floor", -(2**31) + 1: "box.top", -(2**31) + 2: "box.left", -(2**31) + 3: "box.right"}
 NO_MOVE = 6
-BODY = numpy.dtype(
-    [
-        ("id", "u4"),
-        ("kind", "u2"),
-        ("position", "f8", 2),
-        ("velocity", "f8", 2),
-        ("displacement", "f8", 2),
-        ("angular_velocity", "f8"),
-        ("image", "i4"),
-        ("force", "f4"),
-    ]
-)
-CONTACT = numpy.dtype(
-    [("upper", "u4"), ("other", "i4"), ("place", "f8", 2), ("normal", "f8", 2), ("branch", "f8", 2), ("force", "f8", 2)]
-)
 # Python must neither end nor fork while a thread is in h5py: its lock would be held for ever.
 reading = threading.Lock()
 atexit.register(reading.acquire)
@@ -63,12 +49,8 @@ def outline(sites: NDArray[Any], centre: NDArray[Any]) -> NDArray[numpy.float64]
     each site and around each middle of two neighbours. Corners from the centre, anticlockwise.
     """
     there = {(int(x), int(q)) for x, q in sites}
-    points = {
-        (2 * x + i, 2 * q + j)
-        for x, q in there
-        for i, j in ((0, 0), (1, 0), (0, 1), (1, -1))
-        if (x + i, q + j) in there
-    }
+    steps = ((0, 0), (1, 0), (0, 1), (1, -1))
+    points = {(2 * x + i, 2 * q + j) for x, q in there for i, j in steps if (x + i, q + j) in there}
     edges = set()
     for x, q in points:
         around = [(x + 1, q), (x, q + 1), (x - 1, q + 1), (x - 1, q), (x, q - 1), (x + 1, q - 1)]
@@ -99,17 +81,16 @@ def trapezoids(sites: NDArray[Any]) -> tuple[NDArray[numpy.float64], NDArray[Any
     triangles = numpy.unique(numpy.concatenate([doubled + one for one in around]), axis=0)
     begins = numpy.append(True, numpy.any(triangles[1:] - triangles[:-1] != (0, 1), 1))[: len(triangles)]
     (left, low), high = triangles[begins].T, triangles[numpy.append(begins[1:], True)[: len(triangles)], 1]
-    corners = numpy.array(
-        [[left, low // 2], [left + 1, (low - 1) // 2], [left + 1, high // 2], [left, (high + 1) // 2]]
-    )
-    corners = corners.transpose(2, 0, 1)
+    right, ends = left + 1, (low // 2, (low - 1) // 2, high // 2, (high + 1) // 2)
+    corners = numpy.array(list(zip((left, right, right, left), ends))).transpose(2, 0, 1)
     kept = numpy.any(corners != corners[:, [3, 0, 1, 0]], 2)  # where two are one, it is a triangle
     kept[:, :2] = True
     return positions(corners[kept]) / 2, kept.sum(1)
 
 
-def rows_of(column: Any, first: int, size: int) -> NDArray[Any]:
-    return numpy.asarray(column[first : first + size])
+def slices(count: int, many: int = MANY) -> Iterator[slice]:
+    """Of so many rows, one at least."""
+    return (slice(start, min(start + many, count)) for start in range(0, max(count, 1), many))
 
 
 class Trajectory:
@@ -133,11 +114,10 @@ class Trajectory:
                 columns.append(frames)
                 if number == 0:
                     stages = [name.decode() for name in part["scene/stages"]]
-                    self.look = self._look(part, summary)
+                    self.look: Look = self._look(part, summary)
         self._frames = {name: numpy.concatenate([part[name] for part in columns]) for name in columns[0]}
-        self._starts = {
-            name: [int(part[first][0]) for part in columns] for name, first in FIRST.items() if first in columns[0]
-        }
+        firsts = {name: first for name, first in FIRST.items() if first in columns[0]}
+        self._starts = {name: [int(part[first][0]) for part in columns] for name, first in firsts.items()}
         self.entered = int(self._frames["entered"].max(initial=0))  # particles, by then
         self.has_contacts = "contacts" in self._frames
         steps, stage = self._frames["step"], self._frames["stage"]
@@ -145,7 +125,7 @@ class Trajectory:
         self._stage_first = numpy.maximum.accumulate(numpy.where(is_first, numpy.arange(len(stage)), 0))
         # Where a stage ends and the next one begins, a step has two frames: the first one is taken.
         self._numbers = numpy.flatnonzero(numpy.append(True, steps[1:] != steps[:-1]))
-        self.list = [(int(steps[i]), stages[stage[i]]) for i in self._numbers]
+        self.list: list[tuple[int, str]] = [(int(steps[i]), stages[stage[i]]) for i in self._numbers]
 
     @contextmanager
     def _opened(self, file: Path) -> Iterator[Any]:
@@ -175,37 +155,26 @@ class Trajectory:
         self._kind_sites = [sites[first : first + size] for first, size in zip(firsts, self.sizes)]
         degrees = [kind["degrees"] for kind in summary.get("kinds", [])] or len(of) * [0]
         several = numpy.bincount(of, minlength=len(species)) > 1
-        kinds = [
-            Kind(
-                f"{species[of[i]]}@{degrees[i]}" if several[of[i]] else species[of[i]],
-                species[of[i]],
-                degrees[i],
-                outline(self._kind_sites[i], self._centres[i]),
-            )
-            for i in range(len(of))
-        ]
+        kinds = []
+        for i, name in enumerate(species[number] for number in of):
+            full_name = f"{name}@{degrees[i]}" if several[of[i]] else name
+            kinds.append(Kind(full_name, name, degrees[i], outline(self._kind_sites[i], self._centres[i])))
         names = [name.decode() for name in scene["walls/name"]]
         of_walls = axial(scene["walls/sites"][:].reshape(-1, 2))
-        self._wall_sites = [
-            of_walls[first : first + size] for first, size in zip(scene["walls/first"], scene["walls/size"])
-        ]
-        units = summary.get("units")
-        unit = (
-            {"time": ("steps", 1.0), "velocity": ("spacings/step", 1.0)}
-            if units is None
-            else {
-                "time": (units["time"], units["time_step"]),
-                "velocity": (units["velocity"], units["spacing"] / units["time_step"]),
-            }
-        )
+        ends = zip(scene["walls/first"], scene["walls/size"])
+        self._wall_sites = [of_walls[first : first + size] for first, size in ends]
+        unit = {"time": ("steps", 1.0), "velocity": ("spacings/step", 1.0)}
+        if units := summary.get("units"):
+            unit["time"] = units["time"], units["time_step"]
+            unit["velocity"] = units["velocity"], units["spacing"] / units["time_step"]
         walls = {name: read_only(positions(home)) for name, home in zip(names, self._wall_sites)}
         return Look(kinds, walls, unit, SIDES | {-2 - number: name for number, name in enumerate(names)})
 
-    def _rows(self, part: Any, frame: int, name: str, columns: list[str]) -> list[NDArray[Any]]:
+    def _rows(self, part: Any, frame: int, name: str, columns: Sequence[str], rows: slice = slice(None)) -> list[Any]:
         """Of a list of a frame these columns."""
         first = int(self._frames[FIRST[name]][frame]) - self._starts[name][self._frames["part"][frame]]
-        size = int(self._frames[name][frame])
-        return [rows_of(part[f"{name}/{column}"], first, size) for column in columns]
+        begin, end, _ = rows.indices(int(self._frames[name][frame]))
+        return [numpy.asarray(part[f"{name}/{column}"][first + begin : first + max(begin, end)]) for column in columns]
 
     def _origins_of(self, frame: int) -> NDArray[Any]:
         """By id, the site where it was when the stage began or it entered."""
@@ -228,68 +197,88 @@ class Trajectory:
     def frame(self, number: int) -> FrameData:
         """By its place in `list`. Throws Error."""
         frame = int(self._numbers[number])
-        origins = self._origins_of(frame)
+        origins, sites = self._origins_of(frame), None
         with self._opened(self._files[self._frames["part"][frame]]) as part:
-            bodies, axials = self._bodies(part, frame, origins)
+            bodies = self._bodies(part, frame, origins)
             row, walls = int(self._frames["row"][frame]), len(self.look.walls)
             present = numpy.asarray(part["walls/present"][:]).reshape(-1, walls)[row] if walls else []
             shifts = numpy.asarray(part["walls/position"][:]).reshape(-1, walls, 2)[row] if walls else []
-            contacts = numpy.empty(0, CONTACT)
-            if "contacts" in part:
-                contacts = numpy.empty(int(self._frames["contacts"][frame]), CONTACT)
-                for name in CONTACT.names or ():
-                    contacts[name] = self._rows(part, frame, "contacts", [name])[0]
+            if self._frames["pushes"][frame] and len(bodies):
+                sites = self._rows(part, frame, "particles", ["site"])[0]
         there = [(float(x), float(y)) if is_there else None for is_there, (x, y) in zip(present, shifts)]
-        if len(contacts):
-            loads = numpy.zeros(1 + int(max(bodies["id"].max(initial=0), contacts["upper"].max())))
-            numpy.add.at(loads, contacts["upper"], contacts["force"][:, 0])
-            grains = contacts["other"] >= 0
-            numpy.add.at(loads, contacts["other"][grains], contacts["force"][grains, 0])
-            bodies["force"] = loads[bodies["id"]]
-        elif self._frames["pushes"][frame]:
-            bodies["force"] = self._shared_sites(bodies["kind"], axials, there)
-        return int(self._frames["step"][frame]), read_only(bodies), there, read_only(contacts)
+        if self.has_contacts and self._frames["contacts"][frame]:
+            bodies["force"] = self._loads(number)[bodies["id"]]
+        elif sites is not None:
+            bodies["force"] = self._shared_sites(bodies["kind"], axial(sites), there)
+        return read_only(bodies), there
 
-    def _bodies(self, part: Any, frame: int, origins: NDArray[Any]) -> tuple[NDArray[Any], NDArray[numpy.int64]]:
-        """The particles but for their forces, and where they are."""
-        ids, kinds, sites, place, move = self._rows(
-            part, frame, "particles", ["id", "kind", "site", "position", "move"]
-        )
-        bodies = numpy.zeros(len(ids), BODY)
-        bodies["id"], bodies["kind"], bodies["position"] = ids, kinds, place
-        axials = axial(sites)
-        bodies["displacement"] = positions(axials - axial(origins[ids]))
-        beyond = positions(axials)[:, 0] + self._centres[kinds, 0] - place[:, 0]
-        bodies["image"] = numpy.rint(beyond / (PITCH * self.lattice[0]))
-        if "velocity" in part["particles"]:
-            bodies["velocity"] = self._rows(part, frame, "particles", ["velocity"])[0] * self.look.units["velocity"][1]
-            has_spins = "spin" in part["particles"]
-            spins = self._rows(part, frame, "particles", ["spin"])[0] if has_spins else numpy.nan
-            bodies["angular_velocity"] = spins / (self.radii[kinds] * self.look.units["time"][1])
-        else:
-            moves = numpy.array([(0, 1), (1, 0), (1, -1), (0, -1), (-1, 0), (-1, 1), (0, 0)])  # clockwise from up
-            bodies["velocity"] = positions(moves)[numpy.minimum(move, NO_MOVE)]
-        return bodies, axials
+    def contacts(self, number: int, rows: slice, columns: Sequence[str]) -> NDArray[numpy.void]:
+        """Of a frame. Throws Error."""
+        frame = int(self._numbers[number])
+        kind = [(name, CONTACT[name]) for name in columns]
+        if not self.has_contacts:
+            return numpy.empty(0, kind)
+        with self._opened(self._files[self._frames["part"][frame]]) as part:
+            cells = self._rows(part, frame, "contacts", columns, rows)
+        found = numpy.empty(len(cells[0]), kind)
+        for name, values in zip(columns, cells):
+            found[name] = values
+        return found
+
+    def _loads(self, number: int) -> NDArray[numpy.float64]:
+        """By id, the sum of the normal forces."""
+        loads = numpy.zeros(self.entered)
+        for of in ("upper", "other"):
+            for rows in slices(int(self._frames["contacts"][self._numbers[number]])):
+                some = self.contacts(number, rows, [of, "force"])
+                some = some[some[of] >= 0]
+                numpy.add.at(loads, some[of], some["force"][:, 0])
+        return loads
+
+    def _bodies(self, part: Any, frame: int, origins: NDArray[Any]) -> NDArray[numpy.void]:
+        """The particles but for their forces."""
+        bodies = numpy.zeros(int(self._frames["particles"][frame]), BODY)
+        for rows in slices(len(bodies)):
+            some = bodies[rows]
+            of = partial(self._rows, part, frame, "particles", rows=rows)
+            ids, kinds, sites, place, move = of(["id", "kind", "site", "position", "move"])
+            some["id"], some["kind"], some["position"] = ids, kinds, place
+            axials = axial(sites)
+            some["displacement"] = positions(axials - axial(origins[ids]))
+            beyond = positions(axials)[:, 0] + self._centres[kinds, 0] - place[:, 0]
+            some["image"] = numpy.rint(beyond / (PITCH * self.lattice[0]))
+            if "velocity" in part["particles"]:
+                some["velocity"] = of(["velocity"])[0] * self.look.units["velocity"][1]
+                spins = of(["spin"])[0] if "spin" in part["particles"] else numpy.nan
+                some["angular_velocity"] = spins / (self.radii[kinds] * self.look.units["time"][1])
+            else:
+                moves = numpy.array([(0, 1), (1, 0), (1, -1), (0, -1), (-1, 0), (-1, 1), (0, 0)])  # clockwise from up
+                some["velocity"] = positions(moves)[numpy.minimum(move, NO_MOVE)]
+        return bodies
 
     def _shared_sites(
         self, kinds: NDArray[Any], axials: NDArray[numpy.int64], walls: list[tuple[float, float] | None]
     ) -> NDArray[numpy.float64]:
         """Of each particle how many sites it has in common with others and with walls, by each of them."""
-        sites, owners = [], []
-        for kind in numpy.unique(kinds):
-            those = numpy.flatnonzero(kinds == kind)
-            sites.append((axials[those, None] + self._kind_sites[kind]).reshape(-1, 2))
-            owners.append(numpy.repeat(those, len(self._kind_sites[kind])))
+
+        def rows_and_columns(places: NDArray[numpy.int64]) -> NDArray[numpy.int64]:
+            column, q = places.T
+            return numpy.stack([q + column // 2, column % self.lattice[0] if self.lattice[2] else column])
+
+        reach = 2 * max(int(numpy.abs(sites).max()) for sites in self._kind_sites) + 1
+        there = rows_and_columns(axials)
+        first, last = there.min(1) - reach, there.max(1) + reach  # where a particle may have a site
+        owners = numpy.zeros(last - first + 1, "i4")
         for home, shift in zip(self._wall_sites, walls):
             if shift is not None:
                 x = round(shift[0] / PITCH)
-                sites.append(home + numpy.array([x, round(shift[1] - 0.5 * x)]))
-                owners.append(numpy.full(len(home), len(kinds)))
-        all_sites = numpy.concatenate(sites)
-        column, q = all_sites.T
-        row = q + column // 2
-        if self.lattice[2]:
-            column = column % self.lattice[0]
-        _, places, counts = numpy.unique(row * (2**32) + column, return_inverse=True, return_counts=True)
-        shared = numpy.bincount(numpy.concatenate(owners), weights=counts[places] - 1.0, minlength=len(kinds) + 1)
-        return numpy.asarray(shared[:-1], float)
+                places = rows_and_columns(home + numpy.array([x, round(shift[1] - 0.5 * x)])).T
+                places = places[((places >= first) & (places <= last)).all(1)] - first
+                numpy.add.at(owners, tuple(places.T), 1)
+        parts = [(numpy.flatnonzero(kinds == kind), site) for kind in numpy.unique(kinds) for site in self._kind_sites[kind]]
+        for those, site in parts:
+            numpy.add.at(owners, tuple(rows_and_columns(axials[those] + site) - first[:, None]), 1)
+        shared = numpy.zeros(len(kinds))
+        for those, site in parts:
+            shared[those] += owners[tuple(rows_and_columns(axials[those] + site) - first[:, None])] - 1
+        return shared
