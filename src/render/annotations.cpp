@@ -311,7 +311,9 @@ std::vector<double> ticks(double low, double high, int count) {
     step = round_length(2.5001 * step);
   }
   std::vector<double> result;
-  for (double i = std::ceil(low / step - 1e-9); i * step <= high + 1e-9 * step; ++i) {
+  const auto most = static_cast<std::size_t>(std::max(1, count));  // reached where i + 1 is i
+  for (double i = std::ceil(low / step - 1e-9);
+       i * step <= high + 1e-9 * step && result.size() < most; ++i) {
     result.push_back(i * step + 0.0);  // no minus zero
   }
   return result;

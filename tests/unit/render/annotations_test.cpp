@@ -51,6 +51,7 @@ TEST(LengthUnit, MakesTheNumberOneOrMore) {
 TEST(Ticks, AreFewAndRound) {
   EXPECT_EQ(ticks(0, 40, 6), (std::vector<double>{0, 10, 20, 30, 40}));
   EXPECT_EQ(ticks(3, 3, 6), (std::vector<double>{3}));
+  EXPECT_LE(ticks(1e17, 1e17 + 32, 6).size(), 6U);
   for (const double high : {0.07, 1.0, 3.3, 9.0, 11.0, 99.0, 12345.0}) {
     const std::vector<double> values = ticks(0, high, 6);
     EXPECT_GE(values.size(), 2U) << high;
