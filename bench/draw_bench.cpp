@@ -106,7 +106,7 @@ void develop_lookup(benchmark::State& bench) {
 }
 
 void png(benchmark::State& bench) {
-  Subject subject = subject_of(bench, render::Drawing::automatic);
+  Subject subject = subject_of(bench, render::Drawing::lookup);
   const image::Image image = subject.painter.rasterize(subject.capture(render::color_by_id()), {});
   std::size_t bytes = 0;
   for (auto _ : bench) {

@@ -21,6 +21,7 @@
 #include "cli/progress_line.hpp"
 #include "cli/scene_options.hpp"
 #include "cli/terminal.hpp"
+#include "render/internal/legend_json.hpp"
 
 namespace clca::cli {
 
@@ -139,26 +140,13 @@ void set_folders(std::vector<run::RunToDraw>& runs, const RenderOptions& options
   }
 }
 
-nlohmann::json to_json(image::Rgb color) {
-  return {color.red, color.green, color.blue};
-}
-
 nlohmann::json to_json(const run::TimePicture::Axis& axis) {
   return {{"label", axis.label}, {"low", axis.low}, {"high", axis.high}};
 }
 
-nlohmann::json to_json(const render::Legend::Bar& bar) {
-  constexpr int kColors = 64;
-  nlohmann::json colors = nlohmann::json::array();
-  for (int i = 0; i < kColors; ++i) {
-    colors.push_back(to_json(render::bar_color(bar, i / (kColors - 1.0))));
-  }
-  return {{"label", bar.label}, {"low", bar.low},     {"high", bar.high},
-          {"below", bar.below}, {"above", bar.above}, {"colors", colors}};
-}
-
 /// For _space_time.py.
 nlohmann::json to_json(const run::TimePicture& picture) {
+  constexpr int kColors = 64;
   nlohmann::json json = {{"width", picture.width},
                          {"height", picture.height},
                          {"annotations", picture.annotations},
@@ -166,17 +154,15 @@ nlohmann::json to_json(const run::TimePicture& picture) {
                          {"time", to_json(picture.time)},
                          {"position", to_json(picture.position)},
                          {"stages", nlohmann::json::array()},
-                         {"patches", nlohmann::json::array()},
-                         {"bars", nlohmann::json::array()},
+                         {"legend", picture.legend},
                          {"text", picture.text}};
   for (const auto& stage : picture.stages) {
     json["stages"].push_back({{"name", stage.name}, {"begin", stage.begin}});
   }
-  for (const auto& patch : picture.legend.patches) {
-    json["patches"].push_back({{"label", patch.label}, {"color", to_json(patch.color)}});
-  }
   for (const auto& bar : picture.legend.bars) {
-    json["bars"].push_back(to_json(bar));
+    for (int i = 0; i < kColors; ++i) {
+      json["colors"].push_back(render::bar_color(bar, i / (kColors - 1.0)));
+    }
   }
   return json;
 }

@@ -18,16 +18,13 @@ namespace clca::render {
 namespace {
 
 // In text sizes.
-constexpr double kOneLine = 1.75;  // height of text below the view
-constexpr double kTwoLines = 2.95;
 constexpr double kTitleSize = 1.2;
 constexpr double kLegendMiddle = 1.1;  // down from the lower edge of the view
 constexpr double kTickLabelBaseline = 2.55;
 constexpr double kLegendPitch = 1.3;  // from line to line
 constexpr double kHalfLetter = 0.36;  // from the middle of a line down to its baseline
 constexpr double kBarWidth = 11;
-constexpr double kWideBarWidth = 18;  // where there is no scale bar
-constexpr double kGap = 1.5;          // at least, between what stands on the left and on the right
+constexpr double kGap = 1.5;  // at least, between what stands on the left and on the right
 constexpr double kIconRadius = 0.52;
 constexpr double kLineLength = 2.2;  // where the length tells nothing
 constexpr double kMaxLineWidth = 0.9;
@@ -73,7 +70,7 @@ class Annotator {
  public:
   Annotator(Graphics& graphics, const Layout& layout) : graphics_(graphics), layout_(layout) {}
 
-  PictureParts draw(const Caption& caption, const Legend& legend) {
+  void draw(const Caption& caption, const Legend& legend) {
     fade_ = legend.fade;
     if (layout_.captions) {
       draw_caption(caption);
@@ -85,21 +82,12 @@ class Annotator {
       left = draw_color_bar(bar, left, right) + em(kGap);
     }
     draw_entries(legend, left, right);
-    return {.view = layout_.panel,
-            .legend = below_view(layout_.text_left, kTwoLines),
-            .scale_bar = below_view(bar_left, kOneLine)};
   }
 
  private:
   double em(double text_sizes) const { return text_sizes * layout_.text_size; }
   double below_panel(double text_sizes) const {
     return layout_.panel.y + layout_.panel.height + em(text_sizes);
-  }
-  /// A box as wide as the text from `left` on.
-  PixelBox below_view(double left, double height) const {
-    const int x = static_cast<int>(left);
-    const int y = layout_.panel.y + layout_.panel.height;
-    return {x, y, layout_.text_right - x, static_cast<int>(em(height))};
   }
   Graphics::Text text(const std::string& text,
                       double room = std::numeric_limits<double>::infinity()) {
@@ -138,7 +126,7 @@ void Annotator::draw_caption(const Caption& caption) {
 }
 
 double Annotator::draw_scale_bar(double spacing) {
-  if (layout_.scale == 0) {
+  if (!layout_.scale_bar) {
     return layout_.text_right + em(kGap);
   }
   const double room = layout_.text_right - layout_.text_left;
@@ -146,8 +134,9 @@ double Annotator::draw_scale_bar(double spacing) {
   const double shown =
       round_length(std::min<double>(layout_.panel.width, room) / 5 / layout_.scale * unit);
   const double length = shown / unit;
+  const LengthUnit metric = length_unit(shown);
   const Graphics::Text label =
-      text(spacing > 0 ? metres_text(shown)
+      text(spacing > 0 ? fmt::format("{:g} {}", shown * metric.in_metre, metric.name)
                        : fmt::format("{:g} {}", length, length == 1 ? "spacing" : "spacings"));
   const double right = layout_.text_right;
   const double left = right - length * layout_.scale;
@@ -167,7 +156,7 @@ double Annotator::draw_scale_bar(double spacing) {
 }
 
 double Annotator::draw_color_bar(const Legend::Bar& bar, double left, double right) {
-  const double longest = em(layout_.scale > 0 ? kBarWidth : kWideBarWidth);
+  const double longest = em(kBarWidth);
   const double width = std::floor(std::min(longest, (right - left) * 0.6));
   if (width < em(4)) {
     return left;
@@ -322,22 +311,64 @@ std::vector<double> ticks(double low, double high, int count) {
     step = round_length(2.5001 * step);
   }
   std::vector<double> result;
-  for (double i = std::ceil(low / step - 1e-9); i * step <= high + 1e-9 * step; ++i) {
+  const auto most = static_cast<std::size_t>(std::max(1, count));  // reached where i + 1 is i
+  for (double i = std::ceil(low / step - 1e-9);
+       i * step <= high + 1e-9 * step && result.size() < most; ++i) {
     result.push_back(i * step + 0.0);  // no minus zero
   }
   return result;
 }
 
-std::string metres_text(double length) {
-  return length >= 1      ? fmt::format("{:g} m", length)
-         : length >= 1e-3 ? fmt::format("{:g} mm", length * 1e3)
-                          : fmt::format("{:g} µm", length * 1e6);
+std::vector<LegendItem> placed_legend_items(std::span<const double> widths, double ellipsis,
+                                            double gap, std::span<const double> rooms) {
+  std::vector<LegendItem> items;
+  double left = 0;
+  std::size_t line = 0;
+  const auto add = [&](std::optional<std::size_t> entry) {
+    const double width = entry ? widths[*entry] : ellipsis;
+    for (; line < rooms.size() && left + width > rooms[line]; ++line) {
+      left = 0;
+    }
+    if (line < rooms.size()) {
+      items.push_back({entry, left, static_cast<int>(line)});
+      left += width + gap;
+    }
+    return line < rooms.size();
+  };
+  const auto begin_with = [&](std::size_t count) {
+    items.clear();
+    left = 0;
+    line = 0;
+    std::size_t added = 0;
+    while (added < count && add(added)) {
+      ++added;
+    }
+    return added == count;
+  };
+  if (begin_with(widths.size())) {
+    return items;
+  }
+  for (std::size_t kept = widths.size() - 1; kept-- > 0;) {
+    if (begin_with(kept) && add({}) && add(widths.size() - 1)) {
+      return items;
+    }
+  }
+  begin_with(0);
+  add({});
+  return items;
 }
 
-PictureParts annotate(Graphics& graphics, const Layout& layout, const Caption& caption,
-                      const Legend& legend) {
-  return layout.text_size > 0 ? Annotator(graphics, layout).draw(caption, legend)
-                              : PictureParts{.view = layout.panel};
+LengthUnit length_unit(double metres) {
+  return metres >= 1      ? LengthUnit{"m", 1}
+         : metres >= 1e-3 ? LengthUnit{"mm", 1e3}
+                          : LengthUnit{"µm", 1e6};
+}
+
+void annotate(Graphics& graphics, const Layout& layout, const Caption& caption,
+              const Legend& legend) {
+  if (layout.text_size > 0) {
+    Annotator(graphics, layout).draw(caption, legend);
+  }
 }
 
 }  // namespace clca::render

@@ -16,15 +16,12 @@ namespace clca::render {
 /// Largest of 1, 2 and 5 times a power of ten not above `length` (positive).
 double round_length(double length);
 
-/// A length given in metres, written in the largest of m, mm and µm that makes it at least 1.
-std::string metres_text(double length);
-
 /// Round numbers from `low` to `high`, at most `count` of them.
 std::vector<double> ticks(double low, double high, int count);
 
 /// Draws them where `layout` has room for text.
-PictureParts annotate(Graphics& graphics, const Layout& layout, const Caption& caption,
-                      const Legend& legend);
+void annotate(Graphics& graphics, const Layout& layout, const Caption& caption,
+              const Legend& legend);
 
 /// A legend entry, or the ellipsis for omitted entries.
 struct LegendItem {

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <optional>
 #include <stdexcept>
-#include <utility>
 
 #include "clca/render/painter.hpp"
+#include "render/annotations.hpp"
 #include "render/colors.hpp"
 #include "render/graphics.hpp"
 
@@ -25,29 +25,25 @@ constexpr double kSheetGap = 1.2;
 constexpr double kLabelStrip = 1.7;
 constexpr double kTitleStrip = 2.6;
 constexpr double kSheetTitleSize = 1.4;
+constexpr double kLegendStrip = 2.95;
+constexpr double kOwnLegendSize = 0.7;
 
-bool missing(const Image& image) {
-  return image.width < 1 || image.height < 1;
+bool missing(const Tile& tile) {
+  return tile.view.width < 1 || tile.view.height < 1;
 }
 
-/// Without white rows and columns at its sides; of width 0 if there is nothing else.
-Image trimmed(const Image& image) {
-  PixelBox box = {image.width, image.height, 0, 0};
-  int right = 0;
-  int bottom = 0;
-  for (int y = 0; y < image.height; ++y) {
-    for (int x = 0; x < image.width; ++x) {
-      if (image.at(x, y) != kPaper) {
-        box.x = std::min(box.x, x);
-        box.y = std::min(box.y, y);
-        right = std::max(right, x + 1);
-        bottom = y + 1;
+/// None where the pictures have different ones.
+std::optional<Legend> legend_of_all(const std::vector<Tile>& tiles) {
+  std::optional<Legend> legend;
+  for (const Tile& tile : tiles) {
+    if (!missing(tile)) {
+      legend = legend ? common_legend(*legend, tile.legend) : tile.legend;
+      if (!legend) {
+        return std::nullopt;
       }
     }
   }
-  box.width = right - box.x;
-  box.height = bottom - box.y;
-  return box.width > 0 ? cropped(image, box) : Image();
+  return legend.value_or(Legend());
 }
 
 /// Layout of the sheet, in pixels.
@@ -56,25 +52,25 @@ class Sheet {
   Sheet(const std::vector<Tile>& tiles, int columns, int cell_width, bool titled)
       : tiles_(tiles),
         columns_(static_cast<std::size_t>(
-            std::min(columns, std::max(1, static_cast<int>(tiles.size()))))),
+            std::clamp(columns, 1, std::max(1, static_cast<int>(tiles.size()))))),
         cell_width_(cell_width),
         text_size_(std::clamp(std::round(cell_width / 20.0), 9.0, 24.0)),
-        common_legend_(legend_of_all()) {
-    double top = titled ? em(kTitleStrip) : em(kSheetGap);
-    double usual = cell_width * 9.0 / 16;  // of a row without pictures
+        own_text_size_(std::max(9.0, std::round(kOwnLegendSize * text_size_))),
+        letters_(font_problem().empty()),
+        legend_(legend_of_all(tiles)) {
+    double top = em(titled ? kTitleStrip : kSheetGap);
+    double height = cell_width * 9.0 / 16;  // of a row without pictures
     for (std::size_t first = 0; first < tiles.size(); first += columns_) {
-      usual = row_height(first).value_or(usual);
+      double highest = 0;
+      for (std::size_t i = first; i < std::min(first + columns_, tiles.size()); ++i) {
+        highest = std::max(highest, missing(tiles[i]) ? 0 : tile_height(tiles[i]));
+      }
+      height = highest > 0 ? highest : height;
       tops_.push_back(top);
-      heights_.push_back(usual);
-      top += usual + em(kLabelStrip) + em(kSheetGap);
+      heights_.push_back(height);
+      top += height + em(kLabelStrip) + em(kSheetGap);
     }
-    legend_top_ = top;
-    height_ =
-        common_legend_ == nullptr
-            ? top
-            : top +
-                  scale_of(*common_legend_, width() - 2 * em(kSheetGap)) * common_legend_->height +
-                  em(kSheetGap);
+    height_ = top + (legend_ && *legend_ != Legend() ? em(kLegendStrip) : 0);
     if (!(width() * height_ <= static_cast<double>(kMaxPixels))) {
       throw RenderError(
           fmt::format("a contact sheet of {:.0f} x {:.0f} pixels is too large", width(), height_));
@@ -83,20 +79,17 @@ class Sheet {
 
   Image drawn(const std::string& title) const {
     Graphics graphics(static_cast<int>(width()), static_cast<int>(height_));
-    const bool letters = font_problem().empty();
-    if (letters) {
-      graphics.draw_text(
-          graphics.text(title, kSheetTitleSize * text_size_, width() - 2 * em(kSheetGap)),
-          em(kSheetGap), em(1.75), kInk);
-    }
+    const double room = width() - 2 * em(kSheetGap);
+    draw_text(graphics, title, kSheetTitleSize * text_size_, room, em(kSheetGap), em(1.75));
     for (std::size_t i = 0; i < tiles_.size(); ++i) {
       const double left =
           em(kSheetGap) + static_cast<double>(i % columns_) * (cell_width_ + em(kSheetGap));
-      draw_tile(graphics, tiles_[i], left, tops_[i / columns_], heights_[i / columns_], letters);
+      draw_tile(graphics, tiles_[i], left, tops_[i / columns_], heights_[i / columns_]);
     }
-    if (common_legend_ != nullptr) {
-      draw_legend(graphics, *common_legend_, em(kSheetGap), legend_top_,
-                  width() - 2 * em(kSheetGap));
+    if (legend_) {
+      const auto shown = std::find_if_not(tiles_.begin(), tiles_.end(), missing);
+      draw_legend(graphics, *legend_, shown == tiles_.end() ? 1 : shown->scale, em(kSheetGap),
+                  height_ - em(kLegendStrip) - em(kSheetGap), room, text_size_);
     }
     return graphics.image();
   }
@@ -106,92 +99,78 @@ class Sheet {
   double width() const {
     return static_cast<double>(columns_) * (cell_width_ + em(kSheetGap)) + em(kSheetGap);
   }
-
-  /// Where all pictures have the same legend.
-  const Image* legend_of_all() const {
-    const Image* legend = nullptr;
-    for (const Tile& tile : tiles_) {
-      if (!missing(tile.view) && legend != nullptr && tile.legend != *legend) {
-        return nullptr;
-      }
-      legend = missing(tile.view) ? legend : &tile.legend;
-    }
-    return legend == nullptr || missing(*legend) ? nullptr : legend;
-  }
-  static double scale_of(const Image& legend, double room) {
-    return std::min(1.0, room / legend.width);
-  }
-  bool has_own_legend(const Tile& tile) const {
-    return common_legend_ == nullptr && !missing(tile.legend);
-  }
   double tile_height(const Tile& tile) const {
-    return tile.view.height +
-           (has_own_legend(tile)
-                ? std::ceil(scale_of(tile.legend, cell_width_) * tile.legend.height) + em(0.5)
-                : 0);
+    return tile.view.height + (legend_ ? 0 : std::round(kLegendStrip * own_text_size_));
   }
-  /// Height of the tallest tile of the row that starts with this one.
-  std::optional<double> row_height(std::size_t first) const {
-    std::optional<double> highest;
-    for (std::size_t i = first; i < std::min(first + columns_, tiles_.size()); ++i) {
-      if (!missing(tiles_[i].view)) {
-        highest = std::max(highest.value_or(1), tile_height(tiles_[i]));
-      }
+
+  void draw_text(Graphics& graphics, const std::string& text, double size, double room, double left,
+                 double baseline) const {
+    if (letters_) {
+      graphics.draw_text(graphics.text(text, size, room), left, baseline, kInk);
     }
-    return highest;
   }
 
-  static void draw_legend(Graphics& graphics, const Image& legend, double left, double top,
-                          double room) {
-    const double scale = scale_of(legend, room);
-    graphics.draw_image(legend, left, top, scale * legend.width, scale * legend.height);
+  void draw_legend(Graphics& graphics, const Legend& legend, double scale, double left, double top,
+                   double room, double text_size) const {
+    const auto pixels = [](double length) { return static_cast<int>(length); };
+    if (letters_) {
+      annotate(graphics,
+               {.panel = {pixels(left), pixels(top), pixels(room), 0},
+                .scale = scale,
+                .text_size = pixels(text_size),
+                .text_left = pixels(left),
+                .text_right = pixels(left + room),
+                .captions = false,
+                .scale_bar = false},
+               {}, legend);
+    }
   }
 
-  void draw_tile(Graphics& graphics, const Tile& tile, double left, double top, double height,
-                 bool letters) const {
+  void draw_tile(Graphics& graphics, const Tile& tile, double left, double top,
+                 double height) const {
     double bottom = top + height;
-    if (missing(tile.view)) {
+    if (missing(tile)) {
       graphics.fill_box(left, top, left + cell_width_, bottom, kMissing);
     } else {
       bottom = top + tile_height(tile);
       const double inset = std::floor((cell_width_ - tile.view.width) / 2.0);
       graphics.draw_image(tile.view, left + inset, top, tile.view.width, tile.view.height);
-      if (has_own_legend(tile)) {
-        draw_legend(graphics, tile.legend, left, top + tile.view.height + em(0.5), cell_width_);
+      if (!legend_) {
+        draw_legend(graphics, tile.legend, tile.scale, left, top + tile.view.height, cell_width_,
+                    own_text_size_);
       }
     }
-    if (letters) {
-      graphics.draw_text(graphics.text(tile.label, text_size_, cell_width_), left, bottom + em(1.2),
-                         kInk);
-    }
+    draw_text(graphics, tile.label, text_size_, cell_width_, left, bottom + em(1.2));
   }
 
   const std::vector<Tile>& tiles_;
   std::size_t columns_;
   int cell_width_;
   double text_size_;
-  const Image* common_legend_;
-  double legend_top_ = 0;
+  double own_text_size_;  // of the legend of a tile
+  bool letters_;
+  std::optional<Legend> legend_;  // of all tiles
   double height_ = 0;
-  std::vector<double> tops_;
+  std::vector<double> tops_;  // of rows
   std::vector<double> heights_;
 };
 
 }  // namespace
 
-Tile tile(const Image& picture, const PictureParts& parts, int width, std::string label) {
-  if (missing(picture)) {
-    return {{}, {}, std::move(label)};
-  }
-  const PixelBox view =
-      parts.view.width > 0 ? parts.view : PixelBox{0, 0, picture.width, picture.height};
-  const double scale = std::min(static_cast<double>(width) / view.width,
-                                kTallest * static_cast<double>(width) / view.height);
-  const auto resized = [scale](int length) {
-    return std::max(1, static_cast<int>(std::lround(scale * length)));
+int cell_width(int columns) {
+  constexpr int kSheet = 1920;
+  return std::clamp(kSheet / columns, 240, 640);
+}
+
+Tile tile(const Image& picture, const PictureView& view, int width) {
+  const PixelBox& box = view.box;
+  const double shrink = std::min(static_cast<double>(width) / box.width,
+                                 kTallest * static_cast<double>(width) / box.height);
+  const auto resized = [&](int length) {
+    return std::max(1, static_cast<int>(std::lround(shrink * length)));
   };
-  return {scaled(cropped(picture, view), resized(view.width), resized(view.height)),
-          trimmed(legend_of(picture, parts)), std::move(label)};
+  return {.view = scaled(cropped(picture, box), resized(box.width), resized(box.height)),
+          .scale = shrink * view.scale};
 }
 
 Image side_by_side(const std::vector<Image>& pictures) {
@@ -204,11 +183,7 @@ Image side_by_side(const std::vector<Image>& pictures) {
   Image row(width, height, kPaper);
   int left = 0;
   for (const Image& picture : pictures) {
-    for (int y = 0; y < picture.height; ++y) {
-      for (int x = 0; x < picture.width; ++x) {
-        row.at(left + x, y) = picture.at(x, y);
-      }
-    }
+    paste(picture, row, left, 0);
     left += picture.width;
   }
   return row;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fontconfig/fontconfig.h>
 #include <pango/pangocairo.h>
+#include <sys/mman.h>
 
 #include <algorithm>
 #include <array>
@@ -17,10 +18,17 @@
 
 #include "clca/render/painter.hpp"
 #include "clca/text/utf8.hpp"
-#include "render/address_space.hpp"
 #include "render/colors.hpp"
 
 namespace clca::render {
+
+void require_memory(std::size_t bytes) {
+  void* room = ::mmap(nullptr, bytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (room == MAP_FAILED) {
+    throw std::bad_alloc();
+  }
+  ::munmap(room, bytes);
+}
 
 namespace {
 
@@ -414,17 +422,6 @@ Image cropped(const Image& image, const PixelBox& box) {
   for (int y = 0; y < box.height; ++y) {
     std::copy_n(image.pixels.data() + std::ptrdiff_t{box.y + y} * image.width + box.x, box.width,
                 &result.at(0, y));
-  }
-  return result;
-}
-
-Image legend_of(const Image& picture, const PictureParts& parts) {
-  Image result = cropped(picture, parts.legend);
-  const PixelBox& bar = parts.scale_bar;
-  for (int y = 0; y < bar.height; ++y) {
-    for (int x = 0; x < bar.width; ++x) {
-      result.at(bar.x - parts.legend.x + x, bar.y - parts.legend.y + y) = kPaper;
-    }
   }
   return result;
 }

@@ -17,6 +17,10 @@
 
 namespace clca::render {
 
+/// Throws std::bad_alloc unless so much address space is free: OSMesa, GLib and fontconfig end
+/// the program where they get no memory.
+void require_memory(std::size_t bytes = std::size_t{128} << 20U);
+
 class Graphics {
  public:
   /// A white picture. Throws RenderError if Cairo cannot draw one of this size, std::bad_alloc.
@@ -101,8 +105,5 @@ void paste(const Image& image, Image& picture, int left, int top);
 
 /// The part of `image` in `box`, which lies in it.
 Image cropped(const Image& image, const PixelBox& box);
-
-/// The legend of a picture without the scale bar.
-Image legend_of(const Image& picture, const PictureParts& parts);
 
 }  // namespace clca::render

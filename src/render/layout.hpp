@@ -9,11 +9,12 @@ namespace clca::render {
 
 struct Layout {
   PixelBox panel;     ///< shows the view
-  double scale = 1;   ///< pixels a lattice spacing; 0: no scale bar
+  double scale = 1;   ///< pixels a lattice spacing
   int text_size = 0;  ///< pixels; 0: no annotations, or no room for them
   int text_left = 0;  ///< bounds of captions and legends
   int text_right = 0;
   bool captions = true;
+  bool scale_bar = true;
 };
 
 struct PictureSize {

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "render/colors.hpp"
+#include "render/internal/legend_json.hpp"
 
 namespace clca::render {
 
@@ -39,6 +40,18 @@ std::optional<Legend> common_legend(const Legend& first, const Legend& second) {
     }
   }
   return result;
+}
+
+std::string to_text(const Legend& legend) {
+  return nlohmann::json(legend).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
+}
+
+Legend legend_of(const std::string& text) {
+  try {
+    return nlohmann::json::parse(text).get<Legend>();
+  } catch (const nlohmann::json::exception&) {
+    return {};
+  }
 }
 
 }  // namespace clca::render

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <span>
 #include <sstream>
 #include <string>
@@ -43,54 +44,37 @@ Arguments video_arguments() {
 }
 
 Arguments format_arguments(MovieFormat format) {
-  Arguments arguments;
+  Arguments arguments = video_arguments();
   switch (format) {
-    case MovieFormat::mp4:
-      arguments = video_arguments();
-      // veryfast: half the time, files 4 % larger.
+    case MovieFormat::mp4:  // veryfast: half the time, files 4 % larger
       append(arguments, {"-c:v", "libx264", "-preset", "veryfast", "-crf", "18", "-movflags",
                          "+faststart", "-f", "mp4"});
-      break;
+      return arguments;
     case MovieFormat::webm:
-      arguments = video_arguments();
       append(arguments, {"-c:v", "libvpx-vp9", "-crf", "24", "-b:v", "0", "-deadline", "good",
                          "-cpu-used", "4", "-f", "webm"});
-      break;
+      return arguments;
     case MovieFormat::apng:
-      arguments = {"-c:v", "apng", "-pred", "mixed", "-plays", "0", "-f", "apng"};
-      break;
+      return {"-c:v", "apng", "-pred", "mixed", "-plays", "0", "-f", "apng"};
     case MovieFormat::webp:
-      arguments = {"-c:v", "libwebp_anim", "-quality", "85", "-loop", "0", "-f", "webp"};
-      break;
+      return {"-c:v", "libwebp_anim", "-quality", "85", "-loop", "0", "-f", "webp"};
     case MovieFormat::gif:
-      // A palette for each picture: one for all would hold all pictures in memory.
-      arguments = {"-vf",   "split[a][b];[a]palettegen=stats_mode=single[p];[b][p]paletteuse=new=1",
-                   "-loop", "0",
-                   "-f",    "gif"};
       break;
   }
-  return arguments;
+  // A palette for each picture: one for all would hold all pictures in memory.
+  return {"-vf",   "split[a][b];[a]palettegen=stats_mode=single[p];[b][p]paletteuse=new=1",
+          "-loop", "0",
+          "-f",    "gif"};
 }
 
 Arguments ffmpeg_arguments(const std::filesystem::path& file, MovieFormat format, int width,
                            int height, double frames_per_second) {
-  Arguments arguments = {find_ffmpeg().string(),
-                         "-nostdin",
-                         "-xerror",  // a disk that is full at the end is an error, too
-                         "-hide_banner",
-                         "-loglevel",
-                         "error",
-                         "-f",
-                         "rawvideo",
-                         "-pix_fmt",
-                         "rgb24",
-                         "-video_size",
-                         fmt::format("{}x{}", width, height),
-                         "-framerate",
-                         fmt::format("{}", frames_per_second),
-                         "-i",
-                         "pipe:0",
-                         "-y"};
+  // xerror: a disk that is full at the end is an error, too.
+  Arguments arguments = {find_ffmpeg().string()};
+  append(arguments,
+         {"-nostdin", "-xerror", "-hide_banner", "-loglevel", "error", "-f", "rawvideo"});
+  append(arguments, {"-pix_fmt", "rgb24", "-video_size", fmt::format("{}x{}", width, height)});
+  append(arguments, {"-framerate", fmt::format("{}", frames_per_second), "-i", "pipe:0", "-y"});
   append(arguments, format_arguments(format));
   // Reproducible bytes: independent of time and number of processors.
   append(arguments, {"-threads", "1", "-fflags", "+bitexact", "-flags:v", "+bitexact",
@@ -112,20 +96,13 @@ std::string last_line(const std::vector<std::uint8_t>& bytes) {
 }  // namespace
 
 std::optional<MovieFormat> movie_format(const std::filesystem::path& file) {
-  const std::string ending = file.extension().string();
-  if (ending == ".mp4") {
-    return MovieFormat::mp4;
-  }
-  if (ending == ".webm") {
-    return MovieFormat::webm;
-  }
-  if (ending == ".webp") {
-    return MovieFormat::webp;
-  }
-  if (ending == ".gif") {
-    return MovieFormat::gif;
-  }
-  return ending == ".png" ? std::optional(MovieFormat::apng) : std::nullopt;
+  const std::map<std::string, MovieFormat> formats = {{".mp4", MovieFormat::mp4},
+                                                      {".webm", MovieFormat::webm},
+                                                      {".webp", MovieFormat::webp},
+                                                      {".gif", MovieFormat::gif},
+                                                      {".png", MovieFormat::apng}};
+  const auto found = formats.find(file.extension().string());
+  return found == formats.end() ? std::nullopt : std::optional(found->second);
 }
 
 class Movie::Impl {

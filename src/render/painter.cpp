@@ -17,7 +17,6 @@
 #include "render/projection.hpp"
 #include "render/samples.hpp"
 #include "render/site_lookup.hpp"
-#include "render/wall_appearance.hpp"
 
 namespace clca::render {
 
@@ -103,7 +102,9 @@ class Painter::Impl {
     }
     content->legend = coloring.legend;
     // The floor and sides of the box are walls, too.
-    add_walls(content->legend, {.standing = true, .moving = any_wall_moves(state)});
+    add_walls(
+        content->legend,
+        {.standing = true, .moving = std::any_of(state.walls.begin(), state.walls.end(), moves)});
     return Capture(std::move(content));
   }
 
@@ -116,7 +117,7 @@ class Painter::Impl {
                   : Image();
     const Image& panel = polygons_ ? polygons : captured.panel;
     const bool bare = overlay.strokes.empty() && overlay.fade == 0 && turn == 0;
-    parts_ = draw(graphics, captured, caption, overlay, turn, [&] {
+    draw(graphics, captured, caption, overlay, turn, [&] {
       if (!bare) {
         graphics.draw_image(panel, 0, 0, box.width, box.height);
       }
@@ -135,14 +136,8 @@ class Painter::Impl {
     return graphics.pdf(fmt::format("{}: {}", caption.title, caption.detail));
   }
 
-  Image legend(const Caption& caption, const Legend& legend) const {
-    Graphics graphics(style_.width, style_.height);
-    const PictureParts parts = annotate(graphics, layout_, caption, legend);
-    return legend_of(graphics.image(), parts);
-  }
-
   const Style& style() const { return style_; }
-  const PictureParts& parts() const { return parts_; }
+  PictureView view() const { return {layout_.panel, layout_.scale}; }
 
  private:
   void require_match(const grains::State& state, const Coloring& coloring) const {
@@ -157,8 +152,8 @@ class Painter::Impl {
 
   /// The picture around what `draw_particles` draws into the panel.
   template <class DrawParticles>
-  PictureParts draw(Graphics& graphics, const Capture::Content& captured, const Caption& caption,
-                    const Overlay& overlay, double turn, DrawParticles draw_particles) const {
+  void draw(Graphics& graphics, const Capture::Content& captured, const Caption& caption,
+            const Overlay& overlay, double turn, DrawParticles draw_particles) const {
     const PixelBox& box = layout_.panel;
     {
       const Graphics::Panel panel(graphics, box.x, box.y, box.width, box.height, turn);
@@ -167,7 +162,7 @@ class Painter::Impl {
     }
     Legend legend = captured.legend;
     legend.fade = overlay.fade;
-    return annotate(graphics, layout_, caption, legend);
+    annotate(graphics, layout_, caption, legend);
   }
 
   PanelScale panel_scale() const {
@@ -194,7 +189,6 @@ class Painter::Impl {
   Layout layout_;
   Projection projection_;
   std::size_t kind_count_;
-  PictureParts parts_;  // of the last picture
   SiteLookup lookup_;
   SiteLookup walls_;               // with a pixel for each sample
   std::vector<Outline> outlines_;  // by kind
@@ -223,10 +217,6 @@ std::vector<std::uint8_t> Painter::pdf(const Capture& captured, const Caption& c
   return impl_->pdf(captured.content(), caption, overlay, turn);
 }
 
-Image Painter::legend(const Caption& caption, const Legend& legend) const {
-  return impl_->legend(caption, legend);
-}
-
 double Painter::bytes_for(const Style& style, double particles, int captures) {
   const PictureSize size = picture_size(style.width, style.height, style.view, style.annotations);
   const double pixels = static_cast<double>(size.width) * size.height;
@@ -250,8 +240,8 @@ int Painter::height() const {
   return impl_->style().height;
 }
 
-const PictureParts& Painter::parts() const {
-  return impl_->parts();
+PictureView Painter::view() const {
+  return impl_->view();
 }
 
 Image Painter::draw(const grains::State& state, const grains::Occupancy& occupancy,

@@ -9,7 +9,6 @@
 #include "render/colors.hpp"
 #include "render/samples.hpp"
 #include "render/shade.hpp"
-#include "render/wall_appearance.hpp"
 
 namespace clca::render {
 

@@ -8,11 +8,17 @@
 #include <vector>
 
 #include "clca/grains/occupancy.hpp"
+#include "clca/grains/state.hpp"
 #include "clca/render/coloring.hpp"
 #include "render/projection.hpp"
 #include "render/samples.hpp"
 
 namespace clca::render {
+
+/// Whether the wall is present and has a motion; such walls have another colour.
+inline bool moves(const grains::Wall& wall) {
+  return wall.present && wall.motion.has_value();
+}
 
 /// For one view of one lattice.
 class SiteLookup {

@@ -22,18 +22,6 @@ constexpr double kFastest = 2;     // in highest velocities
 constexpr double kSpinning = 0.5;  // in spins of grains that roll that fast
 constexpr double kNeighbours = 6;  // of discs of one size
 
-render::Drawing drawing_of(scene::Drawing drawing) {
-  switch (drawing) {
-    case scene::Drawing::polygons:
-      return render::Drawing::polygons;
-    case scene::Drawing::lookup:
-      return render::Drawing::lookup;
-    case scene::Drawing::automatic:
-      break;
-  }
-  return render::Drawing::automatic;
-}
-
 render::Annotations annotations_of(const scene::Frames& frames) {
   if (!frames.caption) {
     return render::Annotations::none;
@@ -46,8 +34,9 @@ render::Style style_of(const scene::Frames& frames, const lattice::Lattice& latt
   return {.width = frames.width.value_or(0),
           .height = frames.height.value_or(0),
           .supersampling = frames.supersampling,
-          .drawing = drawing_of(frames.drawing),
-          .view = frames.view.value_or(render::whole_box(lattice)),
+          .drawing = frames.drawing == scene::Drawing::polygons ? render::Drawing::polygons
+                                                                : render::Drawing::lookup,
+          .view = view_of(frames, lattice),
           .annotations = annotations_of(frames),
           .threads = threads};
 }
@@ -112,17 +101,15 @@ std::vector<double> pressures(const View& view) {
   return result;
 }
 
-/// Left and upper edge, width and height, in pixels.
-std::string box_text(const render::PixelBox& box) {
-  return fmt::format("{} {} {} {}", box.x, box.y, box.width, box.height);
-}
-
-/// Of the lattice, in metres; 0 where the scene has no units.
-double spacing_of(const scene::Scene& scene) {
-  return scene.units ? scene.units->spacing : 0;
-}
-
 }  // namespace
+
+lattice::Lattice lattice_of(const scene::Scene& scene) {
+  return lattice::Lattice::covering(scene.box.width, scene.box.height, scene.box.periodic);
+}
+
+lattice::Rectangle view_of(const scene::Frames& frames, const lattice::Lattice& lattice) {
+  return frames.view.value_or(render::whole_box(lattice));
+}
 
 void begin_stage(PictureHistory& history, const scene::Scene& scene, const scene::Stage& stage,
                  const grains::State& state) {
@@ -160,9 +147,7 @@ FramePainter::FramePainter(const scene::Scene& scene, const grains::State& state
       painter_(make_painter(scene, state, threads, vector)) {}
 
 double FramePainter::bytes(const scene::Scene& scene, double particles, int captures) {
-  const auto lattice =
-      lattice::Lattice::covering(scene.box.width, scene.box.height, scene.box.periodic);
-  return render::Painter::bytes_for(style_of(*scene.output.frames, lattice, 1), particles,
+  return render::Painter::bytes_for(style_of(*scene.output.frames, lattice_of(scene), 1), particles,
                                     captures);
 }
 
@@ -183,32 +168,38 @@ CapturedFrame FramePainter::capture(const View& view, const PictureHistory& hist
   return {.capture = painter_.capture(view.state, view.occupancy, colors),
           .caption = {.title = scene_.title,
                       .detail = fmt::format("{}, {}", history.stage, when),
-                      .spacing = spacing_of(scene_)},
+                      .spacing = scene_.units ? scene_.units->spacing : 0},
           .overlay = std::move(drawn.overlay),
           .turn = frames_.upright ? contact::degrees(view.angle) : 0,
           .text = std::move(text)};
 }
 
 Picture FramePainter::rasterize(const CapturedFrame& frame) {
-  Picture picture;
-  picture.image = painter_.rasterize(frame.capture, frame.caption, frame.overlay, frame.turn);
-  picture.moment = frame.caption.detail;
-  picture.parts = painter_.parts();
-  picture.legend = frame.capture.legend();
+  Picture picture = {
+      .image = painter_.rasterize(frame.capture, frame.caption, frame.overlay, frame.turn),
+      .moment = frame.caption.detail,
+      .legend = frame.capture.legend(),
+      .text = frame.text};
   picture.legend.fade = frame.overlay.fade;
-  picture.text = frame.text;
-  picture.text["View"] = box_text(picture.parts.view);
-  picture.text["Legend"] = box_text(picture.parts.legend);
-  picture.text["Scale bar"] = box_text(picture.parts.scale_bar);
+  const auto& [box, scale] = painter_.view();
+  picture.text["View"] = fmt::format("{} {} {} {}", box.x, box.y, box.width, box.height);
+  picture.text["Scale"] = fmt::format("{}", scale);
+  if (frames_.caption) {
+    picture.text["Legend"] = render::to_text(picture.legend);
+  }
   return picture;
+}
+
+render::Tile FramePainter::tile(const Picture& picture, int width) const {
+  render::Tile tile = render::tile(picture.image, painter_.view(), width);
+  if (frames_.caption) {
+    tile.legend = picture.legend;
+  }
+  return tile;
 }
 
 std::vector<std::uint8_t> FramePainter::pdf(const CapturedFrame& frame) {
   return painter_.pdf(frame.capture, frame.caption, frame.overlay, frame.turn);
-}
-
-render::Image FramePainter::legend(const render::Legend& legend) const {
-  return painter_.legend({.title = "", .detail = "", .spacing = spacing_of(scene_)}, legend);
 }
 
 render::Coloring FramePainter::coloring(const View& view, const PictureHistory& history) const {

@@ -32,6 +32,10 @@ struct View {
   contact::Angle angle = 0;                         ///< of the vessel
 };
 
+lattice::Lattice lattice_of(const scene::Scene& scene);
+/// The part of the plane that pictures show.
+lattice::Rectangle view_of(const scene::Frames& frames, const lattice::Lattice& lattice);
+
 /// What later pictures need to know of earlier ones; part of a checkpoint.
 struct PictureHistory {
   std::string stage;
@@ -70,7 +74,6 @@ struct CapturedFrame {
 struct Picture {
   render::Image image;
   std::string moment;  ///< stage and step, or time
-  render::PictureParts parts;
   render::Legend legend;
   image::PngText text;
 };
@@ -90,13 +93,23 @@ class FramePainter {
   /// Memory for pictures of so many particles, of which so many are captured at a time.
   static double bytes(const scene::Scene& scene, double particles, int captures);
 
+  /// One scale for the arrows of all pictures, where their velocities are up to that.
+  void set_typical_velocity(double velocity) {
+    scales_.arrow_velocity = arrow_scale(velocity, scales_);
+  }
+  /// See run::typical_velocity().
+  double typical_velocity(const View& view, const PictureHistory& history) const {
+    return run::typical_velocity(view, history, scales_);
+  }
+
   /// Reads what the picture needs; the state may change afterwards.
   CapturedFrame capture(const View& view, const PictureHistory& history);
   Picture rasterize(const CapturedFrame& frame);
   std::vector<std::uint8_t> pdf(const CapturedFrame& frame);
 
-  /// A picture of a legend alone.
-  render::Image legend(const render::Legend& legend) const;
+  /// Of a contact sheet, without label.
+  render::Tile tile(const Picture& picture, int width) const;
+  render::PixelBox view() const { return painter_.view().box; }
 
   int width() const { return painter_.width(); }  ///< pixels of a picture
   int height() const { return painter_.height(); }

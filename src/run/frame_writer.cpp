@@ -9,7 +9,7 @@ FrameWriter::FrameWriter() {
   try {
     thread_ = std::thread([this] { work(); });
   } catch (const std::system_error&) {
-    // Without a further thread the caller writes the picture.
+    // Without a further thread the caller does it.
   }
 }
 
@@ -24,11 +24,9 @@ FrameWriter::~FrameWriter() {
   }
 }
 
-void FrameWriter::write(store::OutputFolder folder, std::string name,
-                        std::function<std::vector<std::uint8_t>()> bytes) {
-  Job job = {std::move(folder), std::move(name), std::move(bytes)};
+void FrameWriter::add(std::function<void()> job) {
   if (!thread_.joinable()) {
-    carry_out(job);
+    job();
     return;
   }
   std::unique_lock lock(mutex_);
@@ -44,10 +42,6 @@ void FrameWriter::finish() {
   rethrow_failure();
 }
 
-void FrameWriter::carry_out(const Job& job) {
-  job.folder.write(job.name, job.bytes());
-}
-
 void FrameWriter::work() {
   std::unique_lock lock(mutex_);
   while (true) {
@@ -55,13 +49,13 @@ void FrameWriter::work() {
     if (jobs_.empty() || failure_) {
       return;
     }
-    const Job job = std::move(jobs_.front());
+    const std::function<void()> job = std::move(jobs_.front());
     jobs_.pop_front();
     busy_ = true;
     lock.unlock();
     std::exception_ptr failure;
     try {
-      carry_out(job);
+      job();
     } catch (...) {
       failure = std::current_exception();
     }

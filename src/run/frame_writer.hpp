@@ -1,17 +1,12 @@
 #pragma once
-// Makes and writes files of pictures in the background.
+// Makes and writes pictures in the background.
 
 #include <condition_variable>
-#include <cstdint>
 #include <deque>
 #include <exception>
 #include <functional>
 #include <mutex>
-#include <string>
 #include <thread>
-#include <vector>
-
-#include "clca/store/output_folder.hpp"
 
 namespace clca::run {
 
@@ -23,32 +18,24 @@ class FrameWriter {
   static constexpr int kMaxWaiting = 2;
 
   FrameWriter();
-  /// Writes the waiting pictures.
+  /// Does what waits.
   ~FrameWriter();
   FrameWriter(const FrameWriter&) = delete;
   FrameWriter& operator=(const FrameWriter&) = delete;
 
-  /// Calls `bytes` once, on that thread. Rethrows the error of an earlier picture or, without a
-  /// thread, of this one.
-  void write(store::OutputFolder folder, std::string name,
-             std::function<std::vector<std::uint8_t>()> bytes);
-  /// Waits until everything is written. Rethrows likewise.
+  /// Calls `job` once, on that thread. Rethrows the error of an earlier one or, without a thread,
+  /// of this one.
+  void add(std::function<void()> job);
+  /// Waits until all is done. Rethrows likewise.
   void finish();
 
  private:
-  struct Job {
-    store::OutputFolder folder;
-    std::string name;
-    std::function<std::vector<std::uint8_t>()> bytes;
-  };
-
-  static void carry_out(const Job& job);
   void work();
   void rethrow_failure();
 
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::deque<Job> jobs_;
+  std::deque<std::function<void()>> jobs_;
   bool busy_ = false;
   bool closing_ = false;
   std::exception_ptr failure_;

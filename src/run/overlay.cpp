@@ -81,6 +81,12 @@ OverlayScales overlay_scales(const scene::Scene& scene) {
   return scales;
 }
 
+double arrow_scale(double typical, const OverlayScales& scales) {
+  constexpr double kRest = 0.01;  // of the highest velocity
+  return scales.arrow_velocity.value_or(
+      typical > kRest * scales.highest_velocity ? typical : scales.highest_velocity);
+}
+
 namespace {
 
 // Fixed, so that pictures of a sequence are comparable. More sites in one contact are rare.
@@ -195,6 +201,9 @@ DrawnOverlay arrows(const CycleRecord& cycles) {
 std::vector<render::FieldArrow> velocity_arrows(const grains::State& state,
                                                 const measure::Snapshot& begin,
                                                 const OverlayScales& scales) {
+  if (state.step == begin.step()) {
+    return {};
+  }
   struct Sums {
     double sites = 0;
     Eigen::Vector2d displacement = Eigen::Vector2d::Zero();
@@ -222,20 +231,19 @@ std::vector<render::FieldArrow> velocity_arrows(const grains::State& state,
 
 DrawnOverlay velocities(const grains::State& state, const measure::Snapshot& begin,
                         const OverlayScales& scales) {
-  constexpr double kRest = 0.01;  // of the highest velocity
   const double cell = scales.velocity_cell;
-  std::vector<render::FieldArrow> field;
-  if (state.step > begin.step()) {
-    field = velocity_arrows(state, begin, scales);
-  }
-  const double typical = render::typical_length(field);
-  const double scale = scales.arrow_velocity.value_or(
-      typical > kRest * scales.highest_velocity ? typical : scales.highest_velocity);
+  const std::vector<render::FieldArrow> field = velocity_arrows(state, begin, scales);
+  const double scale = arrow_scale(render::typical_length(field), scales);
   return {render::arrow_field(field, cell, scale),
           {render::arrow_key(cell, scale, scales.velocity_unit)}};
 }
 
 }  // namespace
+
+double typical_velocity(const View& view, const PictureHistory& history,
+                        const OverlayScales& scales) {
+  return render::typical_length(velocity_arrows(view.state, *history.window, scales));
+}
 
 DrawnOverlay overlay_of(scene::Overlay overlay, const View& view, const PictureHistory& history,
                         const OverlayScales& scales) {

@@ -42,6 +42,12 @@ struct OverlayScales {
 ///   a fall from the fall height, rounded down in the same way.
 OverlayScales overlay_scales(const scene::Scene& scene);
 
+/// Drawn as an arrow of 0.9 cells where velocities are about this high.
+double arrow_scale(double typical, const OverlayScales& scales);
+/// About that of the arrows of a picture; 0 where there are none.
+double typical_velocity(const View& view, const PictureHistory& history,
+                        const OverlayScales& scales);
+
 struct DrawnOverlay {
   render::Overlay overlay;
   std::vector<render::Legend::Line> keys;

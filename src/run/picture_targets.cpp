@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "clca/store/file.hpp"
@@ -14,11 +15,6 @@ namespace clca::run {
 namespace {
 
 constexpr std::size_t kMaxRows = 6;  // of a sheet
-
-int cell_width(int columns) {
-  constexpr int kSheet = 1920;  // pixels, about
-  return std::clamp(kSheet / columns, 240, 640);
-}
 
 /// Throws store::StoreError if `file` could not be written.
 void check_writable(const std::filesystem::path& file) {
@@ -35,29 +31,6 @@ render::MovieFormat format_of(const std::filesystem::path& movie) {
 }
 
 }  // namespace
-
-FilesTarget::FilesTarget(const scene::Scene& scene, store::OutputFolder folder, bool pdf,
-                         std::uint64_t step)
-    : folder_(std::move(folder)),
-      scene_(scene.name),
-      digits_(scene::step_digits(scene)),
-      pdf_(pdf) {
-  folder_.create(name(step));  // throws where it cannot be written
-}
-
-std::string FilesTarget::name(std::uint64_t step) const {
-  return store::frame_name(scene_, step, digits_, pdf_ ? ".pdf" : ".png");
-}
-
-void FilesTarget::add(FramePainter& painter, const CapturedFrame& frame, const Picture& picture,
-                      std::uint64_t step) {
-  if (pdf_) {
-    folder_.write(name(step), painter.pdf(frame));
-  } else {
-    writer_.write(folder_, name(step),
-                  [picture] { return image::encode_png(picture.image, picture.text); });
-  }
-}
 
 MovieTarget::MovieTarget(const render::PixelBox& size, const std::filesystem::path& file,
                          double frames_per_second, const std::atomic<int>* stop)
@@ -102,13 +75,11 @@ bool SheetTarget::shows(std::size_t number) const {
                   kMaxRows * static_cast<std::size_t>(columns_) / drawings_.size());
 }
 
-void SheetTarget::add(const Picture& picture, const std::string& label) {
-  if (tiles_.empty()) {
-    legend_ = picture.legend;
-  } else if (legend_) {
-    legend_ = render::common_legend(*legend_, picture.legend);
-  }
-  tiles_.push_back(render::tile(picture.image, picture.parts, cell_width(columns_), label));
+void SheetTarget::add(std::size_t run, const Picture& picture) {
+  const RunDrawing& drawing = *drawings_[run];
+  tiles_.push_back(drawing.painter().tile(picture, render::cell_width(columns_)));
+  tiles_.back().label =
+      drawings_.size() > 1 ? fmt::format("{}: {}", drawing.name(), picture.moment) : picture.moment;
 }
 
 void SheetTarget::end_moment() {
@@ -123,14 +94,8 @@ void SheetTarget::end_moment() {
 }
 
 void SheetTarget::finish() {
-  if (legend_) {
-    const render::Image legend = drawings_.front()->painter().legend(*legend_);
-    for (render::Tile& tile : tiles_) {
-      tile.legend = legend;
-    }
-  }
   const scene::Scene& scene = drawings_.front()->scene();
-  const render::Image sheet = render::contact_sheet(tiles_, columns_, cell_width(columns_),
+  const render::Image sheet = render::contact_sheet(tiles_, columns_, render::cell_width(columns_),
                                                     drawings_.size() > 1 ? "" : scene.title);
   store::write_whole(file_, image::encode_png(sheet, scene_metadata(scene)));
 }
@@ -138,7 +103,11 @@ void SheetTarget::finish() {
 PictureTargets::PictureTargets(const std::vector<std::unique_ptr<RunDrawing>>& drawings,
                                const std::vector<std::optional<store::OutputFolder>>& folders,
                                const RedrawOptions& options, std::size_t moments, double rate)
-    : drawings_(drawings), pictures_(drawings.size()), files_(drawings.size()) {
+    : drawings_(drawings),
+      folders_(folders),
+      pdf_(options.pdf),
+      captured_(drawings.size(), std::numeric_limits<std::size_t>::max()),
+      pictures_(drawings.size()) {
   if (!options.movie.empty()) {
     render::PixelBox size;
     for (const auto& drawing : drawings) {
@@ -152,28 +121,55 @@ PictureTargets::PictureTargets(const std::vector<std::unique_ptr<RunDrawing>>& d
   }
   for (std::size_t run = 0; run < drawings.size(); ++run) {
     if (folders[run]) {
-      files_[run] = std::make_unique<FilesTarget>(drawings[run]->scene(), *folders[run],
-                                                  options.pdf, drawings[run]->step(0));
+      folders[run]->create(file_name(run, 0));  // throws where it cannot be written
     }
   }
 }
 
+std::string PictureTargets::file_name(std::size_t run, std::size_t picture) const {
+  const scene::Scene& scene = drawings_[run]->scene();
+  return store::frame_name(scene.name, drawings_[run]->step(picture), scene::step_digits(scene),
+                           pdf_ ? ".pdf" : ".png");
+}
+
 bool PictureTargets::want(std::size_t number) const {
-  return std::any_of(files_.begin(), files_.end(), [](const auto& files) { return bool{files}; }) ||
+  return std::any_of(folders_.begin(), folders_.end(),
+                     [](const auto& folder) { return folder.has_value(); }) ||
          movie_ || (sheet_ && sheet_->shows(number));
 }
 
-void PictureTargets::add(std::size_t run, std::size_t picture) {
+void PictureTargets::add(std::size_t number, const std::vector<std::size_t>& pictures) {
+  std::vector<std::optional<CapturedFrame>> frames(pictures.size());
+  for (std::size_t run = 0; run < pictures.size(); ++run) {
+    if (captured_[run] != pictures[run]) {
+      captured_[run] = pictures[run];
+      frames[run] = drawings_[run]->capture(pictures[run]);
+    }
+  }
+  writer_.add([this, number, pictures, frames = std::move(frames)] {
+    for (std::size_t run = 0; run < pictures.size(); ++run) {
+      if (frames[run]) {
+        draw(run, pictures[run], *frames[run]);
+      }
+    }
+    end_moment(number);
+  });
+}
+
+void PictureTargets::draw(std::size_t run, std::size_t picture, const CapturedFrame& frame) {
   FramePainter& painter = drawings_[run]->painter();
-  const CapturedFrame frame = drawings_[run]->capture(picture);
   pictures_[run] = painter.rasterize(frame);
-  if (files_[run]) {
-    files_[run]->add(painter, frame, pictures_[run], drawings_[run]->step(picture));
+  if (folders_[run]) {
+    folders_[run]->write(
+        file_name(run, picture),
+        pdf_ ? painter.pdf(frame) : image::encode_png(pictures_[run].image, pictures_[run].text));
   }
 }
 
 void PictureTargets::end_moment(std::size_t number) {
-  if (movie_) {
+  if (movie_ && pictures_.size() == 1) {
+    movie_->add(pictures_.front().image);
+  } else if (movie_) {
     std::vector<render::Image> images;
     for (const Picture& picture : pictures_) {
       images.push_back(picture.image);
@@ -182,21 +178,14 @@ void PictureTargets::end_moment(std::size_t number) {
   }
   if (sheet_ && sheet_->shows(number)) {
     for (std::size_t run = 0; run < pictures_.size(); ++run) {
-      const std::string& moment = pictures_[run].moment;
-      sheet_->add(pictures_[run], pictures_.size() > 1
-                                      ? fmt::format("{}: {}", drawings_[run]->name(), moment)
-                                      : moment);
+      sheet_->add(run, pictures_[run]);
     }
     sheet_->end_moment();
   }
 }
 
 void PictureTargets::finish() {
-  for (const auto& files : files_) {
-    if (files) {
-      files->finish();
-    }
-  }
+  writer_.finish();
   if (movie_) {
     movie_->finish();
   }

@@ -16,26 +16,6 @@
 
 namespace clca::run {
 
-/// Writes each picture of a run to its own file.
-class FilesTarget {
- public:
-  /// `step`: of the first picture, to check that it can be written. Throws store::StoreError.
-  FilesTarget(const scene::Scene& scene, store::OutputFolder folder, bool pdf, std::uint64_t step);
-  /// `picture`: rasterized from `frame`.
-  void add(FramePainter& painter, const CapturedFrame& frame, const Picture& picture,
-           std::uint64_t step);
-  void finish() { writer_.finish(); }
-
- private:
-  std::string name(std::uint64_t step) const;
-
-  store::OutputFolder folder_;
-  std::string scene_;
-  int digits_;
-  bool pdf_;
-  FrameWriter writer_;
-};
-
 /// A movie file that appears when it is complete.
 class MovieTarget {
  public:
@@ -65,7 +45,7 @@ class SheetTarget {
   /// Whether this moment (numbered from 0) is on the sheet.
   bool shows(std::size_t number) const;
   /// A picture of the next moment: one of each run, then end_moment().
-  void add(const Picture& picture, const std::string& label);
+  void add(std::size_t run, const Picture& picture);
   /// Leaves the pictures out if they look like those before.
   void end_moment();
   void finish();
@@ -76,7 +56,6 @@ class SheetTarget {
   int columns_;
   std::size_t moments_;
   std::vector<render::Tile> tiles_;
-  std::optional<render::Legend> legend_;  ///< of all, if they have one
 };
 
 class PictureTargets {
@@ -89,19 +68,25 @@ class PictureTargets {
 
   /// Whether any target uses this moment (numbered from 0).
   bool want(std::size_t number) const;
-  /// Draws the next picture of a run.
-  void add(std::size_t run, std::size_t picture);
-  /// Call when each run has the picture of this moment.
-  void end_moment(std::size_t number);
+  /// A moment, with the numbers of the pictures of the runs. They are captured here, and drawn and
+  /// written on another thread.
+  void add(std::size_t number, const std::vector<std::size_t>& pictures);
   /// Completes all files with the pictures so far.
   void finish();
 
  private:
+  std::string file_name(std::size_t run, std::size_t picture) const;
+  void draw(std::size_t run, std::size_t picture, const CapturedFrame& frame);
+  void end_moment(std::size_t number);
+
   const std::vector<std::unique_ptr<RunDrawing>>& drawings_;
-  std::vector<Picture> pictures_;                    // by run, the last one
-  std::vector<std::unique_ptr<FilesTarget>> files_;  // by run
+  const std::vector<std::optional<store::OutputFolder>>& folders_;  // by run
+  bool pdf_;
+  std::vector<std::size_t> captured_;  // by run, the last one
+  std::vector<Picture> pictures_;      // by run, the last one
   std::optional<MovieTarget> movie_;
   std::optional<SheetTarget> sheet_;
+  FrameWriter writer_;  // last: at the end it waits for its thread, which uses the others
 };
 
 }  // namespace clca::run

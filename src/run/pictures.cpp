@@ -108,12 +108,12 @@ void Pictures::draw(const StageView& now) {
                         .angle = now.model.vessel().angle},
                        history_);
   begin_window(history_, scene_, state);
-  writer_.write(now.files->subfolder(store::kFramesFolder),
-                store::frame_name(scene_.name, state.step, scene::step_digits(scene_)),
-                [this, frame = std::move(frame)] {
-                  const Picture picture = painter_.rasterize(frame);
-                  return image::encode_png(picture.image, picture.text);
-                });
+  writer_.add([this, folder = now.files->subfolder(store::kFramesFolder),
+               name = store::frame_name(scene_.name, state.step, scene::step_digits(scene_)),
+               frame = std::move(frame)] {
+    const Picture picture = painter_.rasterize(frame);
+    folder.write(name, image::encode_png(picture.image, picture.text));
+  });
 }
 
 }  // namespace

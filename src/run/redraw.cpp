@@ -104,14 +104,6 @@ void choose_evenly(std::vector<double>& moments, const RedrawOptions& options) {
   });
 }
 
-/// The one of `times` nearest to `moment`.
-std::size_t picture_at(const std::vector<double>& times, double moment) {
-  const auto nearest = std::min_element(times.begin(), times.end(), [&](double one, double other) {
-    return std::abs(one - moment) < std::abs(other - moment);
-  });
-  return static_cast<std::size_t>(nearest - times.begin());
-}
-
 /// The scene without the keys that only affect pictures.
 scene::Scene unpainted(scene::Scene scene) {
   scene.title.clear();
@@ -168,7 +160,8 @@ class Redraw::Impl {
   TimePicture over_time() { return space_time_->picture(); }
 
  private:
-  void draw_moment(std::size_t number);
+  /// By run, that nearest to a moment.
+  std::vector<std::size_t> pictures_at(double moment) const;
   /// Adds the pictures before this one to the picture over time, also those that no movie shows.
   void add_over_time(std::size_t end);
   bool stop_asked() const { return options_.stop != nullptr && options_.stop->load() != 0; }
@@ -179,10 +172,8 @@ class Redraw::Impl {
   std::vector<std::vector<double>> times_;  // by run, of its pictures
   std::vector<double> moments_;
   std::optional<SpaceTime> space_time_;
-  std::size_t over_time_ = 0;  // pictures that it has
-  // Once drawing begins.
-  std::optional<PictureTargets> targets_;
-  std::vector<std::optional<std::size_t>> shown_;  // by run, the number of its picture
+  std::size_t over_time_ = 0;              // pictures that it has
+  std::optional<PictureTargets> targets_;  // once drawing begins
 };
 
 Redraw::Impl::Impl(const std::vector<RunToDraw>& runs, const RedrawOptions& options)
@@ -206,7 +197,6 @@ Redraw::Impl::Impl(const std::vector<RunToDraw>& runs, const RedrawOptions& opti
   times_ = times_of(drawings_);
   moments_ = moments_of(times_);
   choose_evenly(moments_, options_);
-  shown_.resize(runs.size());
   if (options.space_time) {
     RunDrawing& drawing = *drawings_.front();
     space_time_.emplace(drawing.scene(), drawing.initial(), *options.space_time,
@@ -228,6 +218,11 @@ std::size_t Redraw::Impl::draw(const RedrawEvents& events) {
       }
     }
   }
+  if (!options_.movie.empty() || !options_.sheet.empty()) {
+    for (const auto& drawing : drawings_) {
+      drawing->share_arrow_scale();
+    }
+  }
   targets_.emplace(drawings_, folders_, options_, moments_.size(),
                    picture_rate(options_, moments_.size()));
   if (space_time_) {
@@ -237,12 +232,12 @@ std::size_t Redraw::Impl::draw(const RedrawEvents& events) {
   TimeEstimate estimate;
   std::size_t number = 0;
   for (; number < moments_.size() && !stop_asked(); ++number) {
-    const std::size_t picture = picture_at(times_.front(), moments_[number]);
-    add_over_time(picture);
+    const std::vector<std::size_t> pictures = pictures_at(moments_[number]);
+    add_over_time(pictures.front());
     if (targets_->want(number)) {
-      draw_moment(number);
+      targets_->add(number, pictures);
     }
-    add_over_time(picture + 1);
+    add_over_time(pictures.front() + 1);
     if (events.progress && timer.due()) {
       estimate.update(static_cast<double>(number + 1) / static_cast<double>(moments_.size()));
       events.progress({number + 1, moments_.size(), estimate.seconds_left()});
@@ -254,21 +249,22 @@ std::size_t Redraw::Impl::draw(const RedrawEvents& events) {
   return number;
 }
 
+std::vector<std::size_t> Redraw::Impl::pictures_at(double moment) const {
+  std::vector<std::size_t> result;
+  for (const std::vector<double>& times : times_) {
+    const auto nearest =
+        std::min_element(times.begin(), times.end(), [&](double one, double other) {
+          return std::abs(one - moment) < std::abs(other - moment);
+        });
+    result.push_back(static_cast<std::size_t>(nearest - times.begin()));
+  }
+  return result;
+}
+
 void Redraw::Impl::add_over_time(std::size_t end) {
   for (; space_time_ && over_time_ < end; ++over_time_) {
     drawings_.front()->add_to(*space_time_, over_time_);
   }
-}
-
-void Redraw::Impl::draw_moment(std::size_t number) {
-  for (std::size_t run = 0; run < drawings_.size(); ++run) {
-    const std::size_t picture = picture_at(times_[run], moments_[number]);
-    if (shown_[run] != picture) {
-      shown_[run] = picture;
-      targets_->add(run, picture);
-    }
-  }
-  targets_->end_moment(number);
 }
 
 Redraw::Redraw(const std::vector<RunToDraw>& runs, const RedrawOptions& options)

@@ -162,11 +162,23 @@ void RunDrawing::set_scale(const Scale& scale) {
   frames.velocity_cell = scale.at(kCell);
 }
 
+void RunDrawing::share_arrow_scale() {
+  if (scene_.output.frames->overlay != scene::Overlay::velocity) {
+    return;
+  }
+  double highest = 0;
+  for (std::size_t number = 0; number < pictures(); ++number) {
+    look_at(number, chosen_[number], [&](const View& view) {
+      highest = std::max(highest, painter_->typical_velocity(view, history_));
+    });
+  }
+  painter_->set_typical_velocity(highest);
+}
+
 CapturedFrame RunDrawing::capture(std::size_t number) {
-  begin_stage(trajectory_.frames()[chosen_[number]].stage);
-  begin_window(chosen_[number]);
   std::optional<CapturedFrame> frame;
-  look_at(chosen_[number], [&](const View& view) { frame = painter_->capture(view, history_); });
+  look_at(number, chosen_[number],
+          [&](const View& view) { frame = painter_->capture(view, history_); });
   return *std::move(frame);
 }
 
@@ -179,9 +191,7 @@ std::vector<Frame> RunDrawing::latest_frames() const {
 }
 
 void RunDrawing::add_to(SpaceTime& space_time, std::size_t number) {
-  begin_stage(trajectory_.frames()[chosen_[number]].stage);
-  begin_window(chosen_[number]);
-  look_at(latest(chosen_[number]),
+  look_at(number, latest(chosen_[number]),
           [&](const View& view) { space_time.add(view, history_, number); });
 }
 
@@ -190,7 +200,9 @@ std::uint64_t RunDrawing::step(std::size_t number) const {
 }
 
 template <class Show>
-void RunDrawing::look_at(std::size_t frame, Show show) {
+void RunDrawing::look_at(std::size_t number, std::size_t frame, Show show) {
+  begin_stage(trajectory_.frames()[chosen_[number]].stage);
+  begin_window(chosen_[number]);
   begin_stage(trajectory_.frames()[frame].stage);
   const grains::State state = trajectory_.state(frame);
   const grains::Occupancy occupancy(state);
@@ -254,17 +266,12 @@ void RunDrawing::begin_window(std::size_t frame) {
 std::vector<std::size_t> frame_choice(const std::vector<store::Trajectory::Frame>& frames,
                                       std::uint64_t every) {
   std::vector<std::size_t> chosen;
-  std::uint64_t beat = 0;  // step of the last frame that `every` counts from
   for (std::size_t i = 0; i < frames.size(); ++i) {
     const store::Trajectory::Frame& frame = frames[i];
     const bool begins = i == 0 || frames[i - 1].stage != frame.stage;
     const bool ends = i + 1 == frames.size() || frames[i + 1].stage != frame.stage;
-    const bool due = begins || frame.step - beat >= every;
-    if (due) {
-      beat = frame.step;
-    }
     const bool drawn_before = i > 0 && frames[i - 1].step == frame.step;
-    if ((due || ends) && !drawn_before) {
+    if (!drawn_before && (begins || ends || frame.step - frames[chosen.back()].step >= every)) {
       chosen.push_back(i);
     }
   }

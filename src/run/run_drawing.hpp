@@ -33,6 +33,9 @@ class RunDrawing {
 
   /// Call before capture(). Throws SceneRunError if the driver cannot draw the pictures.
   void prepare() { painter_.emplace(scene_, initial_, 1, pdf_); }
+  /// Gives the arrows of all pictures one scale, where the scene has none for them: that of the
+  /// fastest picture.
+  void share_arrow_scale();
   /// `number`: of the picture.
   CapturedFrame capture(std::size_t number);
 
@@ -47,6 +50,7 @@ class RunDrawing {
   /// The state before the first stage.
   const grains::State& initial() const { return initial_; }
   FramePainter& painter() { return *painter_; }
+  const FramePainter& painter() const { return *painter_; }
   std::size_t pictures() const { return chosen_.size(); }
   std::uint64_t step(std::size_t number) const;
 
@@ -57,9 +61,9 @@ class RunDrawing {
   void begin_stage(std::size_t stage);
   /// Begins the window of velocities with the picture before, drawn or not, as the run does.
   void begin_window(std::size_t frame);
-  /// Calls `show` with the view of a frame.
+  /// Calls `show` with the view of a frame that a picture shows.
   template <class Show>
-  void look_at(std::size_t frame, Show show);
+  void look_at(std::size_t number, std::size_t frame, Show show);
 
   std::string name_;
   scene::Scene scene_;

@@ -21,23 +21,16 @@ constexpr int kUsualHeight = 720;
 constexpr render::Rgb kWhite = {255, 255, 255};
 constexpr double kBare = 0.5;  // share of the time with grains below which there is no surface
 
-lattice::Lattice lattice_of(const scene::Scene& scene) {
-  return lattice::Lattice::covering(scene.box.width, scene.box.height, scene.box.periodic);
-}
-
-lattice::Rectangle view_of(const scene::Scene& scene) {
-  return scene.output.frames->view.value_or(render::whole_box(lattice_of(scene)));
-}
-
 /// The part of the view in which there may be grains: that in the box, unless the picture is
 /// turned.
 lattice::Rectangle shown_part(const scene::Scene& scene) {
-  const lattice::Rectangle view = view_of(scene);
+  const lattice::Lattice lattice = lattice_of(scene);
+  const lattice::Rectangle view = view_of(*scene.output.frames, lattice);
   if (scene.output.frames->upright) {
     return view;
   }
   const Eigen::Vector2d low = lattice::Lattice::corner();
-  const Eigen::Vector2d high = low + lattice_of(scene).size();
+  const Eigen::Vector2d high = low + lattice.size();
   return {std::max(view.left, low.x()), std::max(view.bottom, low.y()),
           std::min(view.right, high.x()), std::min(view.top, high.y())};
 }
@@ -91,21 +84,14 @@ const SpaceTimeOptions& checked(const scene::Scene& scene, const SpaceTimeOption
   return options;
 }
 
-/// Of an axis or colour bar of lengths.
-struct AxisUnit {
-  std::string name;
-  double spacing = 1;  ///< of the lattice
-};
-
-/// Metres, millimetres or micrometres for a length in lattice spacings, where the scene has units.
-AxisUnit unit_for(const scene::Scene& scene, double length) {
+/// For an axis or colour bar of lengths up to this one, and how many of it a spacing has.
+std::pair<std::string, double> unit_for(const scene::Scene& scene, double length) {
   if (!scene.units) {
-    return {.name = "lattice spacings", .spacing = 1};
+    return {"lattice spacings", 1};
   }
   const double spacing = scene.units->spacing;
-  return spacing * length >= 1      ? AxisUnit{.name = "m", .spacing = spacing}
-         : spacing * length >= 1e-3 ? AxisUnit{.name = "mm", .spacing = 1e3 * spacing}
-                                    : AxisUnit{.name = "µm", .spacing = 1e6 * spacing};
+  const render::LengthUnit unit = render::length_unit(spacing * length);
+  return {unit.name, unit.in_metre * spacing};
 }
 
 /// Time of a step and the label of its axis.
@@ -121,20 +107,20 @@ TimePicture::Axis time_axis(const scene::Scene& scene, std::uint64_t from, std::
 TimePicture::Axis position_axis(const scene::Scene& scene, const SpaceTimeOptions& options,
                                 const lattice::Rectangle& part) {
   if (!options.column) {
-    const AxisUnit unit = unit_for(scene, part.right - part.left);
-    return {.label = fmt::format("x ({})", unit.name),
-            .low = unit.spacing * part.left,
-            .high = unit.spacing * part.right};
+    const auto [unit, spacing] = unit_for(scene, part.right - part.left);
+    return {.label = fmt::format("x ({})", unit),
+            .low = spacing * part.left,
+            .high = spacing * part.right};
   }
-  const AxisUnit unit = unit_for(scene, part.top - part.bottom);
-  const double x = unit.spacing * *options.column;
-  const double half = unit.spacing * options.slit / 2;
+  const auto [unit, spacing] = unit_for(scene, part.top - part.bottom);
+  const double x = spacing * *options.column;
+  const double half = spacing * options.slit / 2;
   const std::string where = options.slit > SpaceTimeOptions().slit
                                 ? fmt::format("x = {:g} to {:g}", x - half, x + half)
                                 : fmt::format("x = {:g}", x);
-  return {.label = fmt::format("height at {} ({})", where, unit.name),
-          .low = unit.spacing * part.bottom,
-          .high = unit.spacing * part.top};
+  return {.label = fmt::format("height at {} ({})", where, unit),
+          .low = spacing * part.bottom,
+          .high = spacing * part.top};
 }
 
 /// The scene with pictures of the particles alone: of the slit or, where they may be turned, of the
@@ -227,7 +213,7 @@ Eigen::ArrayXXd SpaceTime::column(const View& view, const PictureHistory& histor
   const Picture picture = painter_.rasterize(painter_.capture(view, history));
   legend_ = legend_ ? render::common_legend(*legend_, picture.legend) : picture.legend;
   const lattice::Rectangle& seen = *scene_.output.frames->view;
-  const image::PixelBox& box = picture.parts.view;
+  const image::PixelBox& box = painter_.view();
   const auto pixel = [&](double x) {
     return static_cast<int>(std::lround((x - seen.left) / (seen.right - seen.left) * box.width));
   };
@@ -279,9 +265,9 @@ void SpaceTime::show_surface(TimePicture& picture) const {
       }
     }
   }
-  const AxisUnit unit = unit_for(scene_, highest);
-  picture.legend.bars = {{.label = fmt::format("height of the surface ({})", unit.name),
-                          .high = unit.spacing * highest}};
+  const auto [unit, spacing] = unit_for(scene_, highest);
+  picture.legend.bars = {
+      {.label = fmt::format("height of the surface ({})", unit), .high = spacing * highest}};
   if (bare) {
     picture.legend.patches = {{.label = "no grains", .color = kWhite}};
   }

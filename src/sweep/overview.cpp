@@ -18,32 +18,24 @@ namespace {
 constexpr std::size_t kMaxColumns = 8;
 constexpr std::size_t kMaxPictures = 64;
 
-int cell_width(int columns) {
-  constexpr int kSheet = 1920;  // pixels, about
-  return std::clamp(kSheet / columns, 240, 640);
-}
-
-/// The part of a picture that the run has noted in it; of width 0 if it has not, or not inside
-/// `outside`.
-render::PixelBox part(const image::PngText& texts, const std::string& name,
-                      const render::PixelBox& outside) {
-  const auto text = texts.find(name);
-  std::istringstream numbers(text == texts.end() ? "" : text->second);
-  render::PixelBox box;
-  numbers >> box.x >> box.y >> box.width >> box.height;
-  const auto fits = [](int first, int length, int outer_first, int outer_length) {
-    return length > 0 && first >= outer_first && length <= outer_length &&
-           first - outer_first <= outer_length - length;
+/// What the run has noted of its picture; all of it where it has not.
+render::PictureView view_of(const image::DecodedPng& png) {
+  const auto [width, height] = std::pair(png.image.width, png.image.height);
+  const auto text = [&](const char* name) {
+    const auto found = png.text.find(name);
+    return std::istringstream(found == png.text.end() ? "" : found->second);
   };
-  const bool inside = numbers && fits(box.x, box.width, outside.x, outside.width) &&
-                      fits(box.y, box.height, outside.y, outside.height);
-  return inside ? box : render::PixelBox{};
-}
-
-render::PictureParts picture_parts(const image::DecodedPng& png) {
-  const render::PixelBox whole = {0, 0, png.image.width, png.image.height};
-  const render::PixelBox legend = part(png.text, "Legend", whole);
-  return {part(png.text, "View", whole), legend, part(png.text, "Scale bar", legend)};
+  render::PixelBox box;
+  text("View") >> box.x >> box.y >> box.width >> box.height;
+  const auto inside = [](int first, int length, int all) {
+    return first >= 0 && length > 0 && length <= all && first <= all - length;
+  };
+  double scale = 1;
+  text("Scale") >> scale;
+  return {inside(box.x, box.width, width) && inside(box.y, box.height, height)
+              ? box
+              : render::PixelBox{0, 0, width, height},
+          scale};
 }
 
 /// The final picture, as large as it will be shown; empty when it cannot be read.
@@ -53,7 +45,11 @@ render::Tile final_picture(const std::filesystem::path& folder, const scene::Sce
     const image::DecodedPng png = image::decode_png(
         store::read_whole(store::frame_path(folder, scene.name, step, scene::step_digits(scene)),
                           store::kMaxPictureBytes));
-    return render::tile(png.image, picture_parts(png), width, "");
+    render::Tile tile = render::tile(png.image, view_of(png), width);
+    if (const auto legend = png.text.find("Legend"); legend != png.text.end()) {
+      tile.legend = render::legend_of(legend->second);
+    }
+    return tile;
   } catch (const std::runtime_error&) {
     return {};
   }
@@ -110,7 +106,7 @@ std::optional<render::Image> overview(const Plan& plan, const std::vector<Result
   if (!any) {
     return std::nullopt;
   }
-  const int width = cell_width(shown.columns);
+  const int width = render::cell_width(shown.columns);
   std::vector<render::Tile> tiles;
   for (const std::size_t run : shown.runs) {
     const Result& result = results[run];

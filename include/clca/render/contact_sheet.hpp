@@ -5,23 +5,27 @@
 #include <vector>
 
 #include "clca/render/image.hpp"
+#include "clca/render/legend.hpp"
 
 namespace clca::render {
 
 /// A picture of a contact sheet; a view of width 0 is a missing one.
 struct Tile {
-  Image view;
-  Image legend;  ///< of width 0 where there is none
-  std::string label;
+  Image view = {};
+  double scale = 1;  ///< pixels a lattice spacing
+  Legend legend = {};
+  std::string label = {};
 };
 
-/// The tile of a picture, its view (or all of it) resized to `width` pixels, or less where it is
-/// tall. A scale bar would not hold any more, so it is left out.
-Tile tile(const Image& picture, const PictureParts& parts, int width, std::string label);
+/// In pixels, for about the same width of all sheets.
+int cell_width(int columns);
+
+/// The tile of a picture, its view resized to `width` pixels, or less where it is tall.
+Tile tile(const Image& picture, const PictureView& view, int width);
 
 /// The tiles in rows under a title, each in a cell `cell_width` pixels wide, with its label below.
-/// A legend that all tiles have stands below them once, others below their tiles. Missing pictures
-/// are pale boxes. Without a font there is no text.
+/// A legend that all tiles have in common stands below them once, others below their tiles. Missing
+/// pictures are pale boxes. Without a font there is no text.
 /// Throws std::invalid_argument unless `columns` and `cell_width` are positive, RenderError if the
 /// sheet is too large.
 Image contact_sheet(const std::vector<Tile>& tiles, int columns, int cell_width,

@@ -9,11 +9,10 @@ using image::Image;
 using image::PixelBox;
 using image::Rgb;
 
-/// Where a picture has its parts. Those that it has not are of width 0.
-struct PictureParts {
-  PixelBox view;
-  PixelBox legend = {};
-  PixelBox scale_bar = {};  ///< in the box of the legend
+/// Where a picture shows the particles, and how large.
+struct PictureView {
+  PixelBox box;
+  double scale = 1;  ///< pixels a lattice spacing
 };
 
 }  // namespace clca::render

@@ -59,4 +59,17 @@ void add_walls(Legend& legend, const ShownWalls& walls);
 /// bars by more than the marks.
 std::optional<Legend> common_legend(const Legend& first, const Legend& second);
 
+/// JSON, as pictures carry it.
+std::string to_text(const Legend& legend);
+/// Empty where the text is none of to_text().
+Legend legend_of(const std::string& text);
+
+/// Of lengths in metres.
+struct LengthUnit {
+  const char* name = "";
+  double in_metre = 1;  ///< how many of them
+};
+/// The largest of m, mm and µm in which the length is at least 1.
+LengthUnit length_unit(double metres);
+
 }  // namespace clca::render

@@ -24,8 +24,8 @@ class RenderError : public std::runtime_error {
 /// How particles are drawn: by lookup of the site owners around each sample, which is cheaper and
 /// gives the same bytes everywhere, or as polygons by OpenGL.
 /// Both give the same picture except for rounding at edges and for overlaps: polygons lie over
-/// walls, the lookup shows the first owner of a site. `automatic` is the lookup.
-enum class Drawing : std::uint8_t { automatic, polygons, lookup };
+/// walls, the lookup shows the first owner of a site.
+enum class Drawing : std::uint8_t { lookup, polygons };
 
 /// What stands around the view: nothing, a legend with a scale bar, or these and captions.
 enum class Annotations : std::uint8_t { none, legend, all };
@@ -34,7 +34,7 @@ struct Style {
   int width = 1280;  ///< pixels of the finished picture; 0: follows the aspect of the view
   int height = 720;
   int supersampling = 2;  ///< samples a pixel along each axis, 1 to 4
-  Drawing drawing = Drawing::automatic;
+  Drawing drawing = Drawing::lookup;
   /// Part of the plane to show, lattice spacings; empty: the whole box.
   lattice::Rectangle view;
   Annotations annotations = Annotations::all;  ///< none without a font
@@ -91,13 +91,9 @@ class Painter {
   std::vector<std::uint8_t> pdf(const Capture& captured, const Caption& caption,
                                 const Overlay& overlay = {}, double turn = 0);
 
-  /// A picture of the legend alone, as pictures show it beside the scale bar.
-  Image legend(const Caption& caption, const Legend& legend) const;
-
   int width() const;  ///< pixels of a picture
   int height() const;
-  /// Of the last picture.
-  const PictureParts& parts() const;
+  PictureView view() const;
 
   /// capture() and rasterize().
   Image draw(const grains::State& state, const grains::Occupancy& occupancy,

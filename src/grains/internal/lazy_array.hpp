@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdlib>
 #include <memory>
 #include <new>
 #include <type_traits>
@@ -40,13 +41,24 @@ class LazyArray {
  private:
   struct Unmap {
     std::size_t bytes = 0;
-    void operator()(T* data) const { ::munmap(data, bytes); }
+    void operator()(T* data) const {
+      if (bytes < kHugePage) {
+        std::free(data);
+      } else {
+        ::munmap(data, bytes);
+      }
+    }
   };
+  static constexpr std::size_t kHugePage = std::size_t{2} << 20U;
 
   static std::size_t bytes_of(std::size_t size) {
     return std::max<std::size_t>(size, 1) * sizeof(T);
   }
   static T* zeros(std::size_t bytes) {
+    if (bytes < kHugePage) {  // memory that was used before costs less than new pages
+      void* data = std::calloc(bytes, 1);
+      return data != nullptr ? static_cast<T*>(data) : throw std::bad_alloc();
+    }
     void* data = ::mmap(nullptr, bytes, PROT_READ | PROT_WRITE,
                         MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
     if (data == MAP_FAILED) {

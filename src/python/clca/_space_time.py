@@ -10,8 +10,8 @@ from . import _answer
 from ._chart import PAGE, plain, style
 
 
-def colors(entry: list[int]) -> tuple[float, ...]:
-    return tuple(value / 255 for value in entry)
+def rgb(color: dict[str, int]) -> tuple[float, ...]:
+    return tuple(color[channel] / 255 for channel in ("red", "green", "blue"))
 
 
 def annotate(figure: Any, ax: Any, shown: dict[str, Any]) -> None:
@@ -32,14 +32,13 @@ def annotate(figure: Any, ax: Any, shown: dict[str, Any]) -> None:
         if end - begin > 0.05 * (shown["time"]["high"] - shown["time"]["low"]) and ends[1:]:
             name = plain(stage["name"])
             ax.text((begin + end) / 2, 1.01, name, transform=ax.get_xaxis_transform(), ha="center", color="#60666e")
-    for bar in shown["bars"]:
+    for bar in shown["legend"]["bars"]:
         extend = ("neither", "min", "max", "both")[bar["below"] + 2 * bar["above"]]
-        shown_colors = ListedColormap([colors(one) for one in bar["colors"]])
-        values = ScalarMappable(Normalize(bar["low"], bar["high"]), shown_colors)
+        values = ScalarMappable(Normalize(bar["low"], bar["high"]), ListedColormap([rgb(one) for one in shown["colors"]]))
         figure.colorbar(values, ax=ax, label=plain(bar["label"]), extend=extend, aspect=30, pad=0.02)
     handles = [
-        Patch(facecolor=colors(patch["color"]), edgecolor="#404040", linewidth=0.5, label=plain(patch["label"]))
-        for patch in shown["patches"]
+        Patch(facecolor=rgb(patch["color"]), edgecolor="#404040", linewidth=0.5, label=plain(patch["label"]))
+        for patch in shown["legend"]["patches"]
     ]
     if handles:
         below = ax.transAxes + ScaledTranslation(0, -3.2 * rcParams["font.size"] / 72, figure.dpi_scale_trans)

@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "clca/render/painter.hpp"
-#include "render/address_space.hpp"
+#include "render/graphics.hpp"
 
 #ifdef CLCA_OSMESA
 #include <GL/osmesa.h>
@@ -147,15 +147,12 @@ Context::Function Context::function(const char* name) {
   return found != nullptr ? found : throw RenderError(fmt::format("OpenGL has no {}", name));
 }
 
-Context::Current::Current(const Context& context) {
+std::shared_ptr<void> Context::current() const {
   require_memory();
-  if (!library().use(context.handle_)) {
+  if (!library().use(handle_)) {
     throw RenderError("the OpenGL context cannot be used");
   }
-}
-
-Context::Current::~Current() {
-  library().use(nullptr);
+  return {handle_, [](void* /*context*/) { library().use(nullptr); }};
 }
 
 std::string environment_problem(const char* driver, const char* vector_width) {

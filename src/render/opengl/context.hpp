@@ -2,6 +2,7 @@
 // An off-screen OpenGL context: of OSMesa or, where there is none, of EGL without a
 // surface. Only context.cpp depends on them.
 
+#include <memory>
 #include <string>
 
 namespace clca::render {
@@ -19,14 +20,8 @@ class Context {
   /// An OpenGL function. Throws RenderError when there is none of that name.
   static Function function(const char* name);
 
-  /// Makes a context current for this thread during its lifetime.
-  class Current {
-   public:
-    explicit Current(const Context& context);
-    ~Current();
-    Current(const Current&) = delete;
-    Current& operator=(const Current&) = delete;
-  };
+  /// Makes it current for this thread, as long as there is what is returned.
+  [[nodiscard]] std::shared_ptr<void> current() const;
 
  private:
   void* handle_ = nullptr;

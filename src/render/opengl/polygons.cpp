@@ -91,7 +91,7 @@ class Canvas {
         add_line(triangles_[kind], outlines(kinds[kind].shape).front());
       }
     }
-    const Context::Current current(context_);
+    const auto current = context_.current();
     gl_.emplace();
     add_target();
     gl_->Viewport(0, 0, projection.width, projection.height);
@@ -103,7 +103,7 @@ class Canvas {
 
   std::vector<Sample> drawn(std::span<const Body> bodies) const {
     constexpr std::size_t kMaxVertices = std::size_t{3} << 16U;  // at a time: 2.4 MB
-    const Context::Current current(context_);
+    const auto current = context_.current();
     gl_->Disable(GL_SCISSOR_TEST);
     gl_->Clear(GL_COLOR_BUFFER_BIT);
     gl_->Enable(GL_SCISSOR_TEST);

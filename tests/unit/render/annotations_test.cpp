@@ -40,16 +40,18 @@ TEST(RoundLength, IsOneTwoOrFiveTimesAPowerOfTen) {
   EXPECT_DOUBLE_EQ(round_length(0.3), 0.2);
 }
 
-TEST(MetresText, TakesTheUnitThatMakesTheNumberOneOrMore) {
-  EXPECT_EQ(metres_text(round_length(30)), "20 m");
-  EXPECT_EQ(metres_text(round_length(0.7)), "500 mm");
-  EXPECT_EQ(metres_text(round_length(0.0012)), "1 mm");
-  EXPECT_EQ(metres_text(round_length(0.00025)), "200 µm");
+TEST(LengthUnit, MakesTheNumberOneOrMore) {
+  EXPECT_STREQ(length_unit(20).name, "m");
+  EXPECT_STREQ(length_unit(0.5).name, "mm");
+  EXPECT_STREQ(length_unit(0.001).name, "mm");
+  EXPECT_STREQ(length_unit(0.0002).name, "µm");
+  EXPECT_EQ(0.0002 * length_unit(0.0002).in_metre, 200);
 }
 
 TEST(Ticks, AreFewAndRound) {
   EXPECT_EQ(ticks(0, 40, 6), (std::vector<double>{0, 10, 20, 30, 40}));
   EXPECT_EQ(ticks(3, 3, 6), (std::vector<double>{3}));
+  EXPECT_LE(ticks(1e17, 1e17 + 32, 6).size(), 6U);
   for (const double high : {0.07, 1.0, 3.3, 9.0, 11.0, 99.0, 12345.0}) {
     const std::vector<double> values = ticks(0, high, 6);
     EXPECT_GE(values.size(), 2U) << high;
@@ -212,24 +214,6 @@ TEST_F(Annotations, MarkTheEndsOfABarBeyondWhichValuesLie) {
   EXPECT_EQ(ends(true, false), std::pair(both.first, neither.second));
 }
 
-TEST_F(Annotations, TellWhereTheLegendIs) {
-  const Layout layout = arrange(1280, 720, {0, 0, 40, 20}, render::Annotations::all);
-  Graphics graphics(1280, 720);
-  Legend legend;
-  legend.patches = {{.label = "grains", .color = {200, 0, 0}}};
-  const PictureParts parts = annotate(graphics, layout, {"title", "detail"}, legend);
-  const Image image = graphics.image();
-  EXPECT_EQ(parts.view, layout.panel);
-  EXPECT_EQ(count(cropped(image, parts.legend), {200, 0, 0}), count(image, {200, 0, 0}));
-  EXPECT_TRUE(blank(image, parts.legend.y + parts.legend.height, image.height));
-  EXPECT_FALSE(blank(cropped(image, parts.scale_bar), 0, parts.scale_bar.height));
-  Graphics alone(1280, 720);
-  const Image without = legend_of(image, annotate(alone, layout, {}, legend));
-  EXPECT_EQ(count(without, {200, 0, 0}), count(image, {200, 0, 0}));
-  EXPECT_LT(without.pixels.size() - static_cast<std::size_t>(count(without, {255, 255, 255})),
-            3000U);  // an icon and a word
-}
-
 TEST(PictureSize, FollowsTheViewUnlessItIsGiven) {
   for (const render::Annotations annotations :
        {render::Annotations::none, render::Annotations::legend, render::Annotations::all}) {
@@ -273,6 +257,17 @@ TEST(CommonLegend, ThereIsNoneWhereLinesDiffer) {
   EXPECT_EQ(common_legend(first, second), first);
   second.lines[0].label = "2 m/s";
   EXPECT_FALSE(common_legend(first, second));
+}
+
+TEST(LegendText, IsReadAsItWasWritten) {
+  Legend legend;
+  legend.patches = {{"small \"µ\"", {1, 2, 3}, {{0, 0.5}, {-0.866, 1}}, 0.6}};
+  legend.bars = {{"load (grain weights)", -1.5, 0.1, true, false, true}};
+  legend.lines = {{"0.5 spacings per step", 0.3, 12, {4, 5, 6}, true}};
+  legend.fade = 0.6;
+  EXPECT_EQ(legend_of(to_text(legend)), legend);
+  EXPECT_EQ(legend_of("12 650 900 49"), Legend()) << "of an earlier version";
+  EXPECT_EQ(legend_of("[]"), Legend());
 }
 
 }  // namespace

@@ -220,7 +220,7 @@ Image overlaid(const grains::State& state, const Overlay& overlay,
 
 TEST(Overlay, ThatIsEmptyChangesNothing) {
   const grains::State state = one_grain();
-  EXPECT_EQ(overlaid(state, {}), picture(state, Drawing::automatic, 400, 300, 2, {0, 5, 40, 35}));
+  EXPECT_EQ(overlaid(state, {}), picture(state, Drawing::lookup, 400, 300, 2, {0, 5, 40, 35}));
 }
 
 TEST(Overlay, StandsWhereTheParticlesStand) {

@@ -125,12 +125,6 @@ TEST(Painter, ForgetsAWallThatIsTakenAway) {
   }
 }
 
-TEST(Painter, ChoosesTheLookup) {
-  const grains::State few = one_hexagon(1);
-  EXPECT_EQ(picture(few, Drawing::automatic, 300, 200, 1),
-            picture(few, Drawing::lookup, 300, 200, 1));
-}
-
 TEST(Painter, DevelopsWhatItHasExposedWhileTheStateGoesOn) {
   for (const Drawing drawing : kBothWays) {
     automaton::Automaton automaton = packed(60, 40, true);
@@ -179,19 +173,19 @@ TEST(Painter, RefusesAPictureThatIsTooLarge) {
       },
       ThrowsMessage<RenderError>(
           AllOf(HasSubstr("10000 x 100"), HasSubstr("16384"), HasSubstr("2"))));
-  EXPECT_EQ(picture(state, Drawing::automatic, 10000, 100, 2, {0, 0, 400, 4}).width, 10000);
-  EXPECT_THAT([&] { picture(state, Drawing::automatic, 100, 2000000000, 4); },
+  EXPECT_EQ(picture(state, Drawing::lookup, 10000, 100, 2, {0, 0, 400, 4}).width, 10000);
+  EXPECT_THAT([&] { picture(state, Drawing::lookup, 100, 2000000000, 4); },
               ThrowsMessage<RenderError>(HasSubstr("100 x 2000000000 pixels is too large")));
 }
 
 TEST(Painter, RefusesSizesAndViewsThatMakeNoSense) {
   const grains::State state = one_hexagon(1);
-  EXPECT_THROW(picture(state, Drawing::automatic, -1, 100, 1), RenderError);
-  EXPECT_THROW(picture(state, Drawing::automatic, 100, -1, 1), RenderError);
-  EXPECT_THROW(picture(state, Drawing::automatic, 100, 100, 0), RenderError);
-  EXPECT_THROW(picture(state, Drawing::automatic, 100, 100, 5), RenderError);
-  EXPECT_THROW(picture(state, Drawing::automatic, 100, 100, 1, {3, 0, 2, 1}), RenderError);
-  EXPECT_THROW(picture(state, Drawing::automatic, 100, 100, 1, {0, 0, INFINITY, 1}), RenderError);
+  EXPECT_THROW(picture(state, Drawing::lookup, -1, 100, 1), RenderError);
+  EXPECT_THROW(picture(state, Drawing::lookup, 100, -1, 1), RenderError);
+  EXPECT_THROW(picture(state, Drawing::lookup, 100, 100, 0), RenderError);
+  EXPECT_THROW(picture(state, Drawing::lookup, 100, 100, 5), RenderError);
+  EXPECT_THROW(picture(state, Drawing::lookup, 100, 100, 1, {3, 0, 2, 1}), RenderError);
+  EXPECT_THROW(picture(state, Drawing::lookup, 100, 100, 1, {0, 0, INFINITY, 1}), RenderError);
 }
 
 TEST(Painter, DrawsAnyViewHoweverFarOrLarge) {
@@ -219,7 +213,7 @@ TEST(Painter, RefusesAnotherLatticeAndTooFewOrTooManyColors) {
 }
 
 TEST(Painter, DrawsAnEmptyBox) {
-  for (const Drawing drawing : {Drawing::automatic, Drawing::polygons, Drawing::lookup}) {
+  for (const Drawing drawing : kBothWays) {
     const Image image = picture(empty_state(30, 20, false), drawing, 120, 80, 2);
     EXPECT_GT(count_of(image, kWhite), image.pixels.size() / 2);
   }

@@ -11,7 +11,6 @@
 #include "packed_state.hpp"
 #include "render/colors.hpp"
 #include "render/layout.hpp"
-#include "render/wall_appearance.hpp"
 
 namespace clca::render::site_lookup_test {
 namespace {

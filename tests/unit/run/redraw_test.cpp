@@ -130,6 +130,25 @@ TEST_F(RedrawTest, VelocitiesAreThoseSinceThePictureBeforeEvenIfItIsNotDrawn) {
   }
 }
 
+TEST_F(RedrawTest, ArrowsOfAMovieHaveOneScale) {
+  const scene::Scene scene = parse(kDrained, {"output.frames.overlay=velocity"});
+  const fs::path run = folder_.path() / "run";
+  testing::run_and_store(scene, run, 5);
+  RunDrawing drawing({scene, run}, {}, 1e9);
+  drawing.prepare();
+  const auto keys = [&] {
+    std::set<std::string> result;
+    for (std::size_t number = 0; number < drawing.pictures(); ++number) {
+      const Picture picture = drawing.painter().rasterize(drawing.capture(number));
+      result.insert(picture.legend.lines.front().label);
+    }
+    return result;
+  };
+  EXPECT_GT(keys().size(), 1U) << "each picture has its own";
+  drawing.share_arrow_scale();
+  EXPECT_EQ(keys().size(), 1U);
+}
+
 /// With a wall that is removed and an outlet, so that grains of contacts leave.
 const std::string kContacts = R"(clca: 1
 model: contact
