@@ -170,7 +170,7 @@ class LegendTest(unittest.TestCase):
             self.assertEqual(names[-1], f"… and {61 - len(names)} more")
             self.assertGreater(len(names), 4)
 
-    def test_a_legend_is_not_higher_than_the_plot(self):
+    def test_a_legend_is_hardly_higher_than_the_plot(self):
         self.assertEqual(len(self.check(self.page(12, 60))), 12)
         self.assertRegex(self.check(self.page(100, 60))[-1], "^… and .. more$")
 

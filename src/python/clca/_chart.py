@@ -306,7 +306,7 @@ def page(chart: Chart, look: Look, width: float, height: float | None, letter: f
     heads = [chart.title, panels[0].title if len(panels) == 1 else ""]
     title = wrapped(plain("\n".join(filter(None, heads))), width - 2 * line, letter)
     title_lines = title.count("\n") + 1 if title else 0
-    most = int(0.4 * height / line) - title_lines if height else int(rows * room / line)
+    most = int(0.4 * height / line) - title_lines if height else int(1.2 * rows * room / line)
     legend, legend_lines = legend_above(figure, *legend_of(axes, panels), width - line, max(most, 1))
     above = title_lines + legend_lines
     extra = rows * (3.5 + (1.4 if any(panel.title for panel in panels) else 0)) * line
