@@ -19,7 +19,7 @@ import numpy
 from . import _answer
 from ._arguments import absolute, plain, to_yaml, whole
 from ._error import ArgumentError, Error
-from ._folder import Sweep, read_json
+from ._folder import Sweep, read_json, write_file
 from ._surrogate import Likely, Numbers, Surrogate, likely, sobol
 from ._table import Table, quantities, read_table
 
@@ -28,6 +28,7 @@ if TYPE_CHECKING:
 
 MOST_PARAMETERS = 6
 DRAWN = 1000  # rows of likely.csv
+FILES = ("calibration.json", "calibration.png", "likely.csv", "parameters.csv", "report.html", "targets.csv")
 SURE = 0.95  # probability of an interval
 
 Place = tuple[str | int, ...]  # in a study: keys and numbers of items
@@ -559,6 +560,9 @@ def calibrate(
     study = study_of(said | {"check": check}, refuse)
     folder = absolute(output if output is not None else Path("renders") / f"{study.tests[0].name}-calibration")
 
+    foreign = [name for name in FILES if (folder / name).exists()]
+    if foreign and "calibration.json" not in foreign:
+        raise Error(f"cannot write {folder / foreign[0]}: clca did not write the file that is there")
     following = step(study, folder, 0)
     for number in count(1):
         if isinstance(following, Answer):
@@ -568,10 +572,7 @@ def calibrate(
         following = step(study, folder, number)
     assert isinstance(following, Answer)
     for name, content in files_of(*content_of(following)):
-        try:
-            (folder / name).write_bytes(content)
-        except OSError as error:
-            raise Error(f"cannot write {folder / name}: {error.strerror}") from None
+        write_file(folder / name, content, is_listed=True)
     return Calibration(folder)
 
 
