@@ -118,10 +118,13 @@ void check_valid(const State& state) {
       fail("a normal is out of range");
     }
     for (const Impulse<std::int32_t>& impulse : {contact.impulse, contact.impact}) {
-      if (impulse.normal < 0 || !in_range(impulse.normal, kMaxImpulse) ||
-          !in_range(impulse.shear, kMaxImpulse) || !in_range(impulse.rolling, kMaxImpulse)) {
+      if (!in_range(impulse.normal, kMaxImpulse) || !in_range(impulse.shear, kMaxImpulse) ||
+          !in_range(impulse.rolling, kMaxImpulse)) {
         fail("an impulse is out of range");
       }
+    }
+    if (contact.impulse.normal < 0 || contact.impulse.normal + contact.impact.normal < 0) {
+      fail("an impulse is out of range");
     }
     const auto upper = grains::as_owner(contact.upper);
     pairs.emplace_back(

@@ -93,8 +93,8 @@ struct Contact {
   grains::Owner other = 0;
   UnitVector normal = {};  ///< towards the upper grain, in the last step
   Impulse<std::int32_t> impulse = {};
-  /// Of an impact that was solved on its own in the last step. The next step does not begin with
-  /// it.
+  /// Of an impact that was solved on its own in the last step, and what its sweeps had left in a
+  /// small group. The next step does not begin with it. The normal sum of both is not negative.
   Impulse<std::int32_t> impact = {};
 
   bool operator==(const Contact&) const = default;

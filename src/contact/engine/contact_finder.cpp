@@ -56,7 +56,7 @@ void ContactFinder::load(const std::vector<Contact>& contacts, ContactSlots& slo
 }
 
 void ContactFinder::update(std::span<const std::uint32_t> moved, WallVelocities walls,
-                           ContactSlots& slots) {
+                           ContactSlots& slots, SmallGroups& groups) {
   walls_ = std::move(walls);
   moved_.resize(state_.particles.size());
   ids_.clear();
@@ -81,7 +81,7 @@ void ContactFinder::update(std::span<const std::uint32_t> moved, WallVelocities 
     moved_[id] = 0;
   }
   for (const std::int32_t at : changed_) {
-    change_contact(at, slots);
+    change_contact(at, slots, groups);
   }
   for (const std::uint32_t id : at_walls_) {
     check_walls(id, slots);
@@ -157,7 +157,7 @@ void ContactFinder::look_around(std::uint32_t id, const ContactSlots& slots) {
   }
 }
 
-void ContactFinder::change_contact(std::int32_t at, ContactSlots& slots) {
+void ContactFinder::change_contact(std::int32_t at, ContactSlots& slots, SmallGroups& groups) {
   const Slot& slot = slots.at(at);
   const bool with_grain = grains::is_particle(slot.other);
   const auto other = grains::particle_id(slot.other);
@@ -165,6 +165,10 @@ void ContactFinder::change_contact(std::int32_t at, ContactSlots& slots) {
       state_.particles[slot.upper].present && (!with_grain || state_.particles[other].present);
   Touch now = present ? touch(slot.upper, other) : Touch();
   if (now.contact.normal == UnitVector()) {
+    groups.lost_contact(slot.upper);
+    if (with_grain) {
+      groups.lost_contact(other);
+    }
     slots.remove(at);
     return;
   }

@@ -6,6 +6,7 @@
 
 #include "clca/contact/state.hpp"
 #include "contact/engine/contact_slots.hpp"
+#include "contact/engine/small_groups.hpp"
 #include "contact/rule/normal_table.hpp"
 #include "contact/rule/step.hpp"
 #include "contact/rule/touching.hpp"
@@ -34,8 +35,9 @@ class ContactFinder {
   /// Fills slots from a list of contacts, which may have changed since: all grains count as moved.
   void load(const std::vector<Contact>& contacts, ContactSlots& slots);
   /// Brings contacts of `moved` grains in line; the new ones are behind the others. `walls`: their
-  /// velocities.
-  void update(std::span<const std::uint32_t> moved, WallVelocities walls, ContactSlots& slots);
+  /// velocities. Tells `groups` where contacts have ended.
+  void update(std::span<const std::uint32_t> moved, WallVelocities walls, ContactSlots& slots,
+              SmallGroups& groups);
   /// Puts all in order anew and forgets the empty ones.
   void sort(ContactSlots& slots);
 
@@ -47,7 +49,7 @@ class ContactFinder {
   void check_contacts(std::uint32_t id, ContactSlots& slots);
   void look_around(std::uint32_t id, const ContactSlots& slots);
   void add_found(const Touch& touch);
-  void change_contact(std::int32_t at, ContactSlots& slots);
+  void change_contact(std::int32_t at, ContactSlots& slots, SmallGroups& groups);
   void check_walls(std::uint32_t id, ContactSlots& slots);
   Touch touch(std::uint32_t first, std::uint32_t second);
   lattice::Axial apart(std::uint32_t upper, std::uint32_t other) const;

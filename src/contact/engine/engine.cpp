@@ -5,12 +5,22 @@
 #include <numeric>
 #include <utility>
 
-#include "contact/engine/impact_slots.hpp"
 #include "contact/rule/acceleration.hpp"
 #include "contact/rule/cuts.hpp"
 #include "contact/rule/remainders.hpp"
 
 namespace clca::contact {
+
+namespace {
+
+std::vector<Touch*> pointers(std::vector<Touch>& touches) {
+  std::vector<Touch*> result;
+  std::transform(touches.begin(), touches.end(), std::back_inserter(result),
+                 [](Touch& touch) { return &touch; });
+  return result;
+}
+
+}  // namespace
 
 Engine::Engine(State initial, const Parameters& parameters, grains::PhaseTimes* phase_times)
     : Steps(std::move(initial), parameters),
@@ -52,6 +62,7 @@ void Engine::reloaded() {
 void Engine::load() {
   load_bodies();
   finder_.load(state_.contacts, slots_);
+  groups_.clear();
   mover_.clear();
   look_at_all();
 }
@@ -88,7 +99,7 @@ void Engine::update_contacts() {
     finder_.set_down(down);
     look_at_all();  // which one of two is the upper one may have changed
   }
-  finder_.update(changed_, wall_velocities(state_), slots_);
+  finder_.update(changed_, wall_velocities(state_), slots_, groups_);
   clock_.end("contacts");
   if (sorts_contacts(state_)) {
     finder_.sort(slots_);
@@ -98,6 +109,7 @@ void Engine::update_contacts() {
     state_.grains.particles[id].previous = grains::kRest;
   }
   clock_.end("order");
+  groups_.begin(state_.grains.particles.size(), slots_);
 }
 
 void Engine::set_walls() {
@@ -110,8 +122,13 @@ void Engine::bounce_loose() {
   Batches& batches = slots_.batches();
   bouncing_.clear();
   for (std::int32_t at = 0; at < static_cast<std::int32_t>(slots_.all().size()); ++at) {
-    const std::int32_t lane = slots_.at(at).lane;
-    if (lane < 0 || batches.normal_impulse(lane) != 0) {
+    const Slot& slot = slots_.at(at);
+    const std::int32_t lane = slot.lane;
+    if (lane < 0) {
+      continue;
+    }
+    if (batches.normal_impulse(lane) != 0) {
+      groups_.set_active(slot.upper, slots_);
       continue;
     }
     const std::int32_t velocity =
@@ -119,35 +136,26 @@ void Engine::bounce_loose() {
     if (velocity > 0) {
       batches.bounce(lane) = velocity;
       bouncing_.push_back(at);
+      groups_.set_active(slot.upper, slots_);
     }
   }
 }
 
 void Engine::collide() {
-  impacts_.clear();
-  const auto bounce = [&](std::int32_t slot) -> std::int32_t& {
-    return slots_.batches().bounce(slots_.at(slot).lane);
-  };
-  for (const std::int32_t slot : bouncing_) {
-    if (bounce(slot) == 0) {
-      continue;
+  touches_.clear();
+  for (const std::vector<std::int32_t>& group : groups_.active()) {
+    std::vector<Touch>& touches = touches_.emplace_back();
+    bool bounces = false;
+    for (const std::int32_t slot : group) {
+      std::int32_t& bounce = slots_.batches().bounce(slots_.at(slot).lane);
+      touches.push_back({.contact = slots_.contact(slot), .bounce = bounce});
+      bounces = bounces || bounce > 0;
+      bounce = 0;
     }
-    const std::vector<std::int32_t> impact = isolated_impact(slots_, slot);
-    std::vector<Touch> touches;
-    for (const std::int32_t at : impact) {
-      touches.push_back({.contact = slots_.contact(at), .bounce = bounce(at)});
-    }
-    std::vector<Touch*> contacts;
-    std::transform(touches.begin(), touches.end(), std::back_inserter(contacts),
-                   [](Touch& touch) { return &touch; });
-    solve_impact(contacts, state_.grains, rule_, velocity_of());
-    for (std::size_t i = 0; i < impact.size(); ++i) {
-      bounce(impact[i]) = touches[i].bounce;
-      impacts_.emplace_back(impact[i], touches[i].contact.impact);
+    if (bounces) {
+      solve_impact(pointers(touches), state_.grains, rule_, velocity_of());
     }
   }
-  std::sort(impacts_.begin(), impacts_.end(),
-            [](const auto& one, const auto& other) { return one.first < other.first; });
 }
 
 void Engine::accelerate_all() {
@@ -172,7 +180,25 @@ void Engine::sweep_contacts() {
   for (const std::int32_t slot : bouncing_) {
     slots_.batches().bounce(slots_.at(slot).lane) = 0;
   }
+  finish_groups();
   clock_.end("sweeps");
+}
+
+void Engine::finish_groups() {
+  impacts_.clear();
+  for (std::size_t i = 0; i < touches_.size(); ++i) {
+    const std::vector<std::int32_t>& group = groups_.active()[i];
+    std::vector<Touch>& touches = touches_[i];
+    for (std::size_t k = 0; k < group.size(); ++k) {
+      touches[k].contact.impulse = slots_.contact(group[k]).impulse;
+    }
+    finish(pointers(touches), state_.grains, rule_, velocity_of());
+    for (std::size_t k = 0; k < group.size(); ++k) {
+      impacts_.emplace_back(group[k], touches[k].contact.impact);
+    }
+  }
+  std::sort(impacts_.begin(), impacts_.end(),
+            [](const auto& one, const auto& other) { return one.first < other.first; });
 }
 
 void Engine::advance_and_move() {

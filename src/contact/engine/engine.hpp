@@ -9,6 +9,7 @@
 #include "contact/engine/contact_finder.hpp"
 #include "contact/engine/contact_slots.hpp"
 #include "contact/engine/mover.hpp"
+#include "contact/engine/small_groups.hpp"
 #include "contact/rule/impacts.hpp"
 #include "contact/rule/step.hpp"
 #include "grains/internal/phase_clock.hpp"
@@ -20,7 +21,8 @@ class Engine final : public Steps {
   /// With the motion of a grain and its contacts in the state.
   static constexpr double kGrainBytes =
       sizeof(Velocity<std::int32_t>) + sizeof(Vector) + sizeof(lattice::Axial) +
-      ContactSlots::kGrainBytes + ContactFinder::kGrainBytes + Mover::kGrainBytes + sizeof(Body) +
+      ContactSlots::kGrainBytes + ContactFinder::kGrainBytes + SmallGroups::kGrainBytes +
+      Mover::kGrainBytes + sizeof(Body) +
       grains::kListRoom * (3 * sizeof(std::uint32_t) +
                            kContactsPerGrain * (sizeof(Contact) + sizeof(std::int32_t)));
 
@@ -52,6 +54,7 @@ class Engine final : public Steps {
   void collide();
   void accelerate_all();
   void sweep_contacts();
+  void finish_groups();
   void advance_and_move();
   void look_at_all();
 
@@ -62,10 +65,12 @@ class Engine final : public Steps {
   BatchFunctions batch_;
   ContactFinder finder_;
   ContactSlots slots_;
+  SmallGroups groups_;
   Mover mover_;
   std::size_t first_grain_;  // its body
   std::vector<Body> bodies_;
-  std::vector<std::int32_t> bouncing_;  // slots of contacts that bounce in this step
+  std::vector<std::int32_t> bouncing_;       // slots of contacts that bounce in this step
+  std::vector<std::vector<Touch>> touches_;  // the contacts of the small groups
   // Slots and impulses of the impacts of this step, in the order of the slots.
   std::vector<std::pair<std::int32_t, Impulse<std::int32_t>>> impacts_;
   std::vector<std::uint32_t> moved_;       // in the last step, once each

@@ -12,6 +12,7 @@
 #include "contact/rule/acceleration.hpp"
 #include "contact/rule/contact_list.hpp"
 #include "contact/rule/cuts.hpp"
+#include "contact/rule/groups.hpp"
 #include "contact/rule/impacts.hpp"
 #include "contact/rule/moves.hpp"
 #include "contact/rule/remainders.hpp"
@@ -51,14 +52,17 @@ void bounce_loose(std::vector<Touch>& contacts, const grains::State& grains, con
   }
 }
 
-/// Solves the impacts among few grains.
-void collide(std::vector<Touch>& contacts, const grains::State& grains, const Rule& rule,
-             const VelocityOf& velocity_of) {
+/// Solves the impacts in small groups.
+void collide(std::vector<Touch>& contacts, const std::vector<std::vector<Touch*>>& groups,
+             const grains::State& grains, const Rule& rule, const VelocityOf& velocity_of) {
   for (Touch& touch : contacts) {
     touch.contact.impact = {};
   }
-  for (const std::vector<Touch*>& impact : isolated_impacts(contacts, grains.particles.size())) {
-    solve_impact(impact, grains, rule, velocity_of);
+  for (const std::vector<Touch*>& group : groups) {
+    if (std::any_of(group.begin(), group.end(),
+                    [](const Touch* touch) { return touch->bounce > 0; })) {
+      solve_impact(group, grains, rule, velocity_of);
+    }
   }
 }
 
@@ -226,9 +230,11 @@ std::size_t Reference::move_grains() {
   Velocities velocities(state_);
   const VelocityOf velocity_of = std::ref(velocities);
 
-  // 2. Contacts without impulse bounce: impacts among few grains at once, others in the sweeps.
+  // 2. Contacts without impulse bounce: impacts in small groups at once, others in the sweeps.
   bounce_loose(contacts, state_.grains, rule_, velocity_of);
-  collide(contacts, state_.grains, rule_, velocity_of);
+  const std::vector<std::vector<Touch*>> groups =
+      active_groups(contacts, state_.grains.particles.size());
+  collide(contacts, groups, state_.grains, rule_, velocity_of);
 
   // 3. Gravity and the vessel.
   accelerate_all(state_, rule_);
@@ -236,8 +242,12 @@ std::size_t Reference::move_grains() {
   // 4. The impulses of the last step, once more.
   apply_all(contacts, state_.grains, rule_, velocity_of);
 
-  // 5. Sweeps over the contacts change the impulses and the velocities.
+  // 5. Sweeps over the contacts change the impulses and the velocities; in small groups more of
+  // them do, which are not remembered.
   sweep(contacts, state_.grains, rule_, velocity_of);
+  for (const std::vector<Touch*>& group : groups) {
+    finish(group, state_.grains, rule_, velocity_of);
+  }
   state_.contacts.clear();
   std::transform(contacts.begin(), contacts.end(), std::back_inserter(state_.contacts),
                  [](const Touch& touch) { return touch.contact; });

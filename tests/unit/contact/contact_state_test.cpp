@@ -92,7 +92,10 @@ TEST(TheContactModel, RefusesNumbersOutOfRange) {
   EXPECT_EQ(refusal_of([](State& state) { state.contacts[0].impulse.shear = kLeast; }), impulse);
   EXPECT_EQ(refusal_of([](State& state) { state.contacts[0].impulse.rolling = kMaxImpulse + 1; }),
             impulse);
-  EXPECT_EQ(refusal_of([](State& state) { state.contacts[0].impact.normal = -1; }), impulse);
+  EXPECT_EQ(refusal_of([](State& state) {
+              state.contacts[0].impact.normal = -state.contacts[0].impulse.normal - 1;
+            }),
+            impulse);
 }
 
 TEST(TheContactModel, RefusesContactsOfWhatIsNotThere) {

@@ -7,10 +7,12 @@
 #include <algorithm>
 #include <array>
 #include <random>
+#include <span>
 #include <stdexcept>
 
 #include "clca/contact/contact_model.hpp"
 #include "contact/internal/mass_unit.hpp"
+#include "contact/rule/groups.hpp"
 #include "contact/rule/normal_table.hpp"
 #include "contact/rule/touching.hpp"
 #include "grains/internal/occupancy_table.hpp"
@@ -51,7 +53,8 @@ double vertical(const ContactModel& model, std::size_t id) {
 
 bool has_impact(const ContactModel& model) {
   return std::any_of(model.state().contacts.begin(), model.state().contacts.end(),
-                     [](const Contact& contact) { return contact.impact.normal > 0; });
+                     // Seven sites at 1/32; what sweeps have left is less.
+                     [](const Contact& contact) { return contact.impact.normal > kSpacing / 8; });
 }
 
 // The momentum goes through those at rest to the floor and back, in the one step of the impact.
@@ -90,6 +93,45 @@ TEST_P(ImpactsTest, EnergyNeverRisesByMoreThanAStepOfFallingMayChangeIt) {
     before = now;
   }
   EXPECT_GT(before, 0.8 * first) << "seven impacts of 0.99";
+}
+
+/// The most that the energy grows above its lowest, over that at the start.
+double growth(const grains::State& empty, std::span<const std::size_t> counts,
+              const Parameters& parameters, int steps, bool reference) {
+  ContactModel model({.grains = empty}, parameters, {.reference = reference});
+  model.fill({0, 0, 1e3, 1e3}, counts);
+  const double gravity = contact::gravity(parameters);
+  const double start = energy(model.state(), gravity).sum();
+  double lowest = start;
+  double most = 0;
+  for (int step = 0; step < steps; ++step) {
+    model.step();
+    const double now = energy(model.state(), gravity).sum();
+    lowest = std::min(lowest, now);
+    most = std::max(most, now - lowest);
+  }
+  return most / start;
+}
+
+// Two sweeps of impulses that act once more leave a part of them, as elastic energy that comes
+// back: 0.56 %, 0.69 % and 1.39 % in these runs.
+TEST_P(ImpactsTest, AFewGrainsSqueezedTogetherDoNotSpringBack) {
+  for (const std::uint64_t seed : {26, 41}) {
+    const grains::State slot{.lattice = lattice::Lattice::covering(4, 40, false),
+                             .seed = seed,
+                             .kinds = {{lattice::Shape::hexagon(1), 0}}};
+    Parameters parameters = ImpactsTest::parameters(0.9);
+    parameters.fall_height = 40;
+    EXPECT_LT(growth(slot, std::array{std::size_t{2}}, parameters, 600, GetParam()), 0.001) << seed;
+  }
+  const grains::State box{
+      .lattice = lattice::Lattice::covering(9, 60, false),
+      .seed = 15,
+      .kinds = {{lattice::Shape::hexagon(4), 0}, {lattice::Shape::hexagon(0), 1}}};
+  EXPECT_LT(
+      growth(box, std::array{std::size_t{1}, std::size_t{1}},
+             {.rolling = Rolling::free, .restitution = 0.9, .fall_height = 10}, 600, GetParam()),
+      0.003);
 }
 
 TEST_P(ImpactsTest, AllImpulsesOfTheFloorTogetherCarryTheWeight) {
@@ -199,7 +241,7 @@ struct Cluster {
       touch.bounce = 1;
     }
     for (const std::vector<Touch*>& impact :
-         isolated_impacts(contacts, state.grains.particles.size())) {
+         active_groups(contacts, state.grains.particles.size())) {
       solve_impact(impact, state.grains, rule, velocity_of);
       count += impact.size();
     }
