@@ -116,7 +116,7 @@ double growth(const grains::State& empty, std::span<const std::size_t> counts,
 // Two sweeps of impulses that act once more leave a part of them, as elastic energy that comes
 // back: 0.56 %, 0.69 % and 1.39 % in these runs.
 TEST_P(ImpactsTest, AFewGrainsSqueezedTogetherDoNotSpringBack) {
-  for (const std::uint64_t seed : {26, 41}) {
+  for (const std::uint64_t seed : {26U, 41U}) {
     const grains::State slot{.lattice = lattice::Lattice::covering(4, 40, false),
                              .seed = seed,
                              .kinds = {{lattice::Shape::hexagon(1), 0}}};

@@ -90,10 +90,10 @@ TEST_F(SeriesForces, TheFloorBearsTheWeightOfABedAtRest) {
   EXPECT_LT(column("force_x.box.left").back(), 0);
 }
 
-// It moves by 8 spacings and stays. The floor bears what it presses with, and the weight.
+// It moves by 9 spacings and stays. The floor bears what it presses with, and the weight.
 TEST_F(SeriesForces, APistonIsPushedBackAsTheFloorIsPressed) {
   run_of(kBin, {"walls.piston={box: [0, 24, 40, 27], motion: {direction: down, path: "
-                "[[800, 8]]}}",
+                "[[800, 9]]}}",
                 "stages.0.fill.region=[0, 3, 40, 24]", "stages.0.fill.counts={grain: 60}",
                 "stages.1.until={steps: 2000}"});
   const std::size_t last = column("step").size() - 1;
