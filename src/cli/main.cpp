@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
-#include <cstdlib>
 #include <exception>
 #include <memory>
 #include <new>
@@ -26,27 +24,6 @@
 namespace {
 
 using clca::cli::ExitCode;
-
-std::atomic<void*>& memory_for_the_end() {
-  static std::atomic<void*> memory = nullptr;
-  return memory;
-}
-
-/// The first allocation that fails frees a little memory, too little for another large one:
-/// destructors of JSON values allocate, and without memory they would end the program.
-void free_memory_for_the_end() {
-  void* const memory = memory_for_the_end().exchange(nullptr);
-  if (memory == nullptr) {
-    throw std::bad_alloc();
-  }
-  std::free(memory);
-}
-
-void keep_memory_for_the_end() {
-  constexpr std::size_t kBytes = std::size_t{1} << 16U;
-  memory_for_the_end() = std::malloc(kBytes);
-  std::set_new_handler(free_memory_for_the_end);
-}
 
 /// How the program ends: its exit code and, if it has failed, a line about it.
 struct Ending {
@@ -178,7 +155,6 @@ int main(int argc, char** argv) {
   clca::cli::occupy_closed_streams();
   clca::cli::set_up_signals();
   clca::store::end_without_hdf5();
-  keep_memory_for_the_end();
   int code = static_cast<int>(ExitCode::failed);
   std::unique_ptr<clca::tasks::Ranks> ranks;
   try {

@@ -173,10 +173,13 @@ void RunBase::go_on(store::RunFolder folder, std::uint64_t log_bytes, double sec
 }
 
 store::Checkpoint RunBase::checkpoint() const {
+  store::RunSummary now = summary("running");
+  now.measures.clear();  // only run.json has to say what its numbers are
+  now.tables.clear();
   return {.kind = identity_.kind,
           .scene_name = identity_.scene,
           .scene = identity_.scene_text,
-          .summary = store::to_json(summary("running")),
+          .summary = store::to_json(now),
           .fields = {}};
 }
 

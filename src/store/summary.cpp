@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <new>
 #include <nlohmann/json.hpp>
 
 namespace clca::store {
@@ -129,6 +130,9 @@ const char* rate_key(std::string_view kind) {
 }
 
 std::string to_json(const RunSummary& summary) {
+  // Destructors of JSON values allocate, which must not fail: with no room for all, it fails here.
+  constexpr std::size_t kRoom = 1'000'000;
+  ::operator delete(::operator new(kRoom));
   Json stages = Json::array();
   for (const StageSummary& stage : summary.stages) {
     stages.push_back(to_object(stage, summary.units));

@@ -120,7 +120,7 @@ def study_of(said: Mapping[str, Any], refuse: Refuse) -> Study:
     points = number("points", 32, 8, 1024)
     if points & (points - 1):
         raise refuse(("points",), f"points: expected a power of two, found {points}")
-    return Study(tests, vary, number("seeds", 4, 2, 1000), points, number("rounds", 2, 0, 20), number("check", 8, 2, 1000))
+    return Study(tests, vary, number("seeds", 8, 2, 1000), points, number("rounds", 2, 0, 20), number("check", 8, 2, 1000))
 
 
 def read_study(file: Path) -> Study:
@@ -528,7 +528,7 @@ def calibrate(
     *,
     set: Mapping[str, Any] | None = None,
     tests: Sequence[Mapping[str, Any]] = (),
-    seeds: int = 4,
+    seeds: int = 8,
     points: int = 32,
     rounds: int = 2,
     check: int = 8,

@@ -24,6 +24,8 @@ class Surrogate:
         from sklearn.gaussian_process import GaussianProcessRegressor  # type: ignore[import]
         from sklearn.gaussian_process.kernels import RBF, ConstantKernel  # type: ignore[import]
 
+        # All points have the same seeds, whose common deviation no number of points averages out.
+        self.common = float(variances.mean())
         self._centre, self._scale = means.mean(), max(means.std(), 1e-300)
         kernel = ConstantKernel(1, (0.01, 100)) * RBF(numpy.full(points.shape[1], 0.5), (0.05, 20))
         alpha = numpy.maximum(variances / self._scale**2, 1e-8)
@@ -86,7 +88,7 @@ def likely(surrogates: Sequence[Surrogate], targets: Sequence[tuple[float, float
         logs, misfits = numpy.zeros(len(points)), numpy.empty((len(points), len(targets)))
         for number, (surrogate, (value, error)) in enumerate(zip(surrogates, targets)):
             mean, own = surrogate(points)
-            variance = own**2 + error**2
+            variance = own**2 + surrogate.common + error**2
             misfits[:, number] = (mean - value) / numpy.sqrt(variance)
             logs -= (misfits[:, number] ** 2 + numpy.log(variance)) / 2
         weights = numpy.exp(logs - logs.max())
