@@ -43,7 +43,7 @@ class LazyArray {
     std::size_t bytes = 0;
     void operator()(T* data) const {
       if (bytes < kHugePage) {
-        std::free(data);
+        std::free(data);  // NOLINT(cppcoreguidelines-no-malloc)
       } else {
         ::munmap(data, bytes);
       }
@@ -55,8 +55,8 @@ class LazyArray {
     return std::max<std::size_t>(size, 1) * sizeof(T);
   }
   static T* zeros(std::size_t bytes) {
-    if (bytes < kHugePage) {  // memory that was used before costs less than new pages
-      void* data = std::calloc(bytes, 1);
+    if (bytes < kHugePage) {               // memory that was used before costs less than new pages
+      void* data = std::calloc(bytes, 1);  // NOLINT(cppcoreguidelines-no-malloc)
       return data != nullptr ? static_cast<T*>(data) : throw std::bad_alloc();
     }
     void* data = ::mmap(nullptr, bytes, PROT_READ | PROT_WRITE,
