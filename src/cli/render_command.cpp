@@ -159,10 +159,13 @@ nlohmann::json to_json(const run::TimePicture& picture) {
   for (const auto& stage : picture.stages) {
     json["stages"].push_back({{"name", stage.name}, {"begin", stage.begin}});
   }
+  json["colors"] = nlohmann::json::array();
   for (const auto& bar : picture.legend.bars) {
+    nlohmann::json colors = nlohmann::json::array();
     for (int i = 0; i < kColors; ++i) {
-      json["colors"].push_back(render::bar_color(bar, i / (kColors - 1.0)));
+      colors.push_back(render::bar_color(bar, i / (kColors - 1.0)));
     }
+    json["colors"].push_back(std::move(colors));
   }
   return json;
 }

@@ -108,6 +108,7 @@ class CalibrateTest(ScratchTest):
             ("vary: {a.b: [0, 1]}\ntests:\n  - scene: x\n    targets: {flow.x: [1, 0]}", "study.yaml:4:15: error: the standard"),
             ("vary: {a.b: [0, 1]\ntests: 3", "study.yaml:2:1: error: expected"),
             ("vary: &a {b: [0, 1]}\ntests: *a", "it has aliases"),
+            ("vary: {a.b: [0, 1]}\ntests:\n  - scene: 3\n    targets: {flow.x: [1, 1]}", "study.yaml:3:5: error: expected the name"),
             ("- 1", "study.yaml:1:1: error: expected a map"),
             ("vary: {a.b: [0, 1], a.b: [0, 2]}", "study.yaml:1:21: error: 'a.b' stands twice"),
             ("vary: {a.b: [0, .nan]}\ntests: []", "study.yaml:1:8: error: expected the range"),

@@ -170,6 +170,9 @@ def read_study(file: Path) -> Study:
     if not isinstance(said, dict):
         raise Error(f"{file}:1:1: error: expected a map with tests and vary")
     study = study_of(said, refuse)
+    for index, test in enumerate(study.tests):
+        if not isinstance(test.scene, str):
+            raise refuse(("tests", index, "scene"), "expected the name of a scene or its file")
     beside = [test._replace(scene=str(file.parent / str(test.scene))) for test in study.tests]
     return study._replace(tests=[there if Path(there.scene).is_file() else test for there, test in zip(beside, study.tests)])
 

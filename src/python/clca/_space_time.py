@@ -32,9 +32,9 @@ def annotate(figure: Any, ax: Any, shown: dict[str, Any]) -> None:
         if end - begin > 0.05 * (shown["time"]["high"] - shown["time"]["low"]) and ends[1:]:
             name = plain(stage["name"])
             ax.text((begin + end) / 2, 1.01, name, transform=ax.get_xaxis_transform(), ha="center", color="#60666e")
-    for bar in shown["legend"]["bars"]:
+    for bar, shades in zip(shown["legend"]["bars"], shown["colors"]):
         extend = ("neither", "min", "max", "both")[bar["below"] + 2 * bar["above"]]
-        values = ScalarMappable(Normalize(bar["low"], bar["high"]), ListedColormap([rgb(one) for one in shown["colors"]]))
+        values = ScalarMappable(Normalize(bar["low"], bar["high"]), ListedColormap([rgb(one) for one in shades]))
         figure.colorbar(values, ax=ax, label=plain(bar["label"]), extend=extend, aspect=30, pad=0.02)
     handles = [
         Patch(facecolor=rgb(patch["color"]), edgecolor="#404040", linewidth=0.5, label=plain(patch["label"]))
