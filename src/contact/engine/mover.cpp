@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <set>
 #include <utility>
 
 #include "contact/rule/order.hpp"
@@ -10,6 +11,33 @@
 namespace clca::contact {
 
 using lattice::Direction;
+
+namespace {
+
+/// Whether a shape meets each line of sites in one piece, as convex ones do. Where all do, some
+/// grain is always the foremost of those that stand in one another's way (Guibas and Yao 1983), so
+/// that no grains block each other in a ring.
+bool has_rows_in_one_piece(const lattice::Shape& shape) {
+  return std::ranges::all_of(lattice::kDirections, [&](Direction direction) {
+    const lattice::Axial along = unit(direction);
+    const std::vector<lattice::Axial> ends = shape.lead(direction);  // one of each piece
+    std::set<int> rows;
+    for (const lattice::Axial site : ends) {
+      rows.insert(along.x * site.q - along.q * site.x);
+    }
+    return rows.size() == ends.size();
+  });
+}
+
+}  // namespace
+
+Mover::Mover(State& state, grains::Box& box)
+    : state_(state),
+      moves_(state, box),
+      may_hook_(state.grains.lattice.periodic() ||
+                !std::ranges::all_of(state.grains.kinds, [](const grains::Kind& kind) {
+                  return has_rows_in_one_piece(kind.shape);
+                })) {}
 
 void Mover::clear() {
   waiting_.clear();
@@ -34,6 +62,7 @@ void Mover::move_all(Direction down, std::span<const std::uint32_t> ids,
   const std::size_t grains = state_.grains.particles.size();
   waiting_.resize(grains, 0);
   first_.resize(grains + 1, kNone);
+  obstacle_.resize(lattice::kDirectionCount * grains);
   next_.resize(lattice::kDirectionCount * grains, kNone);
   previous_.resize(lattice::kDirectionCount * grains, kNone);
   for (const Direction direction : order_of_directions(state_.grains, down)) {
@@ -79,7 +108,34 @@ void Mover::move_ready(Direction direction) {
   }
 }
 
+/// Whether some grain waits for one that waits for one ... that waits for it.
+bool Mover::has_ring(Direction direction) {
+  walk_of_.assign(waiting_.size(), 0);
+  for (std::uint32_t walk = 1; walk <= ids_.size(); ++walk) {
+    std::size_t id = ids_[walk - 1];
+    while (waits(static_cast<std::uint32_t>(id), direction)) {
+      if (walk_of_[id] != 0) {
+        if (walk_of_[id] == walk) {
+          return true;
+        }
+        break;
+      }
+      walk_of_[id] = walk;
+      const std::uint32_t waits_for =
+          obstacle_[static_cast<std::size_t>(waiting(static_cast<std::uint32_t>(id), direction))];
+      if (waits_for == kWalls) {
+        break;
+      }
+      id = waits_for - 1;
+    }
+  }
+  return false;
+}
+
 bool Mover::move_at_once(Direction direction) {
+  if (!may_hook_ || !has_ring(direction)) {
+    return false;
+  }
   std::vector<std::uint32_t> blocked;
   std::copy_if(ids_.begin(), ids_.end(), std::back_inserter(blocked), [&](std::uint32_t id) {
     return waits(id, direction) && is_move_due(state_.remainders[id], direction);
@@ -118,6 +174,7 @@ void Mover::wait(std::uint32_t id, Direction direction, std::size_t obstacle) {
   const Waiting entry = waiting(id, direction);
   const auto at = static_cast<std::size_t>(entry);
   waiting_[id] = static_cast<std::uint8_t>(waiting_[id] | 1U << lattice::index_of(direction));
+  obstacle_[at] = static_cast<std::uint32_t>(obstacle);
   next_[at] = std::exchange(first_[obstacle], entry);
   previous_[at] = -1 - static_cast<Waiting>(obstacle);
   if (next_[at] != kNone) {

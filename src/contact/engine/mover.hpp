@@ -15,12 +15,12 @@ namespace clca::contact {
 class Mover {
  public:
   static constexpr double kGrainBytes =
-      sizeof(std::uint8_t) + (2 * lattice::kDirectionCount + 1) * sizeof(std::int32_t) +
+      sizeof(std::uint8_t) + (3 * lattice::kDirectionCount + 2) * sizeof(std::int32_t) +
       grains::kListRoom *
           (3 * sizeof(std::uint32_t) + sizeof(std::pair<std::uint32_t, grains::Owner>));
 
   /// Both outlive the mover.
-  Mover(State& state, grains::Box& box) : state_(state), moves_(state, box) {}
+  Mover(State& state, grains::Box& box);
 
   /// Nobody waits any more: there are other grains, or walls.
   void clear();
@@ -54,6 +54,7 @@ class Mover {
   void move(lattice::Direction direction, std::span<WallMove> walls);
   void try_move(std::uint32_t id, grains::Owner in_the_way, lattice::Direction direction);
   void move_ready(lattice::Direction direction);
+  bool has_ring(lattice::Direction direction);
   bool move_at_once(lattice::Direction direction);
   bool move_walls(lattice::Direction direction, std::span<WallMove> walls);
   void wait(std::uint32_t id, lattice::Direction direction, std::size_t obstacle);
@@ -63,13 +64,16 @@ class Mover {
 
   State& state_;
   SiteMoves moves_;
+  bool may_hook_;  // grains may be in the way of one another in a ring
   std::vector<std::uint32_t> ids_;
   std::vector<std::pair<std::uint32_t, grains::Owner>> tries_;  // with what is in the way
   std::vector<std::uint32_t> ready_;                            // to be tried
   std::vector<std::uint8_t> waiting_;                           // by id: directions as bits
   std::vector<Waiting> first_;                                  // by obstacle
+  std::vector<std::uint32_t> obstacle_;                         // by what waits
   std::vector<Waiting> next_;                                   // of the same obstacle
-  std::vector<Waiting> previous_;  // the same; of the first one -1 - obstacle
+  std::vector<Waiting> previous_;       // the same; of the first one -1 - obstacle
+  std::vector<std::uint32_t> walk_of_;  // by id
   std::vector<std::uint32_t> pushed_;
 };
 
