@@ -43,10 +43,7 @@ int calibrate(const CalibrateOptions& options) {
           ? "renders/" + std::filesystem::path(options.study).stem().string() + "-calibration"
           : options.folder;
   const store::OutputFolder folder(path);
-  for (const char* name : {"calibration.json", "calibration.png", "likely.csv", "parameters.csv",
-                           "report.html", "targets.csv"}) {
-    folder.require_free(name);
-  }
+  folder.make_own();
   for (int step = 0;; ++step) {
     auto sweeps = nlohmann::json::array();
     int code = run_package("calibrate", {{"step", step}, {"study", options.study}}, {path},

@@ -31,9 +31,7 @@ nlohmann::json value_or_null(const std::optional<T>& value) {
 
 int compare_runs(const CompareOptions& options) {
   const store::OutputFolder folder(options.folder);
-  for (const char* name : {"comparison.csv", "distances.csv", "run.json", "comparison.png"}) {
-    folder.require_free(name);
-  }
+  folder.require_own();
   const int code = run_package("compare",
                                {{"stage", value_or_null(options.stage)},
                                 {"time", value_or_null(options.time)},

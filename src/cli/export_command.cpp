@@ -75,13 +75,10 @@ std::vector<std::string> names_of_formats() {
   return names;
 }
 
-store::OutputFile output_file(const ExportOptions& options, const std::string& scene) {
-  if (!options.file.empty()) {
-    return store::named_file(options.file);
-  }
-  const auto* format = std::find_if(kFormats.begin(), kFormats.end(),
-                                    [&](const Format& one) { return one.name == options.format; });
-  return {store::OutputFolder(options.run).subfolder(store::kExportFolder), scene + format->ending};
+std::string ending_of(const std::string& format) {
+  return std::find_if(kFormats.begin(), kFormats.end(),
+                      [&](const Format& one) { return one.name == format; })
+      ->ending;
 }
 
 /// As `command` of _export.py.
@@ -105,16 +102,24 @@ int export_run(const ExportOptions& options) {
   }
   const Room room(options.file.empty() ? options.run / store::kExportFolder
                                        : options.file.parent_path());
-  const store::OutputFile target = output_file(options, scene);
-  store::AtomicFile file = target.create();
-  const auto beside = [&](const std::string& name, std::span<const std::uint8_t> bytes) {
-    target.folder.write(name, bytes);
+  const store::OutputFolder folder =
+      store::OutputFolder(options.run).subfolder(store::kExportFolder);
+  const bool is_named = !options.file.empty();
+  const std::string name = scene + ending_of(options.format);
+  const fs::path path = is_named ? options.file : folder.path(name);
+  store::AtomicFile file = is_named ? store::AtomicFile(path) : folder.create(name);
+  const auto beside = [&](const std::string& other, std::span<const std::uint8_t> bytes) {
+    if (is_named) {
+      store::write_whole(path.parent_path() / other, bytes);
+    } else {
+      folder.write(other, bytes);
+    }
   };
-  const int code = run_package("export", to_json(options, target.path()),
+  const int code = run_package("export", to_json(options, path),
                                {options.run, file.temporary_path()}, beside, {}, room.path());
   if (code == 0) {
     file.finish();
-    print_out("{}\n", target.path().string());
+    print_out("{}\n", path.string());
   }
   return code;
 }

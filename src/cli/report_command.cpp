@@ -21,11 +21,13 @@ struct ReportOptions {
 
 int write_report(const ReportOptions& options) {
   const auto write = [&](const std::string& name, std::span<const std::uint8_t> page) {
-    const auto file = options.file.empty()
-                          ? store::OutputFile{store::OutputFolder(options.run), name}
-                          : store::named_file(options.file);
-    file.folder.write(file.name, page, file.replace);
-    print_out("{}\n", file.path().string());
+    const store::OutputFolder folder(options.run);
+    if (options.file.empty()) {
+      folder.write(name, page);
+    } else {
+      store::write_whole(options.file, page);
+    }
+    print_out("{}\n", options.file.empty() ? folder.path(name).string() : options.file);
   };
   nlohmann::json said = nlohmann::json::object();
   if (options.max_frames) {

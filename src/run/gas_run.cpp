@@ -55,7 +55,7 @@ class GasRun : public RunBase {
         course_(std::move(course)),
         cases_logged_(std::exchange(course_.cases_ended, 0)) {
     if (course_.cases.empty()) {
-      begin(std::move(folder), checkpoint(), gas_files(scene));
+      begin(std::move(folder), checkpoint());
     } else {
       go_on(*std::move(folder), course_.log_bytes, course_.wall_seconds);
     }
@@ -333,7 +333,7 @@ store::RunSummary resume_gas(SavedRun& saved, const RunOptions& options, const R
   const auto& scene = std::get<scene::BoltzmannScene>(saved.scene);
   GasCourse course;
   if (saved.checkpoint.is_start()) {
-    saved.folder.start_over(saved.checkpoint, {});
+    saved.folder.start_over(saved.checkpoint);
   } else {
     course = saved_course(saved);
     saved.checkpoint.fields.clear();  // as large as the gases

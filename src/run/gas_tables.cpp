@@ -272,14 +272,6 @@ std::vector<const GasMember*> GasCase::at(std::size_t number) const {
   return those;
 }
 
-std::vector<PlannedFile> gas_files(const GasScene& scene) {
-  std::vector<PlannedFile> files =
-      Histogram(table_scope(scene), gas_histogram_table(scene)).files();
-  files.push_back(Series(table_scope(scene), gas_series_table(scene)).files().front());
-  files.push_back(Closure(table_scope(scene), gas_closure_table(scene)).files().front());
-  return files;
-}
-
 std::vector<store::TableSummary> gas_summary(const GasScene& scene) {
   const TableScope scope = table_scope(scene);
   return {{"series", Series(scope, gas_series_table(scene)).summary()},

@@ -33,8 +33,6 @@ struct GasCase {
 /// store::StoreError.
 void write_tables(const scene::BoltzmannScene& scene, const std::vector<GasCase>& cases,
                   const store::OutputFolder& folder);
-/// All that write_tables() can write.
-std::vector<PlannedFile> gas_files(const scene::BoltzmannScene& scene);
 std::vector<store::TableSummary> gas_summary(const scene::BoltzmannScene& scene);
 
 /// The last row of the series and further results of a case.

@@ -113,8 +113,6 @@ class Observer {
 
   /// Tables that it adds rows to; their rows are saved and loaded.
   virtual std::vector<RunTable*> tables() { return {}; }
-  /// Other files that it may write.
-  virtual std::vector<PlannedFile> files() const { return {}; }
   /// Before the first stage, or after load(): removes what was written later.
   virtual void open(const store::RunFolder& /*folder*/, const grains::State& /*now*/) {}
   /// Waits until everything is written.
@@ -155,7 +153,6 @@ class Observers {
     return nullptr;
   }
 
-  std::vector<PlannedFile> files() const;
   std::vector<store::TableSummary> summary() const;
   void open(const store::RunFolder& folder, const grains::State& now);
   void begin_stage(const StageView& now) { call(&Observer::begin_stage, now); }

@@ -54,20 +54,6 @@ Observers::Observers(std::vector<std::unique_ptr<Observer>> all) : all_(std::mov
   }
 }
 
-std::vector<PlannedFile> Observers::files() const {
-  std::vector<PlannedFile> files;
-  const auto add = [&files](const std::vector<PlannedFile>& more) {
-    files.insert(files.end(), more.begin(), more.end());
-  };
-  for (const RunTable* table : tables_) {
-    add(table->files());
-  }
-  for (const auto& observer : all_) {
-    add(observer->files());
-  }
-  return files;
-}
-
 std::vector<store::TableSummary> Observers::summary() const {
   std::vector<store::TableSummary> all;
   for (const RunTable* table : tables_) {

@@ -18,7 +18,7 @@ constexpr std::size_t kMaxRows = 6;  // of a sheet
 
 /// Throws store::StoreError if `file` could not be written.
 void check_writable(const std::filesystem::path& file) {
-  store::named_file(file).create();
+  const store::AtomicFile written(file);
 }
 
 render::MovieFormat format_of(const std::filesystem::path& movie) {
@@ -35,7 +35,7 @@ render::MovieFormat format_of(const std::filesystem::path& movie) {
 MovieTarget::MovieTarget(const render::PixelBox& size, const std::filesystem::path& file,
                          double frames_per_second, const std::atomic<int>* stop)
     : path_(file),
-      file_(store::named_file(file).create()),
+      file_(file),
       movie_(file_.temporary_path(), format_of(file), size.width, size.height, frames_per_second,
              stop) {}
 

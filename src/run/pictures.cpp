@@ -41,9 +41,6 @@ class Pictures : public Observer {
     reflection::encode(kPath, history_, columns);
   }
   void load(const SavedColumns& saved, const StageView& now) override;
-  std::vector<PlannedFile> files() const override {
-    return {{store::frame_path("", scene_.name, 0, scene::step_digits(scene_)).string()}};
-  }
   void open(const store::RunFolder& folder, const grains::State& /*now*/) override {
     folder.remove_frames_after(history_.last_step);
     folder.files().make_folder(store::kFramesFolder);

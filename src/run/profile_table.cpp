@@ -14,7 +14,7 @@ struct ProfileRow {
 };
 
 TableOf<ProfileRow> profile_table(const scene::Scene& /*scene*/) {
-  return {{.name = "profile", .kind = TableInfo::Kind::parts, .is_certain = true},
+  return {{.name = "profile", .kind = TableInfo::Kind::parts},
           {{{"x", "Position", "spacings", "of a column of the lattice"}, &ProfileRow::x},
            {{"height_start", "Height at the start", "spacings",
              "of the surface, after walls have gone and the fill is placed"},

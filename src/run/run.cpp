@@ -38,7 +38,7 @@ class Run : public RunBase {
     prepare();
     store::Checkpoint start = checkpoint();
     reflection::encode(kWantedPictures, options.pictures, start.fields);
-    begin(std::move(folder), start, observers_.files());
+    begin(std::move(folder), start);
   }
 
   /// Resumes `saved`; `parts` belong to it.
@@ -349,7 +349,7 @@ store::RunSummary resume(SavedRun saved, const RunOptions& options, const RunEve
   const auto& scene = std::get<scene::Scene>(saved.scene);
   if (saved.checkpoint.is_start()) {
     startable.pictures = saved_pictures(saved);
-    saved.folder.start_over(saved.checkpoint, {});
+    saved.folder.start_over(saved.checkpoint);
     return Run(scene, startable, events, std::move(saved.folder)).execute();
   }
   return resumed_run(scene, startable, events, saved)->execute();

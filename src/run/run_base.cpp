@@ -46,46 +46,15 @@ fs::path made_free(const fs::path& folder) {
   }
 }
 
-/// Throws if the folder `below` cannot be used, or contains user files named like those of a run.
-void require_no_foreign(const store::OutputFolder& folder, const std::string& below,
-                        const std::string& begin, const std::string& end) {
-  const fs::path path = folder.path(below);
-  std::error_code error;
-  const fs::file_status status = fs::symlink_status(path, error);
-  if (!fs::exists(status)) {
-    return;
-  }
-  if (!fs::is_directory(status)) {
-    throw store::StoreError(fmt::format(
-        "cannot write to {}: it is no folder, or a symbolic link, which is not followed",
-        path.string()));
-  }
-  for (fs::directory_iterator it(path, error), last; !error && it != last; it.increment(error)) {
-    const std::string name = it->path().filename().string();
-    if (name.starts_with(begin) && name.ends_with(end)) {
-      folder.require_free(fmt::format("{}/{}", below, name));
-    }
-  }
-}
-
 }  // namespace
 
 store::RunFolder begin_run(const RunOptions& options, const RunEvents& events,
-                           const store::Checkpoint& start, const std::vector<PlannedFile>& files) {
+                           const store::Checkpoint& start) {
   const fs::path path = options.keep ? made_free(options.folder) : options.folder;
   if (events.folder) {
     events.folder(path);
   }
   store::RunFolder folder = store::RunFolder::for_new_run(path);
-  require_no_foreign(folder.files(), store::kFramesFolder, start.scene_name + "-", ".png");
-  require_no_foreign(folder.files(), "trajectory", "part-", ".h5");
-  std::set<std::string> planned;
-  for (const PlannedFile& file : files) {
-    folder.files().require_free(file.name);
-    if (file.is_certain) {
-      planned.insert(file.name);
-    }
-  }
   if (const auto earlier = folder.earlier_run()) {
     const std::string run = description(*earlier);
     if (earlier->unfinished && !options.overwrite) {
@@ -98,7 +67,7 @@ store::RunFolder begin_run(const RunOptions& options, const RunEvents& events,
       events.message(fmt::format("replacing the run in {}: {}", path.string(), run));
     }
   }
-  folder.start_over(start, planned);
+  folder.start_over(start);
   return folder;
 }
 
@@ -158,12 +127,8 @@ store::RunSummary RunBase::execute() {
   return summary(status);
 }
 
-void RunBase::begin(std::optional<store::RunFolder> folder, const store::Checkpoint& start,
-                    std::vector<PlannedFile> files) {
-  if (identity_.checkpoints) {
-    files.push_back({store::kCheckpointBefore, true});
-  }
-  go_on(folder ? std::move(*folder) : begin_run(options_, events_, start, files), 0, 0);
+void RunBase::begin(std::optional<store::RunFolder> folder, const store::Checkpoint& start) {
+  go_on(folder ? std::move(*folder) : begin_run(options_, events_, start), 0, 0);
 }
 
 void RunBase::go_on(store::RunFolder folder, std::uint64_t log_bytes, double seconds_before) {

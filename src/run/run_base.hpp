@@ -55,11 +55,10 @@ class CheckpointWriter {
   std::future<void> writing_;
 };
 
-/// Prepares the folder of `options` for a run that starts with `start` and writes `files` besides
-/// those of every run; removes the files of an earlier run.
-/// Throws UnfinishedRunError and store::StoreError before it changes anything.
+/// Prepares the folder of `options` for a run that starts with `start`; removes the files of an
+/// earlier run. Throws UnfinishedRunError and store::StoreError before it changes anything.
 store::RunFolder begin_run(const RunOptions& options, const RunEvents& events,
-                           const store::Checkpoint& start, const std::vector<PlannedFile>& files);
+                           const store::Checkpoint& start);
 
 class RunBase {
  public:
@@ -91,9 +90,8 @@ class RunBase {
   virtual void carry_out() = 0;
   virtual void complete_summary(store::RunSummary& summary) const = 0;
 
-  /// Begins a run that may write `files`. `folder`: if it has been prepared already.
-  void begin(std::optional<store::RunFolder> folder, const store::Checkpoint& start,
-             std::vector<PlannedFile> files);
+  /// `folder`: if it has been prepared already.
+  void begin(std::optional<store::RunFolder> folder, const store::Checkpoint& start);
   /// Goes on. Keeps the first `log_bytes` of the log. `seconds_before`: by the clock, until the run
   /// was saved.
   void go_on(store::RunFolder folder, std::uint64_t log_bytes, double seconds_before);

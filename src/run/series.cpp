@@ -50,7 +50,6 @@ constexpr std::string_view kSinceRun = "by all outlets, since the start of the r
 TableOf<SeriesRow> series_table(const scene::Scene& scene) {
   return {
       {.name = "series",
-       .is_certain = true,
        .of_each = {{{"travel", "Travel of the wall", "sites",
                      "from home, along its motion; of each that moves"},
                     "WALL"},

@@ -200,7 +200,7 @@ SpaceTime::SpaceTime(const scene::Scene& scene, const grains::State& initial,
              static_cast<double>(frames_.front().step), static_cast<double>(frames_.back().step)) {}
 
 void SpaceTime::require_writable() const {
-  store::named_file(options_.file).create();
+  const store::AtomicFile file(options_.file);
 }
 
 void SpaceTime::add(const View& view, const PictureHistory& history, std::size_t number) {

@@ -51,21 +51,9 @@ TableScope table_scope(const scene::Scene& scene) {
   return scope;
 }
 
-std::vector<PlannedFile> RunTable::files() const {
-  const std::string name(info_.name);
-  if (info_.kind != TableInfo::Kind::parts) {
-    return {{store::table_name(name), info_.is_certain}};
-  }
-  std::vector<PlannedFile> files;
-  for (const std::string& part : scope_.parts) {
-    files.push_back({store::table_name(name, part), info_.is_certain});
-  }
-  return files;
-}
-
 void RunTable::open(const store::OutputFolder& folder) {
   if (info_.kind == TableInfo::Kind::growing) {
-    file_.emplace(folder, files().front().name, bytes_);
+    file_.emplace(folder, store::table_name(std::string(info_.name)), bytes_);
   }
 }
 

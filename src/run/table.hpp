@@ -94,7 +94,6 @@ struct TableInfo {
 
   std::string_view name;
   Kind kind = Kind::growing;
-  bool is_certain = false;  ///< a run that has the table writes it whatever happens
   /// Of each wall or outlet, KEY.NAME: the quantity, and what NAME is.
   std::vector<std::pair<Quantity, std::string_view>> of_each = {};
   std::vector<ColumnInfo> columns = {};
@@ -149,17 +148,10 @@ struct TableScope {
 TableScope table_scope(const scene::Scene& scene);
 TableScope table_scope(const scene::BoltzmannScene& scene);
 
-/// A file that a run may write.
-struct PlannedFile {
-  std::string name;
-  bool is_certain = false;  ///< it writes it whatever happens
-};
-
 /// A table of one run, in its folder.
 class RunTable {
  public:
   const TableInfo& info() const { return info_; }
-  std::vector<PlannedFile> files() const;
   /// What its columns are.
   std::vector<store::ColumnSummary> summary() const;
 

@@ -32,9 +32,6 @@ class TrajectoryOutput : public Observer {
     saved.read(kPath, kept_, now.model.state());
     saved.read(kStepPath, step_, now.model.state());
   }
-  std::vector<PlannedFile> files() const override {
-    return {{"trajectory.h5", true}, {"trajectory/part-000000.h5", true}};
-  }
   void open(const store::RunFolder& folder, const grains::State& now) override {
     writer_.emplace(folder.files(), scene_, now, kept_);
   }

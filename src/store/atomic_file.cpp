@@ -2,53 +2,99 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
+#include <sys/file.h>
+#include <sys/stat.h>
 
-#include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <random>
+#include <string>
+#include <system_error>
+#include <utility>
 
 #include "clca/store/file.hpp"
-#include "store/temporary_file.hpp"
+#include "store/descriptor.hpp"
 
 namespace clca::store {
 
 namespace {
 
-[[noreturn]] void fail_writing(const std::filesystem::path& path) {
-  throw StoreError(fmt::format("cannot write {}: {}", path.string(), std::strerror(errno)));
+namespace fs = std::filesystem;
+
+constexpr std::string_view kTemporaryBegin = ".clca-";
+constexpr std::string_view kTemporaryEnd = ".part";
+
+[[noreturn]] void fail_writing(const fs::path& path, const char* reason = std::strerror(errno)) {
+  throw StoreError(fmt::format("cannot write {}: {}", path.string(), reason));
+}
+
+fs::path new_temporary_name() {
+  static std::random_device device;
+  return fmt::format("{}{:08x}{:08x}{}", kTemporaryBegin, device(), device(), kTemporaryEnd);
+}
+
+bool lock(const Descriptor& file) {
+  return ::flock(file.number(), LOCK_EX | LOCK_NB) == 0;
 }
 
 }  // namespace
 
-bool rename_without_replacing(int folder, const std::string& from, const std::string& to) {
-  if (::renameat2(folder, from.c_str(), folder, to.c_str(), RENAME_NOREPLACE) == 0) {
-    return true;
+struct AtomicFile::State {
+  State() = default;
+  ~State() {
+    if (!temporary.empty()) {
+      ::unlink(temporary.c_str());
+    }
   }
-  // Some file systems (NFS) do not support the flag.
-  return (errno == EINVAL || errno == ENOSYS) &&
-         ::linkat(folder, from.c_str(), folder, to.c_str(), 0) == 0 &&
-         ::unlinkat(folder, from.c_str(), 0) == 0;
+  State(const State&) = delete;
+  State& operator=(const State&) = delete;
+
+  fs::path path;
+  fs::path temporary;  ///< empty when there is nothing to remove
+  Descriptor file;
+  std::function<void()> flush_later;
+  bool flushed = false;
+  std::uint64_t size = 0;
+};
+
+AtomicFile::AtomicFile(const fs::path& path) : AtomicFile(path, nullptr) {
+  remove_abandoned_files(path.parent_path());
 }
 
-void refuse_foreign(const std::filesystem::path& path) {
-  throw StoreError(fmt::format(
-      "cannot write {}: clca did not write the file that is there; move it or write elsewhere",
-      path.string()));
-}
-
-AtomicFile::State::~State() {
-  if (!temporary.empty()) {
-    ::unlinkat(folder.number(), temporary.c_str(), 0);
+AtomicFile::AtomicFile(const fs::path& path, std::function<void()> flush_later)
+    : state_(std::make_unique<State>()) {
+  std::error_code error;
+  state_->path = fs::absolute(path, error);
+  const fs::file_status status = fs::symlink_status(state_->path, error);
+  if (fs::exists(status) && !fs::is_regular_file(status)) {
+    fail_writing(path, "it is not a regular file");
   }
+  state_->flush_later = std::move(flush_later);
+  struct stat made {};
+  do {  // before it is locked, another process may take it for abandoned
+    const fs::path temporary = state_->path.parent_path() / new_temporary_name();
+    constexpr int kFlags = O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC;
+    state_->file = Descriptor(::open(temporary.c_str(), kFlags, kReadableByAll));
+    if (!state_->file.is_open()) {
+      fail_writing(path);
+    }
+    state_->temporary = temporary;
+    if ((!lock(state_->file) && errno != EWOULDBLOCK) ||
+        ::fstat(state_->file.number(), &made) != 0) {
+      fail_writing(path);
+    }
+  } while (made.st_nlink == 0);
 }
 
-AtomicFile::AtomicFile(std::unique_ptr<State> state) : state_(std::move(state)) {}
 AtomicFile::~AtomicFile() = default;
 AtomicFile::AtomicFile(AtomicFile&& other) noexcept = default;
 
-std::filesystem::path AtomicFile::temporary_path() const {
-  return state_->path.parent_path() / state_->temporary;
+fs::path AtomicFile::path() const {
+  return state_->path;
+}
+
+fs::path AtomicFile::temporary_path() const {
+  return state_->temporary;
 }
 
 std::uint64_t AtomicFile::size() const {
@@ -80,20 +126,30 @@ void AtomicFile::finish() {
   if (!state.flushed && !later) {
     flush();
   }
-  const int folder = state.folder.number();
-  const bool renamed = state.list_and_name([&](bool replace) {
-    return replace ? ::renameat(folder, state.temporary.c_str(), folder, state.name.c_str()) == 0
-                   : rename_without_replacing(folder, state.temporary, state.name);
-  });
-  if (!renamed && errno == EEXIST) {
-    refuse_foreign(state.path);
-  }
-  if (!renamed || !state.file.close()) {
+  if (::rename(state.temporary.c_str(), state.path.c_str()) != 0) {
     fail_writing(state.path);
   }
   state.temporary.clear();
+  if (!state.file.close()) {
+    fail_writing(state.path);
+  }
   if (later) {
     state.flush_later();
+  }
+}
+
+void remove_abandoned_files(const fs::path& folder) {
+  std::error_code error;
+  const fs::path place = folder.empty() ? "." : folder;
+  for (fs::directory_iterator it(place, error), end; !error && it != end; it.increment(error)) {
+    const std::string name = it->path().filename().string();
+    if (name.starts_with(kTemporaryBegin) && name.ends_with(kTemporaryEnd)) {
+      const Descriptor file(
+          ::open(it->path().c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+      if (file.is_open() && file.is_regular() && lock(file)) {
+        ::unlink(it->path().c_str());
+      }
+    }
   }
 }
 

@@ -46,12 +46,6 @@ class Descriptor {
   int number_;
 };
 
-/// Opens a folder anew. NFS then asks the server what is in it; for names below a folder that is
-/// open already it may answer from memory for a minute, also that there is nothing.
-inline Descriptor opened_anew(int folder) {
-  return Descriptor(::openat(folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-}
-
 using process::write_all;
 
 }  // namespace clca::store

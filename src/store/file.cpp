@@ -6,7 +6,7 @@
 #include <string>
 #include <system_error>
 
-#include "clca/store/output_folder.hpp"
+#include "clca/store/atomic_file.hpp"
 #include "clca/text/read.hpp"
 #include "store/descriptor.hpp"
 
@@ -21,7 +21,7 @@ namespace {
 }  // namespace
 
 void write_whole(const std::filesystem::path& path, std::span<const std::uint8_t> bytes) {
-  AtomicFile file = named_file(path).create();
+  AtomicFile file(path);
   file.write(bytes);
   file.finish();
 }

@@ -13,7 +13,6 @@ namespace clca::store {
 
 GrowingFile::GrowingFile(OutputFolder folder, std::string name, std::uint64_t kept)
     : folder_(std::move(folder)), name_(std::move(name)), bytes_(kept) {
-  folder_.require_free(name_);
   if (kept == 0) {
     folder_.remove(name_);
   } else if (!folder_.truncate(name_, kept)) {

@@ -1,244 +1,274 @@
 #include "clca/store/output_folder.hpp"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <sys/stat.h>
 
 #include <algorithm>
 #include <atomic>
+#include <cstdio>
 #include <cstring>
-#include <iterator>
 #include <mutex>
-#include <tuple>
+#include <set>
+#include <system_error>
 #include <utility>
 
 #include "clca/store/file.hpp"
-#include "store/folder_tree.hpp"
-#include "store/manifest.hpp"
-#include "store/temporary_file.hpp"
+#include "clca/text/message.hpp"
+#include "clca/text/read.hpp"
+#include "store/descriptor.hpp"
 
 namespace clca::store {
 
 namespace fs = std::filesystem;
 
-/// The open folder and its manifest. Names are relative to the root folder.
+namespace {
+
+constexpr const char* kManifest = ".clca.manifest";
+constexpr std::string_view kHeader = "clca manifest 1\n";
+constexpr double kMaxManifestBytes = 64 << 20;
+
+[[noreturn]] void fail_at(const char* what, const fs::path& path,
+                          const char* reason = std::strerror(errno)) {
+  throw StoreError(fmt::format("cannot {} {}: {}", what, path.string(), reason));
+}
+
+/// The folders of the file "a/b/c": "a/", "a/b/".
+std::vector<std::string> folders_of(const std::string& name) {
+  std::vector<std::string> folders;
+  for (std::size_t slash = name.find('/'); slash != std::string::npos;
+       slash = name.find('/', slash + 1)) {
+    folders.push_back(name.substr(0, slash + 1));
+  }
+  return folders;
+}
+
+/// Whether a name stays inside its folder: each part is a safe file name.
+bool is_inside(std::string_view name) {
+  for (std::size_t start = 0; start <= name.size();) {
+    const std::size_t end = std::min(name.find('/', start), name.size());
+    if (!text::is_file_name(name.substr(start, end - start))) {
+      return false;
+    }
+    start = end + 1;
+  }
+  return true;
+}
+
+bool is_real_folder(const fs::path& path) {
+  std::error_code error;
+  return fs::is_directory(fs::symlink_status(path, error));
+}
+
+Descriptor opened(const fs::path& file, int flags) {
+  return Descriptor(
+      ::open(file.c_str(), flags | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, kReadableByAll));
+}
+
+}  // namespace
+
+/// The folder and its manifest. Names are relative to this folder.
 class OutputFolder::State {
  public:
-  /// `named`: for files named by the user, where the manifest is needed for temporary files only.
-  /// In a shared folder (/tmp) the manifest may belong to another user; then none is used.
-  State(const fs::path& path, bool named) : tree_(path), named_(named) {
-    if (!tree_.is_open() && !named_ && errno != ENOENT) {
-      fail_at("write to", path, std::strerror(errno));
-    }
-    if (tree_.is_open()) {
-      unless_named([this] { manifest_ = manifest_file().read(); });
-    }
-  }
-  ~State();
-  State(const State&) = delete;
-  State& operator=(const State&) = delete;
-
-  const FolderTree& tree() const { return tree_; }
-  /// Throws if the folder of a file named by the user does not exist.
-  void require_folder(const fs::path& file) {
-    tree_.open();
-    if (!tree_.is_open()) {
-      fail_at("write", file, std::strerror(errno));
-    }
+  explicit State(const fs::path& path) : path_(path) {
+    std::error_code error;
+    at_ = path.empty() ? fs::current_path(error) : fs::absolute(path, error);
+    read_manifest();
   }
 
+  const fs::path& path() const { return path_; }
+  fs::path at(const std::string& name) const { return at_ / name; }
+
+  void require_own();
+  void make_own();
+  bool is_file(const std::string& name) const;
   bool owns(const std::string& name) {
     const std::lock_guard lock(mutex_);
-    return manifest_.files.contains(name);
+    return names_.contains(name) && is_file(name);
   }
   std::vector<std::string> files(const std::string& prefix);
-  void require_free(const std::string& name);
-  void plan(const std::set<std::string>& names);
-  /// Lists a file, unless it is listed, and gives it its name. Replaces only its own.
-  bool list_and_name(const std::string& name, const GiveName& give);
-  /// Removes a file that is listed.
-  void remove(const std::string& name);
-  /// The folder of the file `name`, made if needed. Throws StoreError.
-  Descriptor make_parent(const std::string& name);
-  /// Lists the mark of this process before it makes its first temporary file.
-  void mark();
+  /// Prepares a file to be written: makes its folders and lists it.
+  void prepare(const std::string& name);
+  void make_folders(const std::string& name);
+  void remove(const std::string& name) const;
   void clear(const std::string& first, const std::string& kept);
-  void delay_flushing() { delays_flushing_ = true; }
-  bool delays_flushing() const { return delays_flushing_; }
   void flush_later(const std::string& name) {
     const std::lock_guard lock(mutex_);
     not_flushed_.insert(name);
   }
   void flush();
-  /// Removes temporary files of killed processes.
-  void remove_temporary_files() const;
+
+  std::atomic<bool> delays_flushing = false;
 
  private:
-  /// Ignores errors for files named by the user.
-  template <class Act>
-  void unless_named(Act act) {
-    try {
-      act();
-    } catch (const StoreError&) {
-      if (!named_) {
-        throw;
-      }
-    }
-  }
-  ManifestFile manifest_file() const {
-    return {tree_.number(), tree_.path(),
-            !manifest_.files.empty() || !manifest_.folders.empty() || !planned_.empty()};
-  }
-  std::set<std::string> only_planned() const {
-    std::set<std::string> names;
-    std::set_difference(planned_.begin(), planned_.end(), manifest_.files.begin(),
-                        manifest_.files.end(), std::inserter(names, names.end()));
-    return names;
-  }
-  /// The manifest as it is, which another process may have changed, without what is only planned.
-  Manifest read_manifest() const {
-    Manifest manifest = manifest_file().read();
-    for (const std::string& name : only_planned()) {
-      manifest.files.erase(name);
-    }
-    return manifest;
-  }
+  void read_manifest();
+  void list(const std::string& name);
+  void add_to_manifest(std::string text);
 
-  FolderTree tree_;
-  bool named_;
-  std::atomic<bool> delays_flushing_ = false;
-  std::mutex mutex_;  // of all below, and of making the folder
-  Manifest manifest_;
-  std::set<std::string> planned_;  // listed before they are written
+  fs::path path_;                // as given
+  fs::path at_;                  // absolute
+  std::mutex mutex_;             // of what follows
+  std::set<std::string> names_;  // of the manifest
+  bool is_marked_ = false;       // there is a manifest
+  bool has_written_ = false;
   std::set<std::string> not_flushed_;
-  bool marked_ = false;
 };
 
-OutputFolder::State::~State() {
-  if (!marked_) {
+void OutputFolder::State::read_manifest() {
+  std::error_code error;
+  if (!fs::exists(fs::symlink_status(at(kManifest), error))) {
     return;
   }
-  try {
-    if (const std::set<std::string> unmade = only_planned(); !unmade.empty()) {
-      manifest_file().remove_files(unmade);
-    }
-    if (!has_temporary_files(tree_.number())) {
-      manifest_file().remove_if_empty();
-    }
-  } catch (const std::exception&) {  // it stays: that is harmless
+  const Descriptor file = opened(at(kManifest), O_RDONLY);
+  if (!file.is_open()) {
+    fail_at("read", path_ / kManifest);
   }
+  const std::vector<std::uint8_t> bytes = read_whole(at(kManifest), kMaxManifestBytes);
+  const std::string text(bytes.begin(), bytes.end());
+  if (!text.empty() && !text.starts_with(kHeader)) {
+    fail_at("read", path_ / kManifest, "it is not a clca manifest");
+  }
+  is_marked_ = true;
+  constexpr std::string_view kBefore = "file \"";
+  for (std::size_t start = 0; start < text.size();) {
+    const std::size_t end = std::min(text.find('\n', start), text.size());
+    const std::string_view line = std::string_view(text).substr(start, end - start);
+    start = end + 1;
+    if (line.starts_with(kBefore) && line.size() > kBefore.size() && line.back() == '"') {
+      names_.emplace(line.substr(kBefore.size(), line.size() - kBefore.size() - 1));
+    }
+  }
+  if (!std::all_of(names_.begin(), names_.end(), is_inside)) {
+    fail_at("read", path_ / kManifest, "it names files outside of the folder");
+  }
+}
+
+void OutputFolder::State::require_own() {
+  const std::lock_guard lock(mutex_);
+  std::error_code error;
+  fs::directory_iterator it(at_, error);
+  if (error == std::errc::no_such_file_or_directory) {
+    return;
+  }
+  for (const fs::directory_iterator end; !error && it != end && !is_marked_; it.increment(error)) {
+    if (const std::string name = it->path().filename(); !name.starts_with(".clca")) {
+      fail_at("write to", path_,
+              fmt::format("clca did not make the folder, and there are files in it ({}); "
+                          "write elsewhere",
+                          text::shortened(name))
+                  .c_str());
+    }
+  }
+  if (error) {
+    fail_at("write to", path_, std::strerror(error.value()));
+  }
+}
+
+bool OutputFolder::State::is_file(const std::string& name) const {
+  const std::vector<std::string> folders = folders_of(name);
+  std::error_code error;
+  return std::all_of(folders.begin(), folders.end(),
+                     [this](const std::string& below) {
+                       return is_real_folder(at(below.substr(0, below.size() - 1)));
+                     }) &&
+         fs::is_regular_file(fs::symlink_status(at(name), error));
 }
 
 std::vector<std::string> OutputFolder::State::files(const std::string& prefix) {
   const std::lock_guard lock(mutex_);
   std::vector<std::string> there;
-  for (const std::string& name : manifest_.files) {
-    if (name.starts_with(prefix) && tree_.find(name) == Found::file) {
+  for (const std::string& name : names_) {
+    if (name.starts_with(prefix) && is_file(name)) {
       there.push_back(name.substr(prefix.size()));
     }
   }
   return there;
 }
 
-void OutputFolder::State::require_free(const std::string& name) {
-  const std::lock_guard lock(mutex_);
-  const Found found = tree_.find(name);
-  if (found == Found::other) {
-    fail_at("write", tree_.path() / name, "it is not a regular file");
+void OutputFolder::State::make_folders(const std::string& name) {
+  if (!is_marked_) {
+    store::make_folder(at_);
   }
-  if (found == Found::file && !manifest_.files.contains(name)) {
-    manifest_.files.merge(read_manifest().files);
-    if (!manifest_.files.contains(name)) {
-      refuse_foreign(tree_.path() / name);
+  for (const std::string& below : folders_of(name)) {
+    const fs::path folder = at(below.substr(0, below.size() - 1));
+    if (::mkdir(folder.c_str(), 0777) != 0 && errno != EEXIST) {
+      fail_at("make the folder", path_ / below);
+    }
+    if (!is_real_folder(folder)) {
+      fail_at("write to", folder, "it is no folder, or a symbolic link, which is not followed");
     }
   }
 }
 
-void OutputFolder::State::plan(const std::set<std::string>& names) {
-  make_parent("");
-  mark();
+void OutputFolder::State::prepare(const std::string& name) {
+  if (!is_inside(name)) {
+    fail_at("write", path_ / name, "it is no name of a file");
+  }
   const std::lock_guard lock(mutex_);
-  planned_ = names;
-  if (const std::set<std::string> unlisted = only_planned(); !unlisted.empty()) {
-    manifest_file().add_files(unlisted);
+  make_folders(name);
+  if (!std::exchange(has_written_, true)) {
+    std::set<std::string> folders = {""};
+    for (const std::string& listed : names_) {
+      const std::vector<std::string> of_file = folders_of(listed);
+      folders.insert(of_file.begin(), of_file.end());
+    }
+    for (const std::string& below : folders) {
+      remove_abandoned_files(at(below));
+    }
+  }
+  list(name);
+}
+
+void OutputFolder::State::list(const std::string& name) {
+  if (!names_.contains(name)) {
+    add_to_manifest(fmt::format("\nfile \"{}\"\n", name));  // a line may have been cut off
+    names_.insert(name);
   }
 }
 
-bool OutputFolder::State::list_and_name(const std::string& name, const GiveName& give) {
-  const std::lock_guard lock(mutex_);
-  if (manifest_.files.contains(name)) {
-    return manifest_file().replace_file(name, give);
+void OutputFolder::State::add_to_manifest(std::string text) {
+  Descriptor file = opened(at(kManifest), O_WRONLY | O_APPEND | O_CREAT);
+  struct stat status {};
+  if (file.is_open() && ::fstat(file.number(), &status) == 0 && status.st_size == 0) {
+    text.insert(0, kHeader);
   }
-  const bool planned = planned_.contains(name);
-  const bool named = planned ? give(false) : manifest_file().add_file(name, give);
-  if (named) {
-    manifest_.files.insert(name);
-  } else if (planned && errno == EEXIST) {
-    planned_.erase(name);
-    manifest_file().remove_files({name});
-    errno = EEXIST;
+  const auto bytes = std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
+  if (!file.is_open() || !write_all(file.number(), bytes) || !file.close()) {
+    fail_at("write", path_ / kManifest);
   }
-  return named;
+  is_marked_ = true;
+  not_flushed_.insert(kManifest);
 }
 
-void OutputFolder::State::remove(const std::string& name) {
+void OutputFolder::State::make_own() {
+  require_own();
   const std::lock_guard lock(mutex_);
-  if (manifest_.files.contains(name)) {
-    manifest_file().remove_file(name, [&] { tree_.remove(name); });
-    manifest_.files.erase(name);
-    planned_.erase(name);
-  }
+  make_folders("");
+  add_to_manifest("");
 }
 
-Descriptor OutputFolder::State::make_parent(const std::string& name) {
-  const std::lock_guard lock(mutex_);
-  if (!tree_.is_open()) {
-    tree_.make();
-  }
-  return tree_.make_parent(name, [this](const std::string& folder) {
-    manifest_file().add_folder(folder);
-    manifest_.folders.insert(folder);
-  });
-}
-
-void OutputFolder::State::mark() {
-  const std::lock_guard lock(mutex_);
-  if (!marked_) {
-    remove_temporary_files();
-    unless_named([this] { manifest_file().add_temporary(mark_of_process()); });
-    marked_ = true;
+void OutputFolder::State::remove(const std::string& name) const {
+  if (is_file(name) && ::unlink(at(name).c_str()) != 0 && errno != ENOENT) {
+    fail_at("remove", path_ / name);
   }
 }
 
 void OutputFolder::State::clear(const std::string& first, const std::string& kept) {
-  mark();
   const std::lock_guard lock(mutex_);
-  manifest_ = read_manifest();
-  if (manifest_.files.contains(first)) {
-    tree_.remove(first);
+  read_manifest();  // another process may have added names
+  if (names_.contains(first)) {
+    remove(first);
   }
-  Manifest left;
-  for (const std::string& name : manifest_.files) {
-    if (name == kept) {
-      left.files.insert(name);
-    } else {
-      tree_.remove(name);
+  std::set<std::string> folders;
+  for (const std::string& name : names_) {
+    if (name != kept) {
+      remove(name);
     }
+    const std::vector<std::string> of_file = folders_of(name);
+    folders.insert(of_file.begin(), of_file.end());
   }
-  const std::vector<std::string> inner_first(manifest_.folders.rbegin(), manifest_.folders.rend());
-  for (const std::string& name : inner_first) {
-    if (!tree_.remove_folder(name)) {
-      left.folders.insert(name);
-    }
-  }
-  left.temporary = {mark_of_process()};
-  const Manifest before = std::exchange(manifest_, left);
-  if (before != left) {
-    left.files.insert(planned_.begin(), planned_.end());
-    manifest_file().replace(before, left, [this](const std::string& name) {
-      return tree_.find(name) != Found::nothing;
-    });
-    manifest_ = read_manifest();
-  }
+  std::for_each(folders.rbegin(), folders.rend(),  // inner ones first
+                [this](const std::string& below) { ::rmdir(at(below).c_str()); });
 }
 
 void OutputFolder::State::flush() {
@@ -247,24 +277,25 @@ void OutputFolder::State::flush() {
     const std::lock_guard lock(mutex_);
     names.swap(not_flushed_);
   }
-  tree_.flush(names);
-}
-
-void OutputFolder::State::remove_temporary_files() const {
-  std::set<std::string> folders = manifest_.folders;
-  folders.insert("");
-  for (const std::string& name : manifest_.files) {
-    folders.insert(folder_and_leaf(name).first);
+  const auto open = [this](const std::string& name) {
+    Descriptor file = opened(at(name), O_RDONLY);
+    if (!file.is_open() && errno != ENOENT) {
+      fail_at("write", path_ / name);
+    }
+    return file;
+  };
+  for (const std::string& name : names) {  // all on their way before the first is waited for
+    ::sync_file_range(open(name).number(), 0, 0, SYNC_FILE_RANGE_WRITE);
   }
-  for (const std::string& below : folders) {
-    const Descriptor folder = tree_.parent(below.empty() ? below : below + "/");
-    if (folder.is_open()) {
-      remove_abandoned_files(folder.number(), manifest_.temporary);
+  for (const std::string& name : names) {
+    const Descriptor file = open(name);
+    if (file.is_open() && ::fsync(file.number()) != 0) {
+      fail_at("write", path_ / name);
     }
   }
 }
 
-OutputFolder::OutputFolder(const fs::path& path) : state_(std::make_shared<State>(path, false)) {}
+OutputFolder::OutputFolder(const fs::path& path) : state_(std::make_shared<State>(path)) {}
 
 OutputFolder::OutputFolder(std::shared_ptr<State> state, std::string prefix)
     : state_(std::move(state)), prefix_(std::move(prefix)) {}
@@ -274,12 +305,20 @@ OutputFolder OutputFolder::subfolder(const std::string& name) const {
 }
 
 fs::path OutputFolder::path() const {
-  const fs::path& root = state_->tree().path();
+  const fs::path& root = state_->path();
   return prefix_.empty() ? root : root / prefix_.substr(0, prefix_.size() - 1);
 }
 
 fs::path OutputFolder::path(const std::string& name) const {
-  return state_->tree().path() / (prefix_ + name);
+  return state_->path() / (prefix_ + name);
+}
+
+void OutputFolder::require_own() const {
+  state_->require_own();
+}
+
+void OutputFolder::make_own() const {
+  state_->make_own();
 }
 
 bool OutputFolder::owns(const std::string& name) const {
@@ -290,123 +329,57 @@ std::vector<std::string> OutputFolder::files() const {
   return state_->files(prefix_);
 }
 
-void OutputFolder::require_free(const std::string& name) const {
-  state_->require_free(prefix_ + name);
-}
-
-void OutputFolder::plan(const std::set<std::string>& names) const {
-  state_->plan(names);
-}
-
 void OutputFolder::make_folder(const std::string& name) const {
-  state_->make_parent(prefix_ + name + "/");
+  state_->make_folders(prefix_ + name + "/");
 }
 
-AtomicFile OutputFolder::create(const std::string& name, Replace replace) const {
+AtomicFile OutputFolder::create(const std::string& name) const {
   const std::string whole = prefix_ + name;
-  if (replace == Replace::own && !is_inside(whole)) {
-    fail_at("write", path(name), "it is no name of a file");
-  }
-  if (replace == Replace::named) {
-    state_->require_folder(path(name));
-    if (name.starts_with(".clca")) {
-      fail_at("write", path(name), "clca has files of its own with such names");
-    }
-  }
-  auto file = std::make_unique<AtomicFile::State>();
-  file->path = path(name);
-  file->folder = state_->make_parent(whole);
-  file->name = folder_and_leaf(whole).second;
-  if (replace == Replace::own) {
-    require_free(name);
-    file->list_and_name = [state = state_, whole](const GiveName& give) {
-      return state->list_and_name(whole, give);
-    };
-    if (state_->delays_flushing()) {
-      file->flush_later = [state = state_, whole] { state->flush_later(whole); };
-    }
-  } else {
-    if (found_in(file->folder.number(), file->name) == Found::other) {
-      fail_at("write", file->path, "it is not a regular file");
-    }
-    // The folder is needed until the end, when it removes a manifest that is empty.
-    file->list_and_name = [state = state_](const GiveName& give) { return give(true); };
-  }
-  state_->mark();
-  std::tie(file->file, file->temporary) = locked_temporary_file(file->folder.number(), file->path);
-  return AtomicFile(std::move(file));
+  state_->prepare(whole);
+  return {state_->at(whole), state_->delays_flushing
+                                 ? [state = state_, whole] { state->flush_later(whole); }
+                                 : std::function<void()>()};
 }
 
-void OutputFolder::write(const std::string& name, std::span<const std::uint8_t> bytes,
-                         Replace replace) const {
-  AtomicFile file = create(name, replace);
+void OutputFolder::write(const std::string& name, std::span<const std::uint8_t> bytes) const {
+  AtomicFile file = create(name);
   file.write(bytes);
   file.finish();
 }
 
-void OutputFolder::write(const std::string& name, std::string_view text, Replace replace) const {
-  write(name, std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()), replace);
+void OutputFolder::write(const std::string& name, std::string_view text) const {
+  write(name, std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
 }
 
 int OutputFolder::open_to_append(const std::string& name) const {
-  const std::string whole = prefix_ + name;
-  const Descriptor folder = state_->make_parent(whole);
-  require_free(name);
-  const std::string leaf = folder_and_leaf(whole).second;
-  Descriptor file;
-  const bool opened = state_->list_and_name(whole, [&](bool replace) {
-    constexpr int kFlags = O_WRONLY | O_APPEND | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC;
-    file = Descriptor(
-        ::openat(folder.number(), leaf.c_str(), kFlags | (replace ? 0 : O_EXCL), kReadableByAll));
-    return file.is_open();
-  });
-  if (!opened && errno == EEXIST) {
-    refuse_foreign(path(name));
-  }
-  if (!opened) {
-    fail_at("write", path(name), std::strerror(errno));
+  state_->prepare(prefix_ + name);
+  Descriptor file = opened(state_->at(prefix_ + name), O_WRONLY | O_APPEND | O_CREAT);
+  if (!file.is_open()) {
+    fail_at("write", path(name));
   }
   return file.release();
 }
 
 bool OutputFolder::truncate(const std::string& name, std::uint64_t bytes) const {
-  require_free(name);
-  const Descriptor folder = state_->tree().parent(prefix_ + name);
-  const std::string leaf = folder_and_leaf(prefix_ + name).second;
-  if (!folder.is_open() || found_in(folder.number(), leaf) == Found::nothing) {
+  const Descriptor file = opened(state_->at(prefix_ + name), O_RDWR);
+  if (!file.is_open() && errno == ENOENT) {
     return bytes == 0;
   }
-  // Opened first: over NFS the size of a file that is not open may be an old one.
-  Descriptor file(
-      ::openat(folder.number(), leaf.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
   struct stat status {};
   if (!file.is_open() || ::fstat(file.number(), &status) != 0) {
-    fail_at("write", path(name), std::strerror(errno));
+    fail_at("write", path(name));
   }
-  const auto size = static_cast<std::uint64_t>(status.st_size);
-  if (size < bytes || (size == bytes && status.st_nlink == 1)) {
-    return size == bytes;
-  }
-  if (status.st_nlink > 1) {  // of a backup, which is not to be changed
-    std::vector<std::uint8_t> block(1U << 16U);
-    AtomicFile copy = create(name);
-    ssize_t count = 0;
-    while (copy.size() < bytes && (count = ::read(file.number(), block.data(), block.size())) > 0) {
-      const std::uint64_t left = bytes - copy.size();
-      copy.write(
-          std::span(block).first(std::min<std::uint64_t>(left, static_cast<std::uint64_t>(count))));
-    }
-    copy.finish();
-    return true;
+  if (std::cmp_less(status.st_size, bytes)) {
+    return false;
   }
   if (::ftruncate(file.number(), static_cast<off_t>(bytes)) != 0) {
-    fail_at("write", path(name), std::strerror(errno));
+    fail_at("write", path(name));
   }
   return true;
 }
 
 void OutputFolder::delay_flushing() const {
-  state_->delay_flushing();
+  state_->delays_flushing = true;
 }
 
 void OutputFolder::flush_later(const std::string& name) const {
@@ -418,42 +391,32 @@ void OutputFolder::flush() const {
 }
 
 void OutputFolder::rename(const std::string& from, const std::string& to) const {
-  require_free(from);
-  require_free(to);
-  const Descriptor folder = state_->tree().parent(prefix_ + from);
-  const Descriptor target = state_->tree().parent(prefix_ + to);
-  if (!folder.is_open() || !target.is_open() ||
-      found_in(folder.number(), folder_and_leaf(prefix_ + from).second) == Found::nothing) {
+  if (!state_->is_file(prefix_ + from)) {
     return;
   }
-  const bool renamed = state_->list_and_name(prefix_ + to, [&](bool /*replace*/) {
-    return ::renameat(folder.number(), folder_and_leaf(prefix_ + from).second.c_str(),
-                      target.number(), folder_and_leaf(prefix_ + to).second.c_str()) == 0;
-  });
-  if (!renamed && errno != ENOENT) {
-    fail_at("write", path(to), std::strerror(errno));
+  state_->prepare(prefix_ + to);
+  if (::rename(state_->at(prefix_ + from).c_str(), state_->at(prefix_ + to).c_str()) != 0) {
+    fail_at("write", path(to));
   }
 }
 
 void OutputFolder::remove(const std::string& name) const {
-  state_->remove(prefix_ + name);
+  if (owns(name)) {
+    state_->remove(prefix_ + name);
+  }
 }
 
 void OutputFolder::clear(const std::string& first, const std::string& kept) const {
   state_->clear(first, kept);
 }
 
-void OutputFolder::remove_temporary_files() const {
-  state_->remove_temporary_files();
-}
-
-OutputFile named_file(const fs::path& path) {
-  return {OutputFolder(std::make_shared<OutputFolder::State>(path.parent_path(), true), ""),
-          path.filename().string(), Replace::named};
-}
-
 OutputFolder named_folder(const fs::path& named, const fs::path& run, const std::string& below) {
-  return named.empty() ? OutputFolder(run).subfolder(below) : OutputFolder(named);
+  if (named.empty()) {
+    return OutputFolder(run).subfolder(below);
+  }
+  OutputFolder folder(named);
+  folder.require_own();
+  return folder;
 }
 
 }  // namespace clca::store

@@ -51,22 +51,18 @@ bool is_of_run(const OutputFolder& files) {
 
 RunFolder::RunFolder(const fs::path& path, FolderLock lock)
     : path_(path), lock_(std::move(lock)), files_(path) {
-  files_.remove_temporary_files();
   files_.delay_flushing();
 }
 
 RunFolder RunFolder::for_new_run(const fs::path& path) {
   {
     const OutputFolder files(path);
+    files.require_own();
     const std::vector<std::string> there = files.files();
     if (!there.empty() && !is_of_run(files)) {
       throw StoreError(fmt::format(
           "cannot run in {}: clca has written something else than a run there ({}); run elsewhere",
           path.string(), there.front()));
-    }
-    for (const char* name :
-         {kSceneFile, kSummaryFile, kLogFile, kCheckpointFile, kCheckpointBefore}) {
-      files.require_free(name);
     }
   }
   make_folder(path);
@@ -133,9 +129,7 @@ std::optional<EarlierRun> RunFolder::earlier_run() const {
 }
 
 // run.json first, so that the rest is not mistaken for a complete run.
-void RunFolder::start_over(const Checkpoint& start, std::set<std::string> planned) const {
-  planned.insert({kCheckpointFile, kSummaryFile, kSceneFile, kLogFile});
-  files_.plan(planned);
+void RunFolder::start_over(const Checkpoint& start) const {
   replace_checkpoint(files_, start);
   files_.clear(kSummaryFile, kCheckpointFile);
 }

@@ -15,8 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kRuns = "runs.csv";
-constexpr const char* kMeasures = "measures.csv";
 constexpr const char* kOverview = "overview.png";
 
 std::string to_json(const Plan& plan, const std::vector<store::TableSummary>& tables,
@@ -47,9 +45,7 @@ SweepFolder::SweepFolder(const fs::path& path) : files_(path) {
     throw store::StoreError(fmt::format(
         "cannot sweep in {}: it is the folder of a run; write elsewhere", files_.path().string()));
   }
-  for (const char* name : {kRuns, kMeasures, kOverview}) {
-    files_.require_free(name);
-  }
+  files_.require_own();
 }
 
 void SweepFolder::begin(const Plan& plan) const {
@@ -70,18 +66,13 @@ void SweepFolder::write_tables(const std::vector<NamedTable>& tables) const {
 }
 
 void SweepFolder::write_means(const std::vector<NamedTable>& means) const {
-  std::error_code error;
-  std::vector<std::string> old;
-  for (fs::directory_iterator it(files_.path(), error), end; !error && it != end;
-       it.increment(error)) {
-    const std::string name = it->path().filename().string();
+  for (const std::string& name : files_.files()) {
     const bool is_new = std::ranges::any_of(
         means, [&name](const NamedTable& table) { return store::table_name(table.name) == name; });
     if (name.starts_with("mean-") && !is_new) {
-      old.push_back(name);
+      files_.remove(name);
     }
   }
-  std::ranges::for_each(old, [this](const std::string& name) { files_.remove(name); });
   write_tables(means);
 }
 

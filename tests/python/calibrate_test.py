@@ -140,7 +140,7 @@ class CalibrateTest(ScratchTest):
         (self.folder / "found/parameters.csv").write_text("mine")
         told = self.study()
         self.assertNotEqual(told.returncode, 0)
-        with self.assertRaisesRegex(clca.Error, "clca did not write the file that is there"):
+        with self.assertRaisesRegex(clca.Error, "clca did not make the folder"):
             clca.calibrate("scene.yaml", {"flow.runout_99": (12, 1)}, {"rules.inertia": (0, 0.9)}, output="found")
         self.assertEqual((self.folder / "found/parameters.csv").read_text(), "mine")
 

@@ -144,7 +144,7 @@ class CompareTest(FolderTest):
         Path("mine").mkdir()
         Path("mine/comparison.png").write_text("mine")
         result = subprocess.run([PROGRAM, "compare", "grains", "gas", "-o", "mine"], capture_output=True, text=True)
-        self.assertIn("clca did not write the file that is there", result.stderr)
+        self.assertIn("clca did not make the folder", result.stderr)
         self.assertEqual([path.name for path in Path("mine").iterdir()], ["comparison.png"])
 
     def test_takes_the_last_stage_with_a_table_and_the_latest_time_unless_told_otherwise(self):
@@ -242,7 +242,7 @@ class PythonTest(FolderTest):
         clca.compare("grains", "gas", "out")
         Path("mine").mkdir()
         Path("mine/distances.csv").write_text("mine")
-        with self.assertRaisesRegex(clca.Error, "mine/distances.csv: clca did not write the file that is there"):
+        with self.assertRaisesRegex(clca.Error, r"mine: clca did not make the folder, and there are files in it \(distances.csv\)"):
             clca.compare("grains", "gas", "mine")
         self.assertEqual(Path("mine/distances.csv").read_text(), "mine")
         with self.assertRaisesRegex(clca.Error, "found boltzmann"):

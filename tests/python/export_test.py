@@ -271,16 +271,6 @@ class ExportTest(ScratchTest):
         self.assertIn("part-000000.h5: it is cut off", refused("run", "--format", "vtp"))
         self.assertFalse(Path("run/export").exists())
 
-    def test_a_file_that_is_not_its_own_stays(self):
-        clca.run(PERIODIC, output="run")
-        Path("run/export").mkdir()
-        Path("run/export/scene-000006.vtp").write_text("mine")
-        result = subprocess.run([PROGRAM, "export", "run", "--format", "vtp"], capture_output=True, text=True)
-        self.assertEqual(result.returncode, 1)
-        self.assertIn("clca did not write the file that is there", result.stderr)
-        self.assertEqual(Path("run/export/scene-000006.vtp").read_text(), "mine")
-        self.assertFalse(Path("run/export/scene.pvd").exists())
-
     def test_a_full_disk_is_a_failure_that_leaves_nothing(self):
         clca.run(PLATE, output="run")
         for form in FORMATS:

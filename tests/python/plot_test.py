@@ -251,10 +251,10 @@ class CommandTest(ScratchTest):
         self.refused(1, "no Python module numpy; install python3-numpy", "run", environment={"CLCA_PYTHON": str(fake)})
         fake.write_text("#!/bin/sh\nkill -9 $$\n")
         self.refused(1, "fails with exit code 137", "run", environment={"CLCA_PYTHON": str(fake)})
-        (self.folder / "run/plots").mkdir()
-        (self.folder / "run/plots/profile.png").write_text("mine")
-        self.refused(1, "clca did not write the file", "run", "--only", "profile")
-        self.assertEqual((self.folder / "run/plots/profile.png").read_text(), "mine")
+        (self.folder / "mine").mkdir()
+        (self.folder / "mine/profile.png").write_text("mine")
+        self.refused(1, "clca did not make the folder", "run", "--only", "profile", "-o", "mine")
+        self.assertEqual((self.folder / "mine/profile.png").read_text(), "mine")
 
     def test_a_signal_ends_both(self):
         clca.run(SCENE, output="run")

@@ -3,23 +3,26 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string_view>
 
 namespace clca::store {
 
-/// Made by OutputFolder::create(). Writes to a temporary file beside it until finish(); without
-/// finish() that is removed and the old file stays.
-/// All functions throw StoreError; nothing can be written after that.
+/// Writes to a temporary file beside the target until finish(); without finish() that is removed
+/// and the old file stays. All functions throw StoreError; nothing can be written after that.
 class AtomicFile {
  public:
+  /// A file named by the user. Its folder must exist, and what has its name be a regular file.
+  explicit AtomicFile(const std::filesystem::path& path);
   ~AtomicFile();
   AtomicFile(AtomicFile&& other) noexcept;
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
   AtomicFile& operator=(AtomicFile&&) = delete;
 
+  std::filesystem::path path() const;
   /// Another program may write to this path instead of write().
   std::filesystem::path temporary_path() const;
   /// Appends.
@@ -34,9 +37,13 @@ class AtomicFile {
  private:
   friend class OutputFolder;
   struct State;
-  explicit AtomicFile(std::unique_ptr<State> state);
+  /// `flush_later`: called once it has its name, if it is not flushed yet; none: it is before.
+  AtomicFile(const std::filesystem::path& path, std::function<void()> flush_later);
 
   std::unique_ptr<State> state_;
 };
+
+/// Removes temporary files of killed processes.
+void remove_abandoned_files(const std::filesystem::path& folder);
 
 }  // namespace clca::store

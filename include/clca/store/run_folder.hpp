@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
-#include <set>
 #include <string>
 #include <string_view>
 
@@ -46,7 +45,7 @@ struct EarlierRun {
 class RunFolder {
  public:
   /// For a new run. Makes the folder if needed and changes nothing in it. Throws StoreError, also
-  /// if another run is active there or clca has written something else there.
+  /// if another run is active there, or something else is there than a run.
   static RunFolder for_new_run(const std::filesystem::path& path);
   /// For a resumed run. Throws StoreError, also if no run has started there.
   static RunFolder for_resumed_run(const std::filesystem::path& path);
@@ -58,10 +57,9 @@ class RunFolder {
   /// can be read.
   std::optional<EarlierRun> earlier_run() const;
 
-  /// Starts a run that is going to write the files `planned` and those of every run: replaces the
-  /// checkpoint by `start`, then removes all else that clca has written there. May be repeated
-  /// until it succeeds.
-  void start_over(const Checkpoint& start, std::set<std::string> planned) const;
+  /// Replaces the checkpoint by `start`, then removes all else that clca has written there. May be
+  /// repeated until it succeeds.
+  void start_over(const Checkpoint& start) const;
   /// Removes the pictures of steps after `last_step`; all if none.
   void remove_frames_after(std::optional<std::uint64_t> last_step) const;
 

@@ -19,7 +19,7 @@ import numpy
 from . import _answer
 from ._arguments import absolute, plain, to_yaml, whole
 from ._error import ArgumentError, Error
-from ._folder import Sweep, read_json, write_file
+from ._folder import Sweep, make_own, read_json, write_file
 from ._surrogate import Likely, Numbers, Surrogate, likely, sobol
 from ._table import Table, quantities, read_table
 
@@ -563,9 +563,7 @@ def calibrate(
     study = study_of(said | {"check": check}, refuse)
     folder = absolute(output if output is not None else Path("renders") / f"{study.tests[0].name}-calibration")
 
-    foreign = [name for name in FILES if (folder / name).exists()]
-    if foreign and "calibration.json" not in foreign:
-        raise Error(f"cannot write {folder / foreign[0]}: clca did not write the file that is there")
+    make_own(folder)
     following = step(study, folder, 0)
     for number in count(1):
         if isinstance(following, Answer):

@@ -23,7 +23,7 @@ from ._arguments import absolute
 from ._chart import Look, rendered
 from ._error import Error, WriteError
 from ._figures import Choice, chosen
-from ._folder import MANIFEST, Run, read_json, write_file
+from ._folder import Run, make_own, read_json, write_file
 from ._table import Table
 
 ROUNDING = 1e-6  # tables may be cut to fewer digits
@@ -186,13 +186,7 @@ def compare(
     folder = absolute(output)
     grains, gas = run_of(automaton, MODELS), run_of(boltzmann, GAS)
     files, _ = compared(grains, gas, folder, stage, None if time is None else float(time), restitution)
-    manifest = folder / MANIFEST
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-        if not manifest.exists():
-            manifest.write_text("clca manifest 1\n")
-    except OSError as error:
-        raise WriteError(f"cannot write {folder}: {error.strerror}") from None
+    make_own(folder)
     for name, content in files.items():
         write_file(folder / name, content, is_listed=True)
     return Run(folder)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import fcntl
 import json
 import os
 from collections.abc import Iterator, Sequence
@@ -44,15 +43,27 @@ def read_json(file: Path) -> dict[str, Any]:
     return found
 
 
+def make_own(folder: Path) -> None:
+    """Makes a folder that clca may write into: it lists its files in a manifest. Throws Error if others have files there."""
+    manifest = folder / MANIFEST
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        if not manifest.exists():
+            for file in folder.iterdir():
+                if not file.name.startswith(".clca"):
+                    reason = f"clca did not make the folder, and there are files in it ({file.name}); write elsewhere"
+                    raise WriteError(f"cannot write to {folder}: {reason}")
+            manifest.write_text("clca manifest 1\n")
+    except OSError as error:
+        raise WriteError(f"cannot write to {folder}: {error.strerror}") from None
+
+
 def write_file(file: Path, content: bytes, is_listed: bool) -> None:
     """A whole file. One that the manifest of its folder lists is removed by the next run into it. Throws Error."""
-    new, line, manifest = file.with_name(f".{file.name}.new"), f'file "{file.name}"\n', file.with_name(MANIFEST)
+    new, line, manifest = file.with_name(f".{file.name}.new"), f'\nfile "{file.name}"\n', file.with_name(MANIFEST)
     try:
         if is_listed and manifest.is_file() and line not in manifest.read_text():
-            if file.exists():
-                raise WriteError(f"cannot write {file}: clca did not write the file that is there")
             with manifest.open("a") as lines:
-                fcntl.flock(lines, fcntl.LOCK_EX)
                 lines.write(line)
         try:
             new.write_bytes(content)
