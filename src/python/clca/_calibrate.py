@@ -20,6 +20,7 @@ from . import _answer
 from ._arguments import absolute, plain, to_yaml, whole
 from ._error import ArgumentError, Error
 from ._folder import Sweep, read_json, write_file
+from ._notebook import Progress
 from ._surrogate import Likely, Numbers, Surrogate, likely, sobol
 from ._table import Table, quantities, read_table
 
@@ -537,6 +538,7 @@ def calibrate(
     check: int = 8,
     output: str | os.PathLike[str] | None = None,
     jobs: int | None = None,
+    progress: bool | Callable[[Progress], object] = False,
 ) -> Calibration:
     """Finds values of parameters with which a scene gives what was measured, as `clca calibrate` does.
 
@@ -546,8 +548,8 @@ def calibrate(
 
     A first round runs `points` points (a power of two) with `seeds` seeds each; each of `rounds` further rounds adds half as
     many where the answer may be; `check` seeds run at the answer. `output` is the folder, `renders/NAME-calibration`
-    by default; runs that are there already are not run again. `jobs` is as for `sweep`. Throws Error. It needs SciPy and
-    scikit-learn.
+    by default; runs that are there already are not run again. `jobs` and `progress` (of each round) are as for `sweep`.
+    Throws Error. It needs SciPy and scikit-learn.
     """
     from ._start import sweep
 
@@ -571,7 +573,7 @@ def calibrate(
         if isinstance(following, Answer):
             break
         for test, rows, numbers, there in following:
-            sweep(test.scene, numbers, {tuple(study.vary): rows}, test.set, there, jobs)
+            sweep(test.scene, numbers, {tuple(study.vary): rows}, test.set, there, jobs, progress)
         following = step(study, folder, number)
     assert isinstance(following, Answer)
     for name, content in files_of(*content_of(following)):

@@ -24,7 +24,7 @@ from ._chart import Look, rendered
 from ._error import Error, WriteError
 from ._figures import Choice, chosen
 from ._folder import MANIFEST, Run, read_json, write_file
-from ._table import Table
+from ._table import Table, is_numeric
 
 ROUNDING = 1e-6  # tables may be cut to fewer digits
 MODELS, GAS = ("automaton", "contact", "voids", "baxter"), ("boltzmann",)
@@ -67,7 +67,7 @@ def shares_of(file: Path, table: Table, column: str) -> list[float]:
     """Shares of equally probable bins: their sum is 1, or all are 0."""
     numbers, reference = (column_of(file, table, name) for name in (column, "reference"))
     for name, cells in ((column, numbers), ("reference", reference)):
-        if len(cells) and not (cells.dtype.kind == "f" and numpy.isfinite(cells).all()):
+        if len(cells) and not (is_numeric(cells) and numpy.isfinite(cells).all()):
             raise Error(f"{file}: not all in column '{name}' are numbers")
     if len(reference) and numpy.abs(reference - 1 / len(reference)).max() > ROUNDING:
         raise Error(f"{file}: its bins are not equally probable ones (bins: q20 in the scene)")

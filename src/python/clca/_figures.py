@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from ._chart import THEORY, Axis, Chart, Curve, Panel, running_mean
 from ._error import Error
 from ._folder import Run, Sweep
-from ._table import TEXT, Table, numbers_of
+from ._table import TEXT, Table, is_numeric, numbers_of
 
 LABEL = frozenset("0123456789abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_-+.")
 NONE = numpy.empty(0)
@@ -67,7 +67,7 @@ class Source:
             if "stage" in table.names:
                 keep &= numpy.array([self.is_wanted(str(stage)) for stage in table["stage"]], bool)
             time = "time" if "time" in table.names else "step"
-            if time in table.names and table[time].dtype.kind == "f":
+            if time in table.names and is_numeric(table[time]):
                 keep &= table[time] >= (-math.inf if choice.first is None else choice.first)
                 keep &= table[time] <= (math.inf if choice.last is None else choice.last)
             self._tables[name] = table[keep]
@@ -104,7 +104,7 @@ def has(table: Table, column: str) -> bool:
     if column not in table.names:
         return False
     cells = table[column]
-    return bool(numpy.any(numpy.isfinite(cells) & (cells != 0))) if cells.dtype.kind == "f" else len(cells) > 0
+    return bool(numpy.any(numpy.isfinite(cells) & (cells != 0))) if is_numeric(cells) else len(cells) > 0
 
 
 def time_of(table: Table) -> str:
@@ -112,7 +112,7 @@ def time_of(table: Table) -> str:
 
 
 def text_of(value: Any) -> str:
-    return f"{value:g}" if isinstance(value, float) else str(value)
+    return str(value) if isinstance(value, str) else f"{value:g}"
 
 
 def groups_of(table: Table, column: str) -> list[tuple[str, Table]]:
@@ -120,7 +120,7 @@ def groups_of(table: Table, column: str) -> list[tuple[str, Table]]:
     if column not in table.names:
         return [("", table)]
     cells = table[column]
-    values = sorted(set(cells[numpy.isfinite(cells)])) if cells.dtype.kind == "f" else list(dict.fromkeys(cells))
+    values = sorted(set(cells[numpy.isfinite(cells)])) if is_numeric(cells) else list(dict.fromkeys(cells))
     return [(text_of(value), table[cells == value]) for value in values]
 
 
@@ -171,6 +171,24 @@ def lines(source: Source, figure: Figure, files: Files, part: str) -> Panel:
         curves = [curve_of(source, group, rows, x, figure.y, style=figure.style) for group, rows in groups]
         label = table.label(figure.y)
     return Panel(curves, Axis(table.label(x)), Axis(label, figure.log, figure.zero, high=figure.top), part)
+
+
+def outflow_rate(source: Source, figure: Figure, files: Files, part: str) -> Panel:
+    """Over a twentieth of the time in which something left, or over as many rows as are chosen."""
+    table, units = files[0][1], source.folder.summary.get("units", {})
+    name, mass = time_of(table), units.get("site_mass")
+    time, left = table[name].astype(float), (mass or 1) * table[figure.y]
+    while_leaving = time[(left > left[0]) & (left < left[-1])]
+    window = float(numpy.ptp(while_leaving if len(while_leaving) else time)) / 20
+    if source.choice.mean > 1:
+        window = source.choice.mean * float(numpy.median(numpy.diff(numpy.unique(time))))
+    begin, end = (time - window / 2).clip(time[0]), (time + window / 2).clip(max=time[-1])
+    rate = (numpy.interp(end, time, left) - numpy.interp(begin, time, left)) / (end - begin)
+    parts = [(stage, table["stage"] == stage) for stage in dict.fromkeys(table["stage"])]
+    curves = [Curve(stage, time[rows], rate[rows]) for stage, rows in parts if numpy.ptp(left[rows]) > 0]
+    unit = table.units[name] or name
+    y = f"Outflow, mean over {window:.2g} {unit}{'s' * (unit == 'step')} ({'sites' if mass is None else 'kg'}/{unit})"
+    return Panel(curves, Axis(table.label(name)), Axis(y, zero=True), part)
 
 
 def profile(source: Source, figure: Figure, files: Files, part: str) -> Panel:
@@ -469,6 +487,9 @@ FIGURES = [
     Figure("particles", "series", "particles", "Particles in the box, where some enter or leave.", zero=True),
     Figure("outflow", "series", "discharged_sites",
            "What has left through outlets; the slope is the outflow.", 8, zero=True),
+    Figure("outflow-rate", "series", "discharged_sites",
+           "Outflow: what leaves through outlets, a running mean over a twentieth of the time in which it leaves.",
+           7.5, draw=outflow_rate),
     Figure("outflow-apart", "series", "discharged.*",
            "What has left through each outlet, and of each species.", 7, zero=True),
     Figure("probe-flow", "probes", "flow", "Flow through each probe, downwards.", 6, by="probe"),
@@ -565,7 +586,7 @@ def check_numbers(source: Source, name: str, figure: Figure) -> None:
     """Throws Error where a cell of what the figure needs is no number."""
     table = source.table(name)
     for column in (*figure.y.split("/"), figure.x, *figure.needs):
-        if column in table.names and column not in TEXT and table[column].dtype.kind != "f":
+        if column in table.names and column not in TEXT and not is_numeric(table[column]):
             cells = enumerate(source.folder.table(name)[column], 2)
             line, cell = next((line, str(cell)) for line, cell in cells if isinstance(numbers_of([cell]), list))
             raise Error(f"{name}.csv: line {line}: {cell!r} in column {column!r} is no number")
@@ -627,7 +648,7 @@ def column_chart(source: Source, y: str) -> Chart:
     if not x:
         raise Error(f"{where}: say which column is x")
     for column in filter(None, (x, y, choice.y2)):
-        if table[column].dtype.kind != "f":
+        if not is_numeric(table[column]):
             raise Error(f"{where}: column '{column}' is not of numbers")
     groups = groups_of(table, by)
     curves = [curve_of(source, group, rows, x, y) for group, rows in groups]

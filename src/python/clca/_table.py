@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from ._error import Error
 
 T = TypeVar("T")
+COUNTED = ("", "particles", "sites", "moves", "step")  # units of numbers that may be whole
 
 # Columns of names, which may look like numbers. Other columns are text where a cell is no number.
 TEXT = {"stage", "species", "wall", "probe", "line", "measure", "status", "state_hash", "folder", "error"}
@@ -51,7 +52,8 @@ class Value(float):
         return value
 
     def __repr__(self) -> str:
-        return f"{float(self):.6g} {self.unit}".rstrip()
+        is_count = self.unit in COUNTED and self.is_integer()
+        return f"{int(self) if is_count else format(float(self), '.6g')} {self.unit}".rstrip()
 
     def __reduce__(self) -> tuple[Any, ...]:
         return Value, (float(self), self.name, self.unit, self.description)
@@ -126,6 +128,11 @@ class Table(numpy.ndarray[Any, numpy.dtype[Any]]):
         """`Mean height of the particles (spacings)`; the column itself where nothing is known of it."""
         return self._quantities.get(column, Quantity(column)).label()
 
+    def _repr_html_(self) -> str | None:
+        from ._notebook import shown
+
+        return shown(self)
+
     def to_pandas(self) -> Any:
         """The same as a `pandas.DataFrame`, where pandas is installed."""
         import pandas  # type: ignore[import]
@@ -133,12 +140,18 @@ class Table(numpy.ndarray[Any, numpy.dtype[Any]]):
         return pandas.DataFrame({name: self[name] for name in self.names})
 
 
-def numbers_of(cells: Sequence[str]) -> Any:
-    """An array if all cells are numbers or empty, else the cells."""
+def is_numeric(cells: NDArray[Any]) -> bool:
+    return cells.dtype.kind in "if"
+
+
+def numbers_of(cells: Sequence[str], unit: str = "") -> Any:
+    """An array if all cells are numbers or empty, of whole numbers where all are and may be; else the cells."""
     try:
-        return numpy.array([cell or "nan" for cell in cells], dtype=float)
+        numbers = numpy.array([cell or "nan" for cell in cells], dtype=float)
     except ValueError:
         return list(cells)
+    is_whole = unit in COUNTED and len(numbers) and (numpy.abs(numbers) < 2**53).all() and (numbers % 1 == 0).all()
+    return numbers.astype(int) if is_whole else numbers
 
 
 def check_regular(file: Path) -> None:
@@ -163,7 +176,8 @@ def read_table(file: Path, known: Mapping[str, Quantity]) -> Table:
     if not names or len(set(names)) < len(names) or wrong is not None:
         raise Error(f"cannot read {file}: line {1 if wrong is None else 2 + wrong}: cut off or no row of the table")
     columns = list(zip(*cells)) if cells else [()] * len(names)
+    what = [known.get(name, Quantity(name)) for name in names]
     return Table(
-        (name, list(column) if name in TEXT else numbers_of(column), known.get(name, Quantity(name)))
-        for name, column in zip(names, columns)
+        (name, list(column) if name in TEXT else numbers_of(column, of.unit), of)
+        for name, column, of in zip(names, columns, what)
     )
