@@ -24,7 +24,7 @@ from ._chart import Look, rendered
 from ._error import Error, WriteError
 from ._figures import Choice, chosen
 from ._folder import MANIFEST, Run, read_json, write_file
-from ._table import Table, is_numeric
+from ._table import Table, csv_of, is_numeric
 
 ROUNDING = 1e-6  # tables may be cut to fewer digits
 MODELS, GAS = ("automaton", "contact", "voids", "baxter"), ("boltzmann",)
@@ -117,11 +117,6 @@ def of_gas(run: Run, time: float | None, restitution: float | None) -> tuple[flo
     shares = {name: shares_of(file, table[energies == name], "share") for name in names}
     shown_names = [name for name in names if any(shares[name]) or name == names[0]]
     return time, [Distribution(f"boltzmann_{name}", shares[name], run.particles) for name in shown_names]
-
-
-def csv_of(*rows: Iterable[Any]) -> bytes:
-    lines = [",".join(shown(cell) if isinstance(cell, float) else str(cell) for cell in row) for row in rows]
-    return "\n".join([*lines, ""]).encode()
 
 
 def distances_of(grains: list[Distribution], gas: list[Distribution]) -> list[tuple[str, float, float, int]]:

@@ -106,6 +106,18 @@ class Folder:
         kinds = [kind for kind in known if table == kind or table.startswith(f"{kind}-")]
         return quantities(known[max(kinds, key=len)]) if kinds else {}
 
+    def table(self, name: str) -> Table:
+        """`NAME.csv` of the folder, such as `profile-flow`. Numbers are float64, whole ones int64; an empty cell is NaN.
+        Throws Error.
+        """
+        if name not in self.tables:
+            raise Error(f"{self.folder}: no table {name!r}; there are {', '.join(self.tables) or 'none'}")
+        return read_table(self.folder / f"{name}.csv", self._columns(name))
+
+
+class Result(Folder):
+    """Of runs: it can be drawn."""
+
     def report(self, path: str | os.PathLike[str] | None = None, max_frames: int | None = None) -> Path:
         """Writes the page of `clca report`, `report.html` in the folder by default, and returns its path. `max_frames`: most
         pictures to step through; by default as many as keep the page below 20 MB. What cannot be read is left out with a
@@ -136,14 +148,6 @@ class Folder:
         assert isinstance(self, (Run, Sweep))
         return shown(self)
 
-    def table(self, name: str) -> Table:
-        """`NAME.csv` of the folder, such as `profile-flow`. Numbers are float64, whole ones int64; an empty cell is NaN.
-        Throws Error.
-        """
-        if name not in self.tables:
-            raise Error(f"{self.folder}: no table {name!r}; there are {', '.join(self.tables) or 'none'}")
-        return read_table(self.folder / f"{name}.csv", self._columns(name))
-
 
 class Stage(NamedTuple):
     """How a stage of a run went."""
@@ -155,7 +159,7 @@ class Stage(NamedTuple):
     fills: bool = False  #: particles are filled in
 
 
-class Run(Folder):
+class Run(Result):
     """A run folder. Tables and frames are read when they are asked for.
 
     `folder` is absolute, so that it stays the same one.
@@ -283,7 +287,7 @@ class Run(Folder):
         return {name: value for name, value in self.__dict__.items() if name != "frames"}  # of an open trajectory
 
 
-class Sweep(Folder):
+class Sweep(Result):
     """The runs of a sweep and tables over them."""
 
     keys: list[str]  #: that vary

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import io
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple, TypeVar
@@ -152,6 +153,14 @@ def numbers_of(cells: Sequence[str], unit: str = "") -> Any:
         return list(cells)
     is_whole = unit in COUNTED and len(numbers) and (numpy.abs(numbers) < 2**53).all() and (numbers % 1 == 0).all()
     return numbers.astype(int) if is_whole else numbers
+
+
+def csv_of(*rows: Iterable[Any]) -> bytes:
+    """Rows of a table as clca writes them."""
+    text = io.StringIO()
+    whole = ((int(cell) if isinstance(cell, float) and cell.is_integer() else cell for cell in row) for row in rows)
+    csv.writer(text, lineterminator="\n").writerows(whole)
+    return text.getvalue().encode()
 
 
 def check_regular(file: Path) -> None:
