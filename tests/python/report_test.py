@@ -346,7 +346,7 @@ class OfRunsTest(PageTest):
         self.assertWarned("no table 'measures'")
         runs = sweep.folder / "runs.csv"
         runs.write_text(runs.read_text().replace("status", "state", 1))
-        with self.assertRaisesRegex(clca.Error, "runs.csv: a table of the sweep has no column 'status'"):
+        with self.assertRaisesRegex(clca.Error, "runs.csv: no column 'status'"):
             self.page("sweep")
         runs.unlink()
         with self.assertRaisesRegex(clca.Error, "no table 'runs'"):

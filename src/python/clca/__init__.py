@@ -16,8 +16,7 @@ from ._calibrate import Calibration, calibrate
 from ._error import CompiledPartError, Error
 from ._folder import Run, Stage, Sweep, open
 from ._frames import Frame, Frames, Kind
-from ._notebook import Movie, Progress
-from ._picture import Picture
+from ._notebook import Movie, Picture, Progress
 from ._table import Table, Value
 
 if TYPE_CHECKING:

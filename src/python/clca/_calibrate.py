@@ -220,19 +220,10 @@ def draw(figure: Any, vary: Mapping[str, Sequence[float]], parameters: Any, draw
 
 
 def calibrate(
-    scene: Any = None,
-    targets: Mapping[str, tuple[float, float]] | None = None,
-    vary: Mapping[str, tuple[float, float]] | None = None,
-    *,
-    set: Mapping[str, Any] | None = None,
-    tests: Sequence[Mapping[str, Any]] = (),
-    seeds: int = 8,
-    points: int = 32,
-    rounds: int = 2,
-    check: int = 8,
-    output: str | os.PathLike[str] | None = None,
-    jobs: int | None = None,
-    progress: bool | Callable[[Progress], object] = False,
+    scene: Any = None, targets: Mapping[str, tuple[float, float]] | None = None,
+    vary: Mapping[str, tuple[float, float]] | None = None, *, set: Mapping[str, Any] | None = None,
+    tests: Sequence[Mapping[str, Any]] = (), seeds: int = 8, points: int = 32, rounds: int = 2, check: int = 8,
+    output: str | os.PathLike[str] | None = None, jobs: int | None = None, progress: bool | Callable[[Progress], object] = False
 ) -> Calibration:
     """Finds values of parameters with which a scene gives what was measured, as `clca calibrate` does.
 

@@ -16,8 +16,7 @@ from numpy.typing import NDArray
 from ._arguments import MOST, absolute, path, whole
 from ._error import ArgumentError, CompiledPartError, Error, WriteError
 from ._frames import Frames, Kind
-from ._notebook import Movie, shown
-from ._picture import Picture, overrides
+from ._notebook import Movie, Picture, overrides, shown
 from ._table import Named, Quantity, Table, Value, check_regular, quantities, read_table
 
 if TYPE_CHECKING:
@@ -264,12 +263,8 @@ class Run(Result):
         return Movie(absolute(file))
 
     def export(
-        self,
-        format: str,
-        path: str | os.PathLike[str] | None = None,
-        first: int | None = None,
-        last: int | None = None,
-        every: int = 1,
+        self, format: str, path: str | os.PathLike[str] | None = None, first: int | None = None, last: int | None = None,
+        every: int = 1
     ) -> Path:
         """Writes the trajectory in a format of other programs, as `clca export` names them. `path` is the file, of `vtp`
         the `.pvd` with all others beside it; without it SCENE with the ending of the format, in the current folder. Files

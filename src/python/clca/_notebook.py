@@ -1,14 +1,18 @@
-"""What shows itself in notebooks: tables, runs, sweeps and movies, and how far a run has come."""
+"""What shows itself in notebooks: tables, runs, sweeps, pictures and movies, and how far a run has come."""
 
 from __future__ import annotations
 
 import base64
+import os
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from pathlib import PosixPath
+from pathlib import Path, PosixPath
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+import numpy
+
+from ._arguments import path, to_yaml
 from ._table import Table
 
 if TYPE_CHECKING:
@@ -18,11 +22,34 @@ MEDIA = {".mp4": "video/mp4", ".webm": "video/webm", ".webp": "image/webp", ".gi
 MOST_ROWS = 40  # of a table
 
 
+class Picture(numpy.ndarray[Any, numpy.dtype[numpy.uint8]]):
+    """Rows from the top x columns x 3, bytes of red, green and blue. Shows itself in a notebook."""
+
+    def _repr_png_(self) -> bytes | None:
+        is_whole = self.ndim == 3 and self.shape[2] == 3 and self.dtype == numpy.uint8
+        return png(self) if is_whole else None
+
+    def save(self, file: str | os.PathLike[str]) -> None:
+        """Writes a PNG."""
+        Path(path(file)).write_bytes(png(self))
+
+
+def png(pixels: Picture) -> bytes:
+    from . import _clca
+
+    return _clca.png(pixels)
+
+
+def overrides(frames: dict[str, Any]) -> list[str]:
+    """Keys of `output.frames` for the library."""
+    return [f"output.frames.{key}={to_yaml(value)}" for key, value in frames.items()]
+
+
 class Movie(PosixPath):
     """The file of a movie: a path, which shows the movie in a notebook."""
 
     def _repr_html_(self) -> str:
-        kind = MEDIA[self.suffix]
+        kind = MEDIA[self.suffix.lower()]
         url = f"data:{kind};base64,{base64.b64encode(self.read_bytes()).decode()}"
         return f'<video controls loop src="{url}"></video>' if kind.startswith("video") else f'<img src="{url}">'
 

@@ -16,14 +16,9 @@ from ._scene import AnyScene, Scene
 
 
 def run(
-    scene: AnyScene,
-    seed: int | None = None,
-    set: Mapping[str, Any] | None = None,
-    output: str | os.PathLike[str] | None = None,
-    threads: int | None = None,
-    keep: bool = False,
-    overwrite: bool = False,
-    progress: bool | Callable[[Progress], object] = False,
+    scene: AnyScene, seed: int | None = None, set: Mapping[str, Any] | None = None, output: str | os.PathLike[str] | None = None,
+    threads: int | None = None, keep: bool = False, overwrite: bool = False,
+    progress: bool | Callable[[Progress], object] = False
 ) -> Run:
     """Runs a scene, as `clca run` and `clca boltzmann` do, with the same bits.
 
@@ -43,10 +38,8 @@ def run(
 
 
 def resume(
-    folder: str | os.PathLike[str],
-    until: Any = None,
-    threads: int | None = None,
-    progress: bool | Callable[[Progress], object] = False,
+    folder: str | os.PathLike[str], until: Any = None, threads: int | None = None,
+    progress: bool | Callable[[Progress], object] = False
 ) -> Run:
     """Goes on with a run that was stopped, or prolongs one to `until`, as in a scene. As `clca resume`; `progress` as of `run`."""
     with reporting(progress) as report:
@@ -55,13 +48,9 @@ def resume(
 
 
 def sweep(
-    scene: AnyScene,
-    seeds: Iterable[int] = range(1, 9),
-    vary: Mapping[str | tuple[str, ...], Sequence[Any]] | None = None,
-    set: Mapping[str, Any] | None = None,
-    output: str | os.PathLike[str] | None = None,
-    jobs: int | None = None,
-    progress: bool | Callable[[Progress], object] = False,
+    scene: AnyScene, seeds: Iterable[int] = range(1, 9), vary: Mapping[str | tuple[str, ...], Sequence[Any]] | None = None,
+    set: Mapping[str, Any] | None = None, output: str | os.PathLike[str] | None = None, jobs: int | None = None,
+    progress: bool | Callable[[Progress], object] = False
 ) -> Sweep:
     """Runs a scene for all combinations of values with all seeds, as `clca sweep` does, several at a time.
 

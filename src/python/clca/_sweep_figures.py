@@ -65,9 +65,7 @@ class Keys:
         is_word = self.apart and len(cell) == 1 and isinstance(cell[0], str)
         return str(cell[0]) if is_word else label_of(self.over, cell)
 
-    def panels(
-        self, rows: Table, curve: Callable[[Table, str], Curve], x: Axis, y: Axis, title: str, log: str
-    ) -> list[Panel]:
+    def panels(self, rows: Table, curve: Callable[[Table, str], Curve], x: Axis, y: Axis, title: str, log: str) -> list[Panel]:
         made: list[Panel] = []
         all_cells = [cell for cell, _ in self.combinations(rows, self.over)]
         has_scale = len(self.over) == 1 and len(all_cells) > MOST_COLORS and not isinstance(all_cells[0][0], str)
@@ -126,17 +124,13 @@ def measure_charts(source: Source, sweep: Sweep, table: Table) -> list[Chart]:
     x_rows = {of_row(row): row for row in table[table["measure"] == x_name]}
 
     def curve(rows: Table, name: str) -> Curve:
-        left = right = None
-        if is_key:
-            x = numpy.array([words.index(value) for value in rows[axis]], float) if words else rows[axis]
-            rows, x = rows[order := numpy.argsort(x, kind="stable")], x[order]
-        else:
+        x, *ends = [numpy.array([words.index(value) for value in rows[axis]], float) if words else rows[axis]]
+        if not is_key:
             against = [[x_rows[of_row(row)][column] for column in ("mean", "low", "high")] for row in rows]
-            x, left, right = numpy.array(against, float).reshape(-1, 3).T
-            left, right = (numpy.where(numpy.isfinite(end), end, x) for end in (left, right))
-            order = numpy.argsort(x, kind="stable")
-            rows, x, left, right = rows[order], x[order], left[order], right[order]
-        return Curve(name, x, rows["mean"], rows["low"], rows["high"], left, right, style="bars")
+            x, *ends = numpy.array(against, float).reshape(-1, 3).T
+        rows = rows[order := numpy.argsort(x, kind="stable")]
+        left, right = [numpy.where(numpy.isfinite(end), end, x)[order] for end in ends] or (None, None)
+        return Curve(name, x[order], rows["mean"], rows["low"], rows["high"], left, right, style="bars")
 
     charts = []
     for stage, measure in dict.fromkeys(zip(map(str, table["stage"]), map(str, table["measure"]))):

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple, TypeVar
 import numpy
 from numpy.typing import NDArray
 
-from ._error import Error
+from ._error import ArgumentError, Error
 
 T = TypeVar("T")
 COUNTED = ("", "particles", "sites", "moves", "step")  # units of numbers that may be whole
@@ -87,28 +87,26 @@ class Table(numpy.ndarray[Any, numpy.dtype[Any]]):
     """
 
     _quantities: dict[str, Quantity]
+    _file: str  #: that it was read from, for messages
 
-    def __new__(cls, columns: Iterable[tuple[str, Any, Quantity]]) -> Table:
+    def __new__(cls, columns: Iterable[tuple[str, Any, Quantity]], file: str = "table") -> Table:
         columns = [(key, as_array(cells), what) for key, cells, what in columns]
         table = numpy.empty(len(columns[0][1]), [(key, cells.dtype) for key, cells, _ in columns]).view(cls)
         for key, cells, _ in columns:
             table[key] = cells
         table.flags.writeable = False
-        table._quantities = {key: what for key, _, what in columns}
+        table._quantities, table._file = {key: what for key, _, what in columns}, file
         return table
 
     def __reduce__(self) -> tuple[Any, ...]:
-        make, arguments, state = super().__reduce__()  # type: ignore[misc]
-        return make, arguments, (state, self._quantities)
-
-    def __setstate__(self, state: Any) -> None:
-        array, self._quantities = state
-        super().__setstate__(array)
+        return Table, ([(name, self[name], self._quantities.get(name, Quantity(name))) for name in self.names], self._file)
 
     def __array_finalize__(self, other: Any) -> None:
-        self._quantities = getattr(other, "_quantities", {})
+        self._quantities, self._file = getattr(other, "_quantities", {}), getattr(other, "_file", "table")
 
     def __getitem__(self, key: Any) -> Any:
+        if isinstance(key, str) and key not in self.names:
+            raise ArgumentError(f"{self._file}: no column '{key}'; there are {', '.join(self.names)}")
         part = super().__getitem__(key)
         # A column is a plain array.
         return part.view(numpy.ndarray) if isinstance(part, Table) and part.dtype.names is None else part
@@ -124,6 +122,13 @@ class Table(numpy.ndarray[Any, numpy.dtype[Any]]):
     @property
     def descriptions(self) -> dict[str, str]:
         return {key: ": ".join(filter(None, (what.name, what.description))) for key, what in self._quantities.items()}
+
+    def check_numbers(self, *columns: str) -> None:
+        """Throws Error where a cell of these is none, with its line in the file."""
+        for column in columns:
+            if not is_numeric(cells := self[column]):
+                line, cell = next((line, cell) for line, cell in enumerate(cells, 2) if isinstance(numbers_of([cell]), list))
+                raise Error(f"{self._file}: line {line}: '{cell}' in column '{column}' is no number")
 
     def label(self, column: str) -> str:
         """`Mean height of the particles (spacings)`; the column itself where nothing is known of it."""
@@ -186,7 +191,5 @@ def read_table(file: Path, known: Mapping[str, Quantity]) -> Table:
         raise Error(f"cannot read {file}: line {1 if wrong is None else 2 + wrong}: cut off or no row of the table")
     columns = list(zip(*cells)) if cells else [()] * len(names)
     what = [known.get(name, Quantity(name)) for name in names]
-    return Table(
-        (name, list(column) if name in TEXT else numbers_of(column, of.unit), of)
-        for name, column, of in zip(names, columns, what)
-    )
+    read = (list(column) if name in TEXT else numbers_of(column, of.unit) for name, column, of in zip(names, columns, what))
+    return Table(zip(names, read, what), str(file))
