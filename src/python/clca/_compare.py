@@ -59,7 +59,7 @@ def run_of(folder: Run | str | os.PathLike[str], kinds: tuple[str, ...]) -> Run:
 
 def shares_of(table: Table, column: str) -> list[float]:
     """Shares of equally probable bins: their sum is 1, or all are 0."""
-    table.check_numbers(column, "reference")
+    table._check_numbers(column, "reference")
     shares, reference = table[column], table["reference"]
     if not (abs(reference - 1 / max(len(reference), 1)) <= ROUNDING).all():
         raise Error(f"{table._file}: its bins are not equally probable ones (bins: q20 in the scene)")

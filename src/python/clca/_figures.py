@@ -175,16 +175,16 @@ def lines(source: Source, figure: Figure, files: Files, part: str, table: Table)
 
 
 def outflow_rate(source: Source, figure: Figure, files: Files, part: str, table: Table) -> Panel:
-    """Over a twentieth of the time in which something left, or over as many rows as are chosen."""
+    """Over a twentieth of the time in which something left, three rows at least, or over as many rows as are chosen."""
     units = source.folder.summary.get("units", {})
     name, mass = time_of(table), units.get("site_mass")
     time, left = table[name].astype(float), (mass or 1) * table[figure.y]
     while_leaving = time[(left > left[0]) & (left < left[-1])]
-    window = float(numpy.ptp(while_leaving if len(while_leaving) else time)) / 20
-    if source.choice.mean > 1:
-        window = source.choice.mean * float(numpy.median(numpy.diff(numpy.unique(time))))
+    row = float(numpy.ptp(time)) / max(len(numpy.unique(time)) - 1, 1)
+    window = max(float(numpy.ptp(while_leaving if len(while_leaving) else time)) / 20, 3 * row)
+    window = source.choice.mean * row if source.choice.mean > 1 else window
     begin, end = (time - window / 2).clip(time[0]), (time + window / 2).clip(max=time[-1])
-    rate = (numpy.interp(end, time, left) - numpy.interp(begin, time, left)) / (end - begin)
+    rate = (numpy.interp(end, time, left) - numpy.interp(begin, time, left)) / (end - begin).clip(1e-300)
     parts = [(stage, table["stage"] == stage) for stage in dict.fromkeys(table["stage"])]
     curves = [Curve(stage, time[rows], rate[rows]) for stage, rows in parts if numpy.ptp(left[rows]) > 0]
     unit = table.units[name] or name
@@ -567,7 +567,10 @@ def charts_of(source: Source, figure: Figure) -> list[Chart]:
     for label, table in files:
         needed = {*figure.y.split("/"), figure.x, *figure.needs} & {*table.names} - TEXT
         if not all(is_numeric(table[name]) for name in needed):
-            source.folder.table(figure.table.replace("*", label)).check_numbers(*needed)
+            source.folder.table(figure.table.replace("*", label))._check_numbers(*needed)
+    if source.choice.y2:
+        is_over_time = not figure.x and figure.draw in (None, outflow_rate) and figure.by == "stage" and not figure.y.endswith("*")
+        files = [(label, table) for label, table in files if is_over_time and source.choice.y2 in table.names]
     if figure.name == "contacts":
         files = [(label, table) for label, table in files if f"loads-{label}" in source.names]
     if figure.each == "file":
@@ -582,10 +585,24 @@ def charts_of(source: Source, figure: Figure) -> list[Chart]:
     def chart(part: str, those: Files) -> Chart:
         name = f"{figure.name}-{part}" if part else figure.name
         about = f"{figure.about} {what}: {part}." if part else figure.about
-        draw = partial(figure.draw or lines, source, figure, those, part, those[0][1])
-        return Chart(name, about, figure.rank, lambda: [logged(draw(), source.choice.log)], source.title, figure.name)
+        table = those[0][1]
+        draw = partial(figure.draw or lines, source, figure, those, part, table)
+        beside = partial(with_y2, source, table, time_of(table), "stage")
+        return Chart(name, about, figure.rank, lambda: [logged(beside(draw()), source.choice.log)], source.title, figure.name)
 
     return [chart(part, those) for part, those in parts.items()]
+
+
+def with_y2(source: Source, table: Table, x: str, by: str, panel: Panel) -> Panel:
+    """With the column that is chosen for the second axis, dashed, of each value of `by` that has a curve."""
+    if not (y2 := source.choice.y2):
+        return panel
+    table._check_numbers(y2)
+    groups = dict(groups_of(table, by))
+    right = [curve_of(source, "", groups[curve.label], x, y2, line="--", color=i) for i, curve in enumerate(panel.curves)]
+    axes = (f"{panel.y.label} (left)", "-"), (f"{table.label(y2)} (right, dashed)", "--")
+    curves = [*panel.curves, *(legend_entry(label, line) for label, line in axes)]
+    return panel._replace(curves=curves, y2=Axis(table.label(y2)), on_y2=right)
 
 
 def logged(panel: Panel, log: str) -> Panel:
@@ -604,16 +621,9 @@ def column_chart(source: Source, y: str) -> Chart:
     by = next((name for name in choice.over or ("line", "probe", "restitution", "stage") if name in table.names), "")
     if not x:
         raise Error(f"{where}: say which column is x")
-    for column in filter(None, (x, y, choice.y2)):
-        table.check_numbers(column)
-    groups = groups_of(table, by)
-    curves = [curve_of(source, group, rows, x, y) for group, rows in groups]
-    panel = Panel(curves, Axis(table.label(x)), Axis(table.label(y)))
-    if choice.y2:
-        right = [curve_of(source, "", rows, x, choice.y2, line="--", color=i) for i, (_, rows) in enumerate(groups)]
-        left, dashed = f"{table.label(y)} (left)", f"{table.label(choice.y2)} (right, dashed)"
-        curves += [legend_entry(left, "-"), legend_entry(dashed)]
-        panel = panel._replace(y2=Axis(table.label(choice.y2)), on_y2=right)
+    table._check_numbers(x, y)
+    curves = [curve_of(source, group, rows, x, y) for group, rows in groups_of(table, by)]
+    panel = with_y2(source, table, x, by, Panel(curves, Axis(table.label(x)), Axis(table.label(y))))
     return Chart(y, table.descriptions.get(y, y), 0, lambda: [logged(panel, choice.log)], source.title, y)
 
 
@@ -640,7 +650,7 @@ def charts(folder: Run | Sweep, choice: Choice = Choice(), unreadable: Callable[
         makers: list[Callable[[], list[Chart]]] = [partial(sweep_charts, source, folder)]
     elif choice.y:
         return [column_chart(source, y) for y in choice.y]
-    elif choice.x or choice.over or choice.log or choice.y2:
+    elif choice.x or choice.over or choice.log:
         raise Error(f"{folder.folder}: of a run, say which columns are y, too")
     else:
         makers = [partial(charts_of, source, figure) for figure in FIGURES]
@@ -652,6 +662,8 @@ def charts(folder: Run | Sweep, choice: Choice = Choice(), unreadable: Callable[
             if unreadable is None:
                 raise
             unreadable(error)
+    if choice.y2 and not found:
+        raise Error(f"{folder.folder}: no figure over time of a table with a column '{choice.y2}'")
     return found
 
 

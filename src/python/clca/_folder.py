@@ -332,7 +332,10 @@ class Sweep(Result):
             what, same = self._measure(str(row["measure"])), self.runs["status"] == "done"
             for key in self.keys:
                 same &= self.runs[key] == row[key]
-            if what.of_floor and row["mean"] != 0 and (side := self[int(same.argmax())]._side_reached(str(row["stage"]))):
+            folder = self.folder / str(self.runs["folder"][same.argmax()])
+            if not what.of_floor or row["mean"] == 0 or not folder.exists():
+                continue
+            if side := Run(folder)._side_reached(str(row["stage"])):
                 of = "".join(f", {key}={row[key]}" for key in self.keys)
                 equal = f"{row['stage']}.{row['measure']}{of}: {row['mean']:.6g} {what.unit} for all {row['runs']} seeds"
                 notes.append(f"{equal}, since grains have come to the {side} side of the box")

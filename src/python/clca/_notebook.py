@@ -48,8 +48,10 @@ def overrides(frames: dict[str, Any]) -> list[str]:
 class Movie(PosixPath):
     """The file of a movie: a path, which shows the movie in a notebook."""
 
-    def _repr_html_(self) -> str:
-        kind = MEDIA[self.suffix.lower()]
+    def _repr_html_(self) -> str | None:
+        kind = MEDIA.get(self.suffix.lower())
+        if kind is None or not self.is_file():  # a path made of it
+            return None
         url = f"data:{kind};base64,{base64.b64encode(self.read_bytes()).decode()}"
         return f'<video controls loop src="{url}"></video>' if kind.startswith("video") else f'<img src="{url}">'
 

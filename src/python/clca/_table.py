@@ -123,7 +123,7 @@ class Table(numpy.ndarray[Any, numpy.dtype[Any]]):
     def descriptions(self) -> dict[str, str]:
         return {key: ": ".join(filter(None, (what.name, what.description))) for key, what in self._quantities.items()}
 
-    def check_numbers(self, *columns: str) -> None:
+    def _check_numbers(self, *columns: str) -> None:
         """Throws Error where a cell of these is none, with its line in the file."""
         for column in columns:
             if not is_numeric(cells := self[column]):
