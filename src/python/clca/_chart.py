@@ -213,16 +213,12 @@ def draw_panel(ax: Any, panel: Panel, look: Look = Look(), beside: Sequence[Pane
             draw_curve(one, curve, numbered[color % len(numbered)] if isinstance(color, int) else color, axis.log)
     if panel.draw is not None:
         panel.draw(ax)
-    if panel.curves:
-        together = [curve for one in beside or [panel] for curve in one.curves]
-        parts = [part for curve in together for part in (curve.y, curve.low, curve.high) if part is not None]
-        draw_axis(ax, "x", panel.x, [curve.x for curve in together], look.x_limits)
-        draw_axis(ax, "y", panel.y, parts, look.y_limits)
-        if not (panel.x.words or panel.x.log) and {*look.x_limits, panel.x.low} == {None}:
-            ax.margins(x=0.03 if shown[0].style in ("bars", "points") else 0)
-    elif panel.draw is not None:
-        draw_axis(ax, "x", panel.x, [], look.x_limits)
-        draw_axis(ax, "y", panel.y, [], look.y_limits)
+    together = [curve for one in beside or [panel] for curve in one.curves]
+    parts = [part for curve in together for part in (curve.y, curve.low, curve.high) if part is not None]
+    draw_axis(ax, "x", panel.x, [curve.x for curve in together], look.x_limits)
+    draw_axis(ax, "y", panel.y, parts, look.y_limits)
+    if panel.curves and not (panel.x.words or panel.x.log) and {*look.x_limits, panel.x.low} == {None}:
+        ax.margins(x=0.03 if shown[0].style in ("bars", "points") else 0)
     if panel.y2 is not None:
         draw_axis(axes[1], "y", panel.y2, [curve.y for curve in panel.on_y2])
     if panel.equal:
@@ -270,7 +266,6 @@ def rendered(chart: Chart, look: Look) -> bytes:
 
 def page(chart: Chart, look: Look, width: float, height: float | None, letter: float) -> Any:
     """The figure, with title, legend and panels, none of which covers another one."""
-
     panels = chart.panels()
     line = 1.3 * letter / 72
     columns = min(len(panels), max(1, int(width / (17 * letter / 72))), math.ceil(math.sqrt(len(panels))))
@@ -307,7 +302,6 @@ def page(chart: Chart, look: Look, width: float, height: float | None, letter: f
         tidy_ticks(those[0], panel, wide, letter)
     bar = next((panel.scale for panel in panels if panel.scale is not None), None)
     if bar is not None:
-
         shown = LinearSegmentedColormap.from_list("clca", [on_scale(i / 255) for i in range(256)])
         bar_of = cm.ScalarMappable(Normalize(min(bar[1]), max(bar[1])), shown)
         figure.colorbar(bar_of, ax=[those[0] for those in axes], label=plain(bar[0]), aspect=30)
@@ -341,7 +335,6 @@ def legend_of(axes: Sequence[Sequence[Any]], panels: Sequence[Panel]) -> tuple[l
 
 def legend_above(figure: Any, handles: list[Any], names: list[str], room: float, most: int) -> tuple[Any, int]:
     """As many names side by side as fit, in at most so many lines, with the number of others; and how many lines it has."""
-
     def legend(handles: list[Any], names: list[str], columns: int) -> Any:
         space = {"borderaxespad": 0, "borderpad": 0, "handlelength": 1.6, "columnspacing": 1.2, "labelspacing": 0.25}
         made = figure.legend(handles, names, loc="upper left", ncol=columns, **space)

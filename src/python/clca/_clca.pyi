@@ -61,14 +61,9 @@ class Gas:
     def state_hash(self) -> int: ...
 
 def sweep(
-    source: bytes,
-    text: bytes | None,
-    overrides: Sequence[bytes],
-    varied: Sequence[tuple[Sequence[str], Sequence[Sequence[str]]]],
-    seeds: Sequence[int],
-    output: Any,
-    jobs: int | None,
-    report: _Report | None,
+    source: bytes, text: bytes | None, overrides: Sequence[bytes],
+    varied: Sequence[tuple[Sequence[str], Sequence[Sequence[str]]]], seeds: Sequence[int], output: Any, jobs: int | None,
+    report: _Report | None
 ) -> Path: ...
 def picture(folder: Path, step: int, overrides: Sequence[str]) -> NDArray[numpy.uint8]: ...
 def movie(
