@@ -43,7 +43,7 @@ int calibrate(const CalibrateOptions& options) {
           ? "renders/" + std::filesystem::path(options.study).stem().string() + "-calibration"
           : options.folder;
   const store::OutputFolder folder(path);
-  folder.make_own();
+  folder.require_own();
   for (int step = 0;; ++step) {
     auto sweeps = nlohmann::json::array();
     int code = run_package("calibrate", {{"step", step}, {"study", options.study}}, {path},
@@ -60,6 +60,7 @@ int calibrate(const CalibrateOptions& options) {
       }
       return code;
     }
+    folder.make_own();
     for (const nlohmann::json& sweep : sweeps) {
       code = run_sweep(sweep_options(sweep, options));
       if (code != 0) {

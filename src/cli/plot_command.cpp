@@ -129,7 +129,9 @@ void add_plot_command(CommandLine& command_line) {
       .type("NAME,...")
       .delimiter(',')
       .one_value();
-  command.option("--y2", &options->y2, "Of a run a column on a second axis, beside --y")
+  command
+      .option("--y2", &options->y2,
+              "Of a run a column on a second axis, beside --y or a figure over time")
       .type("NAME");
   command.option("--log", &options->log, "Logarithmic axes")
       .type("AXES")

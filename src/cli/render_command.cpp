@@ -261,6 +261,7 @@ void add_look_options(Command& command, RenderOptions& options) {
 }
 
 void add_choice_options(Command& command, RenderOptions& options) {
+  command.option("--stage", &options.redraw.stage, "Draw only this stage").type("NAME");
   command.option("--from", &options.redraw.from, "First step to draw")
       .type("STEP")
       .values(whole_number());

@@ -24,9 +24,22 @@ class Interrupt {
   const std::atomic<int>* stop() const { return &stop_; }
   /// Does not need the interpreter.
   void look() {
+    look([] {});
+  }
+  /// Also calls `report`, with the interpreter; what it raises ends the work likewise.
+  template <class Report>
+  void look(Report report) {
     const Acquired interpreter;
-    if (!raised_ && PyErr_CheckSignals() != 0) {
-      raised_.emplace();
+    if (raised_) {
+      return;
+    }
+    try {
+      if (PyErr_CheckSignals() != 0) {
+        throw pybind11::error_already_set();
+      }
+      report();
+    } catch (pybind11::error_already_set& error) {
+      raised_.emplace(std::move(error));
       stop_ = SIGINT;
     }
   }

@@ -37,12 +37,14 @@ py::array picture(const fs::path& folder, std::uint64_t step, const Overrides& o
 }
 
 void movie(const fs::path& folder, const fs::path& file, int frames_per_second,
-           std::optional<double> duration, const Overrides& overrides) {
+           std::optional<double> duration, const std::optional<std::string>& stage,
+           const Overrides& overrides) {
   Interrupt interrupt;
   interrupt.during([&] {
     run::Redraw redraw({run_to_draw(folder, overrides)}, {.movie = file,
                                                           .frames_per_second = frames_per_second,
                                                           .duration = duration,
+                                                          .stage = stage,
                                                           .max_bytes = run::default_memory_limit(),
                                                           .stop = interrupt.stop()});
     run::RedrawEvents events;

@@ -15,17 +15,27 @@ namespace clca::python {
 namespace {
 
 /// Calls `run_it` without the interpreter; the folder that it names. Its warnings become those of
-/// Python.
+/// Python. `report`: None, or called as in _clca.pyi.
 template <class RunIt>
-std::filesystem::path carry_out(run::RunOptions options, RunIt run_it) {
+std::filesystem::path carry_out(run::RunOptions options, const py::object& report, RunIt run_it) {
   Interrupt interrupt;
   Warnings warnings;
   std::filesystem::path used;
   interrupt.during([&] {
     options.stop = interrupt.stop();
     run::RunEvents events;
-    events.progress = [&](const run::Progress& /*progress*/) { interrupt.look(); };
-    events.gas_progress = [&](const run::GasProgress& /*progress*/) { interrupt.look(); };
+    const auto look = [&](const auto& progress, std::uint64_t done,
+                          std::optional<std::uint64_t> of) {
+      interrupt.look([&] {
+        if (!report.is_none()) {
+          report(progress.stage, done, of, progress.seconds_left);
+        }
+      });
+    };
+    events.progress = [&](const run::Progress& progress) { look(progress, progress.step, {}); };
+    events.gas_progress = [&](const run::GasProgress& progress) {
+      look(progress, progress.gases_done, progress.gases);
+    };
     events.folder = [&](const std::filesystem::path& folder) { used = folder; };
     events.warning = warnings.take();
     run_it(options, events);
@@ -41,7 +51,8 @@ int default_threads(const scene::AnyScene& scene) {
 
 std::filesystem::path run_scene(const LoadedScene& loaded,
                                 const std::optional<std::filesystem::path>& output,
-                                std::optional<int> threads, bool keep, bool overwrite) {
+                                std::optional<int> threads, bool keep, bool overwrite,
+                                const py::object& report) {
   const auto run_it = [&](const auto& scene) {
     run::RunOptions options = {.folder = output.value_or("renders/" + scene.name),
                                .threads = threads.value_or(default_threads(loaded.scene)),
@@ -50,7 +61,7 @@ std::filesystem::path run_scene(const LoadedScene& loaded,
     if (!keep) {
       run::check_output(loaded.place(), options.folder);
     }
-    return carry_out(std::move(options),
+    return carry_out(std::move(options), report,
                      [&](const run::RunOptions& chosen, const run::RunEvents& events) {
                        return run::run(scene, chosen, events);
                      });
@@ -59,14 +70,15 @@ std::filesystem::path run_scene(const LoadedScene& loaded,
 }
 
 void resume(const std::filesystem::path& folder, const std::optional<std::string>& until,
-            std::optional<int> threads) {
+            std::optional<int> threads, const py::object& report) {
   const double limit = run::default_memory_limit();
   run::SavedRun saved = run::load_run(folder, limit, until);
   const int chosen = threads.value_or(default_threads(saved.scene));
   run::check_memory(saved.scene, limit, chosen);
-  carry_out({.threads = chosen}, [&](const run::RunOptions& options, const run::RunEvents& events) {
-    return run::resume(std::move(saved), options, events);
-  });
+  carry_out({.threads = chosen}, report,
+            [&](const run::RunOptions& options, const run::RunEvents& events) {
+              return run::resume(std::move(saved), options, events);
+            });
 }
 
 }  // namespace

@@ -67,7 +67,7 @@ std::filesystem::path sweep_scene(const std::string& source, const std::optional
                                   const std::vector<VariedKeys>& varied,
                                   const std::vector<std::uint64_t>& seeds,
                                   const std::optional<std::filesystem::path>& output,
-                                  const std::optional<int>& jobs) {
+                                  const std::optional<int>& jobs, const py::object& report) {
   Interrupt interrupt;
   Warnings warnings;
   sweep::Plan plan;
@@ -82,7 +82,15 @@ std::filesystem::path sweep_scene(const std::string& source, const std::optional
                     .jobs = fitting,
                     .max_bytes = memory / fitting,
                     .stop = interrupt.stop()},
-                   {.progress = [&](const sweep::Progress& /*progress*/) { interrupt.look(); },
+                   {.progress =
+                        [&](const sweep::Progress& progress) {
+                          interrupt.look([&] {
+                            if (!report.is_none()) {
+                              report("", progress.done + progress.failed, progress.runs,
+                                     progress.seconds_left);
+                            }
+                          });
+                        },
                     .warning = warnings.take()});
   });
   warnings.issue();

@@ -9,6 +9,7 @@
 
 #include "clca/run/setup.hpp"
 #include "clca/scene/contact.hpp"
+#include "clca/text/message.hpp"
 #include "run/contact_record.hpp"
 #include "run/overlay.hpp"
 
@@ -64,6 +65,30 @@ std::size_t nearest_frame(const std::vector<Frame>& frames, const RedrawOptions&
   return static_cast<std::size_t>(nearest - frames.begin());
 }
 
+/// Leaves the pictures of one stage, with one of its beginning.
+void leave_stage(std::vector<std::size_t>& pictures, const RunToDraw& run, const std::string& stage,
+                 const std::vector<Frame>& frames) {
+  std::vector<std::string_view> names;
+  for (const scene::Stage& one : run.scene.stages) {
+    names.emplace_back(one.name);
+  }
+  const auto number = static_cast<std::size_t>(std::ranges::find(names, stage) - names.begin());
+  if (number == names.size()) {
+    throw RedrawError(fmt::format("{}: no stage {}{}", run.folder.string(), text::shown(stage),
+                                  text::suggestion(stage, names)));
+  }
+  const auto first = std::ranges::find(frames, number, &Frame::stage);
+  if (first == frames.end()) {
+    throw RedrawError(fmt::format("{}: the trajectory ends before the stage {}",
+                                  run.folder.string(), text::shown(stage)));
+  }
+  std::erase_if(pictures, [&](std::size_t i) { return frames[i].stage != number; });
+  const auto begin = static_cast<std::size_t>(first - frames.begin());
+  if (pictures.empty() || pictures.front() != begin) {  // drawn as the end of the stage before
+    pictures.insert(pictures.begin(), begin);
+  }
+}
+
 /// Those of the pictures of the run that the options select, or the nearest frame.
 std::vector<std::size_t> chosen(const RunToDraw& run, const RedrawOptions& options,
                                 const std::vector<Frame>& frames,
@@ -76,6 +101,9 @@ std::vector<std::size_t> chosen(const RunToDraw& run, const RedrawOptions& optio
                                   run.folder.string(), options.from, options.to));
   }
   std::vector<std::size_t> result = run_pictures;
+  if (options.stage) {
+    leave_stage(result, run, *options.stage, frames);
+  }
   std::erase_if(result, [&](std::size_t i) {
     return frames[i].step < options.from || frames[i].step > options.to;
   });
@@ -84,6 +112,10 @@ std::vector<std::size_t> chosen(const RunToDraw& run, const RedrawOptions& optio
     throw RedrawError(
         fmt::format("{}: no picture in that range; the trajectory goes from step {} to {}",
                     run.folder.string(), frames.front().step, frames.back().step));
+  }
+  if (result.empty() && options.stage) {
+    throw RedrawError(fmt::format("{}: stage {} has no picture in that range", run.folder.string(),
+                                  text::shown(*options.stage)));
   }
   if (result.empty()) {
     result.push_back(nearest_frame(frames, options));

@@ -69,6 +69,24 @@ class FiguresTest(ScratchTest):
         with self.assertRaisesRegex(clca.Error, "no stage 'flw'; did you mean 'flow'"):
             names(run, stages=("flw",))
 
+    def test_the_outflow_is_a_running_mean_of_what_leaves(self):
+        run = clca.run(SCENE, output="run")
+        steps, stages = numpy.arange(101), numpy.where(numpy.arange(101) < 20, "packing", "flow")
+        left = 3 * numpy.clip(steps - 20, 0, 60)  # 3 sites a step, from step 20 to 80
+        cells = [f"{step},{stage},{sites}" for step, stage, sites in zip(steps, stages, left)]
+        (run.folder / "series.csv").write_text("\n".join(["step,stage,discharged_sites", *cells, ""]))
+        panel = panel_of(run, "outflow-rate")
+        self.assertEqual(panel.y.label, "Outflow, mean over 3 steps (sites/step)")
+        self.assertEqual([curve.label for curve in panel.curves], ["flow"])
+        rate = dict(zip(panel.curves[0].x, panel.curves[0].y))
+        self.assertAlmostEqual(rate[50], 3)
+        self.assertAlmostEqual(rate[20], 1.5)
+        self.assertAlmostEqual(rate[90], 0)
+        self.assertAlmostEqual(dict(zip(*panel_of(run, "outflow-rate", mean=10).curves[0][1:3]))[23], 2.4)
+        self.assertEqual(panel_of(run, "outflow-rate", first=50, last=50).curves, [])
+        run.summary["units"] = {"site_mass": 0.5}
+        self.assertIn("(kg/step)", panel_of(run, "outflow-rate").y.label)
+
     def test_columns_may_be_chosen_two_on_two_axes(self):
         run = clca.run(SCENE, output="run")
         panel = panel_of(run, "mean_height", y=("mean_height",), y2="moving_share")
@@ -78,6 +96,16 @@ class FiguresTest(ScratchTest):
             names(run, y=("mean_heigt",))
         with self.assertRaisesRegex(clca.Error, "say which columns are y"):
             names(run, x="step")
+
+    def test_a_figure_over_time_may_have_a_column_on_a_second_axis(self):
+        run = clca.run(SCENE, output="run")
+        self.assertEqual(names(run, y2="moving"), ["motion", "mean-height"])
+        panel = panel_of(run, "mean-height", y2="moving")
+        self.assertEqual([len(curve.x) for curve in panel.on_y2], [len(curve.x) for curve in panel.curves[:2]])
+        self.assertEqual([curve.label for curve in panel.curves[2:]],
+                         ["Mean height of the particles (spacings) (left)", "Moving (particles) (right, dashed)"])
+        with self.assertRaisesRegex(clca.Error, "no figure over time of a table with a column 'movin'"):
+            names(run, y2="movin")
 
     def test_what_cannot_be_drawn_is_said(self):
         run = clca.run(SCENE, output="run")

@@ -346,7 +346,7 @@ class OfRunsTest(PageTest):
         self.assertWarned("no table 'measures'")
         runs = sweep.folder / "runs.csv"
         runs.write_text(runs.read_text().replace("status", "state", 1))
-        with self.assertRaisesRegex(clca.Error, "runs.csv: a table of the sweep has no column 'status'"):
+        with self.assertRaisesRegex(clca.Error, "runs.csv: no column 'status'"):
             self.page("sweep")
         runs.unlink()
         with self.assertRaisesRegex(clca.Error, "no table 'runs'"):
@@ -362,9 +362,9 @@ class OfRunsTest(PageTest):
             "a.tilt,seed,status,steps,state_hash,folder,error\n0,1,done,1,a,x,\n0.5,1,failed,1,b,y,<b>\n")
 
         def measures(angle):
-            rows = [f"{tilt},flow,{name},{mean},,," for tilt in ("0", "0.5") for name, mean in (
+            rows = [f"{tilt},flow,{name},{mean},,1,{mean},{mean},," for tilt in ("0", "0.5") for name, mean in (
                 ("runout_99", f"1{tilt}25"), ("vessel_angle_deg", angle if tilt == "0" else 30), ("time", 7))]
-            Path("sweep/measures.csv").write_text("\n".join(["a.tilt,stage,measure,mean,standard_error,low,high", *rows, ""]))
+            Path("sweep/measures.csv").write_text("\n".join(["a.tilt,stage,measure,mean,standard_error,runs,min,max,low,high", *rows, ""]))
 
         measures(0)
         self.page("sweep")

@@ -1,5 +1,7 @@
 """Runs by Python: the bits and messages of the command line, and what the folder holds."""
 
+import contextlib
+import io
 import json
 import os
 import pickle
@@ -13,6 +15,7 @@ import warnings
 
 import clca
 import numpy
+from clca._table import Quantity, read_table
 from support import CONTACT, GAS, PROGRAM, SCENE, ScratchTest, clca_program, needs
 
 
@@ -104,8 +107,8 @@ class RunTest(ScratchTest):
             lines = [line.rstrip("\n").split(",") for line in file]
         self.assertEqual(list(series.dtype.names), lines[0])
         self.assertEqual(len(series), len(lines) - 1)
-        self.assertEqual(series["step"].dtype, numpy.float64)
-        self.assertEqual(series["step"].tolist(), [float(line[0]) for line in lines[1:]])
+        self.assertEqual((series["step"].dtype, series["mean_height"].dtype), (numpy.int64, numpy.float64))
+        self.assertEqual(series["step"].tolist(), [int(line[0]) for line in lines[1:]])
         self.assertEqual(series["stage"][-1], "flow")
         self.assertEqual((series.units["mean_height"], series.units["step"]), ("spacings", ""))
         self.assertEqual(series.descriptions["mean_height"], "Mean height of the particles: of their centres, weighted by sites")
@@ -129,6 +132,15 @@ class RunTest(ScratchTest):
         frame = series.to_pandas()
         self.assertEqual(list(frame.columns), list(series.dtype.names))
         self.assertEqual(frame["mean_height"].tolist(), series["mean_height"].tolist())
+
+    def test_counts_are_whole_numbers(self):
+        with open("run.csv", "w") as file:
+            file.write("count,height,share,gap\n3,2,1,1\n4,3,0.5,\n")
+        columns = {"height": Quantity("Height", "spacings"), "count": Quantity("Count", "particles")}
+        table = read_table(self.folder / "run.csv", columns)
+        self.assertEqual([table[name].dtype.kind for name in table.names], ["i", "f", "f", "f"])
+        self.assertEqual(repr(table["count"].tolist()), "[3, 4]")
+        self.assertEqual(repr(clca.Value(12_345_678, "Discharged", "particles")), "12345678 particles")
 
     def test_names_that_look_like_numbers_stay_names(self):
         scene = SCENE | {"stages": [SCENE["stages"][0] | {"name": "1"}]}
@@ -158,6 +170,56 @@ class RunTest(ScratchTest):
         self.assertEqual([f"warning: {one.message}" for one in caught],
                          [line for line in said.splitlines() if line.startswith("warning: ")])
         self.assertTrue(caught, "the scene gives no warning")
+
+
+class NotebookTest(ScratchTest):
+    def test_tables_show_themselves(self):
+        series = clca.run(SCENE | {"title": "<b>"}, output="run").series
+        html = series._repr_html_()
+        self.assertIn("<th>Mean height of the particles (spacings)</th>", html)
+        self.assertIn(f"<td>packing</td><td>{series['particles'][0]}</td>", html)
+        self.assertIn(f"<p>{len(series)} rows</p>", html)
+        self.assertEqual(html.count("<tr>"), 42, "head, 20 first rows, dots and 20 last ones")
+        self.assertEqual(series[:3]._repr_html_().count("<tr>"), 4)
+
+    def test_runs_and_sweeps_show_their_measures(self):
+        run = clca.run(SCENE, output="run")
+        self.assertIn('<td data-of="flow">{:.3f}</td>'.format(run.measures["flow"]["runout_99"]), run._repr_html_())
+        sweep = clca.sweep(SCENE, seeds=[1, 2], vary={"rules.inertia": [0, 0.9]}, output="sweep")
+        self.assertIn("<h4>flow</h4>", sweep._repr_html_())
+        self.assertIn("inertia=<wbr>0.9", sweep._repr_html_())
+
+    def test_a_movie_of_a_stage_is_a_path_that_shows_itself(self):
+        run = clca.run(SCENE, output="run")
+        movie = run.movie("a.png", stage="flow", every=1000, width=64)
+        self.assertEqual(movie, self.folder / "a.png")
+        self.assertEqual(movie.read_bytes().count(b"fcTL"), 2, "its beginning and its end")
+        self.assertIn('<img src="data:image/png;base64,iVBOR', movie._repr_html_())
+        with self.assertRaisesRegex(clca.Error, "no stage 'flwo'; did you mean 'flow'?"):
+            run.movie("a.png", stage="flwo")
+        said = subprocess.run([PROGRAM, "render", "run", "--stage", "flow", "--from", "0", "--to", "0"], capture_output=True, text=True)
+        self.assertEqual(said.returncode, 2)
+        self.assertIn("stage 'flow' has no picture in that range", said.stderr)
+
+    def test_runs_and_sweeps_tell_how_far_they_are(self):
+        endless, told = {"stages.packing.until": {"steps": 40_000}}, []
+        clca.run(CONTACT, set=endless, output="run", progress=told.append)
+        self.assertEqual((told[0].stage, told[0].total), ("packing", None))
+        self.assertEqual([one.done for one in told], sorted(one.done for one in told))
+        told.clear()
+        clca.sweep(SCENE, seeds=[1, 2, 3], output="sweep", progress=told.append)
+        self.assertEqual((told[-1].done, told[-1].total), (3, 3))
+        with contextlib.redirect_stderr(io.StringIO()) as shown:
+            clca.sweep(SCENE, seeds=[1, 2, 3], output="again", progress=True)
+        self.assertTrue(shown.getvalue().startswith("\r["))
+        self.assertRegex(shown.getvalue(), r"\] 3 of 3[^\r\n]*\n$")
+
+        def refuse(progress):
+            raise LookupError(progress.stage)
+
+        with self.assertRaises(LookupError):
+            clca.run(CONTACT, set=endless, output="refused", progress=refuse)
+        self.assertEqual(clca.open("refused").status, "interrupted")
 
 
 class FramesTest(ScratchTest):

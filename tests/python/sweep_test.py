@@ -62,6 +62,17 @@ class SweepTest(ScratchTest):
         alone = clca.sweep(SCENE, seeds=[1], output="alone").series("flow", "mean_height")
         self.assertTrue(numpy.isnan(alone["standard_error"]).all())
 
+    def test_measures_that_a_side_of_the_box_holds_are_noted(self):
+        narrow = {"box": {"width": 22, "height": 40}}
+        sweep = clca.sweep(SCENE | narrow, seeds=[1, 2, 3], vary={"rules.inertia": [0.9]}, output="narrow")
+        value = sweep.runs["flow.runout_front"][0]
+        self.assertEqual(set(sweep.runs["flow.runout_front"]), {value})
+        note = f"flow.runout_front, rules.inertia=0.9: {value:.6g} spacings for all 3 seeds, since grains have come to the right side of the box"
+        self.assertIn(note, sweep.notes)
+        self.assertIn(note.partition("=")[2], sweep.report().read_text())
+        self.assertIn(note, sweep._repr_html_())
+        self.assertEqual(clca.sweep(SCENE, seeds=[1, 2, 3], output="wide").notes, [], "only the wall holds what is packed")
+
     def test_units_are_those_of_the_runs(self):
         sweep = clca.sweep(CONTACT, seeds=[1, 2], set={"output.fields": {"every": 20}}, output="sweep")
         self.assertEqual(sweep.runs.units["flow.fluctuation_energy"], "(m/s)²")

@@ -64,6 +64,7 @@ struct RedrawOptions {
   std::filesystem::path sheet = {};                 ///< a PNG file; empty: none
   int columns = 4;                                  ///< of the sheet of one run
   std::optional<SpaceTimeOptions> space_time = {};  ///< of one run only
+  std::optional<std::string> stage = {};  ///< only the pictures of this one, from its beginning
   /// First step. If no picture is in the range, the nearest frame of the trajectory is drawn.
   std::uint64_t from = 0;
   std::uint64_t to = std::numeric_limits<std::uint64_t>::max();  ///< last step

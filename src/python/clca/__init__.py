@@ -16,7 +16,7 @@ from ._calibrate import Calibration, calibrate
 from ._error import CompiledPartError, Error
 from ._folder import Run, Stage, Sweep, open
 from ._frames import Frame, Frames, Kind
-from ._picture import Picture
+from ._notebook import Movie, Picture, Progress
 from ._table import Table, Value
 
 if TYPE_CHECKING:
@@ -52,5 +52,6 @@ def __dir__() -> list[str]:
     return sorted({*globals(), *_LATER, "__version__"})
 
 
-__all__ = ["Calibration", "CompiledPartError", "Error", "Frame", "Frames", "Gas", "Kind", "Picture", "Run", "Scene"]
-__all__ += ["Simulation", "Stage", "Sweep", "Table", "Value", "calibrate", "compare", "open", "resume", "run", "sweep"]
+__all__ = ["Calibration", "CompiledPartError", "Error", "Frame", "Frames", "Gas", "Kind", "Movie", "Picture", "Progress"]
+__all__ += ["Run", "Scene", "Simulation", "Stage", "Sweep", "Table", "Value"]
+__all__ += ["calibrate", "compare", "open", "resume", "run", "sweep"]

@@ -11,6 +11,11 @@ from contextlib import contextmanager
 from typing import Any, NamedTuple
 
 import numpy
+from matplotlib import cm, cycler, font_manager, ft2font, rc_context, rcParams, rcParamsDefault, ticker  # type: ignore[import]
+from matplotlib.backends.backend_agg import FigureCanvasAgg  # type: ignore[import]
+from matplotlib.colors import LinearSegmentedColormap, Normalize, to_rgba  # type: ignore[import]
+from matplotlib.figure import Figure  # type: ignore[import]
+from matplotlib.lines import Line2D  # type: ignore[import]
 from numpy.typing import NDArray
 
 INCH = 25.4  # mm
@@ -76,8 +81,6 @@ class Chart(NamedTuple):
 @functools.lru_cache(maxsize=64)
 def font_with(letters: str) -> str | None:
     """A font of the system that has these letters."""
-    from matplotlib import font_manager, ft2font  # type: ignore[import]
-
     for entry in font_manager.fontManager.ttflist:
         try:
             if set(map(ord, letters)) <= set(ft2font.FT2Font(entry.fname).get_charmap()):
@@ -89,8 +92,6 @@ def font_with(letters: str) -> str | None:
 
 def plain(text: str) -> str:
     """As matplotlib shows it letter by letter; letters that no font has by their number."""
-    from matplotlib import font_manager, ft2font, rcParams
-
     text = "".join(letter if letter.isprintable() or letter == "\n" else " " for letter in text)
     known = ft2font.FT2Font(font_manager.findfont("DejaVu Sans")).get_charmap()
     missing = "".join(sorted({letter for letter in text if letter != "\n" and ord(letter) not in known}))
@@ -114,15 +115,11 @@ def wrapped(text: str, inches: float, letter: float) -> str:
 
 def on_scale(share: Any) -> Any:
     """From dark to light."""
-    from matplotlib import cm
-
     return cm.viridis(0.92 * share)
 
 
 def colors(count: int) -> list[Any]:
     """Of curves: those of the style, or, of many, steps from dark to light."""
-    from matplotlib import rcParams
-
     cycle = [entry["color"] for entry in rcParams["axes.prop_cycle"] if "color" in entry] or PALETTE
     return cycle[:count] if count <= len(cycle) else [on_scale(i / (count - 1)) for i in range(count)]
 
@@ -140,8 +137,6 @@ def running_mean(values: NDArray[Any], rows: int) -> NDArray[Any]:
 
 
 def draw_curve(ax: Any, curve: Curve, color: Any, log: bool) -> None:
-    from matplotlib.colors import to_rgba  # type: ignore[import]
-
     x, y, low, high, style = curve.x, curve.y, curve.low, curve.high, curve.style
     how = {"linestyle": "none" if style == "points" else curve.line, "markersize": 2.5}
     if style == "steps":
@@ -168,8 +163,6 @@ def draw_curve(ax: Any, curve: Curve, color: Any, log: bool) -> None:
 
 def draw_axis(ax: Any, which: str, axis: Axis, values: list[NDArray[Any]], given: Limits = (None, None)) -> None:
     """Scale, limits and ticks of `x` or `y`."""
-    from matplotlib import ticker
-
     of, set_limits = getattr(ax, f"{which}axis"), getattr(ax, f"set_{which}lim")
     flat = numpy.concatenate([numpy.asarray(part, float).ravel() for part in values]) if values else numpy.empty(0)
     flat = flat[numpy.isfinite(flat)]
@@ -212,8 +205,6 @@ def draw_panel(ax: Any, panel: Panel, look: Look = Look(), beside: Sequence[Pane
     shown = [*panel.curves, *panel.on_y2]
     palette = colors(sum(curve.color is None for curve in shown))
     if panel.scale is not None:
-        from matplotlib.colors import Normalize
-
         palette = list(map(on_scale, map(Normalize(min(panel.scale[1]), max(panel.scale[1])), panel.scale[1])))
     free, numbered = iter(palette), palette or colors(MOST_COLORS)
     for one, curves, axis in zip(axes, (panel.curves, panel.on_y2), (panel.y, panel.y2 or panel.y)):
@@ -222,16 +213,12 @@ def draw_panel(ax: Any, panel: Panel, look: Look = Look(), beside: Sequence[Pane
             draw_curve(one, curve, numbered[color % len(numbered)] if isinstance(color, int) else color, axis.log)
     if panel.draw is not None:
         panel.draw(ax)
-    if panel.curves:
-        together = [curve for one in beside or [panel] for curve in one.curves]
-        parts = [part for curve in together for part in (curve.y, curve.low, curve.high) if part is not None]
-        draw_axis(ax, "x", panel.x, [curve.x for curve in together], look.x_limits)
-        draw_axis(ax, "y", panel.y, parts, look.y_limits)
-        if not (panel.x.words or panel.x.log) and {*look.x_limits, panel.x.low} == {None}:
-            ax.margins(x=0.03 if shown[0].style in ("bars", "points") else 0)
-    elif panel.draw is not None:
-        draw_axis(ax, "x", panel.x, [], look.x_limits)
-        draw_axis(ax, "y", panel.y, [], look.y_limits)
+    together = [curve for one in beside or [panel] for curve in one.curves]
+    parts = [part for curve in together for part in (curve.y, curve.low, curve.high) if part is not None]
+    draw_axis(ax, "x", panel.x, [curve.x for curve in together], look.x_limits)
+    draw_axis(ax, "y", panel.y, parts, look.y_limits)
+    if panel.curves and not (panel.x.words or panel.x.log) and {*look.x_limits, panel.x.low} == {None}:
+        ax.margins(x=0.03 if shown[0].style in ("bars", "points") else 0)
     if panel.y2 is not None:
         draw_axis(axes[1], "y", panel.y2, [curve.y for curve in panel.on_y2])
     if panel.equal:
@@ -251,8 +238,6 @@ def labels(axes: list[Any], panel: Panel, wide: float = 1e9, high: float = 1e9, 
 @contextmanager
 def style(scale: float) -> Iterator[None]:
     """Ours, but for what a style of the user has set."""
-    import matplotlib
-
     sizes = {"font.size": LETTER, "axes.labelpad": 2, "axes.titlepad": 3}
     sizes |= {"grid.linewidth": 0.5, "axes.linewidth": 0.6, "lines.linewidth": 1.2}
     for ticks in ("xtick", "ytick"):
@@ -260,10 +245,9 @@ def style(scale: float) -> Iterator[None]:
     ours: dict[str, Any] = {key: size * scale for key, size in sizes.items()}
     ours |= {"axes.titlesize": "medium", "figure.titlesize": "medium", "axes.grid": True, "axes.axisbelow": True}
     ours |= {"axes.spines.top": False, "axes.spines.right": False, "legend.frameon": False}
-    ours |= {"grid.color": "#dcdcdc", "axes.edgecolor": "#404040", "axes.prop_cycle": matplotlib.cycler(color=PALETTE)}
+    ours |= {"grid.color": "#dcdcdc", "axes.edgecolor": "#404040", "axes.prop_cycle": cycler(color=PALETTE)}
     ours |= {"pdf.fonttype": 42, "svg.fonttype": "none", "svg.hashsalt": "clca"}
-    default = matplotlib.rcParamsDefault
-    with matplotlib.rc_context({key: value for key, value in ours.items() if matplotlib.rcParams[key] == default[key]}):
+    with rc_context({key: value for key, value in ours.items() if rcParams[key] == rcParamsDefault[key]}):
         yield
 
 
@@ -282,9 +266,6 @@ def rendered(chart: Chart, look: Look) -> bytes:
 
 def page(chart: Chart, look: Look, width: float, height: float | None, letter: float) -> Any:
     """The figure, with title, legend and panels, none of which covers another one."""
-    from matplotlib.backends.backend_agg import FigureCanvasAgg  # type: ignore[import]
-    from matplotlib.figure import Figure  # type: ignore[import]
-
     panels = chart.panels()
     line = 1.3 * letter / 72
     columns = min(len(panels), max(1, int(width / (17 * letter / 72))), math.ceil(math.sqrt(len(panels))))
@@ -321,11 +302,8 @@ def page(chart: Chart, look: Look, width: float, height: float | None, letter: f
         tidy_ticks(those[0], panel, wide, letter)
     bar = next((panel.scale for panel in panels if panel.scale is not None), None)
     if bar is not None:
-        from matplotlib.cm import ScalarMappable  # type: ignore[import]
-        from matplotlib.colors import LinearSegmentedColormap, Normalize
-
         shown = LinearSegmentedColormap.from_list("clca", [on_scale(i / 255) for i in range(256)])
-        bar_of = ScalarMappable(Normalize(min(bar[1]), max(bar[1])), shown)
+        bar_of = cm.ScalarMappable(Normalize(min(bar[1]), max(bar[1])), shown)
         figure.colorbar(bar_of, ax=[those[0] for those in axes], label=plain(bar[0]), aspect=30)
     margin = 0.3 * line  # equal scales are not quite what the layout has reckoned with
     left, bottom = margin / width, margin / total
@@ -357,9 +335,6 @@ def legend_of(axes: Sequence[Sequence[Any]], panels: Sequence[Panel]) -> tuple[l
 
 def legend_above(figure: Any, handles: list[Any], names: list[str], room: float, most: int) -> tuple[Any, int]:
     """As many names side by side as fit, in at most so many lines, with the number of others; and how many lines it has."""
-    from matplotlib import rcParams
-    from matplotlib.lines import Line2D  # type: ignore[import]
-
     def legend(handles: list[Any], names: list[str], columns: int) -> Any:
         space = {"borderaxespad": 0, "borderpad": 0, "handlelength": 1.6, "columnspacing": 1.2, "labelspacing": 0.25}
         made = figure.legend(handles, names, loc="upper left", ncol=columns, **space)
@@ -391,8 +366,6 @@ def legend_above(figure: Any, handles: list[Any], names: list[str], room: float,
 
 def tidy_ticks(ax: Any, panel: Panel, wide: float, letter: float) -> None:
     """Words under an axis stand side by side, or aslant."""
-    from matplotlib import ticker
-
     width = 0.6 * letter / 72  # of a letter
     if panel.x.words:
         if sum(len(word) + 2 for word in panel.x.words) * width > wide:

@@ -1,4 +1,4 @@
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -7,6 +7,8 @@ from numpy.typing import NDArray
 
 _Columns = list[tuple[str, Any, tuple[str, str, str]]]
 _FrameData = tuple[int, NDArray[numpy.void], list[tuple[float, float] | None], NDArray[numpy.void]]
+# The stage; steps, gases or runs so far, of how many; seconds left.
+_Report = Callable[[str, int, int | None, float | None], None]
 
 class Scene:
     def __init__(self, source: bytes, text: bytes | None, overrides: Sequence[bytes]) -> None: ...
@@ -59,19 +61,15 @@ class Gas:
     def state_hash(self) -> int: ...
 
 def sweep(
-    source: bytes,
-    text: bytes | None,
-    overrides: Sequence[bytes],
-    varied: Sequence[tuple[Sequence[str], Sequence[Sequence[str]]]],
-    seeds: Sequence[int],
-    output: Any,
-    jobs: int | None,
+    source: bytes, text: bytes | None, overrides: Sequence[bytes],
+    varied: Sequence[tuple[Sequence[str], Sequence[Sequence[str]]]], seeds: Sequence[int], output: Any, jobs: int | None,
+    report: _Report | None
 ) -> Path: ...
 def picture(folder: Path, step: int, overrides: Sequence[str]) -> NDArray[numpy.uint8]: ...
 def movie(
-    folder: Path, file: str, frames_per_second: int, duration: float | None, overrides: Sequence[str]
+    folder: Path, file: str, frames_per_second: int, duration: float | None, stage: str | None, overrides: Sequence[str]
 ) -> None: ...
 def png(pixels: NDArray[numpy.uint8]) -> bytes: ...
-def run(scene: Scene, output: Any, threads: int | None, keep: bool, overwrite: bool) -> Path: ...
-def resume(folder: Any, until: str | None, threads: int | None) -> None: ...
+def run(scene: Scene, output: Any, threads: int | None, keep: bool, overwrite: bool, report: _Report | None) -> Path: ...
+def resume(folder: Any, until: str | None, threads: int | None, report: _Report | None) -> None: ...
 def version() -> str: ...

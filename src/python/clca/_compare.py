@@ -21,10 +21,10 @@ import numpy
 from . import _answer
 from ._arguments import absolute
 from ._chart import Look, rendered
-from ._error import Error, WriteError
+from ._error import Error
 from ._figures import Choice, chosen
 from ._folder import Run, make_own, read_json, write_file
-from ._table import Table
+from ._table import Table, csv_of
 
 ROUNDING = 1e-6  # tables may be cut to fewer digits
 MODELS, GAS = ("automaton", "contact", "voids", "baxter"), ("boltzmann",)
@@ -57,23 +57,15 @@ def run_of(folder: Run | str | os.PathLike[str], kinds: tuple[str, ...]) -> Run:
     return run
 
 
-def column_of(file: Path, table: Table, column: str) -> Any:
-    if column not in table.names:
-        raise Error(f"{file}: it has no column '{column}'")
-    return table[column]
-
-
-def shares_of(file: Path, table: Table, column: str) -> list[float]:
+def shares_of(table: Table, column: str) -> list[float]:
     """Shares of equally probable bins: their sum is 1, or all are 0."""
-    numbers, reference = (column_of(file, table, name) for name in (column, "reference"))
-    for name, cells in ((column, numbers), ("reference", reference)):
-        if len(cells) and not (cells.dtype.kind == "f" and numpy.isfinite(cells).all()):
-            raise Error(f"{file}: not all in column '{name}' are numbers")
-    if len(reference) and numpy.abs(reference - 1 / len(reference)).max() > ROUNDING:
-        raise Error(f"{file}: its bins are not equally probable ones (bins: q20 in the scene)")
-    if (numbers < 0).any() or (numbers.any() and abs(numbers.sum() - 1) > ROUNDING):
-        raise Error(f"{file}: column '{column}' holds no shares: they do not add up to 1")
-    return [float(number) for number in numbers]
+    table._check_numbers(column, "reference")
+    shares, reference = table[column], table["reference"]
+    if not (abs(reference - 1 / max(len(reference), 1)) <= ROUNDING).all():
+        raise Error(f"{table._file}: its bins are not equally probable ones (bins: q20 in the scene)")
+    if not (shares >= 0).all() or (shares.any() and abs(shares.sum() - 1) > ROUNDING):
+        raise Error(f"{table._file}: column '{column}' holds no shares: they do not add up to 1")
+    return [float(share) for share in shares]
 
 
 def of_grains(run: Run, stage: str | None) -> tuple[str, list[Distribution]]:
@@ -88,9 +80,9 @@ def of_grains(run: Run, stage: str | None) -> tuple[str, list[Distribution]]:
     samples = run.stages[stage].measures.get("fluctuation_samples", math.nan)
     if not 1 <= samples < 2**64:
         raise Error(f"{run.folder / 'run.json'}: stage {stage} has no measure fluctuation_samples")
-    file, table = run.folder / f"fluctuation-{stage}.csv", run.table(f"fluctuation-{stage}")
+    table = run.table(f"fluctuation-{stage}")
     columns = {"automaton": "share", "automaton_local": "share_local"}
-    return stage, [Distribution(name, shares_of(file, table, key), int(samples)) for name, key in columns.items()]
+    return stage, [Distribution(name, shares_of(table, key), int(samples)) for name, key in columns.items()]
 
 
 def of_gas(run: Run, time: float | None, restitution: float | None) -> tuple[float, list[Distribution]]:
@@ -103,25 +95,18 @@ def of_gas(run: Run, time: float | None, restitution: float | None) -> tuple[flo
         there = ", ".join(map(shown, sorted(times)))
         raise Error(f"{run.folder}: no histogram of time {shown(time)}; there are {there}")
     time = max(times) if time is None else time
-    file, table = run.folder / f"{times[time]}.csv", run.table(times[time])
-    if "restitution" in table.names:
-        all_of = [float(one) for one in numpy.unique(table["restitution"])]
-        if restitution not in all_of and (restitution is not None or len(all_of) > 1):
-            texts = ", ".join(shown(one) for one in all_of)
-            raise Error(f"{file}: choose one of the restitutions {texts} (--restitution)")
-        table = table[table["restitution"] == (all_of[0] if restitution is None and all_of else restitution)]
-    elif restitution is not None:
-        raise Error(f"{file}: it has no column 'restitution' to choose from")
-    energies = column_of(file, table, "energy").astype(str)
+    table = run.table(times[time])
+    if "restitution" in table.names or restitution is not None:
+        all_of = list(map(shown, numpy.unique(table["restitution"]).astype(float).tolist()))
+        wanted = shown(float(restitution)) if restitution is not None else all_of[0] if len(all_of) == 1 else ""
+        if wanted not in all_of:
+            raise Error(f"{table._file}: choose one of the restitutions {', '.join(all_of)} (--restitution)")
+        table = table[table["restitution"] == float(wanted)]
+    energies = table["energy"].astype(str)
     names = ("translational", "rotational")
-    shares = {name: shares_of(file, table[energies == name], "share") for name in names}
+    shares = {name: shares_of(table[energies == name], "share") for name in names}
     shown_names = [name for name in names if any(shares[name]) or name == names[0]]
     return time, [Distribution(f"boltzmann_{name}", shares[name], run.particles) for name in shown_names]
-
-
-def csv_of(*rows: Iterable[Any]) -> bytes:
-    lines = [",".join(shown(cell) if isinstance(cell, float) else str(cell) for cell in row) for row in rows]
-    return "\n".join([*lines, ""]).encode()
 
 
 def distances_of(grains: list[Distribution], gas: list[Distribution]) -> list[tuple[str, float, float, int]]:
@@ -170,12 +155,9 @@ def compared(
 
 
 def compare(
-    automaton: Run | str | os.PathLike[str],
-    boltzmann: Run | str | os.PathLike[str],
-    output: str | os.PathLike[str] = "renders/comparison",
-    stage: str | None = None,
-    time: float | None = None,
-    restitution: float | None = None,
+    automaton: Run | str | os.PathLike[str], boltzmann: Run | str | os.PathLike[str],
+    output: str | os.PathLike[str] = "renders/comparison", stage: str | None = None, time: float | None = None,
+    restitution: float | None = None
 ) -> Run:
     """Energies of a run of grains with `output.fields` beside those of a gas with `output.histograms`, as `clca compare`.
 

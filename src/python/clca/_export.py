@@ -60,12 +60,6 @@ class Source:
     """The frames to export and what all formats have of them: in SI units where the run has them. Throws Error."""
 
     def __init__(self, run: Run, first: int | None, last: int | None, every: int) -> None:
-        if run.kind == "boltzmann":
-            found = "found one of the Boltzmann equation, which has no trajectory"
-            raise Error(f"{run.folder}: expected a run of grains, {found}")
-        if not (run.folder / "trajectory").exists():
-            again = "run the scene again with output.trajectory in it"
-            raise Error(f"{run.folder}: the run has left no trajectory; {again}")
         self.version = run.version
         self.trajectory = Trajectory(run.folder, run.summary)
         self.chosen = chosen(self.trajectory.list, first, last, every)

@@ -12,12 +12,14 @@ from functools import partial
 from typing import Any, NamedTuple
 
 import numpy
+from matplotlib.collections import LineCollection  # type: ignore[import]
+from matplotlib.colors import LinearSegmentedColormap  # type: ignore[import]
 from numpy.typing import NDArray
 
 from ._chart import THEORY, Axis, Chart, Curve, Panel, running_mean
 from ._error import Error
 from ._folder import Run, Sweep
-from ._table import TEXT, Table, numbers_of
+from ._table import TEXT, Table, is_numeric
 
 LABEL = frozenset("0123456789abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_-+.")
 NONE = numpy.empty(0)
@@ -67,7 +69,7 @@ class Source:
             if "stage" in table.names:
                 keep &= numpy.array([self.is_wanted(str(stage)) for stage in table["stage"]], bool)
             time = "time" if "time" in table.names else "step"
-            if time in table.names and table[time].dtype.kind == "f":
+            if time in table.names and is_numeric(table[time]):
                 keep &= table[time] >= (-math.inf if choice.first is None else choice.first)
                 keep &= table[time] <= (math.inf if choice.last is None else choice.last)
             self._tables[name] = table[keep]
@@ -104,7 +106,7 @@ def has(table: Table, column: str) -> bool:
     if column not in table.names:
         return False
     cells = table[column]
-    return bool(numpy.any(numpy.isfinite(cells) & (cells != 0))) if cells.dtype.kind == "f" else len(cells) > 0
+    return bool(numpy.any(numpy.isfinite(cells) & (cells != 0))) if is_numeric(cells) else len(cells) > 0
 
 
 def time_of(table: Table) -> str:
@@ -112,7 +114,7 @@ def time_of(table: Table) -> str:
 
 
 def text_of(value: Any) -> str:
-    return f"{value:g}" if isinstance(value, float) else str(value)
+    return str(value) if isinstance(value, str) else f"{value:g}"
 
 
 def groups_of(table: Table, column: str) -> list[tuple[str, Table]]:
@@ -120,7 +122,7 @@ def groups_of(table: Table, column: str) -> list[tuple[str, Table]]:
     if column not in table.names:
         return [("", table)]
     cells = table[column]
-    values = sorted(set(cells[numpy.isfinite(cells)])) if cells.dtype.kind == "f" else list(dict.fromkeys(cells))
+    values = sorted(set(cells[numpy.isfinite(cells)])) if is_numeric(cells) else list(dict.fromkeys(cells))
     return [(text_of(value), table[cells == value]) for value in values]
 
 
@@ -154,12 +156,11 @@ class Figure(NamedTuple):
     log: bool = False
     style: str = "line"
     each: str = ""  #: a figure for each `file` or for each value of this column
-    draw: Callable[[Source, Figure, Files, str], Panel] | None = None
+    draw: Callable[[Source, Figure, Files, str, Table], Panel] | None = None
 
 
-def lines(source: Source, figure: Figure, files: Files, part: str) -> Panel:
+def lines(source: Source, figure: Figure, files: Files, part: str, table: Table) -> Panel:
     """Columns over time or another column."""
-    table = files[0][1]
     x = figure.x or time_of(table)
     if figure.y.endswith("*"):
         prefix = figure.y[:-1]
@@ -173,24 +174,40 @@ def lines(source: Source, figure: Figure, files: Files, part: str) -> Panel:
     return Panel(curves, Axis(table.label(x)), Axis(label, figure.log, figure.zero, high=figure.top), part)
 
 
-def profile(source: Source, figure: Figure, files: Files, part: str) -> Panel:
+def outflow_rate(source: Source, figure: Figure, files: Files, part: str, table: Table) -> Panel:
+    """Over a twentieth of the time in which something left, three rows at least, or over as many rows as are chosen."""
+    units = source.folder.summary.get("units", {})
+    name, mass = time_of(table), units.get("site_mass")
+    time, left = table[name].astype(float), (mass or 1) * table[figure.y]
+    while_leaving = time[(left > left[0]) & (left < left[-1])]
+    row = float(numpy.ptp(time)) / max(len(numpy.unique(time)) - 1, 1)
+    window = max(float(numpy.ptp(while_leaving if len(while_leaving) else time)) / 20, 3 * row)
+    window = source.choice.mean * row if source.choice.mean > 1 else window
+    begin, end = (time - window / 2).clip(time[0]), (time + window / 2).clip(max=time[-1])
+    rate = (numpy.interp(end, time, left) - numpy.interp(begin, time, left)) / (end - begin).clip(1e-300)
+    parts = [(stage, table["stage"] == stage) for stage in dict.fromkeys(table["stage"])]
+    curves = [Curve(stage, time[rows], rate[rows]) for stage, rows in parts if numpy.ptp(left[rows]) > 0]
+    unit = table.units[name] or name
+    y = f"Outflow, mean over {window:.2g} {unit}{'s' * (unit == 'step')} ({'sites' if mass is None else 'kg'}/{unit})"
+    return Panel(curves, Axis(table.label(name)), Axis(y, zero=True), part)
+
+
+def profile(source: Source, figure: Figure, files: Files, part: str, table: Table) -> Panel:
     curves = [Curve(f"end of {label}", table["x"], table["height_end"]) for label, table in files]
     bed = numpy.concatenate([curve.x[curve.y > 0] for curve in curves])
     tall = 1.05 * max(float(numpy.nanmax(curve.y)) for curve in curves)
     margin = 0.03 * float(numpy.ptp(bed)) + 1
-    table = files[0][1]
     x = Axis(table.label("x"), low=bed.min() - margin, high=bed.max() + margin)
     return Panel(curves, x, Axis(table.label("height_end"), low=0, high=tall), part, equal=True)
 
 
-def slope(source: Source, figure: Figure, files: Files, part: str) -> Panel:
-    y = "repose_gravity_deg" if has(files[0][1], "repose_gravity_deg") else figure.y
-    panel = lines(source, figure._replace(y=y, style="points"), files, part)
+def slope(source: Source, figure: Figure, files: Files, part: str, table: Table) -> Panel:
+    y = "repose_gravity_deg" if has(table, "repose_gravity_deg") else figure.y
+    panel = lines(source, figure._replace(y=y, style="points"), files, part, table)
     return panel._replace(y=Axis(panel.y.label))
 
 
-def neighbours(source: Source, figure: Figure, files: Files, part: str) -> Panel:
-    table = files[0][1]
+def neighbours(source: Source, figure: Figure, files: Files, part: str, table: Table) -> Panel:
     table = table[table["pairs"] >= 100]
     fallen = table["fallen_d"]
     kept = Curve("neighbours kept", fallen, table["kept"], style="marked", color=0)
@@ -199,17 +216,15 @@ def neighbours(source: Source, figure: Figure, files: Files, part: str) -> Panel
     return Panel([kept], Axis(table.label("fallen_d")), left, part, right, [apart])
 
 
-def base_pressure(source: Source, figure: Figure, files: Files, part: str) -> Panel:
-    table = files[0][1]
+def base_pressure(source: Source, figure: Figure, files: Files, part: str, table: Table) -> Panel:
     rules = [rule for rule in ("inner", "outer", "pair", "q", "contact") if has(table, f"pressure_{rule}")]
     curves = [Curve(rule, table["base_position"], table[f"pressure_{rule}"], style="marked") for rule in rules]
     x = Axis(table.label("base_position"), low=-1, high=1)
     return Panel(curves, x, Axis("Base pressure over its mean", zero=True), part)
 
 
-def across(source: Source, figure: Figure, files: Files, part: str) -> Panel:
+def across(source: Source, figure: Figure, files: Files, part: str, table: Table) -> Panel:
     """Profiles across lines: over x or y where all are level or upright."""
-    table = files[0][1]
     groups = groups_of(table, "line")
     x = "position"
     for along, fixed in (("y", "x"), ("x", "y")):
@@ -260,8 +275,7 @@ def arrows(ax: Any, places: Sequence[Any], ends: Sequence[Any], cell: float, col
     ax.quiver(*places, *(end * scale for end in ends), **how)
 
 
-def field(source: Source, figure: Figure, files: Files, part: str) -> Panel:
-    table = files[0][1]
+def field(source: Source, figure: Figure, files: Files, part: str, table: Table) -> Panel:
     xs, ys, means, windows = grid_of(table[table["stage"] == part] if part else table)
     wide, tall = pitch_of(xs, ys), pitch_of(ys, xs)
     moves, speed = numpy.isfinite(means["vx"]).any(), math.nan
@@ -272,8 +286,6 @@ def field(source: Source, figure: Figure, files: Files, part: str) -> Panel:
         label = f"Packing; mean arrow: {speed:.2g} {table.units['vx']}"
 
     def draw(ax: Any) -> None:
-        from matplotlib.colors import LinearSegmentedColormap  # type: ignore[import]
-
         edges = [numpy.append(centres - size / 2, centres[-1] + size / 2) for centres, size in ((xs, wide), (ys, tall))]
         blue = LinearSegmentedColormap.from_list("blue", ["#ffffff", "#0072b2"])
         ax.grid(False)
@@ -286,8 +298,7 @@ def field(source: Source, figure: Figure, files: Files, part: str) -> Panel:
     return place_panel(draw, title, (xs[0] - wide / 2, xs[-1] + wide / 2), (ys[0] - tall / 2, ys[-1] + tall / 2))
 
 
-def convection(source: Source, figure: Figure, files: Files, part: str) -> Panel:
-    table = files[0][1]
+def convection(source: Source, figure: Figure, files: Files, part: str, table: Table) -> Panel:
     cell = pitch_of(table["x"])
     longest = float(numpy.nanmax(numpy.hypot(table["dx"], table["dy"])))
 
@@ -298,8 +309,8 @@ def convection(source: Source, figure: Figure, files: Files, part: str) -> Panel
     return place_panel(draw, f"{part} (longest: {longest:.2g} spacings per cycle)", *limits)
 
 
-def contacts(source: Source, figure: Figure, files: Files, part: str) -> Panel:
-    table, loads = files[0][1], source.table(f"loads-{part}")
+def contacts(source: Source, figure: Figure, files: Files, part: str, table: Table) -> Panel:
+    loads = source.table(f"loads-{part}")
     column, unit = ("normal_force", "grain weights") if has(table, "normal_force") else ("sites", "sites")
     strongest = float(numpy.nanmax(table[column]))
     centres = {text_of(number): (x, y) for number, x, y in zip(loads["id"], loads["x"], loads["y"])}
@@ -319,8 +330,6 @@ def contacts(source: Source, figure: Figure, files: Files, part: str) -> Panel:
         widths += len(those) * [0.3 * math.ceil(10 * force / strongest)]
 
     def draw(ax: Any) -> None:
-        from matplotlib.collections import LineCollection  # type: ignore[import]
-
         ax.add_collection(LineCollection(segments, linewidths=widths, colors="#d55e00"))
 
     points = numpy.array(segments or [[(0, 0)]]).reshape(-1, 2)
@@ -338,17 +347,17 @@ def density(table: Table, share: str) -> tuple[NDArray[Any], NDArray[Any], NDArr
     return table["lower"], values, width
 
 
-def fluctuation(source: Source, figure: Figure, files: Files, part: str) -> Panel:
+def fluctuation(source: Source, figure: Figure, files: Files, part: str, table: Table) -> Panel:
     curves = []
     names = {"share": "over the mean of the window", "share_local": "over the mean of the cell"}
     for column, name in (names | {"reference": "chi-square"}).items():
-        x, y, _ = density(files[0][1], column)
+        x, y, _ = density(table, column)
         curves.append(Curve(name, x, numpy.where(y > 0, y, numpy.nan), style="steps"))
     curves[-1] = curves[-1]._replace(line="--", color=THEORY)
     return Panel(curves, Axis("X"), Axis("Probability density of X", log=True), part)
 
 
-def forces(source: Source, figure: Figure, files: Files, part: str) -> Panel:
+def forces(source: Source, figure: Figure, files: Files, part: str, table: Table) -> Panel:
     curves = []
     for label, table in files:
         middle = (table["low"] + table["high"]) / 2
@@ -364,9 +373,8 @@ def theory_of(source: Source, *columns: str) -> Table | None:
     return table if table is not None and all(has(table, column) for column in columns) else None
 
 
-def gas(source: Source, figure: Figure, files: Files, part: str) -> Panel:
+def gas(source: Source, figure: Figure, files: Files, part: str, table: Table) -> Panel:
     """Over time, with a curve for each restitution, error bars and the closed forms dashed."""
-    table = files[0][1]
     columns = figure.y.split("/")
     is_ratio = len(columns) > 1
     theory = theory_of(source, *columns)
@@ -401,7 +409,7 @@ def measure_of(source: Source, name: str) -> float:
     return float(next((one.measures[name] for one in reversed(list(stages)) if name in one.measures), math.nan))
 
 
-def energy(source: Source, figure: Figure, files: Files, part: str) -> Panel:
+def energy(source: Source, figure: Figure, files: Files, part: str, table: Table) -> Panel:
     """Distributions at the times of the histograms, and chi-square with three degrees of freedom."""
     kind, curves, end = figure.name.partition("-")[2], [], 0.0
     for label, table in files:
@@ -427,8 +435,8 @@ def of_restitution(table: Table, part: str) -> Table:
     return chosen
 
 
-def stress(source: Source, figure: Figure, files: Files, part: str) -> Panel:
-    table, theory = of_restitution(files[0][1], part), theory_of(source, "p_xy")
+def stress(source: Source, figure: Figure, files: Files, part: str, table: Table) -> Panel:
+    table, theory = of_restitution(table, part), theory_of(source, "p_xy")
     columns = ["p_xx", "p_yy", "p_xy"]
     curves = [curve_of(source, name.replace("_", " "), table, "time", name, style="sparse") for name in columns]
     if theory is not None:
@@ -438,8 +446,8 @@ def stress(source: Source, figure: Figure, files: Files, part: str) -> Panel:
     return Panel(curves, Axis(table.label("time")), Axis("Stress / mean pressure"), f"ε = {part}" if part else "")
 
 
-def comparison(source: Source, figure: Figure, files: Files, part: str) -> Panel:
-    table, curves = files[0][1], []
+def comparison(source: Source, figure: Figure, files: Files, part: str, table: Table) -> Panel:
+    curves = []
     names = {
         "automaton": "automaton, a temperature for all",
         "automaton_local": "automaton, one for each cell",
@@ -459,116 +467,84 @@ def comparison(source: Source, figure: Figure, files: Files, part: str) -> Panel
 
 # fmt: off
 FIGURES = [
-    Figure("profile", "profile-*", "height_end",
-           "Surface of the bed above the floor of the box at the end of each stage; equal scales, so that slopes are "
-           "seen as they are.", 9, "x", draw=profile),
+    Figure("profile", "profile-*", "height_end", "Surface of the bed above the floor of the box at the end of each stage; equal "
+           "scales, so that slopes are seen as they are.", 9, "x", draw=profile),
     Figure("motion", "series", "moving_share", "Share of the particles that move.", 5, zero=True, top=1),
-    Figure("mean-height", "series", "mean_height",
-           "Mean height of all particles above the floor of the box.", 4, zero=True),
+    Figure("mean-height", "series", "mean_height", "Mean height of all particles above the floor of the box.", 4, zero=True),
     Figure("kinetic-energy", "series", "kinetic_energy", "Kinetic energy of all grains.", 6, zero=True),
     Figure("particles", "series", "particles", "Particles in the box, where some enter or leave.", zero=True),
-    Figure("outflow", "series", "discharged_sites",
-           "What has left through outlets; the slope is the outflow.", 8, zero=True),
-    Figure("outflow-apart", "series", "discharged.*",
-           "What has left through each outlet, and of each species.", 7, zero=True),
+    Figure("outflow", "series", "discharged_sites", "What has left through outlets; the slope is the outflow.", 8, zero=True),
+    Figure("outflow-rate", "series", "discharged_sites", "Outflow: what leaves through outlets, a running mean over a twentieth of "
+           "the time in which it leaves.", 7.5, draw=outflow_rate),
+    Figure("outflow-apart", "series", "discharged.*", "What has left through each outlet, and of each species.", 7, zero=True),
     Figure("probe-flow", "probes", "flow", "Flow through each probe, downwards.", 6, by="probe"),
-    Figure("probe-filling", "probes", "filling",
-           "Share of the sites of each probe that particles cover.", by="probe", zero=True, top=1),
-    Figure("line-velocity", "lines-*", "v_across",
-           "Mean velocity across and along each line of the scene over a stage, with bands of one standard error.",
-           7, by="line", each="file", draw=across),
-    Figure("line-flux", "lines-*", "flux",
-           "Flux to the right across each line of the scene over a stage, with bands of one standard error.",
-           by="line", each="file", draw=across),
-    Figure("line-filling", "lines-*", "filling",
-           "Share of each line of the scene that particles cover, of what no wall covers; mean over a stage.",
-           by="line", zero=True, top=1, each="file", draw=across),
-    Figure("wall-travel", "series", "travel.*",
-           "How far walls are from where they were at the beginning, along their motion."),
+    Figure("probe-filling", "probes", "filling", "Share of the sites of each probe that particles cover.", by="probe", zero=True,
+           top=1),
+    Figure("line-velocity", "lines-*", "v_across", "Mean velocity across and along each line of the scene over a stage, with bands "
+           "of one standard error.", 7, by="line", each="file", draw=across),
+    Figure("line-flux", "lines-*", "flux", "Flux to the right across each line of the scene over a stage, with bands of one "
+           "standard error.", by="line", each="file", draw=across),
+    Figure("line-filling", "lines-*", "filling", "Share of each line of the scene that particles cover, of what no wall covers; "
+           "mean over a stage.", by="line", zero=True, top=1, each="file", draw=across),
+    Figure("wall-travel", "series", "travel.*", "How far walls are from where they were at the beginning, along their motion."),
     Figure("wall-overlap", "series", "index.*", "Overlap that began at each wall: its index of force.", zero=True),
-    Figure("segregation", "cycles", "segregation_index",
-           "Segregation by cycle of shaking or turning: 0 mixed, 1 all large ones above all small ones.", 8, "cycle"),
-    Figure("mixing", "cycles", "lacey_index",
-           "Mixing by cycle of shaking or turning, Lacey’s index: 0 separated, 1 as mixed as by chance.", 8, "cycle"),
-    Figure("intruder", "cycles", "intruder_height_rel",
-           "Height of the intruder by cycle of shaking or turning.", 8, "cycle"),
-    Figure("slope", "cycles", "repose_angle_deg",
-           "Slope of the surface by cycle of shaking or turning; with a vessel against gravity.",
-           8, "cycle", draw=slope),
-    Figure("surface-height", "cycles", "height_mean",
-           "Mean height of the surface above the floor of the box, by cycle.", 0, "cycle", zero=True),
-    Figure("neighbours", "mixing-*", "kept",
-           "Neighbours kept, and diffusion of pairs, against the distance that they have fallen.",
+    Figure("segregation", "cycles", "segregation_index", "Segregation by cycle of shaking or turning: 0 mixed, 1 all large ones "
+           "above all small ones.", 8, "cycle"),
+    Figure("mixing", "cycles", "lacey_index", "Mixing by cycle of shaking or turning, Lacey’s index: 0 separated, 1 as mixed as by "
+           "chance.", 8, "cycle"),
+    Figure("intruder", "cycles", "intruder_height_rel", "Height of the intruder by cycle of shaking or turning.", 8, "cycle"),
+    Figure("slope", "cycles", "repose_angle_deg", "Slope of the surface by cycle of shaking or turning; with a vessel against "
+           "gravity.", 8, "cycle", draw=slope),
+    Figure("surface-height", "cycles", "height_mean", "Mean height of the surface above the floor of the box, by cycle.", 0,
+           "cycle", zero=True),
+    Figure("neighbours", "mixing-*", "kept", "Neighbours kept, and diffusion of pairs, against the distance that they have fallen.",
            7, "fallen_d", each="file", draw=neighbours),
-    Figure("base-pressure", "weight_paths-*", "pressure_inner",
-           "Pressure below a bed at rest, over its mean: of weight passed on by rules, and of the contact model.",
-           6, "base_position", each="file", draw=base_pressure),
-    Figure("convection", "convection-*", "dx",
-           "Mean drift in a cycle of shaking or turning, as arrows: of mean length 0.7 times the width of a cell, "
-           "and none longer than 1.3 times it, so that the fast ones at the surface do not hide the others.",
+    Figure("base-pressure", "weight_paths-*", "pressure_inner", "Pressure below a bed at rest, over its mean: of weight passed on "
+           "by rules, and of the contact model.", 6, "base_position", each="file", draw=base_pressure),
+    Figure("convection", "convection-*", "dx", "Mean drift in a cycle of shaking or turning, as arrows: of mean length 0.7 times "
+           "the width of a cell, and none longer than 1.3 times it, so that the fast ones at the surface do not hide the others.",
            7, "x", needs=("y", "dy"), each="file", draw=convection),
-    Figure("velocity-field", "fields", "packing",
-           "Packing and mean velocity in the cells of a grid, over a stage.",
-           7, "x", needs=("y",), each="stage", draw=field),
-    Figure("fluctuation-field", "fields", "fluctuation",
-           "Energy of the fluctuations in the cells of a grid, ½⟨|v - ⟨v⟩|²⟩, over a stage.",
-           0, "x", needs=("y",), each="stage", draw=field),
-    Figure("fluctuation", "fluctuation-*", "share",
-           "Energy X of the fluctuations over its mean, and chi-square with 2 degrees of freedom.",
-           0, "lower", needs=("upper", "reference"), each="file", draw=fluctuation),
-    Figure("contacts", "contacts-*", "y",
-           "Contacts at the end of a stage: lines between the centres of particles, or from them to a wall. The "
-           "stronger, the wider: by normal force, or by the sites that both have.", 5, "x", each="file", draw=contacts),
-    Figure("forces", "forces-*", "density",
-           "Distribution of the index of force over the contacts, at the end of a stage or averaged over it.",
-           6, "high", needs=("count",), draw=forces),
-    Figure("temperature-translational", "series", "t_tr",
-           "Temperature of the translational motion, and its closed form.", 9, "time", log=True, draw=gas),
-    Figure("temperature-rotational", "series", "t_rot",
-           "Temperature of the rotational motion, and its closed form.", 8, "time", log=True, draw=gas),
-    Figure("temperature-ratio", "series", "t_rot/t_tr",
-           "Rotational temperature over the translational one, each relative to its beginning, and the closed form "
-           "of it.", 7, "time", log=True, draw=gas),
-    Figure("distance-rotational", "series", "dh_rot",
-           "How far the distribution of rotational energy is from chi-square: Figs. 3 (case 1) and 6 (case 2) of "
-           "Ogawa & Kato 1982.", 6, "time", log=True, draw=gas),
-    Figure("distance-translational", "series", "dh_tr",
-           "How far the distribution of translational energy is from chi-square.", 6, "time", log=True, draw=gas),
-    Figure("energy-rotational", "histogram-*", "share",
-           "Distribution of the rotational energy at the times of the histograms, and chi-square with 3 degrees of "
-           "freedom: Figs. 2 (case 1) and 5 (case 2) of Ogawa & Kato 1982.",
-           5, "upper", each="restitution", draw=energy),
-    Figure("energy-translational", "histogram-*", "share",
-           "Distribution of the translational energy at the times of the histograms, and chi-square with 3 degrees "
-           "of freedom: Fig. 4 (case 2) of Ogawa & Kato 1982.", 5, "upper", each="restitution", draw=energy),
-    Figure("cumulant-translational", "series", "a2_tr",
-           "Second cumulant of the translational motion: 0 for a normal distribution.", 4, "time", draw=gas),
-    Figure("cumulant-rotational", "series", "a2_rot",
-           "Second cumulant of the rotational motion: 0 for a normal distribution.", 4, "time", draw=gas),
-    Figure("correlation", "series", "correlation",
-           "Correlation of translational and rotational energy.", 0, "time", draw=gas),
-    Figure("alignment", "series", "alignment",
-           "Alignment of spins and velocities: 0 without a preferred angle.", 0, "time", draw=gas),
+    Figure("velocity-field", "fields", "packing", "Packing and mean velocity in the cells of a grid, over a stage.", 7, "x",
+           needs=("y",), each="stage", draw=field),
+    Figure("fluctuation-field", "fields", "fluctuation", "Energy of the fluctuations in the cells of a grid, ½⟨|v - ⟨v⟩|²⟩, over a "
+           "stage.", 0, "x", needs=("y",), each="stage", draw=field),
+    Figure("fluctuation", "fluctuation-*", "share", "Energy X of the fluctuations over its mean, and chi-square with 2 degrees of "
+           "freedom.", 0, "lower", needs=("upper", "reference"), each="file", draw=fluctuation),
+    Figure("contacts", "contacts-*", "y", "Contacts at the end of a stage: lines between the centres of particles, or from them to "
+           "a wall. The stronger, the wider: by normal force, or by the sites that both have.", 5, "x", each="file", draw=contacts),
+    Figure("forces", "forces-*", "density", "Distribution of the index of force over the contacts, at the end of a stage or "
+           "averaged over it.", 6, "high", needs=("count",), draw=forces),
+    Figure("temperature-translational", "series", "t_tr", "Temperature of the translational motion, and its closed form.", 9,
+           "time", log=True, draw=gas),
+    Figure("temperature-rotational", "series", "t_rot", "Temperature of the rotational motion, and its closed form.", 8, "time",
+           log=True, draw=gas),
+    Figure("temperature-ratio", "series", "t_rot/t_tr", "Rotational temperature over the translational one, each relative to its "
+           "beginning, and the closed form of it.", 7, "time", log=True, draw=gas),
+    Figure("distance-rotational", "series", "dh_rot", "How far the distribution of rotational energy is from chi-square: Figs. 3 "
+           "(case 1) and 6 (case 2) of Ogawa & Kato 1982.", 6, "time", log=True, draw=gas),
+    Figure("distance-translational", "series", "dh_tr", "How far the distribution of translational energy is from chi-square.", 6,
+           "time", log=True, draw=gas),
+    Figure("energy-rotational", "histogram-*", "share", "Distribution of the rotational energy at the times of the histograms, and "
+           "chi-square with 3 degrees of freedom: Figs. 2 (case 1) and 5 (case 2) of Ogawa & Kato 1982.", 5, "upper",
+           each="restitution", draw=energy),
+    Figure("energy-translational", "histogram-*", "share", "Distribution of the translational energy at the times of the "
+           "histograms, and chi-square with 3 degrees of freedom: Fig. 4 (case 2) of Ogawa & Kato 1982.", 5, "upper",
+           each="restitution", draw=energy),
+    Figure("cumulant-translational", "series", "a2_tr", "Second cumulant of the translational motion: 0 for a normal distribution.",
+           4, "time", draw=gas),
+    Figure("cumulant-rotational", "series", "a2_rot", "Second cumulant of the rotational motion: 0 for a normal distribution.", 4,
+           "time", draw=gas),
+    Figure("correlation", "series", "correlation", "Correlation of translational and rotational energy.", 0, "time", draw=gas),
+    Figure("alignment", "series", "alignment", "Alignment of spins and velocities: 0 without a preferred angle.", 0, "time",
+           draw=gas),
     Figure("collisions", "series", "collisions", "Collisions in which a particle has taken part.", 0, "time", draw=gas),
-    Figure("stress", "series", "p_xy",
-           "Pressure tensor of a sheared gas, and the theory of its steady state where a table has it.",
+    Figure("stress", "series", "p_xy", "Pressure tensor of a sheared gas, and the theory of its steady state where a table has it.",
            8, "time", needs=("p_xx", "p_yy"), each="restitution", draw=stress),
-    Figure("comparison", "comparison", "automaton",
-           "Energies of the particles of an automaton run beside those of a Boltzmann run: shares of bins that "
-           "chi-square makes equally probable, over their share under chi-square.",
-           0, "quantile_upper", needs=("automaton_local", "boltzmann_translational", "reference"), draw=comparison),
+    Figure("comparison", "comparison", "automaton", "Energies of the particles of an automaton run beside those of a Boltzmann "
+           "run: shares of bins that chi-square makes equally probable, over their share under chi-square.", 0, "quantile_upper",
+           needs=("automaton_local", "boltzmann_translational", "reference"), draw=comparison),
 ]
 # fmt: on
-
-
-def check_numbers(source: Source, name: str, figure: Figure) -> None:
-    """Throws Error where a cell of what the figure needs is no number."""
-    table = source.table(name)
-    for column in (*figure.y.split("/"), figure.x, *figure.needs):
-        if column in table.names and column not in TEXT and table[column].dtype.kind != "f":
-            cells = enumerate(source.folder.table(name)[column], 2)
-            line, cell = next((line, str(cell)) for line, cell in cells if isinstance(numbers_of([cell]), list))
-            raise Error(f"{name}.csv: line {line}: {cell!r} in column {column!r} is no number")
 
 
 def allows(figure: Figure, table: Table) -> bool:
@@ -588,8 +564,13 @@ def charts_of(source: Source, figure: Figure) -> list[Chart]:
     if isinstance(source.folder, Sweep) or is_gas != (source.folder.kind == "boltzmann"):
         return []
     files = [(label, table) for label, table in source.files(figure.table) if allows(figure, table)]
-    for label, _ in files:
-        check_numbers(source, figure.table.replace("*", label), figure)
+    for label, table in files:
+        needed = {*figure.y.split("/"), figure.x, *figure.needs} & {*table.names} - TEXT
+        if not all(is_numeric(table[name]) for name in needed):
+            source.folder.table(figure.table.replace("*", label))._check_numbers(*needed)
+    if source.choice.y2:
+        is_over_time = not figure.x and figure.draw in (None, outflow_rate) and figure.by == "stage" and not figure.y.endswith("*")
+        files = [(label, table) for label, table in files if is_over_time and source.choice.y2 in table.names]
     if figure.name == "contacts":
         files = [(label, table) for label, table in files if f"loads-{label}" in source.names]
     if figure.each == "file":
@@ -604,10 +585,24 @@ def charts_of(source: Source, figure: Figure) -> list[Chart]:
     def chart(part: str, those: Files) -> Chart:
         name = f"{figure.name}-{part}" if part else figure.name
         about = f"{figure.about} {what}: {part}." if part else figure.about
-        draw = partial(figure.draw or lines, source, figure, those, part)
-        return Chart(name, about, figure.rank, lambda: [logged(draw(), source.choice.log)], source.title, figure.name)
+        table = those[0][1]
+        draw = partial(figure.draw or lines, source, figure, those, part, table)
+        beside = partial(with_y2, source, table, time_of(table), "stage")
+        return Chart(name, about, figure.rank, lambda: [logged(beside(draw()), source.choice.log)], source.title, figure.name)
 
     return [chart(part, those) for part, those in parts.items()]
+
+
+def with_y2(source: Source, table: Table, x: str, by: str, panel: Panel) -> Panel:
+    """With the column that is chosen for the second axis, dashed, of each value of `by` that has a curve."""
+    if not (y2 := source.choice.y2):
+        return panel
+    table._check_numbers(y2)
+    groups = dict(groups_of(table, by))
+    right = [curve_of(source, "", groups[curve.label], x, y2, line="--", color=i) for i, curve in enumerate(panel.curves)]
+    axes = (f"{panel.y.label} (left)", "-"), (f"{table.label(y2)} (right, dashed)", "--")
+    curves = [*panel.curves, *(legend_entry(label, line) for label, line in axes)]
+    return panel._replace(curves=curves, y2=Axis(table.label(y2)), on_y2=right)
 
 
 def logged(panel: Panel, log: str) -> Panel:
@@ -626,17 +621,9 @@ def column_chart(source: Source, y: str) -> Chart:
     by = next((name for name in choice.over or ("line", "probe", "restitution", "stage") if name in table.names), "")
     if not x:
         raise Error(f"{where}: say which column is x")
-    for column in filter(None, (x, y, choice.y2)):
-        if table[column].dtype.kind != "f":
-            raise Error(f"{where}: column '{column}' is not of numbers")
-    groups = groups_of(table, by)
-    curves = [curve_of(source, group, rows, x, y) for group, rows in groups]
-    panel = Panel(curves, Axis(table.label(x)), Axis(table.label(y)))
-    if choice.y2:
-        right = [curve_of(source, "", rows, x, choice.y2, line="--", color=i) for i, (_, rows) in enumerate(groups)]
-        left, dashed = f"{table.label(y)} (left)", f"{table.label(choice.y2)} (right, dashed)"
-        curves += [legend_entry(left, "-"), legend_entry(dashed)]
-        panel = panel._replace(y2=Axis(table.label(choice.y2)), on_y2=right)
+    table._check_numbers(x, y)
+    curves = [curve_of(source, group, rows, x, y) for group, rows in groups_of(table, by)]
+    panel = with_y2(source, table, x, by, Panel(curves, Axis(table.label(x)), Axis(table.label(y))))
     return Chart(y, table.descriptions.get(y, y), 0, lambda: [logged(panel, choice.log)], source.title, y)
 
 
@@ -654,9 +641,7 @@ def table_with(source: Source, columns: list[str]) -> Table:
     raise Error(f"{source.folder.folder}: no table with all of the columns {', '.join(columns)}")
 
 
-def charts(
-    folder: Run | Sweep, choice: Choice = Choice(), unreadable: Callable[[Error], None] | None = None
-) -> list[Chart]:
+def charts(folder: Run | Sweep, choice: Choice = Choice(), unreadable: Callable[[Error], None] | None = None) -> list[Chart]:
     """All that the tables allow, or what is chosen. Throws Error, but for tables that `unreadable` is told of."""
     from ._sweep_figures import sweep_charts
 
@@ -665,7 +650,7 @@ def charts(
         makers: list[Callable[[], list[Chart]]] = [partial(sweep_charts, source, folder)]
     elif choice.y:
         return [column_chart(source, y) for y in choice.y]
-    elif choice.x or choice.over or choice.log or choice.y2:
+    elif choice.x or choice.over or choice.log:
         raise Error(f"{folder.folder}: of a run, say which columns are y, too")
     else:
         makers = [partial(charts_of, source, figure) for figure in FIGURES]
@@ -677,6 +662,8 @@ def charts(
             if unreadable is None:
                 raise
             unreadable(error)
+    if choice.y2 and not found:
+        raise Error(f"{folder.folder}: no figure over time of a table with a column '{choice.y2}'")
     return found
 
 

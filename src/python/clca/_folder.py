@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from ._arguments import MOST, absolute, path, whole
 from ._error import ArgumentError, CompiledPartError, Error, WriteError
 from ._frames import Frames, Kind
-from ._picture import Picture, overrides
+from ._notebook import Movie, Picture, overrides, shown
 from ._table import Named, Quantity, Table, Value, check_regular, quantities, read_table
 
 if TYPE_CHECKING:
@@ -116,6 +116,18 @@ class Folder:
         kinds = [kind for kind in known if table == kind or table.startswith(f"{kind}-")]
         return quantities(known[max(kinds, key=len)]) if kinds else {}
 
+    def table(self, name: str) -> Table:
+        """`NAME.csv` of the folder, such as `profile-flow`. Numbers are float64, whole ones int64; an empty cell is NaN.
+        Throws Error.
+        """
+        if name not in self.tables:
+            raise Error(f"{self.folder}: no table {name!r}; there are {', '.join(self.tables) or 'none'}")
+        return read_table(self.folder / f"{name}.csv", self._columns(name))
+
+
+class Result(Folder):
+    """Of runs: it can be drawn."""
+
     def report(self, path: str | os.PathLike[str] | None = None, max_frames: int | None = None) -> Path:
         """Writes the page of `clca report`, `report.html` in the folder by default, and returns its path. `max_frames`: most
         pictures to step through; by default as many as keep the page below 20 MB. What cannot be read is left out with a
@@ -142,11 +154,9 @@ class Folder:
         assert isinstance(self, (Run, Sweep))
         return plot(self, name, ax, Choice(x, names(y), names(over), y2, log, names(stage), first, last, filling, mean))
 
-    def table(self, name: str) -> Table:
-        """`NAME.csv` of the folder, such as `profile-flow`. Numbers are float64; an empty cell is NaN. Throws Error."""
-        if name not in self.tables:
-            raise Error(f"{self.folder}: no table {name!r}; there are {', '.join(self.tables) or 'none'}")
-        return read_table(self.folder / f"{name}.csv", self._columns(name))
+    def _repr_html_(self) -> str | None:
+        assert isinstance(self, (Run, Sweep))
+        return shown(self)
 
 
 class Stage(NamedTuple):
@@ -159,7 +169,7 @@ class Stage(NamedTuple):
     fills: bool = False  #: particles are filled in
 
 
-class Run(Folder):
+class Run(Result):
     """A run folder. Tables and frames are read when they are asked for.
 
     `folder` is absolute, so that it stays the same one.
@@ -230,6 +240,15 @@ class Run(Folder):
         """`contacts` of the frame of that step."""
         return self.frames.at(step).contacts
 
+    def _side_reached(self, stage: str) -> str:
+        """The side of the box to which grains have come in a stage that fills in none."""
+        has_sides = not self.summary.get("box", {}).get("periodic", True)
+        if not has_sides or self.stages[stage].fills or f"profile-{stage}" not in self.tables:
+            return ""
+        table = self.table(f"profile-{stage}")
+        come = (table["height_end"] > 0) & ~(table["height_start"] > 0)
+        return "left" if come[0] else "right" if come[-1] else ""
+
     def picture(self, step: int, **frames: Any) -> Picture:
         """The box at a step of the trajectory. `frames` are keys of `output.frames` in place of the scene's, such as
         `color_by="stage_layer"`, `width=400`. Throws Error.
@@ -238,25 +257,25 @@ class Run(Folder):
         drawn: Picture = picture(self.folder, whole("step", step, 0, MOST), overrides(frames)).view(Picture)
         return drawn
 
-    def movie(self, file: str | os.PathLike[str], fps: int = 25, duration: float | None = None, **frames: Any) -> None:
-        """Writes the pictures of the run, drawn from its trajectory, to FILE.mp4, .webm, .webp, .gif or .png
+    def movie(
+        self, file: str | os.PathLike[str], fps: int = 25, duration: float | None = None, stage: str | None = None, **frames: Any
+    ) -> Movie:
+        """Writes the pictures of the run, or of a stage, drawn from its trajectory, to FILE.mp4, .webm, .webp, .gif or .png
         (animated), by ffmpeg. `frames` are as for `picture`; `every` chooses the steps. `duration`, seconds: shows
-        frames of the trajectory evenly chosen, at most `fps` per second. Throws Error.
+        frames of the trajectory evenly chosen, at most `fps` per second. Returns the path, which shows the movie in a
+        notebook. Throws Error.
         """
         if duration is not None:
             if not 0.1 <= duration <= 86_400:
                 raise ArgumentError(f"duration: expected 0.1 to 86400 seconds, found {duration:g}")
             frames = {"every": 1, **frames}
         movie = compiled("drawing grains").movie
-        movie(self.folder, path(file), whole("fps", fps, 1, 240), duration, overrides(frames))
+        movie(self.folder, path(file), whole("fps", fps, 1, 240), duration, stage, overrides(frames))
+        return Movie(absolute(file))
 
     def export(
-        self,
-        format: str,
-        path: str | os.PathLike[str] | None = None,
-        first: int | None = None,
-        last: int | None = None,
-        every: int = 1,
+        self, format: str, path: str | os.PathLike[str] | None = None, first: int | None = None, last: int | None = None,
+        every: int = 1
     ) -> Path:
         """Writes the trajectory in a format of other programs, as `clca export` names them. `path` is the file, of `vtp`
         the `.pvd` with all others beside it; without it SCENE with the ending of the format, in the current folder. Files
@@ -274,7 +293,7 @@ class Run(Folder):
         return {name: value for name, value in self.__dict__.items() if name != "frames"}  # of an open trajectory
 
 
-class Sweep(Folder):
+class Sweep(Result):
     """The runs of a sweep and tables over them."""
 
     keys: list[str]  #: that vary
@@ -315,6 +334,23 @@ class Sweep(Folder):
         whole, _, part = name.partition(".")
         found = self._known.get(name) or self._known.get(whole)
         return found._replace(of=found.of or part) if found else Quantity(name)
+
+    @cached_property
+    def notes(self) -> list[str]:
+        """Which measures say nothing: the same for three seeds or more, since grains have come to a side of the box."""
+        notes = []
+        for row in self.measures[(self.measures["runs"] >= 3) & (self.measures["min"] == self.measures["max"])]:
+            what, same = self._measure(str(row["measure"])), self.runs["status"] == "done"
+            for key in self.keys:
+                same &= self.runs[key] == row[key]
+            folder = self.folder / str(self.runs["folder"][same.argmax()])
+            if not what.of_floor or row["mean"] == 0 or not folder.exists():
+                continue
+            if side := Run(folder)._side_reached(str(row["stage"])):
+                of = "".join(f", {key}={row[key]}" for key in self.keys)
+                equal = f"{row['stage']}.{row['measure']}{of}: {row['mean']:.6g} {what.unit} for all {row['runs']} seeds"
+                notes.append(f"{equal}, since grains have come to the {side} side of the box")
+        return notes
 
     def __len__(self) -> int:
         return len(self.runs)

@@ -56,9 +56,7 @@ class Frame:
     Lengths are in lattice spacings from the lower left site; x goes right, y goes up.
     """
 
-    def __init__(
-        self, look: Look, step: int, stage: str, load: Callable[[], FrameData], contacts: ContactReader
-    ) -> None:
+    def __init__(self, look: Look, step: int, stage: str, load: Callable[[], FrameData], contacts: ContactReader) -> None:
         self._look, self._load, self._read_contacts = look, load, contacts
         self.step = step
         self.stage = stage

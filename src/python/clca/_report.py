@@ -25,7 +25,7 @@ from ._chart import Look, rendered
 from ._error import Error
 from ._figures import charts
 from ._folder import Run, Sweep, open, write_file
-from ._picture import png
+from ._notebook import MEDIA, png
 from ._sweep_figures import VESSEL_ANGLE
 from ._table import Quantity, Table, check_regular, quantities
 
@@ -38,7 +38,6 @@ KINDS = {
     "baxter": "Elongated grains, Baxter & Behringer",
     "boltzmann": "Gas of rough spheres, Boltzmann equation",
 }
-MEDIA = {".mp4": "video/mp4", ".webm": "video/webm", ".webp": "image/webp", ".gif": "image/gif", ".png": "image/png"}
 USUAL_BYTES = 14 << 20  # of pictures: 19 MiB of page, in base64
 ASKED_BYTES = 192 << 20  # where a number of pictures is asked for
 MOST_SCENE = 256 << 10  # bytes
@@ -84,11 +83,6 @@ def is_scientific(number: float, decimals: int) -> bool:
     return size >= 1e7 or (0 < size < 1e-3 and size * 10**decimals < 100)
 
 
-def whole(number: float) -> str:
-    """12 345"""
-    return with_decimals(number, 0)
-
-
 def scientific(number: float) -> str:
     digits, exponent = f"{number:.2e}".split("e")
     return f"{digits} × 10{str(int(exponent)).translate(RAISED)}".replace("-", "−")
@@ -101,6 +95,9 @@ def with_decimals(number: float, decimals: int) -> str:
         return scientific(number)
     text = f"{number:,.{decimals}f}" if abs(number) >= 10_000 else f"{number:.{decimals}f}"
     return text.replace(",", "\u202f").replace("-", "−")
+
+
+whole = partial(with_decimals, decimals=0)
 
 
 def plain(cell: Any) -> str:
@@ -211,11 +208,10 @@ class Page:
 
 def html(template: str, filters: Mapping[str, Any] = {}, **values: Any) -> bytes:
     loader, strict = jinja2.FileSystemLoader(TEMPLATES), jinja2.StrictUndefined
-    environment = jinja2.Environment(
-        loader=loader, autoescape=True, undefined=strict, trim_blocks=True, lstrip_blocks=True
-    )
+    environment = jinja2.Environment(loader=loader, autoescape=True, undefined=strict, trim_blocks=True, lstrip_blocks=True)
     environment.globals["verbatim"] = lambda name: Markup((TEMPLATES / name).read_text("utf-8"))
     environment.filters |= {"breakable": breakable, "shell": shlex.quote, "whole": whole, "zip": zip, **filters}
+    environment.filters["cell"] = lambda cell: plain(float(f"{cell:.6g}") if isinstance(cell, float) else cell)
     environment.filters["brief"] = lambda number: with_decimals(number, decimals_for([number]))  # four digits
     return CONTROL.sub("\ufffd", environment.get_template(template).render(**values)).encode()
 
@@ -337,23 +333,28 @@ def walls_of(page: Page, run: Run) -> Iterator[tuple[str, list[str], list[tuple[
         if len(table):
             columns = [table[name].tolist() for name in table.names]
             for column in columns[1:]:
-                if isinstance(column[0], float):
+                if not isinstance(column[0], str):
                     decimals = decimals_for(column)
                     column[:] = [texts_of(number, None, decimals)[0] for number in column]
             yield stage, list(map(table.label, table.names)), list(zip(*columns))
 
 
-def run_page(page: Page, run: Run, most: int | None) -> bytes:
-    if run.kind not in KINDS:
-        raise Error(f"cannot read {run.folder / 'run.json'}: no report of a run of kind '{run.kind}'")
-    scene = page.read(run.folder / "scene.yaml", USUAL_BYTES) or b""
+def measures_of(run: Run) -> tuple[list[dict[str, Any]], list[Row], bool]:
+    """The stages that are shown, and rows of their measures as of rows_of()."""
     stages = evenly(run.summary["stages"], MOST_STAGES)
     known = quantities(run.summary.get("measures", []))
     columns = [
         {key: (value, of.get(f"{key}_se")) for key, value in of.items() if not key.endswith("_se")}
         for of in (stage["measures"] for stage in stages)
     ]
-    measures, turned = rows_of(columns, lambda key: known.get(key, Quantity(key)))
+    return stages, *rows_of(columns, lambda key: known.get(key, Quantity(key)))
+
+
+def run_page(page: Page, run: Run, most: int | None) -> bytes:
+    if run.kind not in KINDS:
+        raise Error(f"cannot read {run.folder / 'run.json'}: no report of a run of kind '{run.kind}'")
+    scene = page.read(run.folder / "scene.yaml", USUAL_BYTES) or b""
+    stages, measures, turned = measures_of(run)
     found = {"stages": stages, "measures": measures, "turned": turned, "walls": list(walls_of(page, run))}
     found |= {"scene_is_long": len(scene) > MOST_SCENE, "scene_text": scene[:MOST_SCENE].decode(errors="replace")}
     found |= {"scene_url": page.data("text/yaml", scene), "pictures": pictures_of(page, run, most)}
@@ -365,9 +366,6 @@ def run_page(page: Page, run: Run, most: int | None) -> bytes:
 
 def rows(table: Table, *names: str) -> list[tuple[Any, ...]]:
     """Of these columns. Throws Error."""
-    for name in names:
-        if name not in table.names:
-            raise Error(f"a table of the sweep has no column '{name}'")
     return list(zip(*(table[name].tolist() for name in names))) if names else [()] * len(table)
 
 
@@ -387,23 +385,32 @@ def combinations_of(sweep: Sweep) -> tuple[list[str], list[tuple[str, list[Row],
 def sweep_page(page: Page, sweep: Sweep) -> bytes:
     runs = sweep.runs
     names = [*sweep.keys, "seed", "status", "steps", "state_hash", "error"]
+    shown = [list(map(plain, row)) for row in rows(runs[:MOST_RUNS], *names)]
     try:
-        shown = [list(map(plain, row)) for row in rows(runs[:MOST_RUNS], *names)]
+        (combinations, stages), notes = combinations_of(sweep), sweep.notes
     except Error as error:
-        raise Error(f"cannot read {sweep.folder / 'runs.csv'}: {error}") from None
-    try:
-        combinations, stages = combinations_of(sweep)
-    except Error as error:
-        combinations, stages = [], []
+        combinations, stages, notes = [], [], []
         page.warn(error)
     scene = Path(sweep.summary["scene"]).stem
     file = sweep.folder / "overview.png"
     overview = page.read(file, USUAL_BYTES) if file.exists() else None
     seeds = len(set(runs["seed"].tolist()))
     found = {"combinations": combinations, "stages": stages, "runs": shown, "states": runs["status"].tolist()}
-    found |= {"overview": overview and page.data("image/png", overview), "headings": list(map(runs.label, names))}
+    found |= {"notes": notes, "overview": overview and page.data("image/png", overview), "headings": list(map(runs.label, names))}
     found |= {"overview_columns": min(seeds if seeds > 1 else len(runs), 8), "keys": sweep.keys}
     return page.rendered("sweep.html", title=sweep.title or scene, scene=scene, **found)
+
+
+def folder_in_notebook(folder: Run | Sweep) -> str:
+    """The measures alone."""
+    values: dict[str, Any] = {"said": repr(folder).strip("<>"), "columns": [], "parts": [], "notes": []}
+    if isinstance(folder, Run):
+        stages, rows, turned = measures_of(folder)
+        values |= {"columns": [stage["name"] for stage in stages], "parts": [("", rows, turned)]}
+    elif "measures" in folder.tables:
+        columns, parts = combinations_of(folder)
+        values |= {"columns": columns, "parts": parts, "notes": folder.notes}
+    return html("notebook.html", **values).decode()
 
 
 def report(folder: Run | Sweep, max_frames: int | None = None) -> tuple[bytes, list[str]]:

@@ -26,11 +26,8 @@ class Scene(_clca.Scene):
     """
 
     def __init__(
-        self,
-        source: str | os.PathLike[str] | Mapping[str, Any],
-        seed: int | None = None,
-        set: Mapping[str, Any] | None = None,
-        name: str = "scene",
+        self, source: str | os.PathLike[str] | Mapping[str, Any], seed: int | None = None, set: Mapping[str, Any] | None = None,
+        name: str = "scene"
     ) -> None:
         if isinstance(source, Mapping):
             file, text = path(name), to_yaml(source, indent=1).encode(errors="surrogatepass")

@@ -13,7 +13,7 @@ from . import _clca
 from ._arguments import MOST, threads as checked_threads, whole
 from ._error import Error
 from ._frames import Frame, Kind, Look
-from ._picture import Picture, overrides
+from ._notebook import Picture, overrides
 from ._scene import AnyScene, Scene
 from ._table import Quantity, Table, Value
 
@@ -25,9 +25,7 @@ class Simulation(_clca.Simulation):
     the same.
     """
 
-    def __init__(
-        self, scene: AnyScene, seed: int | None = None, set: Mapping[str, Any] | None = None, threads: int = 1
-    ) -> None:
+    def __init__(self, scene: AnyScene, seed: int | None = None, set: Mapping[str, Any] | None = None, threads: int = 1) -> None:
         super().__init__(Scene.of(scene, seed, set), whole("threads", threads, 1, 1024))
 
     def __repr__(self) -> str:

@@ -6,6 +6,14 @@ import io
 import sys
 from typing import Any
 
+from matplotlib import rcParams  # type: ignore[import]
+from matplotlib.cm import ScalarMappable  # type: ignore[import]
+from matplotlib.colors import ListedColormap, Normalize  # type: ignore[import]
+from matplotlib.figure import Figure  # type: ignore[import]
+from matplotlib.image import imread  # type: ignore[import]
+from matplotlib.patches import Patch  # type: ignore[import]
+from matplotlib.transforms import ScaledTranslation  # type: ignore[import]
+
 from . import _answer
 from ._chart import PAGE, plain, style
 
@@ -16,12 +24,6 @@ def rgb(color: dict[str, int]) -> tuple[float, ...]:
 
 def annotate(figure: Any, ax: Any, shown: dict[str, Any]) -> None:
     """Title, axes, stages and legend."""
-    from matplotlib import rcParams  # type: ignore[import]
-    from matplotlib.cm import ScalarMappable  # type: ignore[import]
-    from matplotlib.colors import ListedColormap, Normalize  # type: ignore[import]
-    from matplotlib.patches import Patch  # type: ignore[import]
-    from matplotlib.transforms import ScaledTranslation  # type: ignore[import]
-
     figure.suptitle(plain(shown["title"]), x=0.01, ha="left")
     ax.set(xlabel=plain(shown["time"]["label"]), ylabel=plain(shown["position"]["label"]))
     ends = [stage["begin"] for stage in shown["stages"][1:]] + [shown["time"]["high"]]
@@ -48,9 +50,6 @@ def annotate(figure: Any, ax: Any, shown: dict[str, Any]) -> None:
 
 def command(shown: dict[str, Any]) -> None:
     """Answers with the picture; what lies between its axes is a PNG on standard input."""
-    from matplotlib.figure import Figure  # type: ignore[import]
-    from matplotlib.image import imread  # type: ignore[import]
-
     content = imread(io.BytesIO(sys.stdin.buffer.read()), format="png")
     width, height = shown["width"] / 96, shown["height"] / 96
     with style(width / PAGE):

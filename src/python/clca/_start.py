@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
 from . import _arguments as arguments
@@ -11,23 +11,21 @@ from . import _clca
 from ._arguments import MOST, at_most_runs, path, to_yaml, whole
 from ._error import ArgumentError
 from ._folder import Run, Sweep
+from ._notebook import Progress, reporting
 from ._scene import AnyScene, Scene
 
 
 def run(
-    scene: AnyScene,
-    seed: int | None = None,
-    set: Mapping[str, Any] | None = None,
-    output: str | os.PathLike[str] | None = None,
-    threads: int | None = None,
-    keep: bool = False,
-    overwrite: bool = False,
+    scene: AnyScene, seed: int | None = None, set: Mapping[str, Any] | None = None, output: str | os.PathLike[str] | None = None,
+    threads: int | None = None, keep: bool = False, overwrite: bool = False,
+    progress: bool | Callable[[Progress], object] = False
 ) -> Run:
     """Runs a scene, as `clca run` and `clca boltzmann` do, with the same bits.
 
     `scene`, `seed` and `set` are as for `Scene`; `output` is the folder, `renders/NAME` by default. `threads`: 1 for
     grains, all for a gas by default. `keep` leaves an earlier run in the folder alone and writes to FOLDER-2, ...;
-    `overwrite` also replaces one that could be resumed.
+    `overwrite` also replaces one that could be resumed. `progress`: True for a bar on standard error, or what is called with
+    a `Progress` some ten times a second.
 
     Ctrl-C ends the run as on the command line: with complete files and a checkpoint, for `resume`; then it raises
     KeyboardInterrupt. Throws Error. Warnings of the run are Python's.
@@ -35,28 +33,30 @@ def run(
     if keep and overwrite:
         raise ArgumentError("keep excludes overwrite")
     folder = None if output is None else path(output)
-    return Run(_clca.run(Scene.of(scene, seed, set), folder, arguments.threads(threads), keep, overwrite))
+    with reporting(progress) as report:
+        return Run(_clca.run(Scene.of(scene, seed, set), folder, arguments.threads(threads), keep, overwrite, report))
 
 
-def resume(folder: str | os.PathLike[str], until: Any = None, threads: int | None = None) -> Run:
-    """Goes on with a run that was stopped, or prolongs one to `until`, as in a scene. As `clca resume`."""
-    _clca.resume(path(folder), None if until is None else to_yaml(until), arguments.threads(threads))
+def resume(
+    folder: str | os.PathLike[str], until: Any = None, threads: int | None = None,
+    progress: bool | Callable[[Progress], object] = False
+) -> Run:
+    """Goes on with a run that was stopped, or prolongs one to `until`, as in a scene. As `clca resume`; `progress` as of `run`."""
+    with reporting(progress) as report:
+        _clca.resume(path(folder), None if until is None else to_yaml(until), arguments.threads(threads), report)
     return Run(folder)
 
 
 def sweep(
-    scene: AnyScene,
-    seeds: Iterable[int] = range(1, 9),
-    vary: Mapping[str | tuple[str, ...], Sequence[Any]] | None = None,
-    set: Mapping[str, Any] | None = None,
-    output: str | os.PathLike[str] | None = None,
-    jobs: int | None = None,
+    scene: AnyScene, seeds: Iterable[int] = range(1, 9), vary: Mapping[str | tuple[str, ...], Sequence[Any]] | None = None,
+    set: Mapping[str, Any] | None = None, output: str | os.PathLike[str] | None = None, jobs: int | None = None,
+    progress: bool | Callable[[Progress], object] = False
 ) -> Sweep:
     """Runs a scene for all combinations of values with all seeds, as `clca sweep` does, several at a time.
 
     `vary`: the values of each key; those of several keys that vary together go by a tuple of keys, and are tuples.
     `output` is the folder, `renders/NAME-sweep` by default; runs that are there already are not run again. `jobs`: runs
-    at a time, one for each thread of the machine by default.
+    at a time, one for each thread of the machine by default; `progress` is as for `run`.
 
     A run that fails is a warning, and has its `error` in the table. Ctrl-C stops the sweep; the same call goes on with
     it. Throws Error.
@@ -75,4 +75,5 @@ def sweep(
     numbers = [whole("seeds", seed, 0, MOST) for seed in at_most_runs("seeds", seeds)]
     folder = None if output is None else path(output)
     at_a_time = None if jobs is None else whole("jobs", jobs, 1, 1024)
-    return Sweep(_clca.sweep(*scene._origin, scene._as_options(), varied, numbers, folder, at_a_time))
+    with reporting(progress) as report:
+        return Sweep(_clca.sweep(*scene._origin, scene._as_options(), varied, numbers, folder, at_a_time, report))

@@ -55,8 +55,9 @@ class Likely(NamedTuple):
     weights: Numbers
     misfits: Numbers  #: for each point and target: from the target, in standard deviations of both together
 
-    def best(self) -> int:
-        return int(self.weights.argmax())
+    def best(self) -> Numbers:
+        found: Numbers = self.points[self.weights.argmax()]
+        return found
 
     def mean(self) -> Numbers:
         found: Numbers = self.weights @ self.points

@@ -13,7 +13,7 @@ from ._chart import MOST_COLORS, Axis, Chart, Curve, Panel, running_mean
 from ._error import Error
 from ._figures import LABEL, Choice, Source, has, logged, suggestion, text_of
 from ._folder import Sweep
-from ._table import Table
+from ._table import Table, is_numeric
 
 MOST_PANELS = 16
 MOST_WORDS = 72  # letters under an axis
@@ -24,7 +24,7 @@ Cell = tuple[Any, ...]  # a value of each key
 
 def in_order(cells: Any) -> list[Any]:
     """Numbers ascend, words as they appear."""
-    return sorted(set(cells.tolist())) if cells.dtype.kind == "f" else list(dict.fromkeys(cells.tolist()))
+    return sorted(set(cells.tolist())) if is_numeric(cells) else list(dict.fromkeys(cells.tolist()))
 
 
 def listed(*parts: str) -> str:
@@ -65,12 +65,10 @@ class Keys:
         is_word = self.apart and len(cell) == 1 and isinstance(cell[0], str)
         return str(cell[0]) if is_word else label_of(self.over, cell)
 
-    def panels(
-        self, rows: Table, curve: Callable[[Table, str], Curve], x: Axis, y: Axis, title: str, log: str
-    ) -> list[Panel]:
+    def panels(self, rows: Table, curve: Callable[[Table, str], Curve], x: Axis, y: Axis, title: str, log: str) -> list[Panel]:
         made: list[Panel] = []
         all_cells = [cell for cell, _ in self.combinations(rows, self.over)]
-        has_scale = len(self.over) == 1 and len(all_cells) > MOST_COLORS and isinstance(all_cells[0][0], float)
+        has_scale = len(self.over) == 1 and len(all_cells) > MOST_COLORS and not isinstance(all_cells[0][0], str)
         for values, part in self.combinations(rows, self.split):
             lines = self.combinations(part, self.over)
             curves = [curve(those, self.label(cell)) for cell, those in lines]
@@ -113,7 +111,7 @@ def measure_charts(source: Source, sweep: Sweep, table: Table) -> list[Chart]:
         vary_together = len(set(zip(first, second))) == len(set(first)) == len(set(second))
         along += [key] if key != axis and key not in choice.over and vary_together else []
     ways = Keys(sweep, choice, table, along)
-    words = [] if table[axis].dtype.kind == "f" or not is_key else in_order(table[axis])
+    words = [] if is_numeric(table[axis]) or not is_key else in_order(table[axis])
     most = max(MOST_WORDS // max(len(words), 1), 4)
     shown_words = tuple(word if len(word) <= most else word[: most - 1] + "…" for word in words)
     x_name, derived = axis if is_key else choice.x, derived_of(sweep)
@@ -126,17 +124,13 @@ def measure_charts(source: Source, sweep: Sweep, table: Table) -> list[Chart]:
     x_rows = {of_row(row): row for row in table[table["measure"] == x_name]}
 
     def curve(rows: Table, name: str) -> Curve:
-        left = right = None
-        if is_key:
-            x = numpy.array([words.index(value) for value in rows[axis]], float) if words else rows[axis]
-            rows, x = rows[order := numpy.argsort(x, kind="stable")], x[order]
-        else:
+        x, *ends = [numpy.array([words.index(value) for value in rows[axis]], float) if words else rows[axis]]
+        if not is_key:
             against = [[x_rows[of_row(row)][column] for column in ("mean", "low", "high")] for row in rows]
-            x, left, right = numpy.array(against, float).reshape(-1, 3).T
-            left, right = (numpy.where(numpy.isfinite(end), end, x) for end in (left, right))
-            order = numpy.argsort(x, kind="stable")
-            rows, x, left, right = rows[order], x[order], left[order], right[order]
-        return Curve(name, x, rows["mean"], rows["low"], rows["high"], left, right, style="bars")
+            x, *ends = numpy.array(against, float).reshape(-1, 3).T
+        rows = rows[order := numpy.argsort(x, kind="stable")]
+        left, right = [numpy.where(numpy.isfinite(end), end, x)[order] for end in ends] or (None, None)
+        return Curve(name, x[order], rows["mean"], rows["low"], rows["high"], left, right, style="bars")
 
     charts = []
     for stage, measure in dict.fromkeys(zip(map(str, table["stage"]), map(str, table["measure"]))):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import io
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple, TypeVar
@@ -10,9 +11,10 @@ from typing import Any, NamedTuple, TypeVar
 import numpy
 from numpy.typing import NDArray
 
-from ._error import Error
+from ._error import ArgumentError, Error
 
 T = TypeVar("T")
+COUNTED = ("", "particles", "sites", "moves", "step")  # units of numbers that may be whole
 
 # Columns of names, which may look like numbers. Other columns are text where a cell is no number.
 TEXT = {"stage", "species", "wall", "probe", "line", "measure", "status", "state_hash", "folder", "error"}
@@ -51,7 +53,8 @@ class Value(float):
         return value
 
     def __repr__(self) -> str:
-        return f"{float(self):.6g} {self.unit}".rstrip()
+        is_count = self.unit in COUNTED and self.is_integer()
+        return f"{int(self) if is_count else format(float(self), '.6g')} {self.unit}".rstrip()
 
     def __reduce__(self) -> tuple[Any, ...]:
         return Value, (float(self), self.name, self.unit, self.description)
@@ -84,28 +87,26 @@ class Table(numpy.ndarray[Any, numpy.dtype[Any]]):
     """
 
     _quantities: dict[str, Quantity]
+    _file: str  #: that it was read from, for messages
 
-    def __new__(cls, columns: Iterable[tuple[str, Any, Quantity]]) -> Table:
+    def __new__(cls, columns: Iterable[tuple[str, Any, Quantity]], file: str = "table") -> Table:
         columns = [(key, as_array(cells), what) for key, cells, what in columns]
         table = numpy.empty(len(columns[0][1]), [(key, cells.dtype) for key, cells, _ in columns]).view(cls)
         for key, cells, _ in columns:
             table[key] = cells
         table.flags.writeable = False
-        table._quantities = {key: what for key, _, what in columns}
+        table._quantities, table._file = {key: what for key, _, what in columns}, file
         return table
 
     def __reduce__(self) -> tuple[Any, ...]:
-        make, arguments, state = super().__reduce__()  # type: ignore[misc]
-        return make, arguments, (state, self._quantities)
-
-    def __setstate__(self, state: Any) -> None:
-        array, self._quantities = state
-        super().__setstate__(array)
+        return Table, ([(name, self[name], self._quantities.get(name, Quantity(name))) for name in self.names], self._file)
 
     def __array_finalize__(self, other: Any) -> None:
-        self._quantities = getattr(other, "_quantities", {})
+        self._quantities, self._file = getattr(other, "_quantities", {}), getattr(other, "_file", "table")
 
     def __getitem__(self, key: Any) -> Any:
+        if isinstance(key, str) and key not in self.names:
+            raise ArgumentError(f"{self._file}: no column '{key}'; there are {', '.join(self.names)}")
         part = super().__getitem__(key)
         # A column is a plain array.
         return part.view(numpy.ndarray) if isinstance(part, Table) and part.dtype.names is None else part
@@ -122,9 +123,21 @@ class Table(numpy.ndarray[Any, numpy.dtype[Any]]):
     def descriptions(self) -> dict[str, str]:
         return {key: ": ".join(filter(None, (what.name, what.description))) for key, what in self._quantities.items()}
 
+    def _check_numbers(self, *columns: str) -> None:
+        """Throws Error where a cell of these is none, with its line in the file."""
+        for column in columns:
+            if not is_numeric(cells := self[column]):
+                line, cell = next((line, cell) for line, cell in enumerate(cells, 2) if isinstance(numbers_of([cell]), list))
+                raise Error(f"{self._file}: line {line}: '{cell}' in column '{column}' is no number")
+
     def label(self, column: str) -> str:
         """`Mean height of the particles (spacings)`; the column itself where nothing is known of it."""
         return self._quantities.get(column, Quantity(column)).label()
+
+    def _repr_html_(self) -> str | None:
+        from ._notebook import shown
+
+        return shown(self)
 
     def to_pandas(self) -> Any:
         """The same as a `pandas.DataFrame`, where pandas is installed."""
@@ -133,12 +146,26 @@ class Table(numpy.ndarray[Any, numpy.dtype[Any]]):
         return pandas.DataFrame({name: self[name] for name in self.names})
 
 
-def numbers_of(cells: Sequence[str]) -> Any:
-    """An array if all cells are numbers or empty, else the cells."""
+def is_numeric(cells: NDArray[Any]) -> bool:
+    return cells.dtype.kind in "if"
+
+
+def numbers_of(cells: Sequence[str], unit: str = "") -> Any:
+    """An array if all cells are numbers or empty, of whole numbers where all are and may be; else the cells."""
     try:
-        return numpy.array([cell or "nan" for cell in cells], dtype=float)
+        numbers = numpy.array([cell or "nan" for cell in cells], dtype=float)
     except ValueError:
         return list(cells)
+    is_whole = unit in COUNTED and len(numbers) and (numpy.abs(numbers) < 2**53).all() and (numbers % 1 == 0).all()
+    return numbers.astype(int) if is_whole else numbers
+
+
+def csv_of(*rows: Iterable[Any]) -> bytes:
+    """Rows of a table as clca writes them."""
+    text = io.StringIO()
+    whole = ((int(cell) if isinstance(cell, float) and cell.is_integer() else cell for cell in row) for row in rows)
+    csv.writer(text, lineterminator="\n").writerows(whole)
+    return text.getvalue().encode()
 
 
 def check_regular(file: Path) -> None:
@@ -163,7 +190,6 @@ def read_table(file: Path, known: Mapping[str, Quantity]) -> Table:
     if not names or len(set(names)) < len(names) or wrong is not None:
         raise Error(f"cannot read {file}: line {1 if wrong is None else 2 + wrong}: cut off or no row of the table")
     columns = list(zip(*cells)) if cells else [()] * len(names)
-    return Table(
-        (name, list(column) if name in TEXT else numbers_of(column), known.get(name, Quantity(name)))
-        for name, column in zip(names, columns)
-    )
+    what = [known.get(name, Quantity(name)) for name in names]
+    read = (list(column) if name in TEXT else numbers_of(column, of.unit) for name, column, of in zip(names, columns, what))
+    return Table(zip(names, read, what), str(file))

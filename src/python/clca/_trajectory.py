@@ -99,7 +99,9 @@ class Trajectory:
     def __init__(self, folder: Path, summary: dict[str, Any]) -> None:
         self._files = sorted((folder / "trajectory").glob("part-*.h5"))
         if not self._files:
-            raise Error(f"cannot read {folder / 'trajectory.h5'}: the run has no trajectory")
+            is_gas = summary["kind"] == "boltzmann"
+            how = "one of the Boltzmann equation has none" if is_gas else "run the scene again with output.trajectory in it"
+            raise Error(f"{folder}: the run has left no trajectory; {how}")
         for number, file in enumerate(self._files):
             if file.stem != f"part-{number:06}":
                 raise Error(f"cannot read {folder / 'trajectory.h5'}: the part before {file.name} is missing")

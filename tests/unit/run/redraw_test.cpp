@@ -231,6 +231,19 @@ stages:
 output: {frames: {width: 100, height: 60, caption: false}, trajectory: {every: 7}}
 )";
 
+TEST_F(RedrawTest, DrawsAStageAloneFromItsFirstFrame) {
+  const scene::Scene scene = parse(kFalling, {"output.frames.every=1000"});
+  testing::run_and_store(scene, folder_.path() / "run", 7);
+  const std::vector<RunToDraw> runs = {
+      {scene, folder_.path() / "run", store::OutputFolder(folder_.path() / "some")}};
+  RedrawOptions options = {.stage = "again"};
+  Redraw(runs, options).draw();
+  EXPECT_THAT(names(folder_.path() / "some"), ElementsAre("tried-000060.png", "tried-000100.png"));
+  options.to = 50;
+  EXPECT_THROW(Redraw(runs, options), RedrawError) << "a range before the stage";
+  EXPECT_THROW(Redraw(runs, {.stage = "agian"}), RedrawError);
+}
+
 TEST_F(RedrawTest, AMovieOfAGivenLengthHasPicturesEvenlyChosen) {
   const scene::Scene scene = parse(kDrained, {"output.frames.every=1"});
   testing::run_and_store(scene, folder_.path() / "run", 1);

@@ -1,0 +1,107 @@
+"""What shows itself in notebooks: tables, runs, sweeps, pictures and movies, and how far a run has come."""
+
+from __future__ import annotations
+
+import base64
+import os
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path, PosixPath
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy
+
+from ._arguments import path, to_yaml
+from ._table import Table
+
+if TYPE_CHECKING:
+    from ._folder import Run, Sweep
+
+MEDIA = {".mp4": "video/mp4", ".webm": "video/webm", ".webp": "image/webp", ".gif": "image/gif", ".png": "image/png"}
+MOST_ROWS = 40  # of a table
+
+
+class Picture(numpy.ndarray[Any, numpy.dtype[numpy.uint8]]):
+    """Rows from the top x columns x 3, bytes of red, green and blue. Shows itself in a notebook."""
+
+    def _repr_png_(self) -> bytes | None:
+        is_whole = self.ndim == 3 and self.shape[2] == 3 and self.dtype == numpy.uint8
+        return png(self) if is_whole else None
+
+    def save(self, file: str | os.PathLike[str]) -> None:
+        """Writes a PNG."""
+        Path(path(file)).write_bytes(png(self))
+
+
+def png(pixels: Picture) -> bytes:
+    from . import _clca
+
+    return _clca.png(pixels)
+
+
+def overrides(frames: dict[str, Any]) -> list[str]:
+    """Keys of `output.frames` for the library."""
+    return [f"output.frames.{key}={to_yaml(value)}" for key, value in frames.items()]
+
+
+class Movie(PosixPath):
+    """The file of a movie: a path, which shows the movie in a notebook."""
+
+    def _repr_html_(self) -> str | None:
+        kind = MEDIA.get(self.suffix.lower())
+        if kind is None or not self.is_file():  # a path made of it
+            return None
+        url = f"data:{kind};base64,{base64.b64encode(self.read_bytes()).decode()}"
+        return f'<video controls loop src="{url}"></video>' if kind.startswith("video") else f'<img src="{url}">'
+
+
+class Progress(NamedTuple):
+    """How far a run or a sweep has come."""
+
+    stage: str  #: of a run; empty: a sweep
+    done: int  #: steps of a run of grains, gases of a run of gases, runs of a sweep
+    total: int | None  #: of how many; None of a run of grains
+    seconds_left: float | None  #: of the stage or the sweep, where known
+
+    def __str__(self) -> str:
+        head = f"{self.stage}: " if self.stage else ""
+        left = "" if self.seconds_left is None else f", about {self.seconds_left:.0f} s left"
+        if self.total is None:
+            return f"{head}step {self.done}{left}"
+        bar = 30 * self.done // max(self.total, 1) * "="
+        return f"{head}[{bar:30}] {self.done} of {self.total}{left}"
+
+
+@contextmanager
+def reporting(progress: bool | Callable[[Progress], object]) -> Iterator[Callable[..., None] | None]:
+    """What the compiled module calls: a bar on standard error, a function of the user, or nothing."""
+    width = 0
+
+    def report(*numbers: Any) -> None:
+        nonlocal width
+        now = Progress(*numbers)
+        if callable(progress):
+            progress(now)
+        else:
+            width = max(width, len(text := str(now)))
+            print(f"\r{text:{width}}", end="", file=sys.stderr, flush=True)
+
+    try:
+        yield report if progress else None
+    finally:
+        if width:
+            print(file=sys.stderr)
+
+
+def shown(thing: Table | Run | Sweep) -> str | None:
+    """As HTML; None where Jinja2 is missing, so that a notebook shows text."""
+    try:
+        from ._report import folder_in_notebook, html
+    except ImportError:
+        return None
+    if not isinstance(thing, Table):
+        return folder_in_notebook(thing)
+    half = MOST_ROWS // 2
+    parts = [thing] if len(thing) <= MOST_ROWS else [thing[:half], thing[-half:]]
+    return html("notebook.html", heads=list(map(thing.label, thing.names)), parts=parts, length=len(thing)).decode()

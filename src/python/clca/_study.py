@@ -1,0 +1,171 @@
+"""What a calibration is asked: tests with measured values, and the parameters that vary."""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from ._arguments import plain, whole
+from ._error import ArgumentError, Error
+
+MOST_PARAMETERS = 6
+Place = tuple[str | int, ...]  # in a study: keys and numbers of items
+Refuse = Callable[[Place, str], Error]
+
+
+class Test(NamedTuple):
+    """A scene, and what has been measured of what it stands for."""
+
+    name: str
+    scene: Any
+    set: dict[str, Any]
+    targets: dict[str, tuple[float, float]]  #: by STAGE.MEASURE: value and standard deviation
+
+
+class Study(NamedTuple):
+    tests: list[Test]
+    vary: dict[str, tuple[float, float]]  #: the range of each parameter
+    seeds: int  #: of each point
+    points: int  #: of the first round
+    rounds: int  #: after the first, each with half as many points
+    check: int  #: seeds of the runs at the answer
+
+
+NUMBERS = {"seeds": (8, 2, 1000), "points": (32, 8, 1024), "rounds": (2, 0, 20), "check": (8, 2, 1000)}  # usual, least, most
+
+
+class Said(NamedTuple):
+    """A value of a study, and where it stands."""
+
+    value: Any
+    place: Place
+    refuse: Refuse  #: makes an error of a place and a text
+
+    def wrong(self, text: str) -> Error:
+        return self.refuse(self.place, text)
+
+    def items(self, what: str, known: Sequence[str] = (), required: Sequence[str] = ()) -> dict[str, Said]:
+        if not isinstance(self.value, Mapping) or not self.value or not all(isinstance(key, str) for key in self.value):
+            raise self.wrong(f"expected a map of {what}")
+        found = {key: Said(one, (*self.place, key), self.refuse) for key, one in self.value.items()}
+        for key in found:
+            if known and key not in known:
+                raise found[key].wrong(f"unknown key '{key}'; there are {', '.join(known)}")
+        for key in required:
+            if key not in found:
+                raise self.wrong(f"'{key}' is missing")
+        return found
+
+    def two(self, what: str) -> tuple[float, float]:
+        is_pair = isinstance(self.value, (list, tuple)) and len(self.value) == 2
+        if not is_pair or not all(isinstance(one, (int, float)) and math.isfinite(one) for one in self.value):
+            raise self.wrong(f"expected {what}, found '{plain(self.value)}'")
+        return float(self.value[0]), float(self.value[1])
+
+
+def test_of(said: Said, vary: Mapping[str, Any], names: Sequence[str]) -> Test:
+    """`names`: of the tests before it."""
+    items = said.items("scene and targets", ("scene", "set", "targets"), ("scene", "targets"))
+    scene = items["scene"].value
+    name = Path(scene).stem if isinstance(scene, (str, os.PathLike)) else str(getattr(scene, "name", "scene"))
+    if not name:
+        raise items["scene"].wrong("expected the name of a scene or its file")
+    keys = items["set"].items("keys and values") if "set" in items and items["set"].value else {}
+    for key in vary:
+        if key in keys:
+            raise keys[key].wrong(f"'{key}' is varied")
+    targets = {}
+    for key, target in items["targets"].items("measures and their values").items():
+        if "." not in key:
+            raise target.wrong(f"expected STAGE.MEASURE, found '{key}'")
+        targets[key] = target.two("[VALUE, STANDARD DEVIATION]")
+        if targets[key][1] <= 0:
+            raise target.wrong("the standard deviation must be positive")
+    same = sum(other.split("~")[0] == name for other in names)
+    set_of: dict[str, Any] = {"output": {}} | {key: one.value for key, one in keys.items()}  # no pictures
+    return Test(f"{name}~{same + 1}" if same else name, scene, set_of, targets)
+
+
+def study_of(said: Mapping[str, Any], refuse: Refuse) -> Study:
+    """Checks what a file or a call says. Throws what `refuse` makes of a place and a text."""
+    items = Said(said, (), refuse).items("tests and vary", ("tests", "vary", *NUMBERS), ("tests", "vary"))
+    vary = {}
+    for key, one in items["vary"].items("parameters and their ranges").items():
+        low, high = vary[key] = one.two("the range [LOWEST, HIGHEST]")
+        if low >= high:
+            raise one.wrong(f"the range is empty: {low:g} to {high:g}")
+    if len(vary) > MOST_PARAMETERS:
+        raise items["vary"].wrong(f"at most {MOST_PARAMETERS} parameters")
+    listed = items["tests"].value
+    if not isinstance(listed, (list, tuple)) or not listed:
+        raise items["tests"].wrong("expected a list of tests")
+    tests: list[Test] = []
+    for number, test in enumerate(listed):
+        tests.append(test_of(Said(test, ("tests", number), refuse), vary, [before.name for before in tests]))
+    numbers = {}
+    for key, (usual, *limits) in NUMBERS.items():
+        try:
+            numbers[key] = whole(key, said.get(key, usual), *limits)
+        except ArgumentError as error:
+            raise refuse((key,), str(error)) from None
+    if numbers["points"].bit_count() > 1:
+        raise refuse(("points",), f"points: expected a power of two, found {numbers['points']}")
+    return Study(tests, vary, **numbers)
+
+
+def read_study(file: Path) -> Study:
+    """A study from a YAML file. Throws Error with file, line and column."""
+    import yaml  # type: ignore[import]
+
+    def wrong(mark: Any, text: str) -> Error:
+        return Error(f"{file}:{mark.line + 1}:{mark.column + 1}: error: {text}")
+
+    def refuse(place: Place, text: str) -> Error:
+        mark, at = root.start_mark, root
+        for step in place:
+            pairs = at.value if isinstance(at, yaml.MappingNode) else [(one, one) for one in at.value]
+            found = [pair for number, pair in enumerate(pairs) if step in (number, pair[0].value)]
+            if not found:
+                break
+            mark, at = found[0][0].start_mark, found[0][1]
+        return wrong(mark, text)
+
+    def value_of(node: Any) -> Any:
+        if isinstance(node, yaml.SequenceNode):
+            return [value_of(one) for one in node.value]
+        if not isinstance(node, yaml.MappingNode):
+            return loader.construct_object(node)
+        found: dict[str, Any] = {}
+        for key_node, one in node.value:
+            key = loader.construct_object(key_node)
+            if not isinstance(key, str) or key in found:
+                raise wrong(key_node.start_mark, f"'{key}' stands twice" if isinstance(key, str) else "a key is no text")
+            found[key] = value_of(one)
+        return found
+
+    try:
+        if file.stat().st_size > 1 << 20:
+            raise Error(f"cannot read {file}: it is larger than 1 MiB")
+        text = file.read_text("utf-8")
+        if any(isinstance(event, yaml.AliasEvent) for event in yaml.parse(text)):
+            raise Error(f"cannot read {file}: it has aliases (*)")
+        loader = yaml.SafeLoader(text)
+        root = loader.get_single_node()
+        said = value_of(root) if root else None
+    except OSError as error:
+        raise Error(f"cannot read {file}: {error.strerror}") from None
+    except (UnicodeDecodeError, RecursionError, yaml.reader.ReaderError):
+        raise Error(f"cannot read {file}: it is no YAML") from None
+    except yaml.MarkedYAMLError as error:
+        raise wrong(error.problem_mark or error.context_mark, str(error.problem)) from None
+    if not isinstance(said, dict):
+        raise Error(f"{file}:1:1: error: expected a map with tests and vary")
+    study = study_of(said, refuse)
+    for index, test in enumerate(study.tests):
+        if not isinstance(test.scene, str):
+            raise refuse(("tests", index, "scene"), "expected the name of a scene or its file")
+    beside = [test._replace(scene=str(file.parent / test.scene)) for test in study.tests]
+    return study._replace(tests=[there if Path(there.scene).is_file() else test for there, test in zip(beside, study.tests)])
