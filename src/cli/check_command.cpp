@@ -1,5 +1,6 @@
 // clca check: shows a scene with every default filled in and the resources it needs.
 
+#include <Eigen/Geometry>
 #include <memory>
 
 #include "clca/run/setup.hpp"
@@ -17,6 +18,28 @@ namespace {
 /// A fill of so many particles takes less than a second.
 constexpr double kFewSites = 1e7;
 
+/// What the sites of each species come to.
+void print_species(const scene::Scene& scene) {
+  const auto units = scene::conversion(scene);
+  const double spacing = units ? units->spacing : 1;
+  const std::string unit = units && units->length_unit == "m" ? "m" : "spacings";
+  for (const scene::Species& species : scene.species) {
+    Eigen::AlignedBox2d box;
+    for (const lattice::Axial site : species.shape.sites()) {
+      box.extend(lattice::position(site));
+    }
+    const auto sites = static_cast<double>(species.shape.size());
+    print_out("# {}: {} sites, {:.4g} {} wide, {:.4g} high, area {:.4g} {}²", species.name,
+              species.shape.size(), spacing * (box.sizes().x() + lattice::kColumnPitch), unit,
+              spacing * (box.sizes().y() + 1), spacing * spacing * sites * lattice::kColumnPitch,
+              unit);
+    if (units && units->site) {
+      print_out(", mass {:.4g} kg", sites * units->site->mass);
+    }
+    print_out("\n");
+  }
+}
+
 void print(const scene::Scene& scene, bool draws) {
   const scene::Size size = scene::size_of(scene);
   scene::check_walls(scene);
@@ -30,6 +53,7 @@ void print(const scene::Scene& scene, bool draws) {
     scene::check_room(scene);
   }
   print_out("{}", scene::to_yaml(scene));
+  print_species(scene);
   if (const auto units = scene::conversion(scene)) {
     print_out("# a step takes {:.4g} {}\n", units->time_step, units->time_unit);
   }

@@ -49,6 +49,35 @@ Type<std::vector<lattice::Axial>> sites(std::size_t least, std::size_t most) {
       });
 }
 
+constexpr double kMaxLength = 1000;  // spacings, of a shape
+
+/// [width, height]
+Type<RectangleSpec> size() {
+  return own_type<RectangleSpec>(
+      "`[width, height]`", array_schema(above_zero_schema(kMaxLength), 2, 2),
+      [](const Value& value, const std::string& path, const Scene& /*scene*/) {
+        const std::vector<Value>& items = read_list(value, path, 2, 2);
+        return RectangleSpec{read_positive(items[0], path, kMaxLength),
+                             read_positive(items[1], path, kMaxLength)};
+      },
+      [](const RectangleSpec& spec, const Scene& /*scene*/) {
+        return numbers_text({spec.width, spec.height});
+      });
+}
+
+Type<Eigen::Vector2d> corner() {
+  return own_type<Eigen::Vector2d>(
+      "`[x, y]`", array_schema(number_schema(-kMaxLength, kMaxLength), 2, 2),
+      [](const Value& value, const std::string& path, const Scene& /*scene*/) {
+        const std::vector<Value>& items = read_list(value, path, 2, 2);
+        return Eigen::Vector2d(read_number(items[0], path, -kMaxLength, kMaxLength),
+                               read_number(items[1], path, -kMaxLength, kMaxLength));
+      },
+      [](const Eigen::Vector2d& corner, const Scene& /*scene*/) {
+        return numbers_text({corner.x(), corner.y()});
+      });
+}
+
 Type<RodSpec> rod() {
   return type_of<RodSpec>({.keys = {required("radius", &RodSpec::radius, integer(0, kMaxRadius),
                                              "radius of the hexagons"),
@@ -64,9 +93,15 @@ Type<ShapeSpec> shape() {
            "has 7, 2 has 19"),
        alternative<ShapeSpec>("disc", as(&DiscSpec::radius, number(0, kMaxRadius)),
                               "all sites within that many spacings of the centre"),
+       alternative<ShapeSpec>("rectangle", size(),
+                              "an upright rectangle, to the nearest number of columns and of sites "
+                              "in each"),
+       alternative<ShapeSpec>("outline", as(&OutlineSpec::corners, list_of(corner(), 3, kMaxCorners)),
+                              "all sites whose centre lies on or inside the outline with these "
+                              "corners, in spacings to the right and upwards"),
        alternative<ShapeSpec>("sites", as(&SitesSpec::sites, sites(1, kMaxSites)), "these sites"),
        alternative<ShapeSpec>("polygon", as(&PolygonSpec::corners, sites(3, kMaxCorners)),
-                              "all sites on and inside the outline with these corners"),
+                              "all sites on and inside the outline with these sites as corners"),
        alternative<ShapeSpec>("rod", rod(), "hexagons on an upright line of sites")});
 }
 
@@ -82,12 +117,60 @@ lattice::Shape build(const SitesSpec& spec) {
 lattice::Shape build(const PolygonSpec& spec) {
   return lattice::Shape::polygon(spec.corners);
 }
+lattice::Shape build(const RectangleSpec& spec) {
+  const auto columns =
+      std::max(1, static_cast<int>(std::lround(spec.width / lattice::kColumnPitch)));
+  const auto rows = std::max(1, static_cast<int>(std::lround(spec.height)));
+  std::vector<lattice::Axial> sites;
+  for (int x = 0; x < columns; ++x) {
+    for (int row = 0; row < rows; ++row) {
+      sites.push_back({x, row - x / 2});
+    }
+  }
+  return lattice::Shape(sites);
+}
+/// Even-odd, as of a polygon; with those on the outline.
+bool is_inside(const Eigen::Vector2d& point, const std::vector<Eigen::Vector2d>& corners) {
+  constexpr double kRounding = 1e-6;
+  bool inside = false;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Eigen::Vector2d from = corners[i];
+    const Eigen::Vector2d along = corners[(i + 1) % corners.size()] - from;
+    const Eigen::Vector2d to_point = point - from;
+    const double cross = along.x() * to_point.y() - along.y() * to_point.x();
+    const double share = std::clamp(along.dot(to_point) / along.squaredNorm(), 0.0, 1.0);
+    if ((to_point - share * along).norm() < kRounding) {
+      return true;
+    }
+    if ((to_point.y() < 0) != (to_point.y() < along.y())) {
+      inside ^= (cross > 0) == (along.y() > 0);
+    }
+  }
+  return inside;
+}
+lattice::Shape build(const OutlineSpec& spec) {
+  Eigen::AlignedBox2d box;
+  for (const Eigen::Vector2d& corner : spec.corners) {
+    box.extend(corner);
+  }
+  std::vector<lattice::Axial> sites;
+  const auto first = static_cast<int>(std::floor(box.min().x() / lattice::kColumnPitch));
+  for (int x = first; lattice::kColumnPitch * (x - 1) < box.max().x(); ++x) {
+    const auto lowest = static_cast<int>(std::floor(box.min().y() - 0.5 * x));
+    for (int q = lowest; q - 1 + 0.5 * x < box.max().y(); ++q) {
+      if (is_inside(position(lattice::Axial{x, q}), spec.corners)) {
+        sites.push_back({x, q});
+      }
+    }
+  }
+  return lattice::Shape(sites);
+}
 lattice::Shape build(const RodSpec& spec) {
   return lattice::Shape::rod(spec.radius, spec.length);
 }
 
-/// Twice the area in axial units. Pick: a polygon that does not cross itself has more sites than
-/// its area.
+/// Twice the area, in sites. Pick: a polygon that does not cross itself has more sites than its
+/// area.
 double doubled_area(const PolygonSpec& spec) {
   double sum = 0;
   for (std::size_t i = 0; i < spec.corners.size(); ++i) {
@@ -101,7 +184,10 @@ double doubled_area(const PolygonSpec& spec) {
 lattice::Shape build_checked(const ShapeSpec& spec) {
   const std::string message = fmt::format("expected a shape of at most {} sites", kMaxSites);
   const auto* polygon = std::get_if<PolygonSpec>(&spec);
-  if (polygon != nullptr && doubled_area(*polygon) > 2.0 * kMaxSites) {
+  const auto* rectangle = std::get_if<RectangleSpec>(&spec);
+  if ((polygon != nullptr && doubled_area(*polygon) > 2.0 * kMaxSites) ||
+      (rectangle != nullptr &&
+       rectangle->width * rectangle->height > kMaxSites * lattice::kColumnPitch)) {
     throw std::invalid_argument(message);  // before the sites are listed, which takes long
   }
   lattice::Shape shape = std::visit([](const auto& held) { return build(held); }, spec);

@@ -55,13 +55,25 @@ struct PolygonSpec {
 
   bool operator==(const PolygonSpec&) const = default;
 };
+struct RectangleSpec {
+  double width = 0;  ///< lattice spacings
+  double height = 0;
+
+  bool operator==(const RectangleSpec&) const = default;
+};
+struct OutlineSpec {
+  std::vector<Eigen::Vector2d> corners;  ///< lattice spacings
+
+  bool operator==(const OutlineSpec&) const = default;
+};
 struct RodSpec {
   int radius = 0;
   int length = 1;
 
   bool operator==(const RodSpec&) const = default;
 };
-using ShapeSpec = std::variant<HexagonSpec, DiscSpec, SitesSpec, PolygonSpec, RodSpec>;
+using ShapeSpec = std::variant<HexagonSpec, DiscSpec, RectangleSpec, OutlineSpec, SitesSpec,
+                               PolygonSpec, RodSpec>;
 
 struct Species {
   std::string name;

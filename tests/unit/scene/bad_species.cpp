@@ -32,6 +32,16 @@ constexpr auto kBadSpecies = std::to_array<BadScene>({
      "species: {small: {shape: {hexagon: 1}, sizes: {law: uniform, mean: 3, sd: 1}}}",
      "scene.yaml:5:18: error: species.small: expected exactly one of shape, sizes, found shape and "
      "sizes"},
+    {"a rectangle without height", "species: {small: {shape: {rectangle: [3, 0]}}}",
+     "scene.yaml:5:41: error: species.small.shape.rectangle: expected a number above 0, up to 1000, "
+     "found 0"},
+    {"an outline without a site in it",
+     "species: {small: {shape: {outline: [[0.2, 0.2], [0.3, 0.2], [0.3, 0.3]]}}}",
+     "scene.yaml:5:26: error: species.small.shape: a shape has at least one site", Judge::parser},
+    {"an outline of two parts",
+     "species: {small: {shape: {outline: [[0, 0], [0, 1], [9, 0.6], [9, 0.4]]}}}",
+     "scene.yaml:5:26: error: species.small.shape: the sites of the shape do not connect",
+     Judge::parser},
     {"sizes by an unknown law", "species: {small: {sizes: {law: normal, mean: 3, sd: 1}}}",
      "scene.yaml:5:32: error: species.small.sizes.law: expected one of uniform, lognormal, list, "
      "found 'normal'; did you mean 'lognormal'?"},
