@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -96,7 +97,8 @@ Type<ShapeSpec> shape() {
        alternative<ShapeSpec>("rectangle", size(),
                               "an upright rectangle, to the nearest number of columns and of sites "
                               "in each"),
-       alternative<ShapeSpec>("outline", as(&OutlineSpec::corners, list_of(corner(), 3, kMaxCorners)),
+       alternative<ShapeSpec>("outline",
+                              as(&OutlineSpec::corners, list_of(corner(), 3, kMaxCorners)),
                               "all sites whose centre lies on or inside the outline with these "
                               "corners, in spacings to the right and upwards"),
        alternative<ShapeSpec>("sites", as(&SitesSpec::sites, sites(1, kMaxSites)), "these sites"),

@@ -33,7 +33,8 @@ constexpr auto kBadSpecies = std::to_array<BadScene>({
      "scene.yaml:5:18: error: species.small: expected exactly one of shape, sizes, found shape and "
      "sizes"},
     {"a rectangle without height", "species: {small: {shape: {rectangle: [3, 0]}}}",
-     "scene.yaml:5:41: error: species.small.shape.rectangle: expected a number above 0, up to 1000, "
+     "scene.yaml:5:41: error: species.small.shape.rectangle: expected a number above 0, up to "
+     "1000, "
      "found 0"},
     {"an outline without a site in it",
      "species: {small: {shape: {outline: [[0.2, 0.2], [0.3, 0.2], [0.3, 0.3]]}}}",

@@ -96,13 +96,12 @@ TEST(Parse, ReadsRectanglesAndOutlinesInSpacings) {
       "  rect: {shape: {rectangle: [3, 5]}}\n"
       "  dot: {shape: {rectangle: [0.1, 0.1]}}\n"
       "  ell: {shape: {outline: [[0, 0], [5.2, 0], [5.2, 2], [1.8, 2], [1.8, 6], [0, 6]]}}\n"
-      "  upright: {shape: {outline: [[-1.8, -1], [1.8, -1], [1.8, 1], [-1.8, 1]]}}\n"
-      );
+      "  upright: {shape: {outline: [[-1.8, -1], [1.8, -1], [1.8, 1], [-1.8, 1]]}}\n");
   using lattice::Axial;
   const auto sites = [&](std::size_t i) { return scene.species[i].shape.sites(); };
   // Three columns, 0.866 apart, of five sites, the middle one half a spacing higher.
-  EXPECT_EQ(sites(0), lattice::Shape::polygon(std::vector<Axial>{{0, 0}, {1, 0}, {2, -1}, {2, 3},
-                                                                 {1, 4}, {0, 4}})
+  EXPECT_EQ(sites(0), lattice::Shape::polygon(
+                          std::vector<Axial>{{0, 0}, {1, 0}, {2, -1}, {2, 3}, {1, 4}, {0, 4}})
                           .sites());
   EXPECT_EQ(sites(1).size(), 1);
   for (const Axial site : sites(2)) {
@@ -111,7 +110,8 @@ TEST(Parse, ReadsRectanglesAndOutlinesInSpacings) {
                 (at.x() < 1.8 || at.y() < 2 + 1e-9))
         << at.transpose();
   }
-  // Columns at 0, 0.87 and 1.73 have 7, 6 and 7 sites, those at 2.6, 3.46, 4.33 and 5.20 2, 3, 2, 3.
+  // Columns at 0, 0.87 and 1.73 have 7, 6 and 7 sites, those at 2.6, 3.46, 4.33 and 5.20 2, 3,
+  // 2, 3.
   EXPECT_EQ(sites(2).size(), 7 + 6 + 7 + 2 + 3 + 2 + 3);
   EXPECT_EQ(sites(3).size(), 3 + 2 * 2 + 2 * 3) << "both edges belong to it";
 }
