@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "contact/rule/bodies.hpp"
 #include "grains/internal/separation.hpp"
 
 namespace clca::contact {

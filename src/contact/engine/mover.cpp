@@ -1,11 +1,8 @@
-#include "contact/engine/mover.hpp"
-
 #include <algorithm>
 #include <iterator>
 #include <utility>
 
-#include "contact/rule/order.hpp"
-#include "contact/rule/remainders.hpp"
+#include "contact/engine/engine.hpp"
 
 namespace clca::contact {
 
@@ -42,17 +39,15 @@ void Mover::move_all(Direction down, std::span<const std::uint32_t> ids,
 }
 
 void Mover::move(Direction direction, std::span<WallMove> walls) {
-  tries_.clear();
   for (const std::uint32_t id : ids_) {
-    if (!waits(id, direction) && is_move_due(state_.remainders[id], direction)) {
-      tries_.emplace_back(id, moves_.in_the_way(id, direction));
+    if (waits(id, direction) || !is_move_due(state_.remainders[id], direction)) {
+      continue;
     }
-  }
-  for (const bool is_free : {false, true}) {  // those that wait have to be there when others go
-    for (const auto& [id, in_the_way] : tries_) {
-      if ((in_the_way == grains::kFree) == is_free) {
-        try_move(id, in_the_way, direction);
-      }
+    const grains::Owner in_the_way = moves_.in_the_way(id, direction);
+    if (in_the_way == grains::kFree) {
+      ready_.push_back(id);
+    } else {  // those that wait have to be there when others go
+      wait(id, direction, in_the_way);
     }
   }
   do {
@@ -60,22 +55,18 @@ void Mover::move(Direction direction, std::span<WallMove> walls) {
   } while (move_at_once(direction) || move_walls(direction, walls));
 }
 
-void Mover::try_move(std::uint32_t id, grains::Owner in_the_way, Direction direction) {
-  if (in_the_way != grains::kFree) {
-    wait(id, direction,
-         grains::is_particle(in_the_way) ? obstacle(grains::particle_id(in_the_way)) : kWalls);
-    return;
-  }
-  moves_.move(id, direction);
-  stop_waiting_at_all(id);
-  wake(obstacle(id), direction);
-}
-
 void Mover::move_ready(Direction direction) {
   while (!ready_.empty()) {
     const std::uint32_t id = ready_.back();
     ready_.pop_back();
-    try_move(id, moves_.in_the_way(id, direction), direction);
+    const grains::Owner in_the_way = moves_.in_the_way(id, direction);
+    if (in_the_way != grains::kFree) {
+      wait(id, direction, in_the_way);
+      continue;
+    }
+    moves_.move(id, direction);
+    stop_waiting_at_all(id);
+    wake(obstacle(id), direction);
   }
 }
 
@@ -114,7 +105,9 @@ bool Mover::move_walls(Direction direction, std::span<WallMove> walls) {
   return true;
 }
 
-void Mover::wait(std::uint32_t id, Direction direction, std::size_t obstacle) {
+void Mover::wait(std::uint32_t id, Direction direction, grains::Owner in_the_way) {
+  const std::size_t obstacle =
+      grains::is_particle(in_the_way) ? Mover::obstacle(grains::particle_id(in_the_way)) : kWalls;
   const Waiting entry = waiting(id, direction);
   const auto at = static_cast<std::size_t>(entry);
   waiting_[id] = static_cast<std::uint8_t>(waiting_[id] | 1U << lattice::index_of(direction));
