@@ -1,6 +1,7 @@
 #include "contact/engine/contacts.hpp"
 
 #include <algorithm>
+#include <tuple>
 
 #include "grains/internal/separation.hpp"
 
@@ -381,12 +382,18 @@ void ContactFinder::check_walls(std::uint32_t id, const WallVelocities& walls,
 void ContactFinder::sort(ContactSlots& slots) {
   order_.clear();
   for (std::int32_t at = 0; at < static_cast<std::int32_t>(slots.all().size()); ++at) {
-    const Slot& slot = slots.at(at);
-    if (slot.lane >= 0) {
-      order_.push_back({{order_key(state_, down_, slot.upper), slot.apart, slot.other}, at});
+    if (slots.at(at).lane >= 0) {
+      order_.emplace_back(order_key(state_, down_, slots.at(at).upper), at);
     }
   }
-  std::sort(order_.begin(), order_.end());
+  const auto apart = [&](std::int32_t at) {
+    return std::tie(slots.at(at).apart, slots.at(at).other);
+  };
+  // From the order of the last time, which is nearly right.
+  std::stable_sort(order_.begin(), order_.end(), [&](const auto& one, const auto& other) {
+    return one.first != other.first ? one.first < other.first
+                                    : apart(one.second) < apart(other.second);
+  });
   sorted_.clear(state_.particles.size());
   for (const auto& [key, at] : order_) {
     sorted_.add(slots.contact(at), slots.at(at).apart);

@@ -142,7 +142,7 @@ class ContactFinder {
       ContactSlots::kGrainBytes + sizeof(std::uint8_t) +
       grains::kListRoom * (2 * sizeof(std::uint32_t) +
                            kContactsPerGrain * (sizeof(std::pair<Touch::Key, Touch>) +
-                                                sizeof(std::pair<Touch::Key, std::int32_t>)));
+                                                sizeof(std::pair<std::int64_t, std::int32_t>)));
 
   /// Both outlive the finder.
   ContactFinder(const grains::Box& box, const Rule& rule);
@@ -188,7 +188,7 @@ class ContactFinder {
   std::vector<std::uint32_t> at_walls_;              // grains
   std::vector<grains::Owner> partners_;              // of the grain that is looked at
   std::vector<std::pair<Touch::Key, Touch>> found_;  // that are new, with their order
-  std::vector<std::pair<Touch::Key, std::int32_t>> order_;  // of slots
+  std::vector<std::pair<std::int64_t, std::int32_t>> order_;  // keys and slots
   ContactSlots sorted_;
 };
 

@@ -21,7 +21,7 @@ class Mover {
  public:
   static constexpr double kGrainBytes = sizeof(std::uint8_t) +
                                         (2 * lattice::kDirectionCount + 1) * sizeof(std::int32_t) +
-                                        grains::kListRoom * 3 * sizeof(std::uint32_t);
+                                        grains::kListRoom * 4 * sizeof(std::uint32_t);
 
   /// Both outlive the mover.
   Mover(State& state, grains::Box& box) : state_(state), moves_(state, box) {}
@@ -56,10 +56,10 @@ class Mover {
     return (waiting_[id] >> lattice::index_of(direction) & 1U) != 0;
   }
   void move(lattice::Direction direction, std::span<WallMove> walls);
-  void move_ready(lattice::Direction direction);
+  void move(std::uint32_t id, lattice::Direction direction);
   bool move_at_once(lattice::Direction direction);
   bool move_walls(lattice::Direction direction, std::span<WallMove> walls);
-  void wait(std::uint32_t id, lattice::Direction direction, grains::Owner in_the_way);
+  bool wait(std::uint32_t id, lattice::Direction direction);
   void stop_waiting(Waiting entry);
   void stop_waiting_at_all(std::uint32_t id);
   void wake(std::size_t obstacle, lattice::Direction direction);
@@ -67,6 +67,7 @@ class Mover {
   State& state_;
   SiteMoves moves_;
   std::vector<std::uint32_t> ids_;
+  std::vector<std::uint32_t> free_;    // those that go at once
   std::vector<std::uint32_t> ready_;   // to be tried
   std::vector<std::uint8_t> waiting_;  // by id: directions as bits
   std::vector<Waiting> first_;         // by obstacle

@@ -39,35 +39,31 @@ void Mover::move_all(Direction down, std::span<const std::uint32_t> ids,
 }
 
 void Mover::move(Direction direction, std::span<WallMove> walls) {
+  free_.clear();
   for (const std::uint32_t id : ids_) {
-    if (waits(id, direction) || !is_move_due(state_.remainders[id], direction)) {
-      continue;
-    }
-    const grains::Owner in_the_way = moves_.in_the_way(id, direction);
-    if (in_the_way == grains::kFree) {
-      ready_.push_back(id);
-    } else {  // those that wait have to be there when others go
-      wait(id, direction, in_the_way);
+    if (!waits(id, direction) && is_move_due(state_.remainders[id], direction) &&
+        !wait(id, direction)) {
+      free_.push_back(id);
     }
   }
+  for (const std::uint32_t id : free_) {  // those that wait have to be there when others go
+    move(id, direction);
+  }
   do {
-    move_ready(direction);
+    while (!ready_.empty()) {
+      const std::uint32_t id = ready_.back();
+      ready_.pop_back();
+      if (!wait(id, direction)) {
+        move(id, direction);
+      }
+    }
   } while (move_at_once(direction) || move_walls(direction, walls));
 }
 
-void Mover::move_ready(Direction direction) {
-  while (!ready_.empty()) {
-    const std::uint32_t id = ready_.back();
-    ready_.pop_back();
-    const grains::Owner in_the_way = moves_.in_the_way(id, direction);
-    if (in_the_way != grains::kFree) {
-      wait(id, direction, in_the_way);
-      continue;
-    }
-    moves_.move(id, direction);
-    stop_waiting_at_all(id);
-    wake(obstacle(id), direction);
-  }
+void Mover::move(std::uint32_t id, Direction direction) {
+  moves_.move(id, direction);
+  stop_waiting_at_all(id);
+  wake(obstacle(id), direction);
 }
 
 bool Mover::move_at_once(Direction direction) {
@@ -105,7 +101,12 @@ bool Mover::move_walls(Direction direction, std::span<WallMove> walls) {
   return true;
 }
 
-void Mover::wait(std::uint32_t id, Direction direction, grains::Owner in_the_way) {
+/// Lets a grain wait for what is in its way. Returns false if that is free.
+bool Mover::wait(std::uint32_t id, Direction direction) {
+  const grains::Owner in_the_way = moves_.in_the_way(id, direction);
+  if (in_the_way == grains::kFree) {
+    return false;
+  }
   const std::size_t obstacle =
       grains::is_particle(in_the_way) ? Mover::obstacle(grains::particle_id(in_the_way)) : kWalls;
   const Waiting entry = waiting(id, direction);
@@ -116,6 +117,7 @@ void Mover::wait(std::uint32_t id, Direction direction, grains::Owner in_the_way
   if (next_[at] != kNone) {
     previous_[static_cast<std::size_t>(next_[at])] = entry;
   }
+  return true;
 }
 
 void Mover::stop_waiting(Waiting entry) {
