@@ -170,10 +170,6 @@ Eigen::Vector2d in_spacings(const Vector& vector) {
   return in_spacings(vector.x, vector.y);
 }
 
-Eigen::Vector2d as_double(const UnitVector& unit) {
-  return {std::ldexp(unit.x, -kUnitBits), std::ldexp(unit.y, -kUnitBits)};
-}
-
 double mass_of(const State& state, std::size_t id) {
   return static_cast<double>(state.grains.shape(state.grains.particles[id]).size());
 }

@@ -160,8 +160,7 @@ Vessel next(const Vessel& vessel) {
 }
 
 Eigen::Vector2d gravity_direction(const Vessel& vessel) {
-  const UnitVector down = gravity_unit(vessel);
-  return {std::ldexp(down.x, -kUnitBits), std::ldexp(down.y, -kUnitBits)};
+  return as_double(gravity_unit(vessel));
 }
 
 void check_valid(const Vessel& vessel) {

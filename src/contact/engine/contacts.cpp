@@ -25,10 +25,6 @@ struct OneLane {
   }
 };
 
-bool is_wall_or_side(grains::Owner owner) {
-  return owner <= grains::kFirstWall;
-}
-
 }  // namespace
 
 BatchFunctions plain_functions() {
@@ -304,7 +300,7 @@ void ContactFinder::look_around(std::uint32_t id, const ContactSlots& slots) {
     const Slot& slot = slots.at(at);
     partners_.push_back(slot.upper == id ? slot.other : grains::as_owner(slot.upper));
   });
-  bool at_wall = std::any_of(partners_.begin(), partners_.end(), is_wall_or_side);
+  bool at_wall = std::any_of(partners_.begin(), partners_.end(), grains::is_wall);
   grains::Owner before = grains::kFree;
   const grains::Particle& grain = state_.particles[id];
   box_.for_each_index(grain, box_.footprints.of(grain).ring, [&](std::size_t index) {
@@ -313,7 +309,7 @@ void ContactFinder::look_around(std::uint32_t id, const ContactSlots& slots) {
       return;
     }
     before = owner;
-    at_wall = at_wall || is_wall_or_side(owner);
+    at_wall = at_wall || grains::is_wall(owner);
     const auto other = grains::particle_id(owner);
     if (grains::is_particle(owner) && !checked_with(other, id) &&
         std::find(partners_.begin(), partners_.end(), owner) == partners_.end()) {
@@ -357,7 +353,7 @@ void ContactFinder::check_walls(std::uint32_t id, const WallVelocities& walls,
   std::vector<Contact> before;
   std::vector<std::int32_t> slots_before;
   slots.for_each(id, [&](std::int32_t at) {
-    if (is_wall_or_side(slots.at(at).other)) {
+    if (grains::is_wall(slots.at(at).other)) {
       before.push_back(slots.contact(at));
       slots_before.push_back(at);
     }

@@ -61,7 +61,7 @@ void Mover::move(Direction direction, std::span<WallMove> walls) {
 }
 
 void Mover::move(std::uint32_t id, Direction direction) {
-  moves_.move(id, direction);
+  moves_.move({&id, 1}, direction);
   stop_waiting_at_all(id);
   wake(obstacle(id), direction);
 }
@@ -72,7 +72,7 @@ bool Mover::move_at_once(Direction direction) {
     return waits(id, direction) && is_move_due(state_.remainders[id], direction);
   });
   const std::vector<std::uint32_t> ids = moves_.movable_at_once(std::move(blocked), direction);
-  moves_.move_at_once(ids, direction);
+  moves_.move(ids, direction);
   for (const std::uint32_t id : ids) {
     stop_waiting_at_all(id);
   }

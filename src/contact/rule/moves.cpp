@@ -68,12 +68,7 @@ std::vector<std::uint32_t> SiteMoves::movable_at_once(std::vector<std::uint32_t>
   return blocked;
 }
 
-void SiteMoves::move(std::uint32_t id, Direction direction) {
-  leave(id, direction);
-  enter(id, direction);
-}
-
-void SiteMoves::move_at_once(std::span<const std::uint32_t> ids, Direction direction) {
+void SiteMoves::move(std::span<const std::uint32_t> ids, Direction direction) {
   for (const std::uint32_t id : ids) {
     leave(id, direction);
   }
@@ -127,7 +122,7 @@ bool SiteMoves::push(const grains::WallStep& step, std::vector<std::uint32_t>& p
   for (const std::size_t index : step.leaves) {
     box_.occupancy.release(index);
   }
-  move_at_once(cluster.ids(), step.direction);
+  move(cluster.ids(), step.direction);
   for (const std::uint32_t id : cluster.ids()) {  // at most half a site behind its site
     Vector& remainder = state_.remainders[id];
     take(remainder, std::min(along(remainder, unit_of(step.direction)) + kSpacing / 2, 0),
@@ -159,38 +154,37 @@ void move_all(SiteMoves& moves, State& state, Direction down, std::span<WallMove
   const auto& grains = state.grains.particles;
   for (const Direction direction : order_of_directions(state.grains, down)) {
     std::vector<bool> moved(grains.size(), false);
-    const auto move_grains = [&] {
-      bool any = false;
-      for (std::uint32_t id = 0; id < grains.size(); ++id) {
-        if (grains[id].present && !moved[id] && is_move_due(state.remainders[id], direction) &&
-            moves.in_the_way(id, direction) == grains::kFree) {
-          moves.move(id, direction);
-          moved[id] = true;
-          any = true;
-        }
-      }
-      return any;
-    };
-    const auto move_at_once = [&] {
-      std::vector<std::uint32_t> blocked;
+    const auto due = [&] {
+      std::vector<std::uint32_t> ids;
       for (std::uint32_t id = 0; id < grains.size(); ++id) {
         if (grains[id].present && !moved[id] && is_move_due(state.remainders[id], direction)) {
-          blocked.push_back(id);
+          ids.push_back(id);
         }
       }
-      const std::vector<std::uint32_t> ids = moves.movable_at_once(std::move(blocked), direction);
-      moves.move_at_once(ids, direction);
+      return ids;
+    };
+    const auto mark = [&](std::span<const std::uint32_t> ids) {
       for (const std::uint32_t id : ids) {
         moved[id] = true;
       }
       return !ids.empty();
     };
+    const auto move_grains = [&] {
+      std::vector<std::uint32_t> ids = due();
+      std::erase_if(
+          ids, [&](std::uint32_t id) { return moves.in_the_way(id, direction) != grains::kFree; });
+      moves.move(ids, direction);
+      return mark(ids);
+    };
+    const auto move_at_once = [&] {
+      const std::vector<std::uint32_t> ids = moves.movable_at_once(due(), direction);
+      moves.move(ids, direction);
+      return mark(ids);
+    };
     const auto move_walls = [&] {
       std::vector<std::uint32_t> pushed;
       const bool any = moves.move_walls(direction, walls, pushed);
-      for (const std::uint32_t id : pushed) {
-        moved[id] = true;
-      }
+      mark(pushed);
       return any;
     };
     while (move_grains() || move_at_once() || move_walls()) {

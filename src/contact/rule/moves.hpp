@@ -158,13 +158,12 @@ class SiteMoves {
 
   /// An owner that blocks a grain; kFree if there is none.
   grains::Owner in_the_way(std::uint32_t id, lattice::Direction direction) const;
-  /// Moves a grain into free sites.
-  void move(std::uint32_t id, lattice::Direction direction);
+  /// Moves grains at once, into sites that are free then.
+  void move(std::span<const std::uint32_t> ids, lattice::Direction direction);
   /// Those of the grains `blocked` that can only move at once: each is blocked by others of them
   /// alone. Shapes that hook into one another are.
   std::vector<std::uint32_t> movable_at_once(std::vector<std::uint32_t> blocked,
                                              lattice::Direction direction) const;
-  void move_at_once(std::span<const std::uint32_t> ids, lattice::Direction direction);
   /// Moves the walls that are due in this direction and have not moved yet, with all grains they
   /// push.
   /// A wall blocked by the border or another wall stays. Returns whether any wall moved; appends

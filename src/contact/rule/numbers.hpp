@@ -2,6 +2,7 @@
 // Integer arithmetic: the same bits on every machine and compiler. Operations of the contact law
 // also exist for eight contacts at once (engine/batch_avx2.cpp).
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -82,6 +83,10 @@ inline const UnitVector& unit_of(lattice::Direction direction) {
                                                                                {-kColumn, -kHalf},
                                                                                {-kColumn, kHalf}}};
   return kUnits[lattice::index_of(direction)];
+}
+
+inline Eigen::Vector2d as_double(const UnitVector& unit) {
+  return {std::ldexp(unit.x, -kUnitBits), std::ldexp(unit.y, -kUnitBits)};
 }
 
 /// Cosine of the angle between two unit vectors, in 2^-60.
