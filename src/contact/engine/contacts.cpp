@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "contact/rule/step.hpp"
 #include "grains/internal/separation.hpp"
 
 namespace clca::contact {

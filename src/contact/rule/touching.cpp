@@ -255,9 +255,9 @@ std::vector<grains::Owner> bodies_of_contacts(const Surface& surface, const Wall
   };
   std::vector<grains::Owner> chosen;
   for (const auto& [body, sites] : surface.touched) {
-    const auto alike = std::find_if(chosen.begin(), chosen.end(), [&](grains::Owner other) {
-      return velocity(other) == velocity(body);
-    });
+    const auto alike = std::find_if(
+        chosen.begin(), chosen.end(),
+        [&, now = velocity(body)](grains::Owner other) { return velocity(other) == now; });
     if (alike == chosen.end()) {
       chosen.push_back(body);
     } else if (rank(body) > rank(*alike)) {
