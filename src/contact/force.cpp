@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "contact/rule/numbers.hpp"
-#include "grains/internal/separation.hpp"
+#include "grains/internal/apart_table.hpp"
 
 namespace clca::contact {
 

@@ -4,7 +4,6 @@
 #include <tuple>
 
 #include "contact/rule/step.hpp"
-#include "grains/internal/separation.hpp"
 
 namespace clca::contact {
 

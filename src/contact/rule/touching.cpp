@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "contact/rule/numbers.hpp"
-#include "grains/internal/separation.hpp"
 
 namespace clca::contact {
 
@@ -365,13 +364,13 @@ std::vector<const Touch*> followed_by(std::span<const Contact> before, std::span
 std::vector<Touch> next_contacts(const grains::State& state, const std::vector<Contact>& before,
                                  const std::vector<Touch>& now, lattice::Direction down,
                                  bool sorted) {
-  using Bodies = std::pair<grains::Owner, grains::Owner>;
-  const auto bodies = [](const Contact& contact) -> Bodies {
+  using Key = std::pair<grains::Owner, grains::Owner>;
+  const auto bodies = [](const Contact& contact) -> Key {
     const auto upper = grains::as_owner(contact.upper);
-    return grains::is_particle(contact.other) ? Bodies(std::minmax({upper, contact.other}))
-                                              : Bodies(upper, contact.other);
+    return grains::is_particle(contact.other) ? Key(std::minmax({upper, contact.other}))
+                                              : Key(upper, contact.other);
   };
-  std::map<Bodies, Touch> left;  // that no earlier contact goes on as
+  std::map<Key, Touch> left;  // that no earlier contact goes on as
   std::vector<Touch> at_walls;
   for (const Touch& touch : now) {
     left.emplace(bodies(touch.contact), touch);
