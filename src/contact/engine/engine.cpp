@@ -1,22 +1,10 @@
 #include "contact/engine/engine.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <numeric>
 #include <utility>
 
 namespace clca::contact {
-
-namespace {
-
-std::vector<Touch*> pointers(std::vector<Touch>& touches) {
-  std::vector<Touch*> result;
-  std::transform(touches.begin(), touches.end(), std::back_inserter(result),
-                 [](Touch& touch) { return &touch; });
-  return result;
-}
-
-}  // namespace
 
 Engine::Engine(State initial, const Parameters& parameters, grains::PhaseTimes* phase_times)
     : Steps(std::move(initial), parameters),
@@ -77,7 +65,8 @@ std::size_t Engine::move_grains() {
   clock_ = grains::PhaseClock(phase_times_);
   update_contacts();
   bounce_loose();
-  collide();
+  impacts_.clear();
+  for_each_group([this](const auto& contacts) { solve_impact(contacts, motion_); });
   accelerate_all(state_, rule_.gravity,
                  [this](std::uint32_t id) -> Velocity<>& { return velocity(id); });
   clock_.end("motion");
@@ -129,18 +118,21 @@ void Engine::bounce_loose() {
   }
 }
 
-void Engine::collide() {
-  touches_.clear();
+/// Calls `solve` with the contacts of each small group and keeps the impacts.
+template <class Solve>
+void Engine::for_each_group(Solve solve) {
   for (const std::vector<std::int32_t>& group : groups_.active()) {
-    std::vector<Touch>& touches = touches_.emplace_back();
-    bool bounces = false;
-    for (const std::int32_t slot : group) {
-      const std::int32_t bounce = std::exchange(slots_.bounce(slot), 0);
-      touches.push_back({.contact = slots_.contact(slot), .bounce = bounce});
-      bounces = bounces || bounce > 0;
+    std::vector<Touch> touches;
+    for (const std::int32_t at : group) {
+      touches.push_back({.contact = contact(at), .bounce = std::exchange(slots_.bounce(at), 0)});
     }
-    if (bounces) {
-      solve_impact(pointers(touches), motion_);
+    std::vector<Touch*> pointers;
+    for (Touch& touch : touches) {
+      pointers.push_back(&touch);
+    }
+    solve(pointers);
+    for (std::size_t i = 0; i < group.size(); ++i) {
+      impacts_[group[i]] = touches[i].contact.impact;
     }
   }
 }
@@ -156,23 +148,8 @@ void Engine::sweep_contacts() {
   for (const std::int32_t slot : bouncing_) {
     slots_.bounce(slot) = 0;
   }
-  finish_groups();
+  for_each_group([this](const auto& contacts) { finish(contacts, motion_); });
   clock_.end("sweeps");
-}
-
-void Engine::finish_groups() {
-  impacts_.clear();
-  for (std::size_t i = 0; i < touches_.size(); ++i) {
-    const std::vector<std::int32_t>& group = groups_.active()[i];
-    std::vector<Touch>& touches = touches_[i];
-    for (std::size_t k = 0; k < group.size(); ++k) {
-      touches[k].contact.impulse = slots_.contact(group[k]).impulse;
-    }
-    finish(pointers(touches), motion_);
-    for (std::size_t k = 0; k < group.size(); ++k) {
-      impacts_.emplace(group[k], touches[k].contact.impact);
-    }
-  }
 }
 
 void Engine::advance_and_move() {
@@ -224,11 +201,16 @@ std::vector<Contact> Engine::contacts(bool with_grains) const {
   for (std::int32_t at = 0; at < static_cast<std::int32_t>(slots_.all().size()); ++at) {
     const Slot& slot = slots_.at(at);
     if (slot.lane >= 0 && (with_grains || !grains::is_particle(slot.other))) {
-      Contact& contact = result.emplace_back(slots_.contact(at));
-      if (const auto impact = impacts_.find(at); impact != impacts_.end()) {
-        contact.impact = impact->second;
-      }
+      result.push_back(contact(at));
     }
+  }
+  return result;
+}
+
+Contact Engine::contact(std::int32_t at) const {
+  Contact result = slots_.contact(at);
+  if (const auto impact = impacts_.find(at); impact != impacts_.end()) {
+    result.impact = impact->second;
   }
   return result;
 }

@@ -98,14 +98,15 @@ class Engine final : public Steps {
   std::size_t move_grains() override;
   std::vector<Contact> wall_contacts() const override;
   std::vector<Contact> contacts(bool with_grains) const;
+  Contact contact(std::int32_t at) const;
   Velocity<>& velocity(std::size_t id) { return bodies_[first_grain_ + id].velocity; }
   void load();
   void look_at_all();
   void update_contacts();
   void bounce_loose();
-  void collide();
+  template <class Solve>
+  void for_each_group(Solve solve);
   void sweep_contacts();
-  void finish_groups();
   void advance_and_move();
 
   grains::PhaseTimes* phase_times_;
@@ -119,7 +120,6 @@ class Engine final : public Steps {
   std::vector<Body> bodies_;
   Motion motion_;                              // of these
   std::vector<std::int32_t> bouncing_;         // slots of contacts that bounce in this step
-  std::vector<std::vector<Touch>> touches_;    // the contacts of the small groups
   std::map<std::int32_t, Impulse<>> impacts_;  // of this step, by slot
   std::vector<std::uint32_t> moved_;           // in the last step, once each
   std::vector<std::uint32_t> changed_;         // grains that may touch other bodies than they did

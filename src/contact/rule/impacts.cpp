@@ -102,6 +102,10 @@ std::vector<std::vector<Touch*>> active_groups(std::span<Touch> contacts, std::s
 }
 
 void solve_impact(std::span<Touch* const> contacts, const Motion& motion) {
+  if (std::none_of(contacts.begin(), contacts.end(),
+                   [](const Touch* touch) { return touch->bounce > 0; })) {
+    return;
+  }
   std::map<grains::Owner, Velocity<>> velocities;  // of the grains, before
   for (const Touch* touch : contacts) {
     for (const grains::Owner body :

@@ -194,10 +194,7 @@ std::size_t Reference::move_grains() {
   bounce_loose(contacts, motion);
   const std::vector<std::vector<Touch*>> groups = active_groups(contacts, grains);
   for (const std::vector<Touch*>& group : groups) {
-    if (std::any_of(group.begin(), group.end(),
-                    [](const Touch* touch) { return touch->bounce > 0; })) {
-      solve_impact(group, motion);
-    }
+    solve_impact(group, motion);
   }
 
   // 3. Gravity and the vessel.

@@ -39,7 +39,8 @@ inline constexpr std::size_t kMostGrains = 8;
 /// The contacts of each small group with one that carries or bounces, in their order.
 std::vector<std::vector<Touch*>> active_groups(std::span<Touch> contacts, std::size_t grains);
 
-/// Sets `impact` of the contacts and changes the velocities. First the bodies are stopped, by
+/// Where a contact of a small group bounces, sets `impact` of all of them and changes the
+/// velocities. First the bodies are stopped, by
 /// sweeps until the impulses hardly change any more; then the same impulses act again, times the
 /// restitution (Poisson's hypothesis with one ratio for the whole impact), or less, so that the
 /// kinetic energy does not rise. The contacts do not bounce once more. `contacts`: all of their
