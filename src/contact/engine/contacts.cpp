@@ -246,22 +246,14 @@ void ContactFinder::update(std::span<const std::uint32_t> moved, const WallVeloc
   std::for_each(at_several_bodies_.begin(), at_several_bodies_.end(), look_at);
   at_several_bodies_.clear();
   found_.clear();
-  changed_.clear();
-  at_walls_.clear();
   for (const std::uint32_t id : ids_) {
-    check_contacts(id, slots);
-    if (state_.particles[id].present) {
-      look_around(id, slots);
+    check_contacts(id, slots, groups);
+    if (state_.particles[id].present && look_around(id, slots)) {
+      check_walls(id, walls, slots);
     }
   }
   for (const std::uint32_t id : ids_) {
     moved_[id] = 0;
-  }
-  for (const std::int32_t at : changed_) {
-    change_contact(at, slots, groups);
-  }
-  for (const std::uint32_t id : at_walls_) {
-    check_walls(id, walls, slots);
   }
   std::sort(found_.begin(), found_.end(),
             [](const auto& one, const auto& other) { return one.first < other.first; });
@@ -270,31 +262,36 @@ void ContactFinder::update(std::span<const std::uint32_t> moved, const WallVeloc
   }
 }
 
-/// Changes nothing but normals. Contacts that end, and those whose upper grain changes, are
-/// collected: the partners of other grains that have moved may still be looked up.
-void ContactFinder::check_contacts(std::uint32_t id, ContactSlots& slots) {
+/// Those with walls go on, see check_walls.
+void ContactFinder::check_contacts(std::uint32_t id, ContactSlots& slots, SmallGroups& groups) {
   slots.for_each(id, [&](std::int32_t at) {
     const Slot& slot = slots.at(at);
     const bool with_grain = grains::is_particle(slot.other);
     const auto other = grains::particle_id(slot.other);
-    const std::uint32_t partner = slot.upper == id ? other : slot.upper;
-    if (with_grain && checked_with(partner, id)) {
+    const bool present =
+        state_.particles[slot.upper].present && (!with_grain || state_.particles[other].present);
+    if (with_grain ? checked_with(slot.upper == id ? other : slot.upper, id) : present) {
       return;
     }
-    if (!state_.particles[id].present || (with_grain && !state_.particles[partner].present)) {
-      changed_.push_back(at);
-    } else if (with_grain) {  // else see check_walls
-      const Touch now = touch(slot.upper, other);
-      if (now.contact.normal == UnitVector() || now.contact.upper != slot.upper) {
-        changed_.push_back(at);
-      } else {
-        slots.set_apart(at, now.apart, now.contact.normal);
+    Touch now = present ? touch(slot.upper, other) : Touch();
+    if (now.contact.normal == UnitVector()) {
+      groups.lost_contact(slot.upper);
+      if (with_grain) {
+        groups.lost_contact(other);
       }
+      slots.remove(at);
+    } else if (now.contact.upper == slot.upper) {
+      slots.set_apart(at, now.apart, now.contact.normal);
+    } else {
+      now.contact.impulse = turned_over(slots.contact(at).impulse);
+      slots.set(at, now.contact, now.apart);
     }
   });
 }
 
-void ContactFinder::look_around(std::uint32_t id, const ContactSlots& slots) {
+/// Finds contacts with other grains that begin. Returns whether the grain is at a wall or side, or
+/// was.
+bool ContactFinder::look_around(std::uint32_t id, const ContactSlots& slots) {
   partners_.clear();
   slots.for_each(id, [&](std::int32_t at) {
     const Slot& slot = slots.at(at);
@@ -320,28 +317,7 @@ void ContactFinder::look_around(std::uint32_t id, const ContactSlots& slots) {
       }
     }
   });
-  if (at_wall) {
-    at_walls_.push_back(id);
-  }
-}
-
-void ContactFinder::change_contact(std::int32_t at, ContactSlots& slots, SmallGroups& groups) {
-  const Slot& slot = slots.at(at);
-  const bool with_grain = grains::is_particle(slot.other);
-  const auto other = grains::particle_id(slot.other);
-  const bool present =
-      state_.particles[slot.upper].present && (!with_grain || state_.particles[other].present);
-  Touch now = present ? touch(slot.upper, other) : Touch();
-  if (now.contact.normal == UnitVector()) {
-    groups.lost_contact(slot.upper);
-    if (with_grain) {
-      groups.lost_contact(other);
-    }
-    slots.remove(at);
-    return;
-  }
-  now.contact.impulse = turned_over(slots.contact(at).impulse);
-  slots.set(at, now.contact, now.apart);
+  return at_wall;
 }
 
 void ContactFinder::check_walls(std::uint32_t id, const WallVelocities& walls,

@@ -68,7 +68,7 @@ class ContactSlots {
   /// With which its bodies, which have these velocities, part now.
   std::int32_t separation(std::int32_t at, const std::vector<Body>& bodies) const;
 
-  /// Calls `visit` with the number of each slot of a grain.
+  /// Calls `visit` with the number of each slot of a grain, which it may change or empty.
   template <class Visit>
   void for_each(std::uint32_t grain, Visit visit) const {
     for (std::int32_t at = first_[grain]; at >= 0;) {
@@ -166,10 +166,9 @@ class ContactFinder {
   bool checked_with(std::uint32_t partner, std::uint32_t id) const {
     return moved_[partner] != 0 && partner < id;
   }
-  void check_contacts(std::uint32_t id, ContactSlots& slots);
-  void look_around(std::uint32_t id, const ContactSlots& slots);
+  void check_contacts(std::uint32_t id, ContactSlots& slots, SmallGroups& groups);
+  bool look_around(std::uint32_t id, const ContactSlots& slots);
   void add_found(const Touch& touch) { found_.emplace_back(touch.key(state_, down_), touch); }
-  void change_contact(std::int32_t at, ContactSlots& slots, SmallGroups& groups);
   void check_walls(std::uint32_t id, const WallVelocities& walls, ContactSlots& slots);
   Touch touch(std::uint32_t first, std::uint32_t second);
   lattice::Axial apart(std::uint32_t upper, std::uint32_t other) const;
@@ -182,12 +181,10 @@ class ContactFinder {
   // where no site next to the grain changes.
   std::vector<std::uint32_t> at_several_bodies_;
   NormalTable normals_;
-  std::vector<std::uint32_t> ids_;                   // of those that have moved, once each
-  std::vector<std::uint8_t> moved_;                  // by id
-  std::vector<std::int32_t> changed_;                // slots that end, or whose upper grain changes
-  std::vector<std::uint32_t> at_walls_;              // grains
-  std::vector<grains::Owner> partners_;              // of the grain that is looked at
-  std::vector<std::pair<Touch::Key, Touch>> found_;  // that are new, with their order
+  std::vector<std::uint32_t> ids_;                            // of those that have moved, once each
+  std::vector<std::uint8_t> moved_;                           // by id
+  std::vector<grains::Owner> partners_;                       // of the grain that is looked at
+  std::vector<std::pair<Touch::Key, Touch>> found_;           // that are new, with their order
   std::vector<std::pair<std::int64_t, std::int32_t>> order_;  // keys and slots
   ContactSlots sorted_;
 };
