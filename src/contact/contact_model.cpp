@@ -1,15 +1,14 @@
 #include "clca/contact/contact_model.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "clca/reflection/hash.hpp"
 #include "contact/engine/engine.hpp"
-#include "contact/rule/numbers.hpp"
 #include "contact/rule/step.hpp"
 
 namespace clca::contact {
@@ -33,10 +32,9 @@ double default_fall_height(double box_height) {
 
 double gravity(const Parameters& parameters) {
   const double value = parameters.resolution * parameters.resolution / (2 * parameters.fall_height);
-  if (!(parameters.resolution > 0 && parameters.fall_height > 0 && value <= kMaxGravity &&
-        value >= kMinGravity)) {
-    throw std::invalid_argument("resolution and fall height do not give a time step");
-  }
+  require(parameters.resolution > 0 && parameters.fall_height > 0 && value <= kMaxGravity &&
+              value >= kMinGravity,
+          "resolution and fall height do not give a time step");
   return to_fixed_point(value, kFractionBits) / static_cast<double>(kSpacing);  // as steps have it
 }
 
@@ -57,84 +55,60 @@ int needed_columns(const std::vector<grains::Kind>& kinds) {
 void check_valid(const State& state) {
   grains::check_valid(state.grains);
   check_valid(state.vessel);
-  const auto fail = [](const char* reason) { throw std::invalid_argument(reason); };
   const lattice::Lattice& lattice = state.grains.lattice;
-  if (const int needed = needed_columns(state.grains.kinds);
-      lattice.periodic() && lattice.columns() < needed) {
-    throw std::invalid_argument("two grains may touch on both sides in a periodic box of " +
-                                std::to_string(lattice.columns()) + " columns: it needs " +
-                                std::to_string(needed));
-  }
-  if (grains::may_overlap(state.grains)) {
-    fail("the contact model lets no walls overlap");
-  }
-  if (state.wall_remainders.size() != state.grains.walls.size()) {
-    fail("there is not one remainder for each wall");
-  }
-  for (std::size_t number = 0; number < state.wall_remainders.size(); ++number) {
+  const std::size_t grains = state.grains.particles.size();
+  const std::size_t walls = state.grains.walls.size();
+  const int needed = needed_columns(state.grains.kinds);
+  require(!lattice.periodic() || lattice.columns() >= needed,
+          ("two grains may touch on both sides in a periodic box of " +
+           std::to_string(lattice.columns()) + " columns: it needs " + std::to_string(needed))
+              .c_str());
+  require(!grains::may_overlap(state.grains), "the contact model lets no walls overlap");
+  require(state.wall_remainders.size() == walls, "there is not one remainder for each wall");
+  for (std::size_t number = 0; number < walls; ++number) {
     const grains::Wall& wall = state.grains.walls[number];
     const std::int64_t ahead = state.wall_remainders[number];
-    if (wall.motion ? !grains::can_be_ahead(*wall.motion, wall.travel, ahead) : ahead != 0) {
-      fail("a wall is not where its motion has brought it");
-    }
+    require(wall.motion ? can_be_ahead(*wall.motion, wall.travel, ahead) : ahead == 0,
+            "a wall is not where its motion has brought it");
   }
-  const std::size_t grains = state.grains.particles.size();
-  if (state.velocities.size() != grains || state.remainders.size() != grains ||
-      state.from_anchors.size() != grains) {
-    fail("there is not one velocity for each grain");
-  }
-  if (std::any_of(state.from_anchors.begin(), state.from_anchors.end(),
-                  [](lattice::Axial from_anchor) { return lattice::length(from_anchor) > 1; })) {
-    fail("a grain is too far from its anchor");
-  }
-  const auto in_range = [](std::int32_t value, std::int32_t most) {
-    return value >= -most && value <= most;
+  require(state.velocities.size() == grains && state.remainders.size() == grains &&
+              state.from_anchors.size() == grains,
+          "there is not one velocity for each grain");
+  const auto in_range = [](std::int32_t most, auto... values) {
+    return ((values >= -most && values <= most) && ...);
   };
-  for (const Velocity<std::int32_t>& velocity : state.velocities) {
-    if (!in_range(velocity.x, kMaxVelocity) || !in_range(velocity.y, kMaxVelocity) ||
-        !in_range(velocity.spin, kMaxVelocity)) {
-      fail("a velocity is out of range");
-    }
+  for (std::size_t id = 0; id < grains; ++id) {
+    const Velocity<>& velocity = state.velocities[id];
+    const Vector& remainder = state.remainders[id];
+    require(length(state.from_anchors[id]) <= 1, "a grain is too far from its anchor");
+    require(in_range(kMaxVelocity, velocity.x, velocity.y, velocity.spin),
+            "a velocity is out of range");
+    require(in_range(kMaxRemainder, remainder.x, remainder.y), "a remainder is out of range");
   }
-  for (const Vector& remainder : state.remainders) {
-    if (!in_range(remainder.x, kMaxRemainder) || !in_range(remainder.y, kMaxRemainder)) {
-      fail("a remainder is out of range");
-    }
-  }
-  std::vector<std::pair<std::uint32_t, grains::Owner>> pairs;
+  std::vector<std::pair<grains::Owner, grains::Owner>> pairs;
   for (const Contact& contact : state.contacts) {
-    const bool with_grain = grains::is_particle(contact.other);
-    const bool there = contact.upper < grains &&
-                       (with_grain ? grains::particle_id(contact.other) < grains &&
-                                         contact.upper != static_cast<std::uint32_t>(contact.other)
-                                   : is_side(contact.other) || (grains::is_wall(contact.other) &&
-                                                                grains::wall_number(contact.other) <
-                                                                    state.grains.walls.size()));
-    if (!there) {
-      fail("a contact is not one of two bodies");
-    }
-    if (!in_range(contact.normal.x, 1 << kUnitBits) ||
-        !in_range(contact.normal.y, 1 << kUnitBits)) {
-      fail("a normal is out of range");
-    }
-    for (const Impulse<std::int32_t>& impulse : {contact.impulse, contact.impact}) {
-      if (!in_range(impulse.normal, kMaxImpulse) || !in_range(impulse.shear, kMaxImpulse) ||
-          !in_range(impulse.rolling, kMaxImpulse)) {
-        fail("an impulse is out of range");
-      }
-    }
-    if (contact.impulse.normal < 0 || contact.impulse.normal + contact.impact.normal < 0) {
-      fail("an impulse is out of range");
-    }
     const auto upper = grains::as_owner(contact.upper);
-    pairs.emplace_back(
-        static_cast<std::uint32_t>(with_grain ? std::min(upper, contact.other) : upper),
-        with_grain ? std::max(upper, contact.other) : contact.other);
+    const bool with_grain = grains::is_particle(contact.other);
+    require(
+        contact.upper < grains &&
+            (with_grain ? grains::particle_id(contact.other) < grains && contact.other != upper
+                        : is_side(contact.other) || (grains::is_wall(contact.other) &&
+                                                     grains::wall_number(contact.other) < walls)),
+        "a contact is not one of two bodies");
+    require(in_range(1 << kUnitBits, contact.normal.x, contact.normal.y),
+            "a normal is out of range");
+    const auto is_sound = [&](const Impulse<>& impulse) {
+      return in_range(kMaxImpulse, impulse.normal, impulse.shear, impulse.rolling);
+    };
+    require(is_sound(contact.impulse) && is_sound(contact.impact) && contact.impulse.normal >= 0 &&
+                contact.impulse.normal + contact.impact.normal >= 0,
+            "an impulse is out of range");
+    pairs.push_back(with_grain ? std::pair(std::minmax({upper, contact.other}))
+                               : std::pair(upper, contact.other));
   }
   std::sort(pairs.begin(), pairs.end());
-  if (std::adjacent_find(pairs.begin(), pairs.end()) != pairs.end()) {
-    fail("two bodies have two contacts");
-  }
+  require(std::adjacent_find(pairs.begin(), pairs.end()) == pairs.end(),
+          "two bodies have two contacts");
 }
 
 double step_bytes(double grains) {
@@ -184,6 +158,124 @@ bool ContactModel::too_fast() const {
 void ContactModel::set_vessel(const Vessel& vessel) {
   check_whole();
   steps(mechanics()).set_vessel(vessel);
+}
+
+namespace {
+
+Eigen::Vector2d in_spacings(std::int32_t x, std::int32_t y) {
+  return std::ldexp(1, -kFractionBits) * Eigen::Vector2d(x, y);
+}
+
+Eigen::Vector2d in_spacings(const Vector& vector) {
+  return in_spacings(vector.x, vector.y);
+}
+
+double mass_of(const State& state, std::size_t id) {
+  return static_cast<double>(state.grains.shape(state.grains.particles[id]).size());
+}
+
+/// Centre of mass.
+Eigen::Vector2d position_of(const State& state, std::size_t id) {
+  return grains::centre(state.grains, state.grains.particles[id]) +
+         in_spacings(state.remainders[id]);
+}
+
+}  // namespace
+
+Energy energy_of(const State& state, std::size_t id, double gravity) {
+  const Velocity<>& velocity = state.velocities[id];
+  const double mass = mass_of(state, id);
+  const double spin = static_cast<double>(velocity.spin) / kSpacing;
+  return {.kinetic = mass * (in_spacings(velocity.x, velocity.y).squaredNorm() + spin * spin / 2) /
+                     2 / gravity,
+          .potential = -mass * gravity_direction(state.vessel).dot(position_of(state, id))};
+}
+
+// The sum of energy_of() of all grains, faster: runs ask for it in each step.
+Energy energy(const State& state, double gravity) {
+  struct KindBody {
+    double mass = 0;
+    double depth = 0;  // of its centre below its site
+  };
+  const Eigen::Vector2d down = gravity_direction(state.vessel);
+  std::vector<KindBody> bodies;
+  for (const grains::Kind& kind : state.grains.kinds) {
+    bodies.push_back(
+        {.mass = static_cast<double>(kind.shape.size()), .depth = down.dot(kind.shape.centroid())});
+  }
+  double motion = 0;  // mass times velocity squared
+  double depth = 0;   // mass times depth
+  for (std::size_t id = 0; id < state.velocities.size(); ++id) {
+    const grains::Particle& grain = state.grains.particles[id];
+    if (!grain.present) {
+      continue;
+    }
+    const KindBody& body = bodies[grain.kind];
+    const Eigen::Vector2d velocity(state.velocities[id].x, state.velocities[id].y);
+    const double spin = state.velocities[id].spin;
+    motion += body.mass * (velocity.squaredNorm() + spin * spin / 2);
+    const Eigen::Vector2d remainder(state.remainders[id].x, state.remainders[id].y);
+    depth += body.mass * (body.depth + down.dot(lattice::position(grain.site())) +
+                          down.dot(remainder) / kSpacing);
+  }
+  return {.kinetic = std::ldexp(motion, -2 * kFractionBits) / 2 / gravity, .potential = -depth};
+}
+
+std::vector<double> wall_positions(const State& state) {
+  std::vector<double> result;
+  for (std::size_t wall = 0; wall < state.wall_remainders.size(); ++wall) {
+    const double ahead = static_cast<double>(state.wall_remainders[wall]) /
+                         static_cast<double>(grains::kMotionSpacing);
+    result.push_back(state.grains.walls[wall].travel.offset + std::clamp(ahead, -1.0, 1.0));
+  }
+  return result;
+}
+
+double wall_work(const State& state, std::span<const Contact> contacts,
+                 const std::vector<double>& before, double gravity) {
+  const std::vector<double> now = wall_positions(state);
+  double sum = 0;
+  for (const Contact& contact : contacts) {
+    if (grains::is_particle(contact.other) || is_side(contact.other)) {
+      continue;
+    }
+    const std::size_t wall = grains::wall_number(contact.other);
+    if (const auto& motion = state.grains.walls[wall].motion) {
+      const Eigen::Vector2d normal = as_double(contact.normal);
+      const Eigen::Vector2d tangent(-normal.y(), normal.x());
+      const Eigen::Vector2d impulse = ((contact.impulse.normal + contact.impact.normal) * normal +
+                                       (contact.impulse.shear + contact.impact.shear) * tangent) /
+                                      kSpacing;
+      sum += (now[wall] - before[wall]) *
+             impulse.dot(lattice::position(lattice::unit(motion->direction)));
+    }
+  }
+  return sum * mass_unit(state.grains.kinds) / gravity;
+}
+
+double vessel_work(const State& state, const Vessel& before, double gravity) {
+  const bool periodic = state.grains.lattice.periodic();
+  const auto integer_gravity = static_cast<std::int32_t>(gravity * kSpacing);
+  const Acceleration by = acceleration(before, integer_gravity, periodic);
+  const Vector still = acceleration(at_rest(before), integer_gravity, periodic).gravity;
+  const Eigen::Vector2d shaking = in_spacings(by.gravity) - in_spacings(still);
+  const double squared_rate = std::ldexp(static_cast<double>(by.squared_rate), -kCentrifugalBits);
+  const Eigen::Vector2d centre =
+      std::ldexp(1, -kCentreBits) * Eigen::Vector2d(by.centre_x, by.centre_y);
+  const Eigen::Vector2d turn = gravity_direction(state.vessel) - gravity_direction(before);
+  Eigen::Vector2d momentum = Eigen::Vector2d::Zero();
+  Eigen::Vector2d moment = Eigen::Vector2d::Zero();  // mass times position
+  double outwards = 0;                               // mass times velocity from the centre
+  for (std::size_t id = 0; id < state.velocities.size(); ++id) {
+    if (const grains::Particle& grain = state.grains.particles[id]; grain.present) {
+      const Eigen::Vector2d impulse =
+          mass_of(state, id) * in_spacings(state.velocities[id].x, state.velocities[id].y);
+      momentum += impulse;
+      moment += mass_of(state, id) * position_of(state, id);
+      outwards += impulse.dot(lattice::position(grain.site()) - centre);
+    }
+  }
+  return (shaking.dot(momentum) + squared_rate * outwards) / gravity - turn.dot(moment);
 }
 
 }  // namespace clca::contact

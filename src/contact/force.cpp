@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "contact/rule/bodies.hpp"
-#include "grains/internal/separation.hpp"
+#include "contact/rule/numbers.hpp"
+#include "grains/internal/apart_table.hpp"
 
 namespace clca::contact {
 
@@ -153,12 +153,10 @@ std::vector<Force> forces(const grains::State& grains, std::span<const Contact> 
   const double weight = mean_mass(grains) / mass_unit(grains.kinds) * gravity * kSpacing;
   const std::vector<GrainDisc> by_kind = grain_discs(grains.kinds);
   for (const Contact& contact : contacts) {
-    const Eigen::Vector2d normal(std::ldexp(contact.normal.x, -kUnitBits),
-                                 std::ldexp(contact.normal.y, -kUnitBits));
     Force& force = result.emplace_back();
     force.upper = contact.upper;
     force.other = contact.other;
-    force.normal = normal;
+    force.normal = as_double(contact.normal);
     force.along_normal = (contact.impulse.normal + contact.impact.normal) / weight;
     force.along_shear = (contact.impulse.shear + contact.impact.shear) / weight;
     put_geometry(grains, by_kind, force);

@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
+#include <numbers>
 
-#include "contact/rule/acceleration.hpp"
-#include "contact/rule/numbers.hpp"
+#include "contact/rule/moves.hpp"
 
 namespace clca::contact {
 
@@ -14,30 +13,49 @@ namespace {
 constexpr int kTurnBits = 64;
 constexpr std::int32_t kMaxCentre = 1 << 30;
 
-std::int64_t rounded(double value, int bits) {
+std::int64_t nearest(double value, int bits) {
   return std::llround(std::ldexp(value, bits));
 }
 
-void check(bool sane, const char* reason) {
-  if (!sane) {
-    throw std::invalid_argument(reason);
-  }
+void set_centre(Vessel& vessel, const Eigen::Vector2d& centre) {
+  require((centre.array().abs() <= std::ldexp(kMaxCentre, -kCentreBits)).all(),
+          "the centre of the vessel is too far away");
+  vessel.centre_x = static_cast<std::int32_t>(nearest(centre.x(), kCentreBits));
+  vessel.centre_y = static_cast<std::int32_t>(nearest(centre.y(), kCentreBits));
 }
 
-void set_centre(Vessel& vessel, const Eigen::Vector2d& centre) {
-  check((centre.array().abs() <= std::ldexp(kMaxCentre, -kCentreBits)).all(),
-        "the centre of the vessel is too far away");
-  vessel.centre_x = static_cast<std::int32_t>(rounded(centre.x(), kCentreBits));
-  vessel.centre_y = static_cast<std::int32_t>(rounded(centre.y(), kCentreBits));
+constexpr Angle kQuarter = Angle{1} << 62U;
+
+/// In 2^-30. By its series, as library versions differ between machines.
+std::int32_t sine(Angle angle) {
+  constexpr int kLastPower = 15;
+  const bool falling = (angle & kQuarter) != 0;
+  const bool negative = (angle & 2 * kQuarter) != 0;
+  const double share = std::ldexp(static_cast<double>((angle % kQuarter) >> 9U), -53);
+  const double x = (falling ? 1 - share : share) * std::numbers::pi / 2;
+  double sum = 1;
+  for (int power = kLastPower; power > 1; power -= 2) {
+    sum = 1 - x * x / (power * (power - 1)) * sum;
+  }
+  const auto size = static_cast<std::int32_t>(std::llround(std::ldexp(x * sum, kUnitBits)));
+  return negative ? -size : size;
+}
+
+std::int32_t cosine(Angle angle) {
+  return sine(angle + kQuarter);
+}
+
+Vector scaled_by(const UnitVector& unit, std::int32_t size) {
+  return {rounded(product(unit.x, size), kUnitBits), rounded(product(unit.y, size), kUnitBits)};
 }
 
 }  // namespace
 
 Angle angle_of(double degrees) {
-  check(std::isfinite(degrees), "an angle is no number");
+  require(std::isfinite(degrees), "an angle is no number");
   const double turns = degrees / 360;
   // Two bits fewer, as a full turn does not fit a signed number.
-  return static_cast<Angle>(rounded(turns - std::floor(turns), kTurnBits - 2)) << 2U;
+  return static_cast<Angle>(nearest(turns - std::floor(turns), kTurnBits - 2)) << 2U;
 }
 
 double degrees(Angle angle) {
@@ -54,11 +72,11 @@ Vessel tilted(const Vessel& /*vessel*/, Angle to) {
 
 Vessel tilting(const Vessel& vessel, Angle to, double degrees_per_step,
                const Eigen::Vector2d& centre) {
-  check(degrees_per_step > 0 && degrees_per_step <= 360 * kMaxTurnsPerStep,
-        "a vessel tilts too fast or not at all");
+  require(degrees_per_step > 0 && degrees_per_step <= 360 * kMaxTurnsPerStep,
+          "a vessel tilts too fast or not at all");
   const auto way = static_cast<std::int64_t>(to - vessel.angle);
   const double steps = std::ceil(std::abs(degrees(to - vessel.angle)) / degrees_per_step);
-  check(steps < 0x1p62, "a vessel tilts too slowly");
+  require(steps < 0x1p62, "a vessel tilts too slowly");
   Vessel result = at_rest(vessel);
   if (way == 0) {
     return result;
@@ -71,10 +89,10 @@ Vessel tilting(const Vessel& vessel, Angle to, double degrees_per_step,
 }
 
 Vessel rotating(const Vessel& vessel, double turns_per_step, const Eigen::Vector2d& centre) {
-  check(std::abs(turns_per_step) <= kMaxTurnsPerStep, "a vessel turns too fast");
+  require(std::abs(turns_per_step) <= kMaxTurnsPerStep, "a vessel turns too fast");
   Vessel result = at_rest(vessel);
-  const std::int64_t turn = rounded(turns_per_step, kTurnBits);
-  check(turn != 0, "a vessel does not turn");
+  const std::int64_t turn = nearest(turns_per_step, kTurnBits);
+  require(turn != 0, "a vessel does not turn");
   result.turn = static_cast<Angle>(turn);
   result.turn_steps = Vessel::kEndless;
   result.phase_step = static_cast<std::uint64_t>(std::abs(turn));
@@ -83,14 +101,14 @@ Vessel rotating(const Vessel& vessel, double turns_per_step, const Eigen::Vector
 }
 
 Vessel shaken(const Vessel& vessel, double gamma, double cycles_per_step, bool sideways) {
-  check(gamma >= 0 && gamma <= kMaxShakeGamma, "a vessel is shaken too strongly");
-  check(cycles_per_step > 0 && cycles_per_step <= kMaxCyclesPerStep,
-        "a vessel is shaken too fast or not at all");
+  require(gamma >= 0 && gamma <= kMaxShakeGamma, "a vessel is shaken too strongly");
+  require(cycles_per_step > 0 && cycles_per_step <= kMaxCyclesPerStep,
+          "a vessel is shaken too fast or not at all");
   Vessel result = at_rest(vessel);
   result.strength = to_fixed_point(gamma, kRatioBits);
   result.sideways = sideways;
-  result.phase_step = static_cast<std::uint64_t>(rounded(cycles_per_step, kTurnBits));
-  check(result.phase_step > 0, "a vessel is shaken too slowly");
+  result.phase_step = static_cast<std::uint64_t>(nearest(cycles_per_step, kTurnBits));
+  require(result.phase_step > 0, "a vessel is shaken too slowly");
   return result;
 }
 
@@ -98,9 +116,51 @@ Angle angle_after(const Vessel& vessel, std::uint64_t steps) {
   return vessel.angle + std::min(steps, vessel.turn_steps) * vessel.turn;
 }
 
+UnitVector gravity_unit(const Vessel& vessel) {
+  return {-sine(vessel.angle), -cosine(vessel.angle)};
+}
+
+lattice::Direction down(const Vessel& vessel) {
+  // Gravity turns clockwise in the frame of a vessel that turns anticlockwise.
+  const Angle sixths = (vessel.angle >> 32U) * lattice::kDirectionCount + (Angle{1} << 31U);
+  return lattice::rotated(lattice::Direction::down, static_cast<int>(sixths >> 32U));
+}
+
+Acceleration acceleration(const Vessel& vessel, std::int32_t gravity, bool periodic) {
+  const UnitVector along = gravity_unit(vessel);
+  Acceleration result = {.gravity = scaled_by(along, gravity)};
+  // In the vessel grains feel the opposite of its acceleration, which is opposite to its
+  // displacement.
+  const std::int32_t strongest = rounded(product(gravity, vessel.strength), kRatioBits);
+  const std::int32_t shaking = rounded(product(strongest, sine(vessel.phase)), kUnitBits);
+  const Vector swing = scaled_by(
+      vessel.sideways ? UnitVector{-along.y, along.x} : UnitVector{-along.x, -along.y}, shaking);
+  result.gravity = {result.gravity.x + swing.x, result.gravity.y + swing.y};
+  result.turns = vessel.turn_steps > 0 && !periodic;
+  if (result.turns) {
+    const double radians =
+        static_cast<double>(static_cast<std::int64_t>(vessel.turn)) * 2 * std::numbers::pi;
+    result.rate = static_cast<std::int32_t>(std::llround(std::ldexp(radians, kRateBits - 64)));
+    result.squared_rate = product(result.rate, result.rate) >> (2 * kRateBits - kCentrifugalBits);
+    result.centre_x = vessel.centre_x;
+    result.centre_y = vessel.centre_y;
+  }
+  return result;
+}
+
+Vessel next(const Vessel& vessel) {
+  Vessel result = vessel;
+  result.angle = angle_after(vessel, 1);
+  if (vessel.turn_steps > 0 && vessel.turn_steps != Vessel::kEndless) {
+    --result.turn_steps;
+  }
+  result.phase += vessel.phase_step;
+  result.whole_cycles += result.phase < vessel.phase ? 1 : 0;
+  return result;
+}
+
 Eigen::Vector2d gravity_direction(const Vessel& vessel) {
-  const UnitVector down = gravity_unit(vessel);
-  return {std::ldexp(down.x, -kUnitBits), std::ldexp(down.y, -kUnitBits)};
+  return as_double(gravity_unit(vessel));
 }
 
 void check_valid(const Vessel& vessel) {
@@ -114,7 +174,7 @@ void check_valid(const Vessel& vessel) {
                     size(vessel.phase_step) <= kMaxCyclesPerStep && vessel.strength >= 0 &&
                     vessel.strength <= to_fixed_point(kMaxShakeGamma, kRatioBits) &&
                     in_range(vessel.centre_x) && in_range(vessel.centre_y);
-  check(sane, "the motion of the vessel is out of range");
+  require(sane, "the motion of the vessel is out of range");
 }
 
 }  // namespace clca::contact

@@ -1,5 +1,7 @@
 #include "grains/internal/footprint.hpp"
 
+#include <set>
+
 namespace clca::grains {
 
 std::vector<lattice::Offset> offsets(const lattice::Lattice& lattice,
@@ -18,11 +20,15 @@ Footprint make_footprint(const lattice::Lattice& lattice, const lattice::Shape& 
                          bool odd_column) {
   Footprint footprint;
   footprint.body = offsets(lattice, shape.sites(), odd_column);
+  std::set<lattice::Axial> ring;
   for (const lattice::Direction direction : lattice::kDirections) {
     const std::size_t d = index_of(direction);
-    footprint.lead[d] = offsets(lattice, shape.lead(direction), odd_column);
+    const std::vector<lattice::Axial> lead = shape.lead(direction);
+    ring.insert(lead.begin(), lead.end());
+    footprint.lead[d] = offsets(lattice, lead, odd_column);
     footprint.trail[d] = offsets(lattice, shape.trail(direction), odd_column);
   }
+  footprint.ring = offsets(lattice, {ring.begin(), ring.end()}, odd_column);
   return footprint;
 }
 

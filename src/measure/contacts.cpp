@@ -4,7 +4,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "grains/internal/separation.hpp"
 #include "measure/internal/sites.hpp"
 
 namespace clca::measure {
@@ -33,27 +32,18 @@ OverlapContact shared_by(const State& state, const Occupancy& occupancy, std::ui
   return contact;
 }
 
-bool frees(const State& state, const Occupancy& occupancy, const OverlapContact& contact,
-           lattice::Direction direction) {
-  const Particle& particle = state.particles[contact.first];
-  const lattice::Site moved = particle.site() + unit(direction);
-  const auto& parts = state.shape(particle).sites();
-  return std::none_of(parts.begin(), parts.end(), [&](lattice::Axial part) {
-    return occupancy.has(state.lattice.index(moved + part), contact.second);
-  });
-}
-
-/// Nearly all overlaps are one move deep; the table of the two shapes is needed only for the
-/// others.
+/// See OverlapContact::depth.
 int depth_of(const State& state, const Occupancy& occupancy, const OverlapContact& contact) {
-  const bool one_move =
-      std::any_of(lattice::kDirections.begin(), lattice::kDirections.end(),
-                  [&](lattice::Direction d) { return frees(state, occupancy, contact, d); });
-  if (one_move || !grains::is_particle(contact.second)) {
-    return one_move ? 1 : 2;
-  }
-  return grains::Separation(state).depth(state.particles[contact.first],
-                                         state.particles[static_cast<std::size_t>(contact.second)]);
+  const Particle& particle = state.particles[contact.first];
+  const auto& parts = state.shape(particle).sites();
+  const bool one_move = std::any_of(
+      lattice::kDirections.begin(), lattice::kDirections.end(), [&](lattice::Direction direction) {
+        const lattice::Site moved = particle.site() + unit(direction);
+        return std::none_of(parts.begin(), parts.end(), [&](lattice::Axial part) {
+          return occupancy.has(state.lattice.index(moved + part), contact.second);
+        });
+      });
+  return one_move ? 1 : 2;
 }
 
 }  // namespace

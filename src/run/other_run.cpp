@@ -13,7 +13,6 @@
 #include "clca/scene/contact.hpp"
 #include "clca/store/file.hpp"
 #include "clca/store/trajectory.hpp"
-#include "contact/internal/mass_unit.hpp"
 #include "grains/internal/outlet.hpp"
 #include "run/model.hpp"
 

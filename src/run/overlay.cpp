@@ -13,7 +13,7 @@
 #include "clca/measure/weight_paths.hpp"
 #include "clca/scene/contact.hpp"
 #include "clca/scene/units.hpp"
-#include "grains/internal/separation.hpp"
+#include "grains/internal/apart_table.hpp"
 #include "run/frame_painter.hpp"
 
 namespace clca::run {

@@ -5,7 +5,6 @@
 #include <rapidcheck.h>
 
 #include "clca/contact/contact_model.hpp"
-#include "contact/rule/order.hpp"
 #include "property/random_motions.hpp"
 
 namespace clca::testing {

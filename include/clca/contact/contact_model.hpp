@@ -3,16 +3,41 @@
 // automaton.
 
 #include <cstdint>
+#include <optional>
+#include <tuple>
 #include <vector>
 
-#include "clca/contact/energy.hpp"
-#include "clca/contact/parameters.hpp"
 #include "clca/contact/state.hpp"
 #include "clca/grains/model.hpp"
+#include "clca/reflection/reflection.hpp"
 
 namespace clca::contact {
 
 using grains::Options;
+
+/// Rotation of grains: none, with rolling resistance, or free.
+enum class Rolling : std::uint8_t { none, resistance, free };
+
+/// Of all coefficients of friction: the largest that the rule can tell from more.
+inline constexpr double kMaxFriction = 16384;
+
+struct Parameters {
+  double friction = 0.4;       ///< between grains
+  double wall_friction = 0.4;  ///< of walls that have none of their own, and of the box
+  /// By wall: a friction of its own. May be shorter than the list of walls.
+  std::vector<std::optional<double>> friction_by_wall = {};
+  Rolling rolling = Rolling::resistance;
+  /// For Rolling::resistance; multiplied by the radius, as in discrete element models.
+  double rolling_friction = 0.5;
+  double restitution = 0.4;  ///< in [0, 1)
+  int sweeps = 2;            ///< over all contacts in a step, forwards and backwards in turn
+  double resolution = 0.4;   ///< sites a step after a fall of the bed's height; sets the time step
+  /// Fall height in lattice spacings. 0: estimated, of a scene from its fills
+  /// (scene::contact_parameters), else from the height of the box (default_fall_height).
+  double fall_height = 0;
+
+  bool operator==(const Parameters&) const = default;
+};
 
 // In lattice spacings per step squared.
 inline constexpr double kMinGravity = 0x1p-20;
@@ -41,6 +66,45 @@ void check_valid(const State& state);
 
 /// Bytes that the model takes for so many grains, besides their particles.
 double step_bytes(double grains);
+
+/// Of the grains, in units of a site's mass, gravity and the lattice spacing.
+struct Energy {
+  double kinetic = 0;
+  /// For the present direction of gravity; 0 if all centres of mass are at the height of the lower
+  /// left site.
+  double potential = 0;
+
+  double sum() const { return kinetic + potential; }
+};
+
+/// `gravity` in lattice spacings per step squared.
+Energy energy(const State& state, double gravity);
+
+/// Energy that the grains exchange with all else. What remains of a change is dissipated.
+struct EnergyExchange {
+  double sources = 0;  ///< energy of the grains that enter
+  double outlets = 0;  ///< energy of the grains that leave
+  double walls = 0;    ///< work of moving walls: their forces on grains times their displacements
+  /// Work of a moving vessel: what gravity that turns adds to the potential energy, and the work
+  /// of the forces by shaking and of the centrifugal forces.
+  double vessel = 0;
+
+  /// What the grains have gained.
+  double gained() const { return sources - outlets + walls + vessel; }
+  EnergyExchange& operator+=(const EnergyExchange& other) {
+    sources += other.sources;
+    outlets += other.outlets;
+    walls += other.walls;
+    vessel += other.vessel;
+    return *this;
+  }
+  static constexpr auto fields() {
+    using reflection::field;
+    return std::make_tuple(
+        field("sources", &EnergyExchange::sources), field("outlets", &EnergyExchange::outlets),
+        field("walls", &EnergyExchange::walls), field("vessel", &EnergyExchange::vessel));
+  }
+};
 
 class ContactModel : public grains::Model {
  public:

@@ -33,7 +33,7 @@ struct Vector {
 };
 
 /// Velocity and spin of a grain, in 2^-23 lattice spacings per step.
-template <class Int>
+template <class Int = std::int32_t>
 struct Velocity {
   Int x = {};
   Int y = {};
@@ -72,8 +72,8 @@ struct UnitVector {
 };
 
 /// Impulse on the upper body in a step, in 2^-23 lattice spacings per step times the unit of mass:
-/// a site, or more if grains have more than 16 sites (see forces()).
-template <class Int>
+/// a site, or more if grains have more than 16 sites (see mass_unit()).
+template <class Int = std::int32_t>
 struct Impulse {
   Int normal = {};   ///< not negative
   Int shear = {};    ///< along the normal turned anticlockwise
@@ -87,15 +87,19 @@ struct Impulse {
   }
 };
 
+/// The unit of mass of impulses, in sites: 1 if no grain has more than 16 sites, else a power of
+/// two, so that impulses of large grains stay in range.
+double mass_unit(const std::vector<grains::Kind>& kinds);
+
 /// A contact between a grain and another body.
 struct Contact {
   std::uint32_t upper = 0;  ///< the higher of two grains; of two at one height the left one
   grains::Owner other = 0;
   UnitVector normal = {};  ///< towards the upper grain, in the last step
-  Impulse<std::int32_t> impulse = {};
+  Impulse<> impulse = {};
   /// Of an impact that was solved on its own in the last step, and what its sweeps had left in a
   /// small group. The next step does not begin with it. The normal sum of both is not negative.
-  Impulse<std::int32_t> impact = {};
+  Impulse<> impact = {};
 
   bool operator==(const Contact&) const = default;
   static constexpr auto fields() {
@@ -111,8 +115,8 @@ inline constexpr double kContactsPerGrain = 2;
 
 struct State {
   grains::State grains;
-  std::vector<Velocity<std::int32_t>> velocities = {};  ///< by id
-  std::vector<Vector> remainders = {};  ///< by id: where grains are, beyond their sites
+  std::vector<Velocity<>> velocities = {};  ///< by id
+  std::vector<Vector> remainders = {};      ///< by id: where grains are, beyond their sites
   /// By id: from the anchor of a grain to its site. The anchor follows a grain that goes farther
   /// than to a neighbouring site.
   std::vector<lattice::Axial> from_anchors = {};

@@ -17,8 +17,7 @@ struct OverlapContact {
   std::uint32_t first = 0;
   grains::Owner second = 0;  ///< a particle with a greater id, or the code of a wall
   int sites = 0;             ///< shared
-  /// Unit moves needed to separate the two. For a wall: 1 if one of the six moves of the particle
-  /// separates them, else 2.
+  /// 1 if one of the six moves of the first separates the two, else 2.
   int depth = 0;
   /// Centroid of the shared sites, in the box, in lattice spacings.
   Eigen::Vector2d point = Eigen::Vector2d::Zero();

@@ -12,7 +12,7 @@
 
 #include "clca/automaton/rules.hpp"
 #include "clca/baxter/baxter_model.hpp"
-#include "clca/contact/parameters.hpp"
+#include "clca/contact/contact_model.hpp"
 #include "clca/grains/fill.hpp"
 #include "clca/grains/motion.hpp"
 #include "clca/grains/state.hpp"

@@ -4,7 +4,7 @@
 
 namespace clca::automaton {
 
-std::vector<OverlapChange> overlap_changes(World& world, std::uint32_t id,
+std::vector<OverlapChange> overlap_changes(const World& world, std::uint32_t id,
                                            lattice::Direction direction) {
   const grains::State& state = world.state;
   const grains::Particle& here = state.particles[id];
@@ -23,13 +23,6 @@ std::vector<OverlapChange> overlap_changes(World& world, std::uint32_t id,
       change = result.insert(result.end(), {.owner = overlap.owner});
     }
     change->sites_after = overlap.sites;
-  }
-  for (OverlapChange& change : result) {
-    if (grains::is_particle(change.owner)) {
-      const grains::Particle& other = state.particles[grains::particle_id(change.owner)];
-      change.depth_before = world.separation.depth(here, other);
-      change.depth_after = world.separation.depth(here, other, unit(direction));
-    }
   }
   return result;
 }
@@ -53,17 +46,21 @@ int shared_sites(const World& world, std::uint32_t id) {
 
 bool can_leave(const World& world, const grains::Particle& particle, grains::Owner owner,
                std::span<const lattice::Direction> directions) {
+  const lattice::Lattice& lattice = world.state.lattice;
   return std::any_of(directions.begin(), directions.end(), [&](lattice::Direction direction) {
-    bool clear = true;
-    const auto& parts = world.state.shape(particle).sites();
-    const lattice::Site target = particle.site() + unit(direction);
-    for (const lattice::Axial part : parts) {
-      const lattice::Site site = target + part;
-      clear = clear && !(world.state.lattice.contains(site) &&
-                         world.occupancy.has(world.state.lattice.index(site), owner));
-    }
-    return clear;
+    const grains::Particle target = moved(particle, direction);
+    const std::size_t index = lattice.index(target.site());
+    const int column = lattice.wrapped(target.column);
+    const std::vector<lattice::Offset>& body = world.box.footprints.of(target).body;
+    return std::none_of(body.begin(), body.end(), [&](lattice::Offset offset) {
+      return world.occupancy.has(lattice.at(index, column, offset), owner);
+    });
   });
+}
+
+bool is_too_deep(const World& world, const grains::Particle& there, const OverlapChange& change) {
+  return grains::is_particle(change.owner) && change.sites_before > 0 && change.sites_after > 0 &&
+         !can_leave(world, there, change.owner, lattice::kDirections);
 }
 
 }  // namespace clca::automaton

@@ -83,7 +83,7 @@ std::optional<PassiveRule::Judgement> PassiveRule::judge(std::uint32_t id, Direc
   if (!following || !keeps_off_walls(id, direction, judgement.changes)) {
     return std::nullopt;
   }
-  const std::optional<int> grown = grown_depth(judgement.changes);
+  const std::optional<int> grown = grown_depth(id, direction, judgement.changes);
   if (!grown || (*grown > 0 && following->turns > 1) || !is_within_limits(id, judgement.changes)) {
     return std::nullopt;
   }
@@ -122,16 +122,15 @@ bool PassiveRule::follows_pushes(std::uint32_t id, Direction direction) const {
   });
 }
 
-std::optional<int> PassiveRule::grown_depth(const std::vector<OverlapChange>& changes) const {
+std::optional<int> PassiveRule::grown_depth(std::uint32_t id, Direction direction,
+                                            const std::vector<OverlapChange>& changes) const {
+  const grains::Particle there = moved(world_.state.particles[id], direction);
   int grown = 0;
   for (const OverlapChange& change : changes) {
-    if (!change.deepens()) {
-      continue;
-    }
-    if (change.depth_after > kDeepestOverlap) {
+    if (is_too_deep(world_, there, change)) {
       return std::nullopt;
     }
-    grown += change.depth_after * (1 + radius_of(shape_of(change.owner)));
+    grown += change.begins() ? 1 + radius_of(shape_of(change.owner)) : 0;
   }
   return grown;
 }
@@ -209,7 +208,7 @@ grains::Push PassiveRule::cause(std::uint32_t id, Direction direction,
 void PassiveRule::record(std::uint32_t id, const grains::Push& cause,
                          const std::vector<OverlapChange>& changes) {
   for (const OverlapChange& change : changes) {
-    if (change.deepens()) {
+    if (change.begins()) {
       world_.pushes.record(world_.state, {.pushed = grains::particle_id(change.owner),
                                           .pusher = grains::as_owner(id),
                                           .source = cause.source,

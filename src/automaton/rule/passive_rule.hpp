@@ -9,9 +9,6 @@
 
 namespace clca::automaton {
 
-/// Overlaps between particles are one unit move deep at most.
-inline constexpr int kDeepestOverlap = 1;
-
 /// Judges the directions of a pushed particle. A direction has to get it out of what pushes it
 /// along the way of the push, or at least sideways, without worse elsewhere; it may push others.
 class PassiveRule {
@@ -46,8 +43,9 @@ class PassiveRule {
   /// Whether the move gets onto no further wall, and shares no more sites with walls than now.
   bool keeps_off_walls(std::uint32_t id, lattice::Direction direction,
                        const std::vector<OverlapChange>& changes) const;
-  /// Depths that grow, each weighed with the size of the other. None: one would be too deep.
-  std::optional<int> grown_depth(const std::vector<OverlapChange>& changes) const;
+  /// Overlaps that begin, each weighed with the size of the other. None: one would be too deep.
+  std::optional<int> grown_depth(std::uint32_t id, lattice::Direction direction,
+                                 const std::vector<OverlapChange>& changes) const;
   /// Whether the particle, and each of those into which it would get further, shares no more sites
   /// than its limit.
   bool is_within_limits(std::uint32_t id, const std::vector<OverlapChange>& changes) const;

@@ -23,8 +23,10 @@ bool is_free(World& world, std::uint32_t id, lattice::Direction direction) {
     return false;
   }
   const std::vector<OverlapChange> all = overlap_changes(world, id, direction);
-  return std::none_of(all.begin(), all.end(),
-                      [](const OverlapChange& change) { return change.after() > change.before(); });
+  const grains::Particle there = moved(world.state.particles[id], direction);
+  return std::none_of(all.begin(), all.end(), [&](const OverlapChange& change) {
+    return change.after() > change.before() || is_too_deep(world, there, change);
+  });
 }
 
 std::optional<grains::Move> retreat(World& world, std::uint32_t id) {

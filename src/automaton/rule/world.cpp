@@ -21,8 +21,7 @@ World::World(grains::Box& around, const Rules& given_rules)
       state(around.state),
       occupancy(around.occupancy),
       rules(given_rules),
-      pushes(state),
-      separation(state) {
+      pushes(state) {
   state.origins.resize(state.particles.size());
   include_new(0);
 }

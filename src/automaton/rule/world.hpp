@@ -9,7 +9,6 @@
 #include "clca/automaton/rules.hpp"
 #include "clca/grains/state.hpp"
 #include "grains/internal/box.hpp"
-#include "grains/internal/separation.hpp"
 
 namespace clca::automaton {
 
@@ -64,7 +63,6 @@ class World {
   grains::OccupancyTable& occupancy;  // of the box
   Rules rules;
   PushList pushes;
-  grains::Separation separation;
   std::vector<std::uint32_t> carried;  ///< particles that walls have moved in this step
   Changes changes;
 

@@ -1,7 +1,7 @@
 // All contacts of a batch at once. This file is compiled for processors with AVX2 and says so to
 // those who have none: nothing in it may be called before fastest_functions() has asked.
 
-#include "contact/engine/batch_kernel.hpp"
+#include "contact/engine/batch.hpp"
 
 #ifdef __AVX2__
 #include <immintrin.h>

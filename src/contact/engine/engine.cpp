@@ -1,38 +1,23 @@
 #include "contact/engine/engine.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <numeric>
 #include <utility>
 
-#include "contact/rule/acceleration.hpp"
-#include "contact/rule/cuts.hpp"
-#include "contact/rule/remainders.hpp"
-
 namespace clca::contact {
-
-namespace {
-
-std::vector<Touch*> pointers(std::vector<Touch>& touches) {
-  std::vector<Touch*> result;
-  std::transform(touches.begin(), touches.end(), std::back_inserter(result),
-                 [](Touch& touch) { return &touch; });
-  return result;
-}
-
-}  // namespace
 
 Engine::Engine(State initial, const Parameters& parameters, grains::PhaseTimes* phase_times)
     : Steps(std::move(initial), parameters),
-      state_(own_state()),
-      rule_(rule()),
       phase_times_(phase_times),
       clock_(phase_times),
       batch_(fastest_functions()),
-      finder_(box(), rule_),
+      finder_(box_, rule_),
       slots_(state_.grains, rule_),
-      mover_(state_, box()),
-      first_grain_(slots_.batches().first_grain()) {
+      mover_(state_, box_),
+      first_grain_(slots_.first_grain()),
+      motion_{state_.grains, rule_, [this](grains::Owner body) -> Velocity<>& {
+                return bodies_[static_cast<std::size_t>(slots_.body(body))].velocity;
+              }} {
   load();
 }
 
@@ -60,18 +45,14 @@ void Engine::reloaded() {
 }
 
 void Engine::load() {
-  load_bodies();
+  bodies_.resize(first_grain_);
+  for (const Velocity<>& velocity : state_.velocities) {
+    bodies_.push_back({velocity});
+  }
   finder_.load(state_.contacts, slots_);
   groups_.clear();
   mover_.clear();
   look_at_all();
-}
-
-void Engine::load_bodies() {
-  bodies_.resize(first_grain_);
-  for (const Velocity<std::int32_t>& velocity : state_.velocities) {
-    bodies_.push_back({velocity});
-  }
 }
 
 void Engine::look_at_all() {
@@ -83,10 +64,11 @@ std::size_t Engine::move_grains() {
   written_back_ = false;
   clock_ = grains::PhaseClock(phase_times_);
   update_contacts();
-  set_walls();
   bounce_loose();
-  collide();
-  accelerate_all();
+  impacts_.clear();
+  for_each_group([this](const auto& contacts) { solve_impact(contacts, motion_); });
+  accelerate_all(state_, rule_.gravity,
+                 [this](std::uint32_t id) -> Velocity<>& { return velocity(id); });
   clock_.end("motion");
   sweep_contacts();
   advance_and_move();
@@ -95,11 +77,15 @@ std::size_t Engine::move_grains() {
 }
 
 void Engine::update_contacts() {
-  if (const lattice::Direction down = contact::down(state_.vessel); down != finder_.down()) {
+  if (const lattice::Direction down = this->down(); down != finder_.down()) {
     finder_.set_down(down);
     look_at_all();  // which one of two is the upper one may have changed
   }
-  finder_.update(changed_, wall_velocities(state_), slots_, groups_);
+  const WallVelocities walls = wall_velocities(state_);
+  for (std::size_t wall = 0; wall < walls.size(); ++wall) {
+    bodies_[kFirstWallBody + wall].velocity = walls[wall];
+  }
+  finder_.update(changed_, walls, slots_, groups_);
   clock_.end("contacts");
   if (sorts_contacts(state_)) {
     finder_.sort(slots_);
@@ -112,65 +98,47 @@ void Engine::update_contacts() {
   groups_.begin(state_.grains.particles.size(), slots_);
 }
 
-void Engine::set_walls() {
-  for (std::size_t wall = 0; wall < state_.grains.walls.size(); ++wall) {
-    bodies_[kFirstWallBody + wall].velocity = wall_velocity(state_, wall);
-  }
-}
-
 void Engine::bounce_loose() {
-  Batches& batches = slots_.batches();
   bouncing_.clear();
   for (std::int32_t at = 0; at < static_cast<std::int32_t>(slots_.all().size()); ++at) {
     const Slot& slot = slots_.at(at);
-    const std::int32_t lane = slot.lane;
-    if (lane < 0) {
+    if (slot.lane < 0) {
       continue;
     }
-    if (batches.normal_impulse(lane) != 0) {
+    if (slots_.normal_impulse(at) != 0) {
       groups_.set_active(slot.upper, slots_);
       continue;
     }
-    const std::int32_t velocity =
-        bounce(-separation_velocity(batches.touching(lane, bodies_)), rule_.restitution);
+    const std::int32_t velocity = bounce(-slots_.separation(at, bodies_), rule_.restitution);
     if (velocity > 0) {
-      batches.bounce(lane) = velocity;
+      slots_.bounce(at) = velocity;
       bouncing_.push_back(at);
       groups_.set_active(slot.upper, slots_);
     }
   }
 }
 
-void Engine::collide() {
-  touches_.clear();
+/// Calls `solve` with the contacts of each small group and keeps the impacts.
+template <class Solve>
+void Engine::for_each_group(Solve solve) {
   for (const std::vector<std::int32_t>& group : groups_.active()) {
-    std::vector<Touch>& touches = touches_.emplace_back();
-    bool bounces = false;
-    for (const std::int32_t slot : group) {
-      std::int32_t& bounce = slots_.batches().bounce(slots_.at(slot).lane);
-      touches.push_back({.contact = slots_.contact(slot), .bounce = bounce});
-      bounces = bounces || bounce > 0;
-      bounce = 0;
+    std::vector<Touch> touches;
+    for (const std::int32_t at : group) {
+      touches.push_back({.contact = contact(at), .bounce = std::exchange(slots_.bounce(at), 0)});
     }
-    if (bounces) {
-      solve_impact(pointers(touches), state_.grains, rule_, velocity_of());
+    std::vector<Touch*> pointers;
+    for (Touch& touch : touches) {
+      pointers.push_back(&touch);
     }
-  }
-}
-
-void Engine::accelerate_all() {
-  const Acceleration by =
-      acceleration(state_.vessel, rule_.gravity, state_.grains.lattice.periodic());
-  const std::vector<grains::Particle>& particles = state_.grains.particles;
-  for (std::size_t id = 0; id < particles.size(); ++id) {
-    if (particles[id].present) {
-      accelerate(velocity(id), particles[id].site(), by);
+    solve(pointers);
+    for (std::size_t i = 0; i < group.size(); ++i) {
+      impacts_[group[i]] = touches[i].contact.impact;
     }
   }
 }
 
 void Engine::sweep_contacts() {
-  std::vector<Batch>& batches = slots_.batches().all();
+  std::vector<Batch>& batches = slots_.batches();
   const Pair* pairs = rule_.bodies.pairs().data();
   batch_.apply(batches.data(), batches.size(), bodies_.data(), pairs, rule_.law.turns);
   clock_.end("warm_start");
@@ -178,48 +146,24 @@ void Engine::sweep_contacts() {
     batch_.sweep(batches.data(), batches.size(), bodies_.data(), pairs, rule_.law, i % 2 != 0);
   }
   for (const std::int32_t slot : bouncing_) {
-    slots_.batches().bounce(slots_.at(slot).lane) = 0;
+    slots_.bounce(slot) = 0;
   }
-  finish_groups();
+  for_each_group([this](const auto& contacts) { finish(contacts, motion_); });
   clock_.end("sweeps");
-}
-
-void Engine::finish_groups() {
-  impacts_.clear();
-  for (std::size_t i = 0; i < touches_.size(); ++i) {
-    const std::vector<std::int32_t>& group = groups_.active()[i];
-    std::vector<Touch>& touches = touches_[i];
-    for (std::size_t k = 0; k < group.size(); ++k) {
-      touches[k].contact.impulse = slots_.contact(group[k]).impulse;
-    }
-    finish(pointers(touches), state_.grains, rule_, velocity_of());
-    for (std::size_t k = 0; k < group.size(); ++k) {
-      impacts_.emplace_back(group[k], touches[k].contact.impact);
-    }
-  }
-  std::sort(impacts_.begin(), impacts_.end(),
-            [](const auto& one, const auto& other) { return one.first < other.first; });
 }
 
 void Engine::advance_and_move() {
   // No component exceeds half a site before the remainder itself does.
   constexpr std::int64_t kNear = kSpacing / 2 - 2;
-  const std::int32_t slow = slow_speed(rule_);
-  const UnitVector gravity = gravity_unit(state_.vessel);
-  const std::vector<grains::Particle>& particles = state_.grains.particles;
-  bool at_rest = true;
-  candidates_.resize(particles.size());
+  const bool at_rest = advance_all(
+      state_, rule_.slow_speed(),
+      [this](std::uint32_t id) -> const Velocity<>& { return velocity(id); },
+      [this](std::uint32_t id) { return slots_.touches_anything(id); });
+  candidates_.resize(state_.remainders.size());
   std::size_t count = 0;
-  for (std::uint32_t id = 0; id < particles.size(); ++id) {
-    if (!particles[id].present) {
-      continue;
-    }
-    Vector& remainder = state_.remainders[id];
-    at_rest =
-        contact::advance(remainder, velocity(id), slots_.touches_anything(id), slow, gravity) &&
-        at_rest;
+  for (std::uint32_t id = 0; id < candidates_.size(); ++id) {
     candidates_[count] = id;  // overwritten unless counted
-    count += squared(remainder) > kNear * kNear ? 1 : 0;
+    count += squared(state_.remainders[id]) > kNear * kNear ? 1 : 0;
   }
   candidates_.resize(count);
   clock_.end("motion");
@@ -227,10 +171,10 @@ void Engine::advance_and_move() {
   mover_.move_all(finder_.down(), candidates_, walls);
   const SiteMoves& moves = mover_.moves();
   moved_ = moves.moved();
-  set_cuts(cut_remainders(state_, moves, rule_, mover_.ids(), velocity_of()));
+  cuts_ = cut_remainders(state_, moves, motion_, mover_.ids());
   changed_ = moved_;
   changed_.insert(changed_.end(), moves.beside_walls().begin(), moves.beside_walls().end());
-  end_step(state_, walls, {.moved = !moved_.empty(), .advanced = moves.advanced()}, at_rest);
+  end_step(state_, walls, moves, at_rest);
 }
 
 void Engine::write_back() {
@@ -239,7 +183,7 @@ void Engine::write_back() {
   }
   written_back_ = true;
   write_back_velocities();
-  state_.contacts = contacts([](const Slot& /*slot*/) { return true; });
+  state_.contacts = contacts(true);
 }
 
 void Engine::write_back_velocities() {
@@ -248,24 +192,25 @@ void Engine::write_back_velocities() {
 }
 
 std::vector<Contact> Engine::wall_contacts() const {
-  return contacts([](const Slot& slot) { return !grains::is_particle(slot.other); });
+  return contacts(false);
 }
 
-/// Those that `chosen` returns true for, in order.
-template <class Chosen>
-std::vector<Contact> Engine::contacts(Chosen chosen) const {
+/// In order; only those with walls and sides unless also those `with_grains`.
+std::vector<Contact> Engine::contacts(bool with_grains) const {
   std::vector<Contact> result;
-  auto impact = impacts_.begin();
   for (std::int32_t at = 0; at < static_cast<std::int32_t>(slots_.all().size()); ++at) {
     const Slot& slot = slots_.at(at);
-    const bool is_impact = impact != impacts_.end() && impact->first == at;
-    if (slot.lane >= 0 && chosen(slot)) {
-      result.push_back(slots_.contact(at));
-      if (is_impact) {
-        result.back().impact = impact->second;
-      }
+    if (slot.lane >= 0 && (with_grains || !grains::is_particle(slot.other))) {
+      result.push_back(contact(at));
     }
-    impact += is_impact ? 1 : 0;
+  }
+  return result;
+}
+
+Contact Engine::contact(std::int32_t at) const {
+  Contact result = slots_.contact(at);
+  if (const auto impact = impacts_.find(at); impact != impacts_.end()) {
+    result.impact = impact->second;
   }
   return result;
 }

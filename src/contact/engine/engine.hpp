@@ -2,27 +2,90 @@
 // Steps as Reference gives them, at a cost that follows what changes.
 
 #include <cstdint>
-#include <utility>
+#include <map>
+#include <span>
 #include <vector>
 
 #include "clca/grains/model.hpp"
-#include "contact/engine/contact_finder.hpp"
-#include "contact/engine/contact_slots.hpp"
-#include "contact/engine/mover.hpp"
-#include "contact/engine/small_groups.hpp"
-#include "contact/rule/impacts.hpp"
+#include "contact/engine/contacts.hpp"
 #include "contact/rule/step.hpp"
 #include "grains/internal/phase_clock.hpp"
 
 namespace clca::contact {
 
+/// Moves of one step as move_all() gives them, at a cost that follows what moves.
+///
+/// A grain whose way is not free waits until what is in its way has moved, maybe for many steps:
+/// in between it is not looked at. It may wait in several directions, in each for one other body.
+class Mover {
+ public:
+  static constexpr double kGrainBytes = sizeof(std::uint8_t) +
+                                        (3 * lattice::kDirectionCount + 2) * sizeof(std::int32_t) +
+                                        grains::kListRoom * 4 * sizeof(std::uint32_t);
+
+  /// Both outlive the mover.
+  Mover(State& state, grains::Box& box);
+
+  /// Nobody waits any more: there are other grains, or walls.
+  void clear();
+  /// A grain has been taken away.
+  void remove_grain(std::uint32_t id);
+
+  /// move_all() for `ids`, which are all grains that are far enough from their sites to want a
+  /// move. Their order does not matter.
+  void move_all(lattice::Direction down, std::span<const std::uint32_t> ids,
+                std::span<WallMove> walls);
+  /// Of the last call.
+  const SiteMoves& moves() const { return moves_; }
+  /// Of the last call: `ids`, and those that walls have pushed.
+  std::span<const std::uint32_t> ids() const { return ids_; }
+
+ private:
+  // A grain and a direction in which it may wait are a number: kDirectionCount x id + direction.
+  using Waiting = std::int32_t;
+  static constexpr Waiting kNone = -1;
+  static Waiting waiting(std::uint32_t id, lattice::Direction direction) {
+    return static_cast<Waiting>(std::size_t{id} * lattice::kDirectionCount +
+                                lattice::index_of(direction));
+  }
+  // What others wait for: walls and the border, and each grain.
+  static constexpr std::size_t kWalls = 0;
+  static std::size_t obstacle(std::uint32_t id) { return id + 1; }
+
+  bool waits(std::uint32_t id, lattice::Direction direction) const {
+    return (waiting_[id] >> lattice::index_of(direction) & 1U) != 0;
+  }
+  void move(lattice::Direction direction, std::span<WallMove> walls);
+  void move(std::uint32_t id, lattice::Direction direction);
+  bool has_ring(lattice::Direction direction);
+  bool move_at_once(lattice::Direction direction);
+  bool move_walls(lattice::Direction direction, std::span<WallMove> walls);
+  bool wait(std::uint32_t id, lattice::Direction direction);
+  void stop_waiting(Waiting entry);
+  void stop_waiting_at_all(std::uint32_t id);
+  void wake(std::size_t obstacle, lattice::Direction direction);
+
+  State& state_;
+  SiteMoves moves_;
+  bool may_hook_;  // grains may be in the way of one another in a ring
+  std::vector<std::uint32_t> ids_;
+  std::vector<std::uint32_t> free_;      // those that go at once
+  std::vector<std::uint32_t> ready_;     // to be tried
+  std::vector<std::uint8_t> waiting_;    // by id: directions as bits
+  std::vector<Waiting> first_;           // by obstacle
+  std::vector<std::uint32_t> obstacle_;  // by what waits
+  std::vector<Waiting> next_;            // of the same obstacle
+  std::vector<Waiting> previous_;        // the same; of the first one -1 - obstacle
+  std::vector<std::uint32_t> walk_of_;   // by id
+  std::vector<std::uint32_t> pushed_;
+};
+
 class Engine final : public Steps {
  public:
   /// With the motion of a grain and its contacts in the state.
   static constexpr double kGrainBytes =
-      sizeof(Velocity<std::int32_t>) + sizeof(Vector) + sizeof(lattice::Axial) +
-      ContactSlots::kGrainBytes + ContactFinder::kGrainBytes + SmallGroups::kGrainBytes +
-      Mover::kGrainBytes + sizeof(Body) +
+      sizeof(Velocity<>) + sizeof(Vector) + sizeof(lattice::Axial) + ContactSlots::kGrainBytes +
+      ContactFinder::kGrainBytes + SmallGroups::kGrainBytes + Mover::kGrainBytes + sizeof(Body) +
       grains::kListRoom * (3 * sizeof(std::uint32_t) +
                            kContactsPerGrain * (sizeof(Contact) + sizeof(std::int32_t)));
 
@@ -38,28 +101,18 @@ class Engine final : public Steps {
  private:
   std::size_t move_grains() override;
   std::vector<Contact> wall_contacts() const override;
-  template <class Chosen>
-  std::vector<Contact> contacts(Chosen chosen) const;
-  Velocity<std::int32_t>& velocity(std::size_t id) { return bodies_[first_grain_ + id].velocity; }
-  VelocityOf velocity_of() {
-    return [this](grains::Owner body) -> Velocity<std::int32_t>& {
-      return bodies_[static_cast<std::size_t>(slots_.batches().body(body))].velocity;
-    };
-  }
+  std::vector<Contact> contacts(bool with_grains) const;
+  Contact contact(std::int32_t at) const;
+  Velocity<>& velocity(std::size_t id) { return bodies_[first_grain_ + id].velocity; }
   void load();
-  void load_bodies();
-  void update_contacts();
-  void set_walls();
-  void bounce_loose();
-  void collide();
-  void accelerate_all();
-  void sweep_contacts();
-  void finish_groups();
-  void advance_and_move();
   void look_at_all();
+  void update_contacts();
+  void bounce_loose();
+  template <class Solve>
+  void for_each_group(Solve solve);
+  void sweep_contacts();
+  void advance_and_move();
 
-  State& state_;
-  const Rule& rule_;
   grains::PhaseTimes* phase_times_;
   grains::PhaseClock clock_;  // of this step
   BatchFunctions batch_;
@@ -69,13 +122,12 @@ class Engine final : public Steps {
   Mover mover_;
   std::size_t first_grain_;  // its body
   std::vector<Body> bodies_;
-  std::vector<std::int32_t> bouncing_;       // slots of contacts that bounce in this step
-  std::vector<std::vector<Touch>> touches_;  // the contacts of the small groups
-  // Slots and impulses of the impacts of this step, in the order of the slots.
-  std::vector<std::pair<std::int32_t, Impulse<std::int32_t>>> impacts_;
-  std::vector<std::uint32_t> moved_;       // in the last step, once each
-  std::vector<std::uint32_t> changed_;     // grains that may touch other bodies than they did
-  std::vector<std::uint32_t> candidates_;  // grains whose remainder may ask for a move
+  Motion motion_;                              // of these
+  std::vector<std::int32_t> bouncing_;         // slots of contacts that bounce in this step
+  std::map<std::int32_t, Impulse<>> impacts_;  // of this step, by slot
+  std::vector<std::uint32_t> moved_;           // in the last step, once each
+  std::vector<std::uint32_t> changed_;         // grains that may touch other bodies than they did
+  std::vector<std::uint32_t> candidates_;      // grains whose remainder may ask for a move
   bool written_back_ = true;
 };
 

@@ -1,12 +1,9 @@
-#include "contact/engine/mover.hpp"
-
 #include <algorithm>
 #include <iterator>
 #include <set>
 #include <utility>
 
-#include "contact/rule/order.hpp"
-#include "contact/rule/remainders.hpp"
+#include "contact/engine/engine.hpp"
 
 namespace clca::contact {
 
@@ -71,62 +68,48 @@ void Mover::move_all(Direction down, std::span<const std::uint32_t> ids,
 }
 
 void Mover::move(Direction direction, std::span<WallMove> walls) {
-  tries_.clear();
+  free_.clear();
   for (const std::uint32_t id : ids_) {
-    if (!waits(id, direction) && is_move_due(state_.remainders[id], direction)) {
-      tries_.emplace_back(id, moves_.in_the_way(id, direction));
+    if (!waits(id, direction) && is_move_due(state_.remainders[id], direction) &&
+        !wait(id, direction)) {
+      free_.push_back(id);
     }
   }
-  for (const bool is_free : {false, true}) {  // those that wait have to be there when others go
-    for (const auto& [id, in_the_way] : tries_) {
-      if ((in_the_way == grains::kFree) == is_free) {
-        try_move(id, in_the_way, direction);
-      }
-    }
+  for (const std::uint32_t id : free_) {  // those that wait have to be there when others go
+    move(id, direction);
   }
   do {
-    move_ready(direction);
+    while (!ready_.empty()) {
+      const std::uint32_t id = ready_.back();
+      ready_.pop_back();
+      if (!wait(id, direction)) {
+        move(id, direction);
+      }
+    }
   } while (move_at_once(direction) || move_walls(direction, walls));
 }
 
-void Mover::try_move(std::uint32_t id, grains::Owner in_the_way, Direction direction) {
-  if (in_the_way != grains::kFree) {
-    wait(id, direction,
-         grains::is_particle(in_the_way) ? obstacle(grains::particle_id(in_the_way)) : kWalls);
-    return;
-  }
-  moves_.move(id, direction);
+void Mover::move(std::uint32_t id, Direction direction) {
+  moves_.move({&id, 1}, direction);
   stop_waiting_at_all(id);
   wake(obstacle(id), direction);
-}
-
-void Mover::move_ready(Direction direction) {
-  while (!ready_.empty()) {
-    const std::uint32_t id = ready_.back();
-    ready_.pop_back();
-    try_move(id, moves_.in_the_way(id, direction), direction);
-  }
 }
 
 /// Whether some grain waits for one that waits for one ... that waits for it.
 bool Mover::has_ring(Direction direction) {
   walk_of_.assign(waiting_.size(), 0);
   for (std::uint32_t walk = 1; walk <= ids_.size(); ++walk) {
-    std::size_t id = ids_[walk - 1];
-    while (waits(static_cast<std::uint32_t>(id), direction)) {
-      if (walk_of_[id] != 0) {
-        if (walk_of_[id] == walk) {
-          return true;
-        }
-        break;
-      }
+    std::uint32_t id = ids_[walk - 1];
+    while (waits(id, direction) && walk_of_[id] == 0) {
       walk_of_[id] = walk;
-      const std::uint32_t waits_for =
-          obstacle_[static_cast<std::size_t>(waiting(static_cast<std::uint32_t>(id), direction))];
+      const std::uint32_t waits_for = obstacle_[static_cast<std::size_t>(waiting(id, direction))];
       if (waits_for == kWalls) {
         break;
       }
       id = waits_for - 1;
+      if (waits(id, direction) && walk_of_[id] == walk) {
+        return true;
+      }
     }
   }
   return false;
@@ -141,7 +124,7 @@ bool Mover::move_at_once(Direction direction) {
     return waits(id, direction) && is_move_due(state_.remainders[id], direction);
   });
   const std::vector<std::uint32_t> ids = moves_.movable_at_once(std::move(blocked), direction);
-  moves_.move_at_once(ids, direction);
+  moves_.move(ids, direction);
   for (const std::uint32_t id : ids) {
     stop_waiting_at_all(id);
   }
@@ -170,7 +153,14 @@ bool Mover::move_walls(Direction direction, std::span<WallMove> walls) {
   return true;
 }
 
-void Mover::wait(std::uint32_t id, Direction direction, std::size_t obstacle) {
+/// Lets a grain wait for what is in its way. Returns false if that is free.
+bool Mover::wait(std::uint32_t id, Direction direction) {
+  const grains::Owner in_the_way = moves_.in_the_way(id, direction);
+  if (in_the_way == grains::kFree) {
+    return false;
+  }
+  const std::size_t obstacle =
+      grains::is_particle(in_the_way) ? Mover::obstacle(grains::particle_id(in_the_way)) : kWalls;
   const Waiting entry = waiting(id, direction);
   const auto at = static_cast<std::size_t>(entry);
   waiting_[id] = static_cast<std::uint8_t>(waiting_[id] | 1U << lattice::index_of(direction));
@@ -180,6 +170,7 @@ void Mover::wait(std::uint32_t id, Direction direction, std::size_t obstacle) {
   if (next_[at] != kNone) {
     previous_[static_cast<std::size_t>(next_[at])] = entry;
   }
+  return true;
 }
 
 void Mover::stop_waiting(Waiting entry) {

@@ -1,39 +1,32 @@
-#include "contact/rule/impacts.hpp"
+// Impacts among few grains, and groups of few grains, in which contacts are solved until nothing
+// changes any more.
 
 #include <algorithm>
+#include <cstdlib>
 #include <map>
+#include <numeric>
+#include <utility>
 
-#include "contact/rule/groups.hpp"
+#include "contact/rule/step.hpp"
 
 namespace clca::contact {
 
 namespace {
 
-/// Relative velocities of the bodies of each contact, as Impulse has the impulses.
-using Motions = std::vector<Impulse<std::int32_t>>;
+/// By contact.
+using Impulses = std::vector<Impulse<>>;
 
-Motions motions(std::span<Touch* const> contacts, const grains::State& grains, const Rule& rule,
-                const VelocityOf& velocity_of) {
-  Motions result;
-  for (const Touch* touch : contacts) {
-    at_contact(touch->contact, grains, rule, velocity_of, [&](const auto& touching) {
-      result.push_back({.normal = separation_velocity(touching),
-                        .shear = slip_velocity(touching),
-                        .rolling = rolling_velocity(touching)});
-    });
-  }
-  return result;
-}
-
-/// The sum over all contacts of impulse times velocity.
-std::int64_t power(std::span<Touch* const> contacts, const Motions& motions) {
+/// The sum over all contacts of impulse times relative velocity of the bodies.
+std::int64_t power(std::span<Touch* const> contacts, const Impulses& impulses,
+                   const Motion& motion) {
   constexpr int kBits = 20;  // so that the share below fits
   std::int64_t sum = 0;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
-    const Impulse<std::int32_t>& impulse = contacts[i]->contact.impact;
-    sum += scaled(product(impulse.normal, motions[i].normal), kBits) +
-           scaled(product(impulse.shear, motions[i].shear), kBits) +
-           scaled(product(impulse.rolling, motions[i].rolling), kBits);
+    motion.at(contacts[i]->contact, [&](const auto& touching) {
+      sum += scaled(product(impulses[i].normal, separation_velocity(touching)), kBits) +
+             scaled(product(impulses[i].shear, slip_velocity(touching)), kBits) +
+             scaled(product(impulses[i].rolling, rolling_velocity(touching)), kBits);
+    });
   }
   return sum;
 }
@@ -48,41 +41,125 @@ std::int32_t most_again(std::int64_t before, std::int64_t after) {
   return gain <= 0 ? -kOne : clamped(kOne - 2 * after * kOne / gain, -kOne, kOne);
 }
 
+/// Sweeps over contacts, forwards and backwards in turn, until their impulses hardly change any
+/// more; the velocities are as these have made them.
+void converge(std::span<Touch* const> contacts, Impulses& impulses, const Motion& motion) {
+  // A column of eight grains needs some 200. Rounding keeps some from an exact end.
+  constexpr int kMostSweeps = 256;
+  constexpr std::int32_t kSmallChange = kSpacing >> 15;
+  std::int32_t change = kMaxImpulse;
+  for (int sweep = 0; sweep < kMostSweeps && change > kSmallChange; ++sweep) {
+    change = 0;
+    for (std::size_t k = 0; k < contacts.size(); ++k) {
+      const std::size_t i = sweep % 2 == 0 ? k : contacts.size() - 1 - k;
+      const Contact& contact = contacts[i]->contact;
+      Impulse<>& now = impulses[i];
+      const Impulse<> before = now;
+      motion.at(contact, [&](ContactState<>& touching) {
+        solve(now, touching, 0, motion.rule.friction_with(contact.other), motion.rule.law);
+      });
+      change =
+          std::max({change, std::abs(now.normal - before.normal),
+                    std::abs(now.shear - before.shear), std::abs(now.rolling - before.rolling)});
+    }
+  }
+}
+
 }  // namespace
 
-void solve_impact(std::span<Touch* const> contacts, const grains::State& grains, const Rule& rule,
-                  const VelocityOf& velocity_of) {
-  std::map<grains::Owner, Velocity<std::int32_t>> velocities;  // of the grains, before
+std::vector<std::vector<Touch*>> active_groups(std::span<Touch> contacts, std::size_t grains) {
+  std::vector<std::size_t> group(grains);  // by grain: the lowest id of those it is connected with
+  std::iota(group.begin(), group.end(), std::size_t{0});
+  for (bool changes = true; changes;) {
+    changes = false;
+    for (const Touch& touch : contacts) {
+      if (grains::is_particle(touch.contact.other)) {
+        std::size_t& upper = group[touch.contact.upper];
+        std::size_t& other = group[grains::particle_id(touch.contact.other)];
+        changes = changes || upper != other;
+        upper = other = std::min(upper, other);
+      }
+    }
+  }
+  std::vector<std::size_t> size(grains, 0);
+  for (const std::size_t lowest : group) {
+    ++size[lowest];
+  }
+  std::map<std::size_t, std::vector<Touch*>> by_group;
+  for (Touch& touch : contacts) {
+    by_group[group[touch.contact.upper]].push_back(&touch);
+  }
+  std::vector<std::vector<Touch*>> result;
+  for (auto& [lowest, of_group] : by_group) {
+    if (size[lowest] <= kMostGrains &&
+        std::any_of(of_group.begin(), of_group.end(), [](const Touch* touch) {
+          return touch->contact.impulse.normal > 0 || touch->bounce > 0;
+        })) {
+      result.push_back(std::move(of_group));
+    }
+  }
+  return result;
+}
+
+void solve_impact(std::span<Touch* const> contacts, const Motion& motion) {
+  if (std::none_of(contacts.begin(), contacts.end(),
+                   [](const Touch* touch) { return touch->bounce > 0; })) {
+    return;
+  }
+  std::map<grains::Owner, Velocity<>> velocities;  // of the grains, before
   for (const Touch* touch : contacts) {
     for (const grains::Owner body :
          {grains::as_owner(touch->contact.upper), touch->contact.other}) {
       if (grains::is_particle(body)) {
-        velocities.emplace(body, velocity_of(body));
+        velocities.emplace(body, motion.velocity(body));
       }
     }
   }
-  const Motions before = motions(contacts, grains, rule, velocity_of);
-  converge(contacts, &Contact::impact, grains, rule, velocity_of);
-  const Motions after = motions(contacts, grains, rule, velocity_of);
+  const Motion before = {motion.grains, motion.rule, [&](grains::Owner body) -> Velocity<>& {
+                           return grains::is_particle(body) ? velocities.at(body)
+                                                            : motion.velocity(body);
+                         }};
+  Impulses impulses(contacts.size());
+  converge(contacts, impulses, motion);
   const std::int32_t again =
-      std::min(rule.restitution, most_again(power(contacts, before), power(contacts, after)));
+      std::min(motion.rule.restitution,
+               most_again(power(contacts, impulses, before), power(contacts, impulses, motion)));
   const auto more = [&](std::int32_t value, std::int32_t by, std::int32_t most) {
     return clamped(value + rounded(product(by, again), kRatioBits), -most, most);
   };
   // What the impulses have changed they change again. (One by one, those on a light grain between
   // heavy ones would exceed the bound of velocities.)
   for (const auto& [body, was] : velocities) {
-    Velocity<std::int32_t>& now = velocity_of(body);
+    Velocity<>& now = motion.velocity(body);
     now = {.x = more(now.x, now.x - was.x, kMaxVelocity),
            .y = more(now.y, now.y - was.y, kMaxVelocity),
            .spin = more(now.spin, now.spin - was.spin, kMaxVelocity)};
   }
-  for (Touch* touch : contacts) {
-    const Impulse<std::int32_t> impulse = touch->contact.impact;
-    touch->contact.impact = {.normal = more(impulse.normal, impulse.normal, kMaxImpulse),
-                             .shear = more(impulse.shear, impulse.shear, kMaxImpulse),
-                             .rolling = more(impulse.rolling, impulse.rolling, kMaxImpulse)};
-    touch->bounce = 0;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const Impulse<>& impulse = impulses[i];
+    contacts[i]->contact.impact = {.normal = more(impulse.normal, impulse.normal, kMaxImpulse),
+                                   .shear = more(impulse.shear, impulse.shear, kMaxImpulse),
+                                   .rolling = more(impulse.rolling, impulse.rolling, kMaxImpulse)};
+    contacts[i]->bounce = 0;
+  }
+}
+
+void finish(std::span<Touch* const> contacts, const Motion& motion) {
+  Impulses impulses;
+  for (const Touch* touch : contacts) {
+    impulses.push_back(touch->contact.impulse);
+  }
+  converge(contacts, impulses, motion);
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    Contact& contact = contacts[i]->contact;
+    const auto add = [&](std::int32_t Impulse<>::*part) {
+      contact.impact.*part =
+          clamped(std::int64_t{contact.impact.*part} + impulses[i].*part - contact.impulse.*part,
+                  -kMaxImpulse, kMaxImpulse);
+    };
+    add(&Impulse<>::normal);
+    add(&Impulse<>::shear);
+    add(&Impulse<>::rolling);
   }
 }
 

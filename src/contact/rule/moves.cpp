@@ -1,14 +1,31 @@
 #include "contact/rule/moves.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <utility>
 
-#include "contact/rule/order.hpp"
-#include "contact/rule/remainders.hpp"
+#include "clca/random/draw.hpp"
+#include "grains/internal/pushed_cluster.hpp"
 
 namespace clca::contact {
 
 using lattice::Direction;
+
+std::array<Direction, lattice::kDirectionCount> order_of_directions(const grains::State& state,
+                                                                    Direction down) {
+  const std::uint64_t coins =
+      random::draw(state.seed, state.step, 0, random::Purpose::direction_order);
+  const auto turned = [down](int sixths) { return lattice::rotated(down, sixths); };
+  std::array<Direction, lattice::kDirectionCount> order = {down,       turned(-1), turned(1),
+                                                           turned(-2), turned(2),  turned(3)};
+  if ((coins & 1U) != 0) {
+    std::swap(order[1], order[2]);
+  }
+  if ((coins & 2U) != 0) {
+    std::swap(order[3], order[4]);
+  }
+  return order;
+}
 
 void SiteMoves::begin() {
   moved_.clear();
@@ -51,12 +68,7 @@ std::vector<std::uint32_t> SiteMoves::movable_at_once(std::vector<std::uint32_t>
   return blocked;
 }
 
-void SiteMoves::move(std::uint32_t id, Direction direction) {
-  leave(id, direction);
-  enter(id, direction);
-}
-
-void SiteMoves::move_at_once(std::span<const std::uint32_t> ids, Direction direction) {
+void SiteMoves::move(std::span<const std::uint32_t> ids, Direction direction) {
   for (const std::uint32_t id : ids) {
     leave(id, direction);
   }
@@ -110,12 +122,11 @@ bool SiteMoves::push(const grains::WallStep& step, std::vector<std::uint32_t>& p
   for (const std::size_t index : step.leaves) {
     box_.occupancy.release(index);
   }
-  for (const std::uint32_t id : cluster.ids()) {
-    leave(id, step.direction);
-  }
-  for (const std::uint32_t id : cluster.ids()) {
-    enter(id, step.direction);
-    follow_push(state_.remainders[id], step.direction);
+  move(cluster.ids(), step.direction);
+  for (const std::uint32_t id : cluster.ids()) {  // at most half a site behind its site
+    Vector& remainder = state_.remainders[id];
+    take(remainder, std::min(along(remainder, unit_of(step.direction)) + kSpacing / 2, 0),
+         step.direction);
   }
   for (const std::size_t index : step.enters) {
     box_.occupancy.take(index, grains::wall_code(step.wall));
@@ -143,43 +154,239 @@ void move_all(SiteMoves& moves, State& state, Direction down, std::span<WallMove
   const auto& grains = state.grains.particles;
   for (const Direction direction : order_of_directions(state.grains, down)) {
     std::vector<bool> moved(grains.size(), false);
-    const auto move_grains = [&] {
-      bool any = false;
-      for (std::uint32_t id = 0; id < grains.size(); ++id) {
-        if (grains[id].present && !moved[id] && is_move_due(state.remainders[id], direction) &&
-            moves.in_the_way(id, direction) == grains::kFree) {
-          moves.move(id, direction);
-          moved[id] = true;
-          any = true;
-        }
-      }
-      return any;
-    };
-    const auto move_at_once = [&] {
-      std::vector<std::uint32_t> blocked;
+    const auto due = [&] {
+      std::vector<std::uint32_t> ids;
       for (std::uint32_t id = 0; id < grains.size(); ++id) {
         if (grains[id].present && !moved[id] && is_move_due(state.remainders[id], direction)) {
-          blocked.push_back(id);
+          ids.push_back(id);
         }
       }
-      const std::vector<std::uint32_t> ids = moves.movable_at_once(std::move(blocked), direction);
-      moves.move_at_once(ids, direction);
+      return ids;
+    };
+    const auto mark = [&](std::span<const std::uint32_t> ids) {
       for (const std::uint32_t id : ids) {
         moved[id] = true;
       }
       return !ids.empty();
     };
+    const auto move_grains = [&] {
+      std::vector<std::uint32_t> ids = due();
+      std::erase_if(
+          ids, [&](std::uint32_t id) { return moves.in_the_way(id, direction) != grains::kFree; });
+      moves.move(ids, direction);
+      return mark(ids);
+    };
+    const auto move_at_once = [&] {
+      const std::vector<std::uint32_t> ids = moves.movable_at_once(due(), direction);
+      moves.move(ids, direction);
+      return mark(ids);
+    };
     const auto move_walls = [&] {
       std::vector<std::uint32_t> pushed;
       const bool any = moves.move_walls(direction, walls, pushed);
-      for (const std::uint32_t id : pushed) {
-        moved[id] = true;
-      }
+      mark(pushed);
       return any;
     };
     while (move_grains() || move_at_once() || move_walls()) {
     }
   }
+}
+
+namespace {
+
+/// Takes from a velocity along a direction what a grain that has free sites in its way was too fast
+/// to move. Returns whether it was: slower than a site a step it can move later.
+bool slow_down(Velocity<>& velocity, std::int32_t excess, Direction direction) {
+  const auto towards = [&](Direction way) { return along({velocity.x, velocity.y}, unit_of(way)); };
+  const std::int32_t speed = towards(direction);
+  if (speed <= kSpacing || std::any_of(lattice::kDirections.begin(), lattice::kDirections.end(),
+                                       [&](Direction other) { return towards(other) > speed; })) {
+    return false;  // or its velocity is that of another direction
+  }
+  Vector slower = {velocity.x, velocity.y};
+  take(slower, std::min(excess, speed - kSpacing), direction);
+  velocity.x = slower.x;
+  velocity.y = slower.y;
+  return true;
+}
+
+/// Cuts the remainder of a grain and calls `visit` with each direction in which it was too long,
+/// and by how much.
+template <class Visit>
+void cut(Vector& remainder, Visit visit) {
+  // Fitted. With 3/4 of a site, dense flow would lose too much of its distance.
+  constexpr std::int32_t kMost = 2 * kSpacing;
+  if (squared(remainder) <= product(kMost, kMost)) {
+    return;  // so are nearly all
+  }
+  for (const Direction direction : lattice::kDirections) {
+    const std::int32_t excess = along(remainder, unit_of(direction)) - kMost;
+    if (excess > 0) {
+      take(remainder, excess, direction);
+      visit(direction, excess);
+    }
+  }
+}
+
+/// What pushes change of a grain.
+struct PushSum {
+  std::uint32_t id = 0;
+  std::int64_t pushes = 0;
+  std::int64_t x = 0;  // impulse
+  std::int64_t y = 0;
+};
+
+}  // namespace
+
+Cuts cut_remainders(State& state, const SiteMoves& moves, const Motion& motion,
+                    std::span<const std::uint32_t> ids) {
+  Cuts result;
+  for (const std::uint32_t id : ids) {
+    cut(state.remainders[id], [&](Direction direction, std::int32_t excess) {
+      const grains::Owner other = moves.in_the_way(id, direction);
+      const UnitVector& unit = unit_of(direction);
+      if (other != grains::kFree) {
+        result.pushes.push_back({.upper = id, .other = other, .normal = {-unit.x, -unit.y}});
+      } else if (slow_down(motion.velocity(grains::as_owner(id)), excess, direction)) {
+        result.too_fast = true;
+      }
+    });
+  }
+  const auto closing = [&](const Contact& push) {
+    const Velocity<>& own = motion.velocity(grains::as_owner(push.upper));
+    const Velocity<>& its = motion.velocity(push.other);
+    return along({its.x - own.x, its.y - own.y}, push.normal);
+  };
+  std::erase_if(result.pushes, [&](const Contact& push) { return closing(push) <= 0; });
+  if (result.pushes.empty()) {
+    return result;
+  }
+  std::stable_sort(
+      result.pushes.begin(), result.pushes.end(),
+      [](const Contact& one, const Contact& other) { return one.upper < other.upper; });
+  const auto inverse_mass = [&](std::uint32_t id) {
+    return motion.rule.bodies.pair(state.grains.particles[id].kind, std::nullopt)
+        .upper_inverse_mass;
+  };
+  std::vector<PushSum> sums;
+  std::vector<std::uint32_t> number(state.grains.particles.size(), 0);  // by id, from 1
+  const auto sum = [&](std::uint32_t id) -> PushSum& {
+    if (number[id] == 0) {
+      sums.push_back({.id = id});
+      number[id] = static_cast<std::uint32_t>(sums.size());
+    }
+    return sums[number[id] - 1];
+  };
+  for (const Contact& push : result.pushes) {
+    ++sum(push.upper).pushes;
+    if (grains::is_particle(push.other)) {
+      ++sum(grains::particle_id(push.other)).pushes;
+    }
+  }
+  for (Contact& push : result.pushes) {
+    PushSum& own = sum(push.upper);
+    PushSum* its =
+        grains::is_particle(push.other) ? &sum(grains::particle_id(push.other)) : nullptr;
+    const std::int64_t inverse = own.pushes * inverse_mass(own.id) +
+                                 (its != nullptr ? its->pushes * inverse_mass(its->id) : 0);
+    const std::int32_t impulse =
+        clamped((std::int64_t{closing(push)} << kInverseMassBits) / inverse, 0, kMaxImpulse);
+    push.impact.normal = impulse;
+    const std::int32_t x = rounded(product(impulse, -push.normal.x), kUnitBits);
+    const std::int32_t y = rounded(product(impulse, -push.normal.y), kUnitBits);
+    own.x -= x;
+    own.y -= y;
+    if (its != nullptr) {
+      its->x += x;
+      its->y += y;
+    }
+  }
+  for (const PushSum& of_grain : sums) {
+    Velocity<>& velocity = motion.velocity(grains::as_owner(of_grain.id));
+    const auto change = [inverse = inverse_mass(of_grain.id)](std::int32_t& value,
+                                                              std::int64_t impulse) {
+      const std::int32_t most = clamped(impulse, -2 * kMaxImpulse, 2 * kMaxImpulse - 1);
+      value = clamped(value + limited(product(most, inverse), kInverseMassBits, 2 * kMaxVelocity),
+                      -kMaxVelocity, kMaxVelocity);
+    };
+    change(velocity.x, of_grain.x);
+    change(velocity.y, of_grain.y);
+  }
+  return result;
+}
+
+namespace {
+
+bool in_motion(const grains::Wall& wall) {
+  return wall.motion && wall.present && wall.travel.active;
+}
+
+// A wall behind its motion adds 1/16 of the lag per step to its velocity, at most half a spacing
+// (units of grains::kMotionSpacing).
+// A weaker push is lost in the bed, which two sweeps make elastic: with 1/64 and 1/8 spacing, walls
+// took two to four times as long.
+constexpr std::int64_t kLagSteps = 16;
+constexpr std::int64_t kMaxCatchUp = grains::kMotionSpacing / 2;
+
+/// `speed`: of the motion; if that has ended, the wall still has to arrive.
+std::int64_t haste(std::int64_t lag, std::int32_t speed) {
+  const std::int64_t least = speed == 0 ? grains::kMotionSpacing / 2 : grains::kMotionSpacing;
+  return std::abs(lag) > least ? std::clamp(lag / kLagSteps, -kMaxCatchUp, kMaxCatchUp) : 0;
+}
+
+}  // namespace
+
+WallVelocities wall_velocities(const State& state) {
+  WallVelocities result(state.grains.walls.size());
+  for (std::size_t number = 0; number < result.size(); ++number) {
+    const grains::Wall& wall = state.grains.walls[number];
+    if (!in_motion(wall)) {
+      continue;
+    }
+    const std::int64_t lag = state.wall_remainders[number];
+    constexpr auto kUnit = static_cast<std::int32_t>(kSpacing / grains::kMotionSpacing);
+    const std::int32_t own = grains::velocity(*wall.motion, wall.travel, lag);
+    const std::int32_t speed = kUnit * (own + static_cast<std::int32_t>(haste(lag, own)));
+    const UnitVector& unit = unit_of(wall.motion->direction);
+    result[number].x = rounded(product(speed, unit.x), kUnitBits);
+    result[number].y = rounded(product(speed, unit.y), kUnitBits);
+  }
+  return result;
+}
+
+std::vector<WallMove> advance_walls(State& state) {
+  std::vector<WallMove> result;
+  for (std::size_t number = 0; number < state.grains.walls.size(); ++number) {
+    const grains::Wall& wall = state.grains.walls[number];
+    if (!in_motion(wall)) {
+      continue;
+    }
+    std::int64_t& ahead = state.wall_remainders[number];
+    ahead += grains::velocity(*wall.motion, wall.travel, ahead);
+    result.push_back({.wall = number,
+                      .desired = (ahead > grains::kMotionSpacing / 2 ? 1 : 0) -
+                                 (ahead < -grains::kMotionSpacing / 2 ? 1 : 0)});
+  }
+  return result;
+}
+
+bool walls_rest(const State& state) {
+  for (std::size_t number = 0; number < state.grains.walls.size(); ++number) {
+    const grains::Wall& wall = state.grains.walls[number];
+    if (!in_motion(wall) || is_over(*wall.motion, wall.travel)) {
+      continue;
+    }
+    const std::int64_t lag = state.wall_remainders[number];
+    const std::int32_t own = grains::velocity(*wall.motion, wall.travel, lag);
+    const bool pushes_no_harder = own == 0 || std::abs(haste(lag, own)) == kMaxCatchUp;
+    const bool held_up = wall.travel.stalled_since &&
+                         state.grains.step - *wall.travel.stalled_since >= kQuietSteps &&
+                         pushes_no_harder;
+    if (!held_up) {
+      return false;
+    }
+  }
+  return true;
 }
 
 }  // namespace clca::contact

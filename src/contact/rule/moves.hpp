@@ -1,15 +1,151 @@
 #pragma once
-// Moves of one step, site by site into free sites.
+// Motion between contacts: acceleration, remainders, and moves of grains and walls by single sites.
+//
+// A remainder is the offset of a grain from its site, less than a move.
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "clca/contact/state.hpp"
-#include "contact/rule/walls.hpp"
-#include "grains/internal/pushed_cluster.hpp"
+#include "contact/rule/law.hpp"
+#include "contact/rule/touching.hpp"
+#include "grains/internal/box.hpp"
 
 namespace clca::contact {
+
+inline constexpr int kCentreBits = 8;        ///< of positions about the centre of turning
+inline constexpr int kRateBits = 30;         ///< of angular velocities in radians a step
+inline constexpr int kCentrifugalBits = 40;  ///< of their squares
+
+/// Acceleration in one step; depends on a grain only through position and velocity.
+struct Acceleration {
+  Vector gravity;  ///< and shaking, in 2^-23 lattice spacings per step squared
+  bool turns = false;
+  std::int32_t rate = 0;  ///< angular velocity of the vessel
+  std::int64_t squared_rate = 0;
+  std::int32_t centre_x = 0;
+  std::int32_t centre_y = 0;
+};
+
+/// The direction of gravity, without shaking.
+UnitVector gravity_unit(const Vessel& vessel);
+
+/// `gravity` in 2^-23 lattice spacings per step squared. A periodic box has no centre of rotation:
+/// only the direction of gravity turns.
+Acceleration acceleration(const Vessel& vessel, std::int32_t gravity, bool periodic);
+
+/// The vessel after a step.
+Vessel next(const Vessel& vessel);
+
+/// Accelerates a grain in the frame of the vessel: gravity and, if it turns, Coriolis and
+/// centrifugal acceleration.
+inline void accelerate(Velocity<>& velocity, lattice::Site site, const Acceleration& by) {
+  std::int64_t x = by.gravity.x;
+  std::int64_t y = by.gravity.y;
+  if (by.turns) {
+    const std::int32_t from_centre_x =
+        rounded(product(site.column, unit_of(lattice::Direction::up_right).x),
+                kUnitBits - kCentreBits) -
+        by.centre_x;
+    const std::int32_t from_centre_y =
+        lattice::doubled_height(site) * (1 << (kCentreBits - 1)) - by.centre_y;
+    constexpr int kBits = kCentrifugalBits + kCentreBits - kFractionBits;
+    x += scaled(product(velocity.y, by.rate), kRateBits - 1) +
+         scaled(by.squared_rate * from_centre_x, kBits);
+    y += scaled(by.squared_rate * from_centre_y, kBits) -
+         scaled(product(velocity.x, by.rate), kRateBits - 1);
+  }
+  velocity.x = clamped(velocity.x + x, -kMaxVelocity, kMaxVelocity);
+  velocity.y = clamped(velocity.y + y, -kMaxVelocity, kMaxVelocity);
+}
+
+/// The same for all grains. `velocity(id)`: of a grain.
+template <class VelocityOf>
+void accelerate_all(const State& state, std::int32_t gravity, VelocityOf velocity) {
+  const Acceleration by = acceleration(state.vessel, gravity, state.grains.lattice.periodic());
+  for (std::uint32_t id = 0; id < state.grains.particles.size(); ++id) {
+    if (const grains::Particle& grain = state.grains.particles[id]; grain.present) {
+      accelerate(velocity(id), grain.site(), by);
+    }
+  }
+}
+
+/// Subtracts a distance along a unit vector from a remainder.
+inline void take(Vector& remainder, std::int32_t distance, const UnitVector& unit) {
+  remainder.x -= rounded(product(distance, unit.x), kUnitBits);
+  remainder.y -= rounded(product(distance, unit.y), kUnitBits);
+}
+
+inline void take(Vector& remainder, std::int32_t distance, lattice::Direction direction) {
+  take(remainder, distance, unit_of(direction));
+}
+
+/// Adds a velocity to a remainder. If the grain is at rest (it touches something and its speed is
+/// at most `slow`), the remainder decays instead, but for what is along gravity: rest lifts no
+/// grain, or energy would grow. Returns whether the grain is at rest.
+inline bool advance(Vector& remainder, const Velocity<>& velocity, bool touches, std::int32_t slow,
+                    const UnitVector& gravity) {
+  constexpr std::int32_t kForgotten = 16;  // a sixteenth in each step
+  if (!touches || squared({velocity.x, velocity.y}) > product(slow, slow)) {
+    remainder.x = clamped(remainder.x + velocity.x, -kMaxRemainder, kMaxRemainder);
+    remainder.y = clamped(remainder.y + velocity.y, -kMaxRemainder, kMaxRemainder);
+    return false;
+  }
+  Vector decaying = remainder;
+  take(decaying, std::max(along(remainder, gravity), 0), gravity);
+  remainder.x -= decaying.x / kForgotten;
+  remainder.y -= decaying.y / kForgotten;
+  return true;
+}
+
+/// The same for all grains; whether all are at rest. `touches(id)`: whether a grain touches
+/// anything.
+template <class VelocityOf, class Touches>
+bool advance_all(State& state, std::int32_t slow, VelocityOf velocity, Touches touches) {
+  const UnitVector gravity = gravity_unit(state.vessel);
+  bool at_rest = true;
+  for (std::uint32_t id = 0; id < state.grains.particles.size(); ++id) {
+    if (state.grains.particles[id].present) {
+      at_rest = advance(state.remainders[id], velocity(id), touches(id), slow, gravity) && at_rest;
+    }
+  }
+  return at_rest;
+}
+
+/// Whether the remainder is large enough for a move.
+inline bool is_move_due(const Vector& remainder, lattice::Direction direction) {
+  return along(remainder, unit_of(direction)) > kSpacing / 2;
+}
+
+/// Consecutive steps without motion after which a state counts as settled.
+inline constexpr std::uint64_t kQuietSteps = 60;
+
+/// The desired move of a wall in a step and whether it was done.
+struct WallMove {
+  std::size_t wall = 0;
+  int desired = 0;  ///< +1 along its motion, -1 against it, 0 none
+  bool done = false;
+
+  lattice::Direction direction(const grains::State& state) const {
+    const lattice::Direction forward = state.walls[wall].motion->direction;
+    return desired > 0 ? forward : opposite(forward);
+  }
+};
+
+/// Velocities of walls for contacts: those of their motions, more of those that lag behind; 0 of
+/// standing walls.
+WallVelocities wall_velocities(const State& state);
+
+/// Advances the motions of walls by a step. Returns the desired move of each moving wall.
+std::vector<WallMove> advance_walls(State& state);
+
+/// Order of move directions in a step: down first, up last; a coin decides between two at the same
+/// angle.
+std::array<lattice::Direction, lattice::kDirectionCount> order_of_directions(
+    const grains::State& state, lattice::Direction down);
 
 /// Moves grains and walls by single sites and records the moves.
 class SiteMoves {
@@ -22,13 +158,12 @@ class SiteMoves {
 
   /// An owner that blocks a grain; kFree if there is none.
   grains::Owner in_the_way(std::uint32_t id, lattice::Direction direction) const;
-  /// Moves a grain into free sites.
-  void move(std::uint32_t id, lattice::Direction direction);
+  /// Moves grains at once, into sites that are free then.
+  void move(std::span<const std::uint32_t> ids, lattice::Direction direction);
   /// Those of the grains `blocked` that can only move at once: each is blocked by others of them
   /// alone. Shapes that hook into one another are.
   std::vector<std::uint32_t> movable_at_once(std::vector<std::uint32_t> blocked,
                                              lattice::Direction direction) const;
-  void move_at_once(std::span<const std::uint32_t> ids, lattice::Direction direction);
   /// Moves the walls that are due in this direction and have not moved yet, with all grains they
   /// push.
   /// A wall blocked by the border or another wall stays. Returns whether any wall moved; appends
@@ -64,5 +199,26 @@ class SiteMoves {
 /// Walls make their moves; grains they pushed may still move in later directions. `down`: lattice
 /// direction nearest to gravity.
 void move_all(SiteMoves& moves, State& state, lattice::Direction down, std::span<WallMove> walls);
+
+/// What grains exchange where their remainders are cut.
+struct Cuts {
+  /// Grains and what is in their ways; `impact` is the impulse, along a direction of the lattice.
+  /// A pair may push in several directions, and either may be `upper`.
+  std::vector<Contact> pushes = {};
+  bool too_fast = false;  ///< a grain was faster than it can move
+};
+
+/// Shortens remainders to two spacings along any direction. Where a remainder is cut and the grain
+/// approaches what is in its way, the two collide along that direction, without restitution and
+/// friction: with several such collisions of a body each gets a share of its mass, so that the
+/// order does not matter, momentum is conserved, and no energy is gained. Where nothing is in the
+/// way, the grain is faster than it can move: it loses velocity with the distance. `ids`: grains
+/// whose remainders may be that long, each once, in any order.
+Cuts cut_remainders(State& state, const SiteMoves& moves, const Motion& motion,
+                    std::span<const std::uint32_t> ids);
+
+/// Whether no wall will move while no grain does: each has finished or has been blocked for the
+/// settling time, so that its push no longer grows.
+bool walls_rest(const State& state);
 
 }  // namespace clca::contact

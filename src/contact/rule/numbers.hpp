@@ -2,9 +2,12 @@
 // Integer arithmetic: the same bits on every machine and compiler. Operations of the contact law
 // also exist for eight contacts at once (engine/batch_avx2.cpp).
 
+#include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <stdexcept>
 
 #include "clca/contact/state.hpp"
 #include "clca/lattice/direction.hpp"
@@ -14,6 +17,13 @@ namespace clca::contact {
 inline constexpr int kMassBits = 16;         ///< of masses in their unit, see mass_unit()
 inline constexpr int kInverseMassBits = 26;  ///< these are at most 8
 inline constexpr int kRatioBits = 16;        ///< of coefficients of friction and restitution
+
+/// Throws std::invalid_argument unless it holds.
+inline void require(bool holds, const char* reason) {
+  if (!holds) {
+    throw std::invalid_argument(reason);
+  }
+}
 
 /// Product of two numbers. Sums of products must fit a sign and 62 bits.
 inline std::int64_t product(std::int32_t one, std::int32_t other) {
@@ -60,6 +70,23 @@ inline UnitVector unit_vector(lattice::Axial vector) {
     return negative ? -size : size;
   };
   return {component(3 * x * x, x < 0), component(doubled_y * doubled_y, doubled_y < 0)};
+}
+
+/// unit_vector(unit(direction)).
+inline const UnitVector& unit_of(lattice::Direction direction) {
+  constexpr std::int32_t kHalf = 1 << (kUnitBits - 1);
+  constexpr std::int32_t kColumn = 929'887'697;  // half the root of 3
+  static constexpr std::array<UnitVector, lattice::kDirectionCount> kUnits = {{{0, 2 * kHalf},
+                                                                               {kColumn, kHalf},
+                                                                               {kColumn, -kHalf},
+                                                                               {0, -2 * kHalf},
+                                                                               {-kColumn, -kHalf},
+                                                                               {-kColumn, kHalf}}};
+  return kUnits[lattice::index_of(direction)];
+}
+
+inline Eigen::Vector2d as_double(const UnitVector& unit) {
+  return {std::ldexp(unit.x, -kUnitBits), std::ldexp(unit.y, -kUnitBits)};
 }
 
 /// Cosine of the angle between two unit vectors, in 2^-60.

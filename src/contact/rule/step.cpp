@@ -1,122 +1,46 @@
 #include "contact/rule/step.hpp"
 
 #include <algorithm>
-#include <functional>
-#include <iterator>
 #include <numeric>
 #include <utility>
 
-#include "clca/contact/contact_model.hpp"
 #include "clca/random/draw.hpp"
-#include "contact/energy_of.hpp"
-#include "contact/rule/acceleration.hpp"
-#include "contact/rule/contact_list.hpp"
-#include "contact/rule/cuts.hpp"
-#include "contact/rule/groups.hpp"
-#include "contact/rule/impacts.hpp"
-#include "contact/rule/moves.hpp"
-#include "contact/rule/remainders.hpp"
-#include "contact/rule/touching.hpp"
 
 namespace clca::contact {
 
 namespace {
 
-/// Velocities of bodies in a step. No impulse changes those of walls and sides.
-class Velocities {
- public:
-  explicit Velocities(State& state) : state_(state), walls_(wall_velocities(state)) {}
-
-  Velocity<std::int32_t>& operator()(grains::Owner body) {
-    if (grains::is_particle(body)) {
-      return state_.velocities[grains::particle_id(body)];
-    }
-    return is_side(body) ? side_ : walls_[grains::wall_number(body)];
-  }
-
- private:
-  State& state_;
-  WallVelocities walls_;
-  Velocity<std::int32_t> side_;
-};
-
 /// Contacts that carry nothing bounce: new ones, and those whose bodies have parted.
-void bounce_loose(std::vector<Touch>& contacts, const grains::State& grains, const Rule& rule,
-                  const VelocityOf& velocity_of) {
+void bounce_loose(std::vector<Touch>& contacts, const Motion& motion) {
   for (Touch& touch : contacts) {
     if (touch.contact.impulse.normal == 0) {
-      at_contact(touch.contact, grains, rule, velocity_of, [&](const auto& touching) {
-        touch.bounce = bounce(-separation_velocity(touching), rule.restitution);
+      motion.at(touch.contact, [&](const auto& touching) {
+        touch.bounce = bounce(-separation_velocity(touching), motion.rule.restitution);
       });
     }
   }
 }
 
-/// Solves the impacts in small groups.
-void collide(std::vector<Touch>& contacts, const std::vector<std::vector<Touch*>>& groups,
-             const grains::State& grains, const Rule& rule, const VelocityOf& velocity_of) {
-  for (Touch& touch : contacts) {
-    touch.contact.impact = {};
-  }
-  for (const std::vector<Touch*>& group : groups) {
-    if (std::any_of(group.begin(), group.end(),
-                    [](const Touch* touch) { return touch->bounce > 0; })) {
-      solve_impact(group, grains, rule, velocity_of);
-    }
-  }
-}
-
-void apply_all(const std::vector<Touch>& contacts, const grains::State& grains, const Rule& rule,
-               const VelocityOf& velocity_of) {
+void apply_all(const std::vector<Touch>& contacts, const Motion& motion) {
   for (const Touch& touch : contacts) {
-    at_contact(touch.contact, grains, rule, velocity_of,
-               [&](auto& touching) { apply(touching, touch.contact.impulse, rule.law.turns); });
+    motion.at(touch.contact, [&](auto& touching) {
+      apply(touching, touch.contact.impulse, motion.rule.law.turns);
+    });
   }
 }
 
 /// Sweeps alternate forwards and backwards.
-void sweep(std::vector<Touch>& contacts, const grains::State& grains, const Rule& rule,
-           const VelocityOf& velocity_of) {
+void sweep(std::vector<Touch>& contacts, const Motion& motion) {
+  const Rule& rule = motion.rule;
   for (int i = 0; i < rule.sweeps; ++i) {
     for (std::size_t k = 0; k < contacts.size(); ++k) {
       Touch& touch = contacts[i % 2 == 0 ? k : contacts.size() - 1 - k];
       Contact& contact = touch.contact;
-      at_contact(contact, grains, rule, velocity_of, [&](auto& touching) {
+      motion.at(contact, [&](auto& touching) {
         solve(contact.impulse, touching, touch.bounce, rule.friction_with(contact.other), rule.law);
       });
     }
   }
-}
-
-void accelerate_all(State& state, const Rule& rule) {
-  const Acceleration by = acceleration(state.vessel, rule.gravity, state.grains.lattice.periodic());
-  for (std::size_t id = 0; id < state.velocities.size(); ++id) {
-    if (const grains::Particle& grain = state.grains.particles[id]; grain.present) {
-      accelerate(state.velocities[id], grain.site(), by);
-    }
-  }
-}
-
-/// Returns whether all grains are at rest.
-bool advance_all(State& state, const Rule& rule) {
-  std::vector<bool> touching(state.velocities.size(), false);
-  for (const Contact& contact : state.contacts) {
-    touching[contact.upper] = true;
-    if (grains::is_particle(contact.other)) {
-      touching[grains::particle_id(contact.other)] = true;
-    }
-  }
-  const UnitVector gravity = gravity_unit(state.vessel);
-  bool at_rest = true;
-  for (std::uint32_t id = 0; id < state.velocities.size(); ++id) {
-    state.grains.particles[id].previous = grains::kRest;
-    if (state.grains.particles[id].present) {
-      at_rest = advance(state.remainders[id], state.velocities[id], touching[id], slow_speed(rule),
-                        gravity) &&
-                at_rest;
-    }
-  }
-  return at_rest;
 }
 
 /// Grains from a source start anywhere within a spacing; otherwise those of one site would stack
@@ -189,7 +113,7 @@ bool Steps::advance(grains::StepReport& report) {
   if (report.emitted > 0) {
     disturb(state_);  // what is new still has to fall
   }
-  return grains_rest(state_, slow_speed(rule_)) && walls_rest(state_);
+  return grains_rest(state_, rule_.slow_speed()) && walls_rest(state_);
 }
 
 void Steps::removing(std::uint32_t id) {
@@ -212,62 +136,109 @@ void Steps::set_vessel(const Vessel& vessel) {
   disturb(state_);
 }
 
-Reference::Reference(State initial, const Parameters& parameters)
-    : Steps(std::move(initial), parameters),
-      state_(own_state()),
-      rule_(rule()),
-      normals_(state_.grains.kinds) {}
+void disturb(State& state) {
+  state.unmoved_steps = 0;
+  state.quiet_steps = 0;
+}
+
+bool grains_rest(const State& state, std::int32_t slow) {
+  // A remainder grows from -2 to 1/2 along some direction at most 30 degrees off before it moves.
+  constexpr std::int64_t kFarthest = std::int64_t{3} * kSpacing;
+  return state.quiet_steps >= kQuietSteps ||
+         (slow > 0 && state.unmoved_steps >=
+                          std::max(kQuietSteps, static_cast<std::uint64_t>(kFarthest / slow)));
+}
+
+void end_step(State& state, std::span<const WallMove> walls, const SiteMoves& moves, bool at_rest) {
+  bool walls_moved = state.vessel.moves();
+  for (const WallMove& move : walls) {
+    grains::Wall& wall = state.grains.walls[move.wall];
+    std::int64_t& ahead = state.wall_remainders[move.wall];
+    ahead -= move.done ? move.desired * grains::kMotionSpacing : 0;
+    take_step(*wall.motion, wall.travel, move.desired, move.done, state.grains.step, ahead);
+    walls_moved = walls_moved || move.done;
+  }
+  state.unmoved_steps = walls_moved || moves.advanced() ? 0 : state.unmoved_steps + 1;
+  state.quiet_steps = walls_moved || !moves.moved().empty() || !at_rest ? 0 : state.quiet_steps + 1;
+  for (const WallMove& move : walls) {
+    grains::Wall& wall = state.grains.walls[move.wall];
+    grains::end_step(*wall.motion, wall.travel, state.quiet_steps < kQuietSteps);
+  }
+  const lattice::Direction before = down(state.vessel);
+  state.vessel = next(state.vessel);
+  state.changed = state.changed || down(state.vessel) != before;
+  ++state.grains.step;
+}
 
 // Sources and outlets are shared by all models, see grains::step.
 std::size_t Reference::move_grains() {
   const lattice::Direction down = this->down();
+  const std::size_t grains = state_.grains.particles.size();
+  WallVelocities walls = wall_velocities(state_);
+  Velocity<> side;
+  const Motion motion = {state_.grains, rule_, [&](grains::Owner body) -> Velocity<>& {
+                           if (grains::is_particle(body)) {
+                             return state_.velocities[grains::particle_id(body)];
+                           }
+                           return is_side(body) ? side : walls[grains::wall_number(body)];
+                         }};
+  const auto velocity = [&](std::uint32_t id) -> Velocity<>& { return state_.velocities[id]; };
 
   // 1. Who touches whom; the contacts in order.
-  const std::vector<Touch> now = touches(box(), down, normals_, wall_velocities(state_));
+  const std::vector<Touch> now = touches(box_, down, normals_, walls);
   std::vector<Touch> contacts =
       next_contacts(state_.grains, state_.contacts, now, down, sorts_contacts(state_));
   state_.changed = false;
-  Velocities velocities(state_);
-  const VelocityOf velocity_of = std::ref(velocities);
 
   // 2. Contacts without impulse bounce: impacts in small groups at once, others in the sweeps.
-  bounce_loose(contacts, state_.grains, rule_, velocity_of);
-  const std::vector<std::vector<Touch*>> groups =
-      active_groups(contacts, state_.grains.particles.size());
-  collide(contacts, groups, state_.grains, rule_, velocity_of);
+  bounce_loose(contacts, motion);
+  const std::vector<std::vector<Touch*>> groups = active_groups(contacts, grains);
+  for (const std::vector<Touch*>& group : groups) {
+    solve_impact(group, motion);
+  }
 
   // 3. Gravity and the vessel.
-  accelerate_all(state_, rule_);
+  accelerate_all(state_, rule_.gravity, velocity);
 
   // 4. The impulses of the last step, once more.
-  apply_all(contacts, state_.grains, rule_, velocity_of);
+  apply_all(contacts, motion);
 
   // 5. Sweeps over the contacts change the impulses and the velocities; in small groups more of
   // them do, which are not remembered.
-  sweep(contacts, state_.grains, rule_, velocity_of);
+  sweep(contacts, motion);
   for (const std::vector<Touch*>& group : groups) {
-    finish(group, state_.grains, rule_, velocity_of);
+    finish(group, motion);
   }
   state_.contacts.clear();
-  std::transform(contacts.begin(), contacts.end(), std::back_inserter(state_.contacts),
-                 [](const Touch& touch) { return touch.contact; });
+  std::vector<bool> touching(grains, false);
+  for (const Touch& touch : contacts) {
+    state_.contacts.push_back(touch.contact);
+    touching[touch.contact.upper] = true;
+    if (grains::is_particle(touch.contact.other)) {
+      touching[grains::particle_id(touch.contact.other)] = true;
+    }
+  }
 
   // 6. Remainders of grains, 7. and of walls.
-  const bool at_rest = advance_all(state_, rule_);
-  std::vector<WallMove> walls = advance_walls(state_);
+  const bool at_rest = advance_all(state_, rule_.slow_speed(), velocity,
+                                   [&](std::uint32_t id) { return touching[id]; });
+  std::vector<WallMove> wall_moves = advance_walls(state_);
 
   // 8. Grains and walls whose remainder is large enough move by a site, if there is room.
-  SiteMoves moves(state_, box());
-  move_all(moves, state_, down, walls);
+  for (grains::Particle& grain : state_.grains.particles) {
+    grain.previous = grains::kRest;
+  }
+  SiteMoves moves(state_, box_);
+  move_all(moves, state_, down, wall_moves);
   moved_ = moves.moved();
 
   // 9. Remainders of grains that were held up are cut, and momentum is passed on.
-  std::vector<std::uint32_t> ids(state_.remainders.size());
+  std::vector<std::uint32_t> ids(grains);
   std::iota(ids.begin(), ids.end(), 0U);
-  set_cuts(cut_remainders(state_, moves, rule_, ids, velocity_of));
+  cuts_ = cut_remainders(state_, moves, motion, ids);
 
   // 10. Walls and vessel end the step.
-  end_step(state_, walls, {.moved = !moved_.empty(), .advanced = moves.advanced()}, at_rest);
+  end_step(state_, wall_moves, moves, at_rest);
   return moved_.size();
 }
 

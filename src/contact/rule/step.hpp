@@ -2,24 +2,65 @@
 // One step of lattice contact dynamics: the definition of the model.
 
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
-#include "clca/contact/energy.hpp"
+#include "clca/contact/contact_model.hpp"
 #include "clca/contact/state.hpp"
-#include "contact/rule/cuts.hpp"
-#include "contact/rule/normal_table.hpp"
-#include "contact/rule/rule.hpp"
-#include "contact/rule/walls.hpp"
+#include "contact/rule/law.hpp"
+#include "contact/rule/moves.hpp"
+#include "contact/rule/touching.hpp"
 #include "grains/internal/mechanics.hpp"
 
 namespace clca::contact {
 
-/// Whether this step sorts the contacts anew.
-inline bool sorts_contacts(const State& state) {
-  constexpr std::uint64_t kEvery = 8;
-  return state.changed || state.grains.step % kEvery == 0;
-}
+// Energies in units of Energy, in the steps that led to a state; `gravity` in lattice spacings per
+// step squared.
+
+/// Of a present grain.
+Energy energy_of(const State& state, std::size_t id, double gravity);
+
+/// Positions of the walls along their motions, in lattice spacings: a wall that follows its motion
+/// is where that is, one that lags by more than a spacing moves by sites.
+std::vector<double> wall_positions(const State& state);
+
+/// Work of walls in the step that led to `state`: impulses times displacements. `contacts`: those
+/// with walls, others do not count; `before`: wall_positions.
+double wall_work(const State& state, std::span<const Contact> contacts,
+                 const std::vector<double>& before, double gravity);
+
+/// Work of the vessel in the step that led to `state`; `before`: the vessel as it began.
+double vessel_work(const State& state, const Vessel& before, double gravity);
+
+/// A group of grains that contacts connect is small if it has at most so many; walls connect none.
+inline constexpr std::size_t kMostGrains = 8;
+
+/// The contacts of each small group with one that carries or bounces, in their order.
+std::vector<std::vector<Touch*>> active_groups(std::span<Touch> contacts, std::size_t grains);
+
+/// Where a contact of a small group bounces, sets `impact` of all of them and changes the
+/// velocities. First the bodies are stopped, by
+/// sweeps until the impulses hardly change any more; then the same impulses act again, times the
+/// restitution (Poisson's hypothesis with one ratio for the whole impact), or less, so that the
+/// kinetic energy does not rise. The contacts do not bounce once more. `contacts`: all of their
+/// grains.
+void solve_impact(std::span<Touch* const> contacts, const Motion& motion);
+
+/// Goes on sweeping a small group until its impulses hardly change any more. What the sweeps of the
+/// step have left is added to `impact`: the next step begins with the impulses of these sweeps
+/// alone, which stay soft where the group becomes part of a bed.
+void finish(std::span<Touch* const> contacts, const Motion& motion);
+
+/// Ends a step: updates walls and vessel. `at_rest`: no grain is faster than the rest limit.
+void end_step(State& state, std::span<const WallMove> walls, const SiteMoves& moves, bool at_rest);
+
+/// Counts from here on: something may move again.
+void disturb(State& state);
+
+/// Whether grains have come to rest. `slow`: the rest limit. Grains that are faster for long
+/// without going anywhere are held up, though their contacts let them go on, or hop to and fro.
+bool grains_rest(const State& state, std::int32_t slow);
 
 /// A step but for the moves themselves: new grains, and the energy that is exchanged.
 class Steps : public grains::Mechanics {
@@ -58,11 +99,6 @@ class Steps : public grains::Mechanics {
   /// Everything else of a step. Returns how many grains moved.
   virtual std::size_t move_grains() = 0;
 
-  State& own_state() { return state_; }
-  const Rule& rule() const { return rule_; }
-  void set_cuts(Cuts cuts) { cuts_ = std::move(cuts); }
-
- private:
   State state_;
   grains::Box box_;
   double gravity_;  // lattice spacings per step squared
@@ -74,7 +110,8 @@ class Steps : public grains::Mechanics {
 /// The definition of a step. Engine does the same faster.
 class Reference final : public Steps {
  public:
-  Reference(State initial, const Parameters& parameters);
+  Reference(State initial, const Parameters& parameters)
+      : Steps(std::move(initial), parameters), normals_(state_.grains.kinds) {}
 
   std::vector<std::uint32_t> moved() const override { return moved_; }
   std::vector<Contact> wall_contacts() const override { return state_.contacts; }
@@ -82,8 +119,6 @@ class Reference final : public Steps {
  private:
   std::size_t move_grains() override;
 
-  State& state_;
-  const Rule& rule_;
   NormalTable normals_;
   std::vector<std::uint32_t> moved_;
 };

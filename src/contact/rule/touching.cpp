@@ -4,140 +4,305 @@
 #include <functional>
 #include <iterator>
 #include <map>
-#include <tuple>
+#include <set>
 #include <utility>
 
-#include "contact/rule/surfaces.hpp"
-#include "grains/internal/separation.hpp"
+#include "contact/rule/numbers.hpp"
 
 namespace clca::contact {
 
-namespace {
-
 using lattice::Axial;
 
-/// Of 45 degrees, see cosine(). The normals of one straight wall are at most 30 degrees apart.
-constexpr std::int64_t kLeastCosine = std::int64_t{759'250'125} << kUnitBits;
-
-/// What blocks a grain, by body: grains, walls and sides.
-std::map<grains::Owner, Obstacle> blocking(const grains::Box& box, std::uint32_t id) {
-  const grains::State& state = box.state;
+std::int64_t order_key(const grains::State& state, lattice::Direction down, std::uint32_t id) {
+  constexpr std::int64_t kColumns = std::int64_t{1} << 31;
   const grains::Particle& grain = state.particles[id];
-  std::map<grains::Owner, Obstacle> result;
+  const lattice::Site site = {state.lattice.wrapped(grain.column), grain.row};
+  const Axial step = unit(down);
+  const int depth =  // four times the coordinate along `down`
+      3 * step.x * site.column + (2 * step.q + step.x) * lattice::doubled_height(site);
+  return depth * kColumns + site.column;
+}
+
+std::optional<UnitVector> normal_between(const lattice::Shape& first, const lattice::Shape& second,
+                                         Axial apart) {
+  Axial blocked;
+  for (const lattice::Direction direction : lattice::kDirections) {
+    const std::vector<Axial> lead = first.lead(direction);
+    if (std::any_of(lead.begin(), lead.end(),
+                    [&](Axial site) { return second.contains(site - apart); })) {
+      blocked = blocked + unit(direction);
+    }
+  }
+  if (blocked == Axial()) {
+    return std::nullopt;
+  }
+  const bool round = first.is_round() && second.is_round();
+  return unit_vector(Axial() - (round ? apart : blocked));
+}
+
+namespace {
+
+/// How far from touched sites the shape of a surface counts. With 2, a grain in a corner of 120
+/// degrees would see too little of its sides.
+constexpr int kNear = 3;
+
+/// Walls and sides of the box near a grain that form one surface, however it is cut into bodies; as
+/// far as is known, so each by itself at first.
+struct Surface {
+  /// Bodies that touch the grain, and their sites next to it: from its reference site, one for each
+  /// direction in which they block it.
+  std::map<grains::Owner, std::vector<Axial>> touched = {};
+  unsigned directions = 0;       ///< that these block, as bits
+  bool has_side = false;         ///< of the box
+  std::vector<Axial> near = {};  ///< their sites near touched ones; see outline()
+  Axial outwards = {};           ///< sum of directions from sites beside touched ones to free ones
+};
+
+bool contains(unsigned directions, lattice::Direction direction) {
+  return (directions >> lattice::index_of(direction) & 1U) != 0;
+}
+
+/// The wall or side of the box, or the grain, at a site; kFree if there is none. Sites beyond the
+/// border belong to the sides, too.
+grains::Owner body_at(const grains::Box& box, lattice::Site site) {
+  const lattice::Lattice& lattice = box.state.lattice;
+  if (site.row < 0) {
+    return kFloor;
+  }
+  if (site.row >= lattice.rows()) {
+    return kCeiling;
+  }
+  if (!lattice.contains(site)) {
+    return site.column < 0 ? kLeftSide : kRightSide;
+  }
+  return box.occupancy.owner(lattice.index(site));
+}
+
+/// The walls and sides that block a grain.
+std::map<grains::Owner, Surface> touched_bodies(const grains::Box& box,
+                                                const grains::Particle& grain) {
+  std::map<grains::Owner, Surface> result;
   for (const lattice::Direction direction : lattice::kDirections) {
     const std::size_t d = lattice::index_of(direction);
     box.for_each_index(grain, box.footprints.of(grain).lead[d], [&](std::size_t index) {
-      grains::Owner owner = box.occupancy.owner(index);
-      if (owner == grains::kFree) {
+      const grains::Owner owner = box.occupancy.owner(index);
+      if (owner == grains::kFree || grains::is_particle(owner)) {
         return;
       }
-      const lattice::Site site = state.lattice.site(index);
-      if (owner == grains::kBorder) {
-        owner = body_at(box, site);
-      }
-      Obstacle& obstacle = result[owner];
-      obstacle.body = owner;
-      obstacle.directions |= 1U << d;
-      if (!grains::is_particle(owner)) {
-        obstacle.sites.push_back(grains::nearest_vector(state.lattice, grain.site(), site));
-      }
+      const lattice::Site site = box.state.lattice.site(index);
+      const grains::Owner body = body_at(box, site);
+      result[body].directions |= 1U << d;
+      result[body].touched[body].push_back(
+          grains::nearest_vector(box.state.lattice, grain.site(), site));
     });
   }
   return result;
 }
 
-Axial sum(unsigned directions) {
-  Axial result;
-  for (const lattice::Direction direction : lattice::kDirections) {
-    if ((directions >> lattice::index_of(direction) & 1U) != 0) {
-      result = result + unit(direction);
+/// The lowest and the highest site of each column, sorted: it has the convex hull of all.
+std::vector<Axial> outline(std::vector<Axial> sites) {
+  std::sort(sites.begin(), sites.end());
+  std::vector<Axial> result;
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    const bool first = i == 0 || sites[i - 1].x != sites[i].x;
+    const bool last = i + 1 == sites.size() || sites[i + 1].x != sites[i].x;
+    if (first || last) {
+      result.push_back(sites[i]);
     }
   }
   return result;
+}
+
+/// The sites at most this far from others, sorted.
+std::vector<Axial> around(const std::vector<Axial>& sites, int distance) {
+  std::vector<Axial> result;
+  for (const Axial site : sites) {
+    for (int x = -distance; x <= distance; ++x) {
+      for (int q = std::max(-distance, -distance - x); q <= std::min(distance, distance - x); ++q) {
+        result.push_back(site + Axial{x, q});
+      }
+    }
+  }
+  std::sort(result.begin(), result.end());
+  result.erase(std::unique(result.begin(), result.end()), result.end());
+  return result;
+}
+
+/// Whether a direction leads to the side on which the grain is, not to the far side of a thin wall.
+bool faces(const Surface& body, lattice::Direction direction) {
+  return std::any_of(
+      lattice::kDirections.begin(), lattice::kDirections.end(), [&](lattice::Direction blocked) {
+        return contains(body.directions, blocked) && turns_between(direction, blocked) > 1;
+      });
+}
+
+/// Adds bodies near those that touch the grain, and how all of them lie there.
+void look_near(const grains::Box& box, lattice::Site reference,
+               std::map<grains::Owner, Surface>& bodies) {
+  const auto is_free = [&](Axial site) {
+    const grains::Owner owner = body_at(box, reference + site);
+    return owner == grains::kFree || grains::is_particle(owner);
+  };
+  std::vector<Axial> touched;
+  for (const auto& [owner, body] : bodies) {
+    for (const auto& [same, sites] : body.touched) {
+      touched.insert(touched.end(), sites.begin(), sites.end());
+      for (const Axial site : around(sites, 2)) {
+        for (const lattice::Direction direction : lattice::kDirections) {
+          if (!is_free(site) && is_free(site + unit(direction)) && faces(body, direction)) {
+            Axial& outwards = bodies[body_at(box, reference + site)].outwards;
+            outwards = outwards + unit(direction);
+          }
+        }
+      }
+    }
+  }
+  for (const Axial site : around(touched, kNear)) {
+    if (!is_free(site)) {
+      bodies[body_at(box, reference + site)].near.push_back(site);
+    }
+  }
+  for (auto& [owner, body] : bodies) {
+    body.has_side = is_side(owner);
+    body.near = outline(std::move(body.near));
+  }
+}
+
+Surface joined(const Surface& one, const Surface& other) {
+  Surface result = one;
+  result.touched.insert(other.touched.begin(), other.touched.end());
+  result.directions |= other.directions;
+  result.has_side = one.has_side || other.has_side;
+  result.near.insert(result.near.end(), other.near.begin(), other.near.end());
+  result.near = outline(std::move(result.near));
+  result.outwards = result.outwards + other.outwards;
+  return result;
+}
+
+/// Whether and how much two may be one surface: walls before sides of the box, which are whole;
+/// then the cosine of the angle between their ways outwards, in 2^-60.
+std::pair<bool, std::int64_t> likeness(const Surface& one, const Surface& other) {
+  const auto direction = [](Axial outwards) {
+    return outwards == Axial() ? UnitVector() : unit_vector(outwards);
+  };
+  return {!one.has_side && !other.has_side,
+          cosine(direction(one.outwards), direction(other.outwards))};
+}
+
+/// Whether a straight line has all of `one` on one side and all of `other` on the other: all
+/// vectors from one to the other have to lie within less than half a turn, from `first`
+/// anticlockwise to `last`.
+bool separable(const std::vector<Axial>& one, const std::vector<Axial>& other) {
+  const auto cross = [](Axial a, Axial b) {
+    return std::int64_t{a.x} * b.q - std::int64_t{a.q} * b.x;
+  };
+  Axial first = other.front() - one.front();
+  Axial last = first;
+  for (const Axial from : one) {
+    for (const Axial to : other) {
+      const Axial vector = to - from;
+      const std::int64_t past_first = cross(first, vector);
+      const std::int64_t past_last = cross(last, vector);
+      if (past_first > 0 && past_last > 0) {
+        last = vector;
+      } else if (past_first < 0 && past_last < 0) {
+        first = vector;
+      } else if (past_first < 0 || past_last > 0 ||
+                 (past_first == 0 && past_last == 0 &&
+                  std::int64_t{first.x} * vector.x + std::int64_t{first.q} * vector.q <= 0)) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+/// Joins the two that are most alike of those that form one surface: a straight line separates
+/// them, as far as they are near, from the grain. Two sides of the box never form one. Returns
+/// false if there are none.
+bool join_two(std::vector<Surface>& all, const std::vector<Axial>& grain) {
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    for (std::size_t j = i + 1; j < all.size(); ++j) {
+      if (!all[i].has_side || !all[j].has_side) {
+        pairs.emplace_back(i, j);
+      }
+    }
+  }
+  std::stable_sort(pairs.begin(), pairs.end(), [&](const auto& one, const auto& other) {
+    return likeness(all[one.first], all[one.second]) >
+           likeness(all[other.first], all[other.second]);
+  });
+  for (const auto& [i, j] : pairs) {
+    if (Surface both = joined(all[i], all[j]); separable(grain, both.near)) {
+      all[i] = std::move(both);
+      all.erase(all.begin() + static_cast<std::ptrdiff_t>(j));
+      return true;
+    }
+  }
+  return false;
 }
 
 /// The bodies of a surface that get contacts of their own: of those with one velocity a wall before
 /// a side, with most touched sites, with the lowest code.
-std::vector<grains::Owner> bodies_of_contacts(const std::vector<Obstacle>& surface,
-                                              const WallVelocities& walls) {
-  const auto velocity = [&](const Obstacle* obstacle) {
-    return is_side(obstacle->body) ? WallVelocities::value_type()
-                                   : walls[grains::wall_number(obstacle->body)];
+std::vector<grains::Owner> bodies_of_contacts(const Surface& surface, const WallVelocities& walls) {
+  const auto velocity = [&](grains::Owner body) {
+    return is_side(body) ? Velocity<>() : walls[grains::wall_number(body)];
   };
-  const auto rank = [](const Obstacle& obstacle) {
-    return std::tuple(!is_side(obstacle.body), obstacle.sites.size(), -std::int64_t{obstacle.body});
+  const auto rank = [&](grains::Owner body) {
+    return std::tuple(!is_side(body), surface.touched.at(body).size(), -std::int64_t{body});
   };
-  std::vector<const Obstacle*> chosen;
-  for (const Obstacle& obstacle : surface) {
-    const auto alike = std::find_if(chosen.begin(), chosen.end(), [&](const Obstacle* other) {
-      return velocity(other) == velocity(&obstacle);
-    });
+  std::vector<grains::Owner> chosen;
+  for (const auto& [body, sites] : surface.touched) {
+    const auto alike = std::find_if(
+        chosen.begin(), chosen.end(),
+        [&, now = velocity(body)](grains::Owner other) { return velocity(other) == now; });
     if (alike == chosen.end()) {
-      chosen.push_back(&obstacle);
-    } else if (rank(obstacle) > rank(**alike)) {
-      *alike = &obstacle;
+      chosen.push_back(body);
+    } else if (rank(body) > rank(*alike)) {
+      *alike = body;
     }
   }
-  std::vector<grains::Owner> result;
-  std::transform(chosen.begin(), chosen.end(), std::back_inserter(result),
-                 [](const Obstacle* obstacle) { return obstacle->body; });
-  return result;
+  return chosen;
 }
 
 }  // namespace
 
-WallTouches wall_touches(const grains::Box& box, std::uint32_t id, const WallVelocities& walls) {
-  std::vector<Obstacle> obstacles;
-  for (auto& [owner, obstacle] : blocking(box, id)) {
-    if (!grains::is_particle(owner)) {
-      obstacles.push_back(std::move(obstacle));
+std::size_t add_wall_touches(const grains::Box& box, std::uint32_t id, const WallVelocities& walls,
+                             std::vector<Touch>& touches) {
+  const grains::Particle& grain = box.state.particles[id];
+  std::map<grains::Owner, Surface> bodies = touched_bodies(box, grain);
+  const std::size_t count = bodies.size();
+  if (count > 1) {
+    look_near(box, grain.site(), bodies);
+  }
+  std::vector<Surface> surfaces;
+  for (auto& [owner, body] : bodies) {
+    surfaces.push_back(std::move(body));
+  }
+  if (count > 1) {
+    const std::vector<Axial> of_grain = outline(box.state.shape(grain).sites());
+    while (join_two(surfaces, of_grain)) {
     }
   }
-  WallTouches result{.touches = {}, .several_bodies = obstacles.size() > 1};
-  for (const std::vector<Obstacle>& surface : surfaces(box, box.state.particles[id], obstacles)) {
-    unsigned directions = 0;
-    for (const Obstacle& obstacle : surface) {
-      directions |= obstacle.directions;
+  const auto first = static_cast<std::ptrdiff_t>(touches.size());
+  for (const Surface& surface : surfaces) {
+    Axial blocked;
+    for (const lattice::Direction direction : lattice::kDirections) {
+      blocked = contains(surface.directions, direction) ? blocked + unit(direction) : blocked;
     }
-    const Axial blocked = sum(directions);
     if (blocked == Axial()) {
       continue;
     }
     for (const grains::Owner body : bodies_of_contacts(surface, walls)) {
-      result.touches.push_back(
+      touches.push_back(
           {.contact = {.upper = id, .other = body, .normal = unit_vector(Axial() - blocked)}});
     }
   }
-  std::sort(result.touches.begin(), result.touches.end(), [](const Touch& one, const Touch& other) {
+  std::sort(touches.begin() + first, touches.end(), [](const Touch& one, const Touch& other) {
     return one.contact.other < other.contact.other;
   });
-  return result;
-}
-
-std::vector<std::size_t> followed_by(std::span<const Contact> before, std::span<const Touch> now) {
-  // The best first. Whether the body is the same counts last: a surface may have several.
-  using Match = std::tuple<bool, std::int64_t, bool, std::size_t, std::size_t>;
-  std::vector<Match> matches;
-  for (std::size_t i = 0; i < before.size(); ++i) {
-    for (std::size_t k = 0; k < now.size(); ++k) {
-      const Contact& next = now[k].contact;
-      const std::int64_t like = cosine(before[i].normal, next.normal);
-      if (like > kLeastCosine) {
-        matches.emplace_back(is_side(before[i].other) == is_side(next.other), like,
-                             before[i].other == next.other, i, k);
-      }
-    }
-  }
-  std::sort(matches.begin(), matches.end(), std::greater());
-  std::vector<std::size_t> result(before.size(), kNoTouch);
-  std::vector<bool> taken(now.size(), false);
-  for (const auto& [same_kind, like, same_body, i, k] : matches) {
-    if (result[i] == kNoTouch && !taken[k]) {
-      result[i] = k;
-      taken[k] = true;
-    }
-  }
-  return result;
+  return count;
 }
 
 std::vector<Touch> touches(const grains::Box& box, lattice::Direction down, NormalTable& normals,
@@ -149,22 +314,96 @@ std::vector<Touch> touches(const grains::Box& box, lattice::Direction down, Norm
     if (!grain.present) {
       continue;
     }
-    const std::vector<Touch> at_walls = wall_touches(box, id, walls).touches;
-    result.insert(result.end(), at_walls.begin(), at_walls.end());
-    for (const auto& [owner, obstacle] : blocking(box, id)) {
-      const auto other = grains::particle_id(owner);
-      if (grains::is_particle(owner) && is_above(state, down, id, other)) {
-        const grains::Particle& below = state.particles[other];
-        const Axial apart = grains::nearest_vector(state.lattice, grain.site(), below.site());
-        const UnitVector normal = normals.normal(grain.kind, below.kind, apart);
-        if (normal != UnitVector()) {
-          result.push_back(
-              {.contact = {.upper = id, .other = owner, .normal = normal}, .apart = apart});
-        }
+    add_wall_touches(box, id, walls, result);
+    std::set<grains::Owner> others;
+    box.for_each_index(grain, box.footprints.of(grain).ring,
+                       [&](std::size_t index) { others.insert(box.occupancy.owner(index)); });
+    for (const grains::Owner owner : others) {
+      if (!grains::is_particle(owner) || is_above(state, down, grains::particle_id(owner), id)) {
+        continue;
+      }
+      const grains::Particle& below = state.particles[grains::particle_id(owner)];
+      const Axial apart = grains::nearest_vector(state.lattice, grain.site(), below.site());
+      const UnitVector normal = normals.normal(grain.kind, below.kind, apart);
+      if (normal != UnitVector()) {
+        result.push_back(
+            {.contact = {.upper = id, .other = owner, .normal = normal}, .apart = apart});
       }
     }
   }
   return result;
+}
+
+std::vector<const Touch*> followed_by(std::span<const Contact> before, std::span<const Touch> now) {
+  // Of 45 degrees, see cosine(). The normals of one straight wall are at most 30 degrees apart.
+  constexpr std::int64_t kLeastCosine = std::int64_t{759'250'125} << kUnitBits;
+  // The best first. Whether the body is the same counts last: a surface may have several.
+  using Match =
+      std::tuple<bool, std::int64_t, bool, grains::Owner, grains::Owner, std::size_t, const Touch*>;
+  std::vector<Match> matches;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    for (const Touch& touch : now) {
+      const grains::Owner was = before[i].other;
+      const grains::Owner is = touch.contact.other;
+      const std::int64_t like = cosine(before[i].normal, touch.contact.normal);
+      if (before[i].upper == touch.contact.upper && like > kLeastCosine) {
+        matches.emplace_back(is_side(was) == is_side(is), like, was == is, was, is, i, &touch);
+      }
+    }
+  }
+  std::sort(matches.begin(), matches.end(), std::greater());
+  std::vector<const Touch*> result(before.size(), nullptr);
+  for (const auto& [same_kind, like, same_body, was, is, i, touch] : matches) {
+    if (result[i] == nullptr && std::find(result.begin(), result.end(), touch) == result.end()) {
+      result[i] = touch;
+    }
+  }
+  return result;
+}
+
+std::vector<Touch> next_contacts(const grains::State& state, const std::vector<Contact>& before,
+                                 const std::vector<Touch>& now, lattice::Direction down,
+                                 bool sorted) {
+  using Key = std::pair<grains::Owner, grains::Owner>;
+  const auto bodies = [](const Contact& contact) -> Key {
+    const auto upper = grains::as_owner(contact.upper);
+    return grains::is_particle(contact.other) ? Key(std::minmax({upper, contact.other}))
+                                              : Key(upper, contact.other);
+  };
+  std::map<Key, Touch> left;  // that no earlier contact goes on as
+  std::vector<Touch> at_walls;
+  for (const Touch& touch : now) {
+    left.emplace(bodies(touch.contact), touch);
+    if (!grains::is_particle(touch.contact.other)) {
+      at_walls.push_back(touch);
+    }
+  }
+  std::vector<Contact> were_at_walls;
+  std::copy_if(before.begin(), before.end(), std::back_inserter(were_at_walls),
+               [](const Contact& contact) { return !grains::is_particle(contact.other); });
+  const std::vector<const Touch*> next = followed_by(were_at_walls, at_walls);
+  auto next_at_wall = next.begin();
+  std::vector<Touch> all;
+  for (const Contact& contact : before) {
+    const Touch* at_wall = grains::is_particle(contact.other) ? nullptr : *next_at_wall++;
+    const auto found = left.find(bodies(at_wall == nullptr ? contact : at_wall->contact));
+    if (found == left.end() || (at_wall == nullptr && !grains::is_particle(contact.other))) {
+      continue;
+    }
+    Touch& kept = all.emplace_back(found->second);
+    kept.contact.impulse =
+        kept.contact.upper == contact.upper ? contact.impulse : turned_over(contact.impulse);
+    left.erase(found);
+  }
+  const auto first_new = static_cast<std::ptrdiff_t>(all.size());
+  for (const auto& [pair, touch] : left) {
+    all.push_back(touch);
+  }
+  std::sort(all.begin() + (sorted ? 0 : first_new), all.end(),
+            [&](const Touch& one, const Touch& other) {
+              return one.key(state, down) < other.key(state, down);
+            });
+  return all;
 }
 
 }  // namespace clca::contact

@@ -1,17 +1,63 @@
 #pragma once
-// Touching bodies and their normals.
+// Touching bodies, their normals and their order; what contacts go on as from step to step.
 
+#include <cstdint>
+#include <optional>
 #include <span>
 #include <tuple>
 #include <vector>
 
 #include "clca/contact/state.hpp"
-#include "contact/rule/normal_table.hpp"
-#include "contact/rule/order.hpp"
-#include "contact/rule/walls.hpp"
+#include "grains/internal/apart_table.hpp"
 #include "grains/internal/box.hpp"
 
 namespace clca::contact {
+
+/// Sort key of a grain: from the top down, at equal height from the left.
+std::int64_t order_key(const grains::State& state, lattice::Direction down, std::uint32_t id);
+
+/// Whether a grain is the upper one of two.
+inline bool is_above(const grains::State& state, lattice::Direction down, std::uint32_t one,
+                     std::uint32_t other) {
+  return order_key(state, down, one) < order_key(state, down, other);
+}
+
+/// Contact normal of two grains, towards the first, with the second at `apart`; none if they do not
+/// touch.
+/// Two hexagons or discs: the line of centres. Otherwise opposite to the sum of the directions in
+/// which the second blocks the first.
+std::optional<UnitVector> normal_between(const lattice::Shape& first, const lattice::Shape& second,
+                                         lattice::Axial apart);
+
+/// Contact normals of all pairs of kinds and relative positions, each computed once.
+class NormalTable {
+ public:
+  explicit NormalTable(const std::vector<grains::Kind>& kinds)
+      : kinds_(kinds), tables_(kinds.size() * kinds.size()) {}
+
+  /// normal_between() of the kinds; zero if they do not touch.
+  UnitVector normal(std::uint16_t first, std::uint16_t second, lattice::Axial apart) {
+    grains::ApartTable<UnitVector>& table = tables_[first * kinds_.size() + second];
+    if (table.is_empty()) {
+      table = {kinds_[first].shape, kinds_[second].shape, kUnknown};
+    }
+    UnitVector* normal = table.find(apart);
+    if (normal == nullptr) {
+      return {};
+    }
+    if (*normal == kUnknown) {
+      *normal =
+          normal_between(kinds_[first].shape, kinds_[second].shape, apart).value_or(UnitVector());
+    }
+    return *normal;
+  }
+
+ private:
+  static constexpr UnitVector kUnknown = {1, 1};
+
+  const std::vector<grains::Kind>& kinds_;
+  std::vector<grains::ApartTable<UnitVector>> tables_;  // by first kind, then by second
+};
 
 /// A contact in a step.
 struct Touch {
@@ -26,31 +72,41 @@ struct Touch {
   }
 };
 
+/// By wall.
+using WallVelocities = std::vector<Velocity<>>;
+
+/// All contacts as if they were new.
+std::vector<Touch> touches(const grains::Box& box, lattice::Direction down, NormalTable& normals,
+                           const WallVelocities& walls);
+
+/// Adds the contacts of a grain with walls and sides to `touches`, sorted by `other`: one with each
+/// surface that they form around it, or one with each body of a surface of those that move unlike.
+/// Returns how many walls and sides the grain touches.
+std::size_t add_wall_touches(const grains::Box& box, std::uint32_t id, const WallVelocities& walls,
+                             std::vector<Touch>& touches);
+
+/// What each earlier contact with a wall or a side goes on as, null for one that ends: the contact
+/// of the same grain with the most similar normal, at most 45 degrees from its own; first those of
+/// walls as one of a wall and those of sides as one of a side, then the others. Of like normals
+/// that of the same body, so that it does not matter of how many a surface is made.
+std::vector<const Touch*> followed_by(std::span<const Contact> before, std::span<const Touch> now);
+
 /// The impulses if the other grain is the upper one: those along normal and tangent stay.
-inline Impulse<std::int32_t> turned_over(Impulse<std::int32_t> impulse) {
+inline Impulse<> turned_over(Impulse<> impulse) {
   impulse.rolling *= -1;
   return impulse;
 }
 
-/// All contacts as if they were new, sorted by upper grain, then by `other`.
-std::vector<Touch> touches(const grains::Box& box, lattice::Direction down, NormalTable& normals,
-                           const WallVelocities& walls);
+/// The contacts of `before` that still touch, in order, followed by new ones.
+/// With `sorted` all are sorted anew. A pair keeps its impulses if upper and lower body swap.
+std::vector<Touch> next_contacts(const grains::State& state, const std::vector<Contact>& before,
+                                 const std::vector<Touch>& now, lattice::Direction down,
+                                 bool sorted);
 
-/// Contacts of a grain with walls and sides, sorted by `other`.
-struct WallTouches {
-  std::vector<Touch> touches;
-  bool several_bodies = false;  ///< it touches two walls or sides, or more
-};
-
-/// One contact with each surface (see surfaces()), or one with each body of a surface of those that
-/// move unlike.
-WallTouches wall_touches(const grains::Box& box, std::uint32_t id, const WallVelocities& walls);
-
-/// Which touch each earlier contact of a grain with a wall or a side goes on as, kNoTouch for one
-/// that ends. With the most similar normal, at most 45 degrees from theirs: first those of walls as
-/// one of a wall and those of sides as one of a side, then the others. Of like normals that of the
-/// same body, so that it does not matter of how many a surface is made.
-inline constexpr std::size_t kNoTouch = static_cast<std::size_t>(-1);
-std::vector<std::size_t> followed_by(std::span<const Contact> before, std::span<const Touch> now);
+/// Whether a step sorts the contacts anew.
+inline bool sorts_contacts(const State& state) {
+  constexpr std::uint64_t kEvery = 8;
+  return state.changed || state.grains.step % kEvery == 0;
+}
 
 }  // namespace clca::contact

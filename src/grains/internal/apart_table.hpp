@@ -1,13 +1,25 @@
 #pragma once
-// Values by the relative position of two shapes.
+// The relative position of two grains, and values by it.
 
 #include <algorithm>
 #include <cstddef>
 #include <vector>
 
+#include "clca/lattice/lattice.hpp"
 #include "clca/lattice/shape.hpp"
 
 namespace clca::grains {
+
+/// The vector between two sites, the shorter way round a periodic box.
+inline lattice::Axial nearest_vector(const lattice::Lattice& lattice, lattice::Site from,
+                                     lattice::Site to) {
+  if (lattice.periodic()) {
+    const int columns = lattice.columns();
+    const int apart = lattice.wrapped(to.column - from.column);
+    to.column = from.column + (2 * apart > columns ? apart - columns : apart);
+  }
+  return to - from;
+}
 
 /// A value for each vector from the reference site of a shape to that of another at which they
 /// overlap or touch, and for some around these.
@@ -25,9 +37,6 @@ class ApartTable {
   }
 
   bool is_empty() const { return values_.empty(); }
-  /// Columns from low_column() up to the one before end_column().
-  int low_column() const { return low_.x; }
-  int end_column() const { return low_.x + size_.x; }
   /// Null for vectors that are not in the table.
   const Value* find(lattice::Axial apart) const {
     const lattice::Axial at = apart - low_;
@@ -38,15 +47,6 @@ class ApartTable {
   }
   Value* find(lattice::Axial apart) {
     return const_cast<Value*>(static_cast<const ApartTable&>(*this).find(apart));
-  }
-  /// Calls `visit` with each vector.
-  template <class Visit>
-  void for_each(Visit visit) const {
-    for (int x = 0; x < size_.x; ++x) {
-      for (int q = 0; q < size_.q; ++q) {
-        visit(low_ + lattice::Axial{x, q});
-      }
-    }
   }
 
  private:

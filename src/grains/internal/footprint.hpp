@@ -17,6 +17,7 @@ struct Footprint {
   std::vector<lattice::Offset> body;
   PerDirection<lattice::Offset> lead;
   PerDirection<lattice::Offset> trail;
+  std::vector<lattice::Offset> ring;  ///< all sites beside it, each once
 };
 
 /// Index offsets of sites that are given from a reference site in a column of this parity.

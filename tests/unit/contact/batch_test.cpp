@@ -9,7 +9,7 @@
 #include <numeric>
 #include <random>
 
-#include "contact/engine/batches.hpp"
+#include "contact/engine/contacts.hpp"
 #include "support/states.hpp"
 #include "touching_pairs.hpp"
 
@@ -117,52 +117,51 @@ struct Bed {
 
   grains::State grains;
   Rule rule = make_rule(grains, {}, 0.01);
-  Batches batches = Batches(grains, rule);
+  ContactSlots slots = ContactSlots(grains, rule);
 };
 
-TEST(Batches, HoldContactsThatShareNoGrainAndKeepTheOrderOfThoseThatDo) {
+TEST(ContactSlots, HoldContactsThatShareNoGrainAndKeepTheOrderOfThoseThatDo) {
   std::mt19937_64 random(2);
   Bed bed(kGrains);
-  Batches& batches = bed.batches;
-  batches.clear(kGrains);
-  std::vector<std::int32_t> lanes;
+  ContactSlots& slots = bed.slots;
+  slots.clear(kGrains);
   std::vector<std::pair<std::uint32_t, std::uint32_t>> contacts;
   for (int i = 0; i < 300; ++i) {
     const auto upper = static_cast<std::uint32_t>(random() % kGrains);
     const auto other = static_cast<std::uint32_t>((upper + 1 + random() % (kGrains - 1)) % kGrains);
     const bool on_wall = random() % 4 == 0;
     contacts.emplace_back(upper, on_wall ? upper : other);
-    lanes.push_back(
-        batches.add({.upper = upper, .other = on_wall ? kFloor : grains::as_owner(other)}));
+    slots.add({.upper = upper, .other = on_wall ? kFloor : grains::as_owner(other)}, {});
   }
-  const auto batch_of = [](std::int32_t lane) { return lane / static_cast<int>(kLanes); };
+  const auto batch_of = [&](std::size_t i) {
+    return slots.all()[i].lane / static_cast<int>(kLanes);
+  };
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       const bool share =
           contacts[i].first == contacts[j].first || contacts[i].first == contacts[j].second ||
           contacts[i].second == contacts[j].first || contacts[i].second == contacts[j].second;
-      EXPECT_TRUE(!share || batch_of(lanes[j]) < batch_of(lanes[i]));
-      EXPECT_NE(lanes[i], lanes[j]);
+      EXPECT_TRUE(!share || batch_of(j) < batch_of(i));
+      EXPECT_NE(slots.all()[i].lane, slots.all()[j].lane);
     }
   }
 }
 
-TEST(Batches, HaveNothingInALaneThatIsEmptied) {
+TEST(ContactSlots, HaveNothingInALaneThatIsEmptied) {
   Bed bed(3);
-  Batches& batches = bed.batches;
-  batches.clear(3);
+  ContactSlots& slots = bed.slots;
+  slots.clear(3);
   const Contact contact = {
       .upper = 0, .other = 1, .normal = {0, 1 << kUnitBits}, .impulse = {100, 20, 3}};
-  const std::int32_t lane = batches.add(contact);
-  EXPECT_EQ(batches.contact(lane).impulse, contact.impulse);
-  EXPECT_EQ(batches.contact(lane).normal, contact.normal);
-  batches.remove(lane);
+  slots.add(contact, {});
+  EXPECT_EQ(slots.contact(0), contact);
+  slots.remove(0);
   std::vector<Body> bodies(4, {{7, 8, 9}});
   bodies[kRestingBody] = {};
   const Pair* pairs = bed.rule.bodies.pairs().data();
   for (const BatchFunctions& functions : {plain_functions(), fastest_functions()}) {
-    functions.apply(batches.all().data(), 1, bodies.data(), pairs, true);
-    functions.sweep(batches.all().data(), 1, bodies.data(), pairs, {.turns = true}, false);
+    functions.apply(slots.batches().data(), 1, bodies.data(), pairs, true);
+    functions.sweep(slots.batches().data(), 1, bodies.data(), pairs, {.turns = true}, false);
     EXPECT_EQ(bodies[1].velocity, (Velocity<Number>{7, 8, 9}));
     EXPECT_EQ(bodies[kRestingBody].velocity, Velocity<Number>());
   }

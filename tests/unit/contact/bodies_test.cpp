@@ -1,12 +1,11 @@
 // Masses and normals of grains that touch.
 
-#include "contact/rule/bodies.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "contact/rule/normal_table.hpp"
+#include "contact/rule/law.hpp"
+#include "contact/rule/touching.hpp"
 
 namespace clca::contact::bodies_test {
 namespace {

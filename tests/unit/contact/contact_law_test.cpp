@@ -1,13 +1,12 @@
 // What passes between two bodies that touch. Bounds on rounding: a velocity is changed by a whole
 // impulse, of 2^-23 unit of mass times spacing a step, and is rounded itself.
 
-#include "contact/rule/contact_law.hpp"
-
 #include <gtest/gtest.h>
 
 #include <array>
 #include <random>
 
+#include "contact/rule/law.hpp"
 #include "touching_pairs.hpp"
 
 namespace clca::contact::contact_law_test {

@@ -1,10 +1,9 @@
 // Who touches whom, from step to step and in which order.
 
-#include "contact/rule/contact_list.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "contact/rule/touching.hpp"
 #include "support/states.hpp"
 
 namespace clca::contact::contact_list_test {

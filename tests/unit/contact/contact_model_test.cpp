@@ -8,8 +8,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "contact/rule/bodies.hpp"
-#include "contact/rule/walls.hpp"
+#include "contact/rule/step.hpp"
 #include "support/states.hpp"
 
 namespace clca::contact::contact_model_test {

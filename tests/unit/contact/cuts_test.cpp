@@ -1,7 +1,5 @@
 // Remainders that are cut, and the momentum that is passed on.
 
-#include "contact/rule/cuts.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,7 +7,7 @@
 #include <numeric>
 #include <random>
 
-#include "contact/rule/remainders.hpp"
+#include "contact/rule/moves.hpp"
 #include "support/states.hpp"
 
 namespace clca::contact::cuts_test {
@@ -44,9 +42,11 @@ struct Bench {
     grains::Box box(state.grains);
     const SiteMoves moves(state, box);
     Velocity<std::int32_t> fixed;
-    cut_remainders(state, moves, rule, ids, [&](grains::Owner body) -> Velocity<std::int32_t>& {
-      return grains::is_particle(body) ? state.velocities[grains::particle_id(body)] : fixed;
-    });
+    const Motion motion = {
+        state.grains, rule, [&](grains::Owner body) -> Velocity<>& {
+          return grains::is_particle(body) ? state.velocities[grains::particle_id(body)] : fixed;
+        }};
+    cut_remainders(state, moves, motion, ids);
     EXPECT_EQ(fixed, Velocity<std::int32_t>());
   }
   double mass(std::size_t id) const {

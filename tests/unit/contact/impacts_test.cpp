@@ -1,7 +1,5 @@
 // Grains that hit others: rebounds, energies, impulses.
 
-#include "contact/rule/impacts.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,10 +9,7 @@
 #include <stdexcept>
 
 #include "clca/contact/contact_model.hpp"
-#include "contact/internal/mass_unit.hpp"
-#include "contact/rule/groups.hpp"
-#include "contact/rule/normal_table.hpp"
-#include "contact/rule/touching.hpp"
+#include "contact/rule/step.hpp"
 #include "grains/internal/occupancy_table.hpp"
 #include "support/states.hpp"
 
@@ -233,16 +228,17 @@ struct Cluster {
     std::vector<Touch> contacts =
         touches(grains::Box(state.grains), lattice::Direction::down, normals, {});
     Velocity<std::int32_t> fixed;
-    const VelocityOf velocity_of = [&](grains::Owner body) -> Velocity<std::int32_t>& {
-      return grains::is_particle(body) ? state.velocities[grains::particle_id(body)] : fixed;
-    };
+    const Motion motion = {
+        state.grains, rule, [&](grains::Owner body) -> Velocity<>& {
+          return grains::is_particle(body) ? state.velocities[grains::particle_id(body)] : fixed;
+        }};
     std::size_t count = 0;
     for (Touch& touch : contacts) {
       touch.bounce = 1;
     }
     for (const std::vector<Touch*>& impact :
          active_groups(contacts, state.grains.particles.size())) {
-      solve_impact(impact, state.grains, rule, velocity_of);
+      solve_impact(impact, motion);
       count += impact.size();
     }
     return count;

@@ -8,9 +8,7 @@
 #include <cmath>
 #include <set>
 
-#include "contact/engine/mover.hpp"
-#include "contact/rule/order.hpp"
-#include "contact/rule/remainders.hpp"
+#include "contact/engine/engine.hpp"
 #include "grains/internal/occupancy_table.hpp"
 #include "support/states.hpp"
 

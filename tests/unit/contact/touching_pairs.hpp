@@ -5,7 +5,7 @@
 #include <optional>
 #include <random>
 
-#include "contact/rule/contact_law.hpp"
+#include "contact/rule/law.hpp"
 
 namespace clca::contact {
 

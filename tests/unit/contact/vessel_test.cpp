@@ -11,7 +11,7 @@
 #include <stdexcept>
 
 #include "clca/contact/contact_model.hpp"
-#include "contact/rule/acceleration.hpp"
+#include "contact/rule/moves.hpp"
 #include "support/states.hpp"
 
 namespace clca::contact::vessel_test {

@@ -8,8 +8,8 @@
 #include <random>
 #include <set>
 
-#include "grains/internal/separation.hpp"
 #include "pushed_states.hpp"
+#include "support/overlaps.hpp"
 
 namespace clca::measure::contacts_test {
 namespace {
@@ -121,7 +121,6 @@ TEST(Contacts, CountTheSitesCommonToBothParticles) {
     const State state = crowd(seed);
     const auto found = contacts_of(state);
     EXPECT_EQ(found.size(), state.pushes.size());
-    grains::Separation separation(state);
     for (const OverlapContact& contact : found) {
       const auto& first = state.particles[contact.first];
       const auto& second = state.particles[static_cast<std::size_t>(contact.second)];
@@ -130,7 +129,10 @@ TEST(Contacts, CountTheSitesCommonToBothParticles) {
         return state.shape(second).contains(first.site() + part - second.site());
       });
       EXPECT_EQ(contact.sites, common);
-      EXPECT_EQ(contact.depth, separation.depth(second, first));
+      constexpr int kMost = 2;
+      EXPECT_EQ(contact.depth,
+                testing::depth(state, testing::body_of(state, grains::as_owner(contact.first)),
+                               testing::body_of(state, contact.second), kMost));
       EXPECT_EQ(contact.source, 0U);
     }
     EXPECT_TRUE(std::is_sorted(found.begin(), found.end(), [](const auto& a, const auto& b) {

@@ -2,11 +2,32 @@
 // The contact law: contact dynamics (Moreau 1994, Jean 1999), one contact at a time. `Int` is
 // std::int32_t, or eight of them for eight contacts that share no grain.
 
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "clca/contact/contact_model.hpp"
 #include "clca/contact/state.hpp"
-#include "contact/rule/bodies.hpp"
 #include "contact/rule/numbers.hpp"
 
 namespace clca::contact {
+
+/// Coefficients of a contact between two kinds, or a kind and a wall. Masses in 2^-16 of their unit
+/// (see mass_unit), inverse masses in 2^-26; inverse masses of a wall are 0.
+template <class Int>
+struct Coefficients {
+  Int mass;        ///< reduced: of a change of relative velocity along the normal
+  Int shear_mass;  ///< the same across it
+  Int upper_inverse_mass;
+  Int other_inverse_mass;
+  // For moments divided by the reduced radius: the mass that stops a spin, and the change of spins.
+  Int upper_rolling_mass;
+  Int other_rolling_mass;
+  Int upper_turning;  ///< half of it: a single site at a wall would need 2
+  Int other_turning;
+};
+using Pair = Coefficients<std::int32_t>;
 
 /// Constants of the law, the same for all contacts. Coefficients in 2^-16.
 struct LawConstants {
@@ -17,7 +38,7 @@ struct LawConstants {
 
 /// Velocities of the two bodies of a contact, normal and coefficients. A wall has inverse mass 0,
 /// so its velocity does not change.
-template <class Int>
+template <class Int = std::int32_t>
 struct ContactState {
   Velocity<Int> upper;
   Velocity<Int> other;
@@ -44,7 +65,7 @@ template <class Int>
 }
 
 /// Angular velocity of the upper body relative to the other, times the reduced radius.
-inline std::int32_t rolling_velocity(const ContactState<std::int32_t>& at) {
+inline std::int32_t rolling_velocity(const ContactState<>& at) {
   const auto part = [](std::int32_t spin, std::int32_t turning, std::int32_t inverse_mass) {
     return inverse_mass == 0 ? 0 : product(spin, turning) / inverse_mass;  // a wall does not turn
   };
@@ -123,5 +144,82 @@ inline std::int32_t bounce(std::int32_t closing, std::int32_t restitution) {
       kSpacing / 32;  // below it large beds would not come to rest
   return closing > kMinClosingVelocity ? rounded(product(closing, restitution), kRatioBits) : 0;
 }
+
+/// Coefficients of all pairs of kinds, and of each kind and a wall.
+class Bodies {
+ public:
+  explicit Bodies(const std::vector<grains::Kind>& kinds);
+
+  /// `other` is none for a wall.
+  const Pair& pair(std::uint16_t kind, std::optional<std::uint16_t> other) const {
+    return pairs_[number(kind, other)];
+  }
+  /// Of a contact between a grain and another body: its number in pairs().
+  std::int32_t pair_number(const grains::State& grains, std::uint32_t upper,
+                           grains::Owner other) const {
+    const auto kind = [&](std::size_t id) { return grains.particles[id].kind; };
+    return static_cast<std::int32_t>(grains::is_particle(other)
+                                         ? number(kind(upper), kind(grains::particle_id(other)))
+                                         : number(kind(upper), std::nullopt));
+  }
+  const std::vector<Pair>& pairs() const { return pairs_; }
+
+ private:
+  std::size_t number(std::uint16_t kind, std::optional<std::uint16_t> other) const {
+    return kind * (kinds_ + 1) + (other ? *other : kinds_);
+  }
+
+  std::size_t kinds_;
+  std::vector<Pair> pairs_;  // by kind and other kind; the last other kind is a wall
+};
+
+/// The constants of a run. Ratios in 2^-16.
+struct Rule {
+  std::int32_t gravity = 0;  ///< in 2^-23 lattice spacings per step squared
+  std::int32_t restitution = 0;
+  int sweeps = 2;
+  std::int32_t friction = 0;                     ///< between grains
+  std::int32_t side_friction = 0;                ///< of the sides of the box
+  std::vector<std::int32_t> wall_friction = {};  ///< by wall
+  LawConstants law = {};
+  Bodies bodies;
+
+  std::int32_t friction_with(grains::Owner other) const {
+    if (grains::is_particle(other)) {
+      return friction;
+    }
+    return is_side(other) ? side_friction : wall_friction[grains::wall_number(other)];
+  }
+  /// Below it a grain counts as resting: twice what gravity gives in a step.
+  std::int32_t slow_speed() const { return 2 * gravity; }
+};
+
+/// Throws std::invalid_argument if a parameter is out of range. `gravity` in lattice spacings per
+/// step squared.
+Rule make_rule(const grains::State& state, const Parameters& parameters, double gravity);
+
+/// The velocities of all bodies, which contacts change.
+struct Motion {
+  const grains::State& grains;
+  const Rule& rule;
+  /// Of a grain, wall or side. Only those of grains are changed.
+  std::function<Velocity<>&(grains::Owner)> velocity;
+
+  /// Calls `visit` with a contact as it is now, whose velocities it may change.
+  template <class Visit>
+  void at(const Contact& contact, Visit visit) const {
+    Velocity<>& upper = velocity(grains::as_owner(contact.upper));
+    Velocity<>& other = velocity(contact.other);
+    ContactState<> touching = {.upper = upper,
+                               .other = other,
+                               .normal_x = contact.normal.x,
+                               .normal_y = contact.normal.y,
+                               .pair = rule.bodies.pairs()[static_cast<std::size_t>(
+                                   rule.bodies.pair_number(grains, contact.upper, contact.other))]};
+    visit(touching);
+    upper = touching.upper;
+    other = touching.other;
+  }
+};
 
 }  // namespace clca::contact

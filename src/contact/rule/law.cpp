@@ -1,4 +1,4 @@
-#include "contact/rule/bodies.hpp"
+#include "contact/rule/law.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -75,21 +75,35 @@ Bodies::Bodies(const std::vector<grains::Kind>& kinds) : kinds_(kinds.size()) {
   }
 }
 
-std::optional<UnitVector> normal_between(const lattice::Shape& first, const lattice::Shape& second,
-                                         lattice::Axial apart) {
-  lattice::Axial blocked;
-  for (const lattice::Direction direction : lattice::kDirections) {
-    const std::vector<lattice::Axial> lead = first.lead(direction);
-    if (std::any_of(lead.begin(), lead.end(),
-                    [&](lattice::Axial site) { return second.contains(site - apart); })) {
-      blocked = blocked + unit(direction);
-    }
+Rule make_rule(const grains::State& state, const Parameters& parameters, double gravity) {
+  const auto ratio = [](double value, double most) {
+    require(value >= 0 && value <= most, "a parameter of the contact model is out of range");
+    return to_fixed_point(value, kRatioBits);
+  };
+  const auto friction = [&](double value) { return ratio(value, kMaxFriction); };
+  require(parameters.sweeps > 0, "a parameter of the contact model is out of range");
+  Rule rule = {.gravity = to_fixed_point(gravity, kFractionBits),
+               .restitution = ratio(parameters.restitution, std::nextafter(1.0, 0.0)),
+               .sweeps = parameters.sweeps,
+               .friction = friction(parameters.friction),
+               .side_friction = friction(parameters.wall_friction),
+               .wall_friction = std::vector<std::int32_t>(state.walls.size(),
+                                                          friction(parameters.wall_friction)),
+               .law = {.turns = parameters.rolling != Rolling::none,
+                       .resists_rolling = parameters.rolling == Rolling::resistance,
+                       .rolling_friction = friction(parameters.rolling_friction)},
+               .bodies = Bodies(state.kinds)};
+  require(parameters.friction_by_wall.size() <= state.walls.size(),
+          "there are more frictions than walls");
+  for (std::size_t wall = 0; wall < parameters.friction_by_wall.size(); ++wall) {
+    rule.wall_friction[wall] =
+        friction(parameters.friction_by_wall[wall].value_or(parameters.wall_friction));
   }
-  if (blocked == lattice::Axial()) {
-    return std::nullopt;
+  for (const grains::Kind& kind : state.kinds) {
+    require(!rule.law.turns || kind.shape.is_round(),
+            "only hexagons and discs turn: others need Rolling::none");
   }
-  const bool round = first.is_round() && second.is_round();
-  return unit_vector(lattice::Axial() - (round ? apart : blocked));
+  return rule;
 }
 
 }  // namespace clca::contact

@@ -1,0 +1,393 @@
+#include "contact/engine/contacts.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+#include "contact/rule/step.hpp"
+
+namespace clca::contact {
+
+namespace {
+
+/// One contact of a batch after the other.
+struct OneLane {
+  using Int = std::int32_t;
+  static constexpr std::size_t kWidth = 1;
+
+  static Int load(const std::int32_t* from) { return *from; }
+  static void store(Int value, std::int32_t* to) { *to = value; }
+  static Pair coefficients(const Pair* pairs, const std::int32_t* at) { return pairs[*at]; }
+  static Velocity<> velocities(const Body* bodies, const std::int32_t* at) {
+    return bodies[*at].velocity;
+  }
+  static void set_velocities(Body* bodies, const std::int32_t* at, const Velocity<>& velocity) {
+    bodies[*at].velocity = velocity;
+  }
+};
+
+}  // namespace
+
+BatchFunctions plain_functions() {
+  return {.apply = BatchKernel<OneLane>::apply, .sweep = BatchKernel<OneLane>::sweep};
+}
+
+std::int32_t ContactSlots::body(grains::Owner owner) const {
+  if (grains::is_particle(owner)) {
+    return first_grain_ + owner;
+  }
+  return is_side(owner) ? kRestingBody
+                        : kFirstWallBody + static_cast<std::int32_t>(grains::wall_number(owner));
+}
+
+void ContactSlots::clear(std::size_t grains) {
+  slots_.clear();
+  first_.assign(grains, -1);
+  batches_.clear();
+  used_.clear();
+  next_batch_.assign(grains, 0);
+  first_not_full_ = 0;
+}
+
+void ContactSlots::add_grains(std::size_t grains) {
+  first_.resize(grains, -1);
+  next_batch_.resize(grains, 0);
+}
+
+void ContactSlots::add(const Contact& contact, lattice::Axial apart) {
+  const auto at = static_cast<std::int32_t>(slots_.size());
+  Slot& slot = slots_.emplace_back();
+  slot.upper = contact.upper;
+  slot.lane = new_lane(contact);
+  slot.next_upper = std::exchange(first_[contact.upper], at);
+  if (grains::is_particle(contact.other)) {
+    slot.next_other = std::exchange(first_[grains::particle_id(contact.other)], at);
+  }
+  set(at, contact, apart);
+}
+
+void ContactSlots::remove(std::int32_t at) {
+  Slot& slot = slots_[static_cast<std::size_t>(at)];
+  unlink(at, slot.upper);
+  if (grains::is_particle(slot.other)) {
+    unlink(at, grains::particle_id(slot.other));
+  }
+  batch(at).other[in_batch(at)] = batch(at).upper[in_batch(at)];  // of no other lane of the batch
+  set_numbers(at, {}, 0);
+  slot.lane = -1;
+}
+
+void ContactSlots::set(std::int32_t at, const Contact& contact, lattice::Axial apart) {
+  Slot& slot = slots_[static_cast<std::size_t>(at)];
+  if (slot.upper != contact.upper) {
+    std::swap(slot.next_upper, slot.next_other);
+  }
+  slot.upper = contact.upper;
+  slot.other = contact.other;
+  slot.apart = apart;
+  Batch& batch = this->batch(at);
+  batch.upper[in_batch(at)] = body(grains::as_owner(contact.upper));
+  batch.other[in_batch(at)] = body(contact.other);
+  batch.pair[in_batch(at)] = rule_->bodies.pair_number(*grains_, contact.upper, contact.other);
+  set_numbers(at, contact, rule_->friction_with(contact.other));
+}
+
+void ContactSlots::set_apart(std::int32_t at, lattice::Axial apart, UnitVector normal) {
+  slots_[static_cast<std::size_t>(at)].apart = apart;
+  batch(at).normal_x[in_batch(at)] = normal.x;
+  batch(at).normal_y[in_batch(at)] = normal.y;
+}
+
+Contact ContactSlots::contact(std::int32_t at) const {
+  const Batch& batch = this->batch(at);
+  const std::size_t i = in_batch(at);
+  return {.upper = this->at(at).upper,
+          .other = this->at(at).other,
+          .normal = {batch.normal_x[i], batch.normal_y[i]},
+          .impulse = {batch.impulse.normal[i], batch.impulse.shear[i], batch.impulse.rolling[i]}};
+}
+
+std::int32_t ContactSlots::separation(std::int32_t at, const std::vector<Body>& bodies) const {
+  const Batch& batch = this->batch(at);
+  const std::size_t i = in_batch(at);
+  return separation_velocity(
+      ContactState<>{.upper = bodies[static_cast<std::size_t>(batch.upper[i])].velocity,
+                     .other = bodies[static_cast<std::size_t>(batch.other[i])].velocity,
+                     .normal_x = batch.normal_x[i],
+                     .normal_y = batch.normal_y[i],
+                     .pair = {}});
+}
+
+/// The first of a batch that is not full, behind all batches of the contacts of both grains.
+std::int32_t ContactSlots::new_lane(const Contact& contact) {
+  std::uint32_t& after_upper = next_batch_[contact.upper];
+  std::uint32_t unused = 0;
+  std::uint32_t& after_other =
+      grains::is_particle(contact.other) ? next_batch_[grains::particle_id(contact.other)] : unused;
+  auto at = std::max<std::size_t>({after_upper, after_other, first_not_full_});
+  while (at < used_.size() && used_[at] == kLanes) {
+    ++at;
+  }
+  if (at >= batches_.size()) {
+    batches_.resize(at + 1);
+    used_.resize(at + 1, 0);
+  }
+  const auto lane = static_cast<std::int32_t>(at * kLanes + used_[at]++);
+  while (first_not_full_ < used_.size() && used_[first_not_full_] == kLanes) {
+    ++first_not_full_;
+  }
+  after_upper = after_other = static_cast<std::uint32_t>(at + 1);
+  return lane;
+}
+
+void ContactSlots::set_numbers(std::int32_t at, const Contact& contact, std::int32_t friction) {
+  Batch& batch = this->batch(at);
+  const std::size_t i = in_batch(at);
+  batch.normal_x[i] = contact.normal.x;
+  batch.normal_y[i] = contact.normal.y;
+  batch.impulse.normal[i] = contact.impulse.normal;
+  batch.impulse.shear[i] = contact.impulse.shear;
+  batch.impulse.rolling[i] = contact.impulse.rolling;
+  batch.friction[i] = friction;
+}
+
+void ContactSlots::unlink(std::int32_t at, std::uint32_t grain) {
+  const auto next_of = [&](std::int32_t number) {
+    Slot& slot = slots_[static_cast<std::size_t>(number)];
+    return slot.upper == grain ? &slot.next_upper : &slot.next_other;
+  };
+  std::int32_t* link = &first_[grain];
+  while (*link != at) {
+    link = next_of(*link);
+  }
+  *link = *next_of(at);
+}
+
+void SmallGroups::begin(std::size_t grains, const ContactSlots& slots) {
+  ++steps_;
+  active_.clear();
+  may_be_small_.resize(grains, 1);
+  seen_.resize(grains, 0);
+  for (const std::uint32_t grain : changed_) {
+    if (seen_[grain] != steps_) {
+      find(grain, slots);
+    }
+  }
+  changed_.clear();
+}
+
+void SmallGroups::add_group(std::uint32_t grain, const ContactSlots& slots) {
+  if (!find(grain, slots)) {
+    return;
+  }
+  std::vector<std::int32_t>& group = active_.emplace_back();
+  for (const std::uint32_t id : near_) {
+    seen_[id] = steps_;
+    slots.for_each(id, [&](std::int32_t at) { group.push_back(at); });
+  }
+  // Both grains of a contact list it.
+  std::sort(group.begin(), group.end());
+  group.erase(std::unique(group.begin(), group.end()), group.end());
+}
+
+/// Sets near_ to the group of a grain. Returns false if it is not small; near_ is then a part of
+/// it.
+bool SmallGroups::find(std::uint32_t grain, const ContactSlots& slots) {
+  near_ = {grain};
+  bool is_small = true;
+  for (std::size_t i = 0; is_small && i < near_.size(); ++i) {
+    slots.for_each(near_[i], [&, id = near_[i]](std::int32_t at) {
+      const Slot& slot = slots.at(at);
+      if (!grains::is_particle(slot.other)) {
+        return;
+      }
+      const auto next = slot.upper == id ? grains::particle_id(slot.other) : slot.upper;
+      if (std::find(near_.begin(), near_.end(), next) == near_.end()) {
+        near_.push_back(next);
+        is_small = is_small && seen_[next] != steps_;  // else that group is not
+      }
+    });
+    is_small = is_small && near_.size() <= kMostGrains;
+  }
+  for (const std::uint32_t id : near_) {
+    may_be_small_[id] = is_small ? 1 : 0;
+    seen_[id] = is_small ? seen_[id] : steps_;
+  }
+  return is_small;
+}
+
+ContactFinder::ContactFinder(const grains::Box& box, const Rule& rule)
+    : state_(box.state),
+      box_(box),
+      has_moving_walls_(
+          std::any_of(state_.walls.begin(), state_.walls.end(),
+                      [](const grains::Wall& wall) { return wall.motion.has_value(); })),
+      normals_(state_.kinds),
+      sorted_(state_, rule) {}
+
+void ContactFinder::load(const std::vector<Contact>& contacts, ContactSlots& slots) {
+  slots.clear(state_.particles.size());
+  for (const Contact& contact : contacts) {
+    slots.add(contact, grains::is_particle(contact.other)
+                           ? apart(contact.upper, grains::particle_id(contact.other))
+                           : lattice::Axial());
+  }
+}
+
+void ContactFinder::update(std::span<const std::uint32_t> moved, const WallVelocities& walls,
+                           ContactSlots& slots, SmallGroups& groups) {
+  moved_.resize(state_.particles.size());
+  ids_.clear();
+  const auto look_at = [&](std::uint32_t id) {
+    if (std::exchange(moved_[id], 1) == 0) {
+      ids_.push_back(id);
+    }
+  };
+  std::for_each(moved.begin(), moved.end(), look_at);
+  std::for_each(at_several_bodies_.begin(), at_several_bodies_.end(), look_at);
+  at_several_bodies_.clear();
+  found_.clear();
+  for (const std::uint32_t id : ids_) {
+    check_contacts(id, slots, groups);
+    if (state_.particles[id].present && look_around(id, slots)) {
+      check_walls(id, walls, slots);
+    }
+  }
+  for (const std::uint32_t id : ids_) {
+    moved_[id] = 0;
+  }
+  std::sort(found_.begin(), found_.end(),
+            [](const auto& one, const auto& other) { return one.first < other.first; });
+  for (const auto& [key, touch] : found_) {
+    slots.add(touch.contact, touch.apart);
+  }
+}
+
+/// Those with walls go on, see check_walls.
+void ContactFinder::check_contacts(std::uint32_t id, ContactSlots& slots, SmallGroups& groups) {
+  slots.for_each(id, [&](std::int32_t at) {
+    const Slot& slot = slots.at(at);
+    const bool with_grain = grains::is_particle(slot.other);
+    const auto other = grains::particle_id(slot.other);
+    const bool present =
+        state_.particles[slot.upper].present && (!with_grain || state_.particles[other].present);
+    if (with_grain ? checked_with(slot.upper == id ? other : slot.upper, id) : present) {
+      return;
+    }
+    Touch now = present ? touch(slot.upper, other) : Touch();
+    if (now.contact.normal == UnitVector()) {
+      groups.lost_contact(slot.upper);
+      if (with_grain) {
+        groups.lost_contact(other);
+      }
+      slots.remove(at);
+    } else if (now.contact.upper == slot.upper) {
+      slots.set_apart(at, now.apart, now.contact.normal);
+    } else {
+      now.contact.impulse = turned_over(slots.contact(at).impulse);
+      slots.set(at, now.contact, now.apart);
+    }
+  });
+}
+
+/// Finds contacts with other grains that begin. Returns whether the grain is at a wall or side, or
+/// was.
+bool ContactFinder::look_around(std::uint32_t id, const ContactSlots& slots) {
+  partners_.clear();
+  slots.for_each(id, [&](std::int32_t at) {
+    const Slot& slot = slots.at(at);
+    partners_.push_back(slot.upper == id ? slot.other : grains::as_owner(slot.upper));
+  });
+  bool at_wall = std::any_of(partners_.begin(), partners_.end(), grains::is_wall);
+  grains::Owner before = grains::kFree;
+  const grains::Particle& grain = state_.particles[id];
+  box_.for_each_index(grain, box_.footprints.of(grain).ring, [&](std::size_t index) {
+    const grains::Owner owner = box_.occupancy.owner(index);
+    if (owner == before) {
+      return;
+    }
+    before = owner;
+    at_wall = at_wall || grains::is_wall(owner);
+    const auto other = grains::particle_id(owner);
+    if (grains::is_particle(owner) && !checked_with(other, id) &&
+        std::find(partners_.begin(), partners_.end(), owner) == partners_.end()) {
+      partners_.push_back(owner);
+      const Touch found = touch(id, other);
+      if (found.contact.normal != UnitVector()) {
+        add_found(found);
+      }
+    }
+  });
+  return at_wall;
+}
+
+void ContactFinder::check_walls(std::uint32_t id, const WallVelocities& walls,
+                                ContactSlots& slots) {
+  std::vector<Touch> now;
+  if (add_wall_touches(box_, id, walls, now) > 1 && has_moving_walls_) {
+    at_several_bodies_.push_back(id);
+  }
+  std::vector<Contact> before;
+  std::vector<std::int32_t> slots_before;
+  slots.for_each(id, [&](std::int32_t at) {
+    if (grains::is_wall(slots.at(at).other)) {
+      before.push_back(slots.contact(at));
+      slots_before.push_back(at);
+    }
+  });
+  const std::vector<const Touch*> next = followed_by(before, now);
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    if (next[i] == nullptr) {
+      slots.remove(slots_before[i]);
+      continue;
+    }
+    Contact contact = next[i]->contact;
+    contact.impulse = before[i].impulse;
+    slots.set(slots_before[i], contact, {});
+  }
+  for (const Touch& touch : now) {
+    if (std::find(next.begin(), next.end(), &touch) == next.end()) {
+      add_found(touch);
+    }
+  }
+}
+
+void ContactFinder::sort(ContactSlots& slots) {
+  order_.clear();
+  for (std::int32_t at = 0; at < static_cast<std::int32_t>(slots.all().size()); ++at) {
+    if (slots.at(at).lane >= 0) {
+      order_.emplace_back(order_key(state_, down_, slots.at(at).upper), at);
+    }
+  }
+  const auto apart = [&](std::int32_t at) {
+    return std::tie(slots.at(at).apart, slots.at(at).other);
+  };
+  // From the order of the last time, which is nearly right.
+  std::stable_sort(order_.begin(), order_.end(), [&](const auto& one, const auto& other) {
+    return one.first != other.first ? one.first < other.first
+                                    : apart(one.second) < apart(other.second);
+  });
+  sorted_.clear(state_.particles.size());
+  for (const auto& [key, at] : order_) {
+    sorted_.add(slots.contact(at), slots.at(at).apart);
+  }
+  std::swap(slots, sorted_);
+}
+
+Touch ContactFinder::touch(std::uint32_t first, std::uint32_t second) {
+  const bool in_order = is_above(state_, down_, first, second);
+  const std::uint32_t upper = in_order ? first : second;
+  const std::uint32_t lower = in_order ? second : first;
+  const lattice::Axial apart = this->apart(upper, lower);
+  return {.contact = {.upper = upper,
+                      .other = grains::as_owner(lower),
+                      .normal = normals_.normal(state_.particles[upper].kind,
+                                                state_.particles[lower].kind, apart)},
+          .apart = apart};
+}
+
+lattice::Axial ContactFinder::apart(std::uint32_t upper, std::uint32_t other) const {
+  return grains::nearest_vector(state_.lattice, state_.particles[upper].site(),
+                                state_.particles[other].site());
+}
+
+}  // namespace clca::contact

@@ -1,0 +1,192 @@
+#pragma once
+// The contacts of the engine: in the order in which they are swept, by grain and in batches; how
+// they begin, change and end as grains move; small groups of them.
+
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "contact/engine/batch.hpp"
+#include "contact/rule/touching.hpp"
+
+namespace clca::contact {
+
+/// A contact by its bodies, and where its numbers are.
+struct Slot {
+  std::uint32_t upper = 0;
+  grains::Owner other = 0;
+  std::int32_t lane = -1;  ///< counted through all batches; -1: it has ended, the slot is empty
+  std::int32_t next_upper = -1;  ///< the next slot of the upper grain, -1 none
+  std::int32_t next_other = -1;
+  lattice::Axial apart = {};  ///< see Touch
+};
+
+/// Slots in order, linked by grain. Their numbers are in batches, which give what a sweep over the
+/// contacts in order would give: each is in a later batch than those before it that it shares a
+/// grain with.
+class ContactSlots {
+ public:
+  /// With its contacts.
+  static constexpr double kGrainBytes =
+      2 * sizeof(std::int32_t) +
+      kContactsPerGrain * grains::kListRoom * (sizeof(Slot) + sizeof(Batch) / double{kLanes});
+
+  /// Both outlive the slots.
+  ContactSlots(const grains::State& grains, const Rule& rule)
+      : grains_(&grains),
+        rule_(&rule),
+        first_grain_(kFirstWallBody + static_cast<std::int32_t>(grains.walls.size())) {}
+
+  /// The body of the grain with id 0. Those before it are no grains.
+  std::size_t first_grain() const { return static_cast<std::size_t>(first_grain_); }
+  /// The body of a grain, a wall or a side.
+  std::int32_t body(grains::Owner owner) const;
+
+  /// Forgets all contacts.
+  void clear(std::size_t grains);
+  /// Makes room for more grains, which touch nothing.
+  void add_grains(std::size_t grains);
+  /// Adds a contact behind the others.
+  void add(const Contact& contact, lattice::Axial apart);
+  /// Empties a slot. It keeps its position in the order.
+  void remove(std::int32_t at);
+  /// Changes a contact. The other grain may have become the upper one.
+  void set(std::int32_t at, const Contact& contact, lattice::Axial apart);
+  /// The grains have moved, and the upper one still is.
+  void set_apart(std::int32_t at, lattice::Axial apart, UnitVector normal);
+
+  std::span<const Slot> all() const { return slots_; }
+  const Slot& at(std::int32_t slot) const { return slots_[static_cast<std::size_t>(slot)]; }
+  std::vector<Batch>& batches() { return batches_; }
+  Contact contact(std::int32_t at) const;
+  std::int32_t normal_impulse(std::int32_t at) const {
+    return batch(at).impulse.normal[in_batch(at)];
+  }
+  /// Velocity with which the contact is to part.
+  std::int32_t& bounce(std::int32_t at) { return batch(at).bounce[in_batch(at)]; }
+  /// With which its bodies, which have these velocities, part now.
+  std::int32_t separation(std::int32_t at, const std::vector<Body>& bodies) const;
+
+  /// Calls `visit` with the number of each slot of a grain, which it may change or empty.
+  template <class Visit>
+  void for_each(std::uint32_t grain, Visit visit) const {
+    for (std::int32_t at = first_[grain]; at >= 0;) {
+      visit(at);
+      const Slot& slot = this->at(at);
+      at = slot.upper == grain ? slot.next_upper : slot.next_other;
+    }
+  }
+  bool touches_anything(std::uint32_t grain) const { return first_[grain] >= 0; }
+
+ private:
+  std::size_t lane(std::int32_t at) const { return static_cast<std::size_t>(this->at(at).lane); }
+  std::size_t in_batch(std::int32_t at) const { return lane(at) % kLanes; }
+  const Batch& batch(std::int32_t at) const { return batches_[lane(at) / kLanes]; }
+  Batch& batch(std::int32_t at) { return batches_[lane(at) / kLanes]; }
+  std::int32_t new_lane(const Contact& contact);
+  void set_numbers(std::int32_t at, const Contact& contact, std::int32_t friction);
+  void unlink(std::int32_t at, std::uint32_t grain);
+
+  const grains::State* grains_;  // pointers: slots are swapped
+  const Rule* rule_;
+  std::int32_t first_grain_;
+  std::vector<Slot> slots_;
+  std::vector<std::int32_t> first_;  // slot by grain, -1 none
+  std::vector<Batch> batches_;
+  std::vector<std::uint8_t> used_;         // lanes by batch
+  std::vector<std::uint32_t> next_batch_;  // by grain: the first behind all of its contacts
+  std::size_t first_not_full_ = 0;         // all batches before it are full
+};
+
+/// The groups that active_groups() finds. Of most grains it stays known that their group is not
+/// small.
+class SmallGroups {
+ public:
+  static constexpr double kGrainBytes =
+      sizeof(std::uint64_t) + sizeof(std::uint8_t) + grains::kListRoom * sizeof(std::uint32_t);
+
+  /// Nothing is known any more.
+  void clear() { may_be_small_.clear(); }
+  /// A grain has lost a contact.
+  void lost_contact(std::uint32_t grain) { changed_.push_back(grain); }
+  /// Begins a step: contacts have begun and ended. No group is active.
+  void begin(std::size_t grains, const ContactSlots& slots);
+  /// A contact of a grain carries or bounces.
+  void set_active(std::uint32_t grain, const ContactSlots& slots) {
+    if (may_be_small_[grain] != 0 && seen_[grain] != steps_) {
+      add_group(grain, slots);
+    }
+  }
+  /// The slots of each that is active, in their order.
+  const std::vector<std::vector<std::int32_t>>& active() const { return active_; }
+
+ private:
+  void add_group(std::uint32_t grain, const ContactSlots& slots);
+  bool find(std::uint32_t grain, const ContactSlots& slots);
+
+  std::vector<std::vector<std::int32_t>> active_;
+  std::vector<std::uint32_t> changed_;      // grains that have lost contacts, maybe more than once
+  std::vector<std::uint8_t> may_be_small_;  // by grain: its group; true of all grains of small ones
+  // By grain: the last step in which its group was found not to be small, or active.
+  std::vector<std::uint64_t> seen_;
+  std::uint64_t steps_ = 0;
+  std::vector<std::uint32_t> near_;  // grains of the group that is looked at
+};
+
+/// Keeps slots in line with where grains are. Does what next_contacts() does, looking only at
+/// grains that have moved.
+class ContactFinder {
+ public:
+  static constexpr double kGrainBytes =
+      ContactSlots::kGrainBytes + sizeof(std::uint8_t) +
+      grains::kListRoom * (2 * sizeof(std::uint32_t) +
+                           kContactsPerGrain * (sizeof(std::pair<Touch::Key, Touch>) +
+                                                sizeof(std::pair<std::int64_t, std::int32_t>)));
+
+  /// Both outlive the finder.
+  ContactFinder(const grains::Box& box, const Rule& rule);
+
+  /// The direction of the lattice nearest to gravity: what is above what.
+  lattice::Direction down() const { return down_; }
+  /// All grains then count as moved.
+  void set_down(lattice::Direction down) { down_ = down; }
+
+  /// Fills slots from a list of contacts, which may have changed since: all grains count as moved.
+  void load(const std::vector<Contact>& contacts, ContactSlots& slots);
+  /// Brings contacts of `moved` grains in line; the new ones are behind the others. `walls`: their
+  /// velocities. Tells `groups` where contacts have ended.
+  void update(std::span<const std::uint32_t> moved, const WallVelocities& walls,
+              ContactSlots& slots, SmallGroups& groups);
+  /// Puts all in order anew and forgets the empty ones.
+  void sort(ContactSlots& slots);
+
+ private:
+  /// Of two grains that have both moved one is checked for both.
+  bool checked_with(std::uint32_t partner, std::uint32_t id) const {
+    return moved_[partner] != 0 && partner < id;
+  }
+  void check_contacts(std::uint32_t id, ContactSlots& slots, SmallGroups& groups);
+  bool look_around(std::uint32_t id, const ContactSlots& slots);
+  void add_found(const Touch& touch) { found_.emplace_back(touch.key(state_, down_), touch); }
+  void check_walls(std::uint32_t id, const WallVelocities& walls, ContactSlots& slots);
+  Touch touch(std::uint32_t first, std::uint32_t second);
+  lattice::Axial apart(std::uint32_t upper, std::uint32_t other) const;
+
+  const grains::State& state_;
+  const grains::Box& box_;
+  lattice::Direction down_ = lattice::Direction::down;
+  bool has_moving_walls_;
+  // Grains at two walls or sides, or more. How they touch these may change as walls move, also
+  // where no site next to the grain changes.
+  std::vector<std::uint32_t> at_several_bodies_;
+  NormalTable normals_;
+  std::vector<std::uint32_t> ids_;                            // of those that have moved, once each
+  std::vector<std::uint8_t> moved_;                           // by id
+  std::vector<grains::Owner> partners_;                       // of the grain that is looked at
+  std::vector<std::pair<Touch::Key, Touch>> found_;           // that are new, with their order
+  std::vector<std::pair<std::int64_t, std::int32_t>> order_;  // keys and slots
+  ContactSlots sorted_;
+};
+
+}  // namespace clca::contact
