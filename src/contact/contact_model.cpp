@@ -103,8 +103,7 @@ void check_valid(const State& state) {
     require(is_sound(contact.impulse) && is_sound(contact.impact) && contact.impulse.normal >= 0 &&
                 contact.impulse.normal + contact.impact.normal >= 0,
             "an impulse is out of range");
-    pairs.push_back(with_grain ? std::pair(std::minmax({upper, contact.other}))
-                               : std::pair(upper, contact.other));
+    pairs.push_back(both_bodies(contact.upper, contact.other));
   }
   std::sort(pairs.begin(), pairs.end());
   require(std::adjacent_find(pairs.begin(), pairs.end()) == pairs.end(),

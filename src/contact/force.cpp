@@ -5,25 +5,12 @@
 #include <utility>
 
 #include "contact/rule/numbers.hpp"
+#include "contact/rule/touching.hpp"
 #include "grains/internal/apart_table.hpp"
 
 namespace clca::contact {
 
 namespace {
-
-/// Disc of a kind.
-struct GrainDisc {
-  Eigen::Vector2d centroid;  // from the site of a grain
-  double radius = 0;         // of a disc of the same area
-};
-
-std::vector<GrainDisc> grain_discs(const std::vector<grains::Kind>& kinds) {
-  std::vector<GrainDisc> result;
-  for (const grains::Kind& kind : kinds) {
-    result.push_back({kind.shape.centroid(), kind.shape.diameter() / 2});
-  }
-  return result;
-}
 
 /// The point of a side of the box that is nearest to `centre`.
 Eigen::Vector2d on_side(const lattice::Lattice& lattice, grains::Owner side,
@@ -42,10 +29,11 @@ Eigen::Vector2d on_side(const lattice::Lattice& lattice, grains::Owner side,
   }
 }
 
-/// Sets point and branch: on the line of centres, divided by the radii; below the grain for a wall.
-void put_geometry(const grains::State& state, const std::vector<GrainDisc>& by_kind, Force& force) {
+/// Sets point and branch: on the line of centres, divided by the radii of discs of the same areas;
+/// below the grain for a wall.
+void put_geometry(const grains::State& state, Force& force) {
   const grains::Particle& upper = state.particles[force.upper];
-  const GrainDisc& disc = by_kind[upper.kind];
+  const lattice::Shape& shape = state.shape(upper);
   const Eigen::Vector2d centre = grains::centre_in_box(state, upper);
   if (is_side(force.other)) {
     force.point = on_side(state.lattice, force.other, centre);
@@ -53,30 +41,24 @@ void put_geometry(const grains::State& state, const std::vector<GrainDisc>& by_k
     return;
   }
   if (!grains::is_particle(force.other)) {
-    force.branch = disc.radius * force.normal;
+    force.branch = shape.diameter() / 2 * force.normal;
     force.point = state.lattice.in_box(centre - force.branch);
     return;
   }
-  const grains::Particle& other = state.particles[static_cast<std::size_t>(force.other)];
-  const GrainDisc& other_disc = by_kind[other.kind];
+  const grains::Particle& other = state.particles[grains::particle_id(force.other)];
+  const lattice::Shape& other_shape = state.shape(other);
   force.branch =
-      disc.centroid - other_disc.centroid -
+      shape.centroid() - other_shape.centroid() -
       lattice::position(grains::nearest_vector(state.lattice, upper.site(), other.site()));
+  const double radius = shape.diameter() / 2;
   force.point =
-      state.lattice.in_box(centre - disc.radius / (disc.radius + other_disc.radius) * force.branch);
+      state.lattice.in_box(centre - radius / (radius + other_shape.diameter() / 2) * force.branch);
 }
 
 using Sum = ForceSums::Sum;
 
-/// Key of a pair, the same in either order.
-std::pair<grains::Owner, grains::Owner> bodies(const Sum& sum) {
-  const auto upper = grains::as_owner(sum.upper);
-  return grains::is_particle(sum.other) && sum.other < upper ? std::pair(sum.other, upper)
-                                                             : std::pair(upper, sum.other);
-}
-
 std::uint64_t key(const Sum& sum) {
-  const auto [first, second] = bodies(sum);
+  const auto [first, second] = both_bodies(sum.upper, sum.other);
   return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(first)) << 32U) |
          static_cast<std::uint32_t>(second);
 }
@@ -124,7 +106,7 @@ std::vector<double> loads(std::size_t grain_count, const std::vector<Force>& for
   for (const Force& force : forces) {
     sums[force.upper] += force.along_normal;
     if (grains::is_particle(force.other)) {
-      sums[static_cast<std::size_t>(force.other)] += force.along_normal;
+      sums[grains::particle_id(force.other)] += force.along_normal;
     }
   }
   return sums;
@@ -151,7 +133,6 @@ std::vector<Force> forces(const grains::State& grains, std::span<const Contact> 
   std::vector<Force> result;
   result.reserve(contacts.size());
   const double weight = mean_mass(grains) / mass_unit(grains.kinds) * gravity * kSpacing;
-  const std::vector<GrainDisc> by_kind = grain_discs(grains.kinds);
   for (const Contact& contact : contacts) {
     Force& force = result.emplace_back();
     force.upper = contact.upper;
@@ -159,7 +140,7 @@ std::vector<Force> forces(const grains::State& grains, std::span<const Contact> 
     force.normal = as_double(contact.normal);
     force.along_normal = (contact.impulse.normal + contact.impact.normal) / weight;
     force.along_shear = (contact.impulse.shear + contact.impact.shear) / weight;
-    put_geometry(grains, by_kind, force);
+    put_geometry(grains, force);
   }
   return result;
 }
@@ -182,8 +163,9 @@ void add(ForceSums& sums, const ForceSums& later) {
 
 std::vector<Force> means(const ForceSums& sums) {
   std::vector<Sum> sorted = sums.sums;
-  std::sort(sorted.begin(), sorted.end(),
-            [](const Sum& a, const Sum& b) { return bodies(a) < bodies(b); });
+  std::sort(sorted.begin(), sorted.end(), [](const Sum& a, const Sum& b) {
+    return both_bodies(a.upper, a.other) < both_bodies(b.upper, b.other);
+  });
   std::vector<Force> result;
   result.reserve(sorted.size());
   for (const Sum& sum : sorted) {
@@ -208,7 +190,7 @@ std::vector<double> residuals(const grains::State& state, const std::vector<Forc
   for (const Force& force : forces) {
     sums[force.upper] += force.on_upper();
     if (grains::is_particle(force.other)) {
-      sums[static_cast<std::size_t>(force.other)] -= force.on_upper();
+      sums[grains::particle_id(force.other)] -= force.on_upper();
     }
   }
   std::vector<double> result(state.particles.size(), 0);

@@ -353,6 +353,7 @@ void ContactFinder::check_walls(std::uint32_t id, const WallVelocities& walls,
 
 void ContactFinder::sort(ContactSlots& slots) {
   order_.clear();
+  order_.reserve(slots.all().size());
   for (std::int32_t at = 0; at < static_cast<std::int32_t>(slots.all().size()); ++at) {
     if (slots.at(at).lane >= 0) {
       order_.emplace_back(order_key(state_, down_, slots.at(at).upper), at);

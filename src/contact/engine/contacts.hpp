@@ -140,9 +140,9 @@ class ContactFinder {
  public:
   static constexpr double kGrainBytes =
       ContactSlots::kGrainBytes + sizeof(std::uint8_t) +
-      grains::kListRoom * (2 * sizeof(std::uint32_t) +
-                           kContactsPerGrain * (sizeof(std::pair<Touch::Key, Touch>) +
-                                                sizeof(std::pair<std::int64_t, std::int32_t>)));
+      kContactsPerGrain * sizeof(std::pair<std::int64_t, std::int32_t>) +
+      grains::kListRoom *
+          (2 * sizeof(std::uint32_t) + kContactsPerGrain * sizeof(std::pair<Touch::Key, Touch>));
 
   /// Both outlive the finder.
   ContactFinder(const grains::Box& box, const Rule& rule);

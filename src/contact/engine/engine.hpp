@@ -56,13 +56,13 @@ class Mover {
     return (waiting_[id] >> lattice::index_of(direction) & 1U) != 0;
   }
   void move(lattice::Direction direction, std::span<WallMove> walls);
-  void move(std::uint32_t id, lattice::Direction direction);
+  void move(std::span<const std::uint32_t> ids, lattice::Direction direction);
+  void release(std::span<const std::uint32_t> ids, lattice::Direction direction);
   bool has_ring(lattice::Direction direction);
   bool move_at_once(lattice::Direction direction);
   bool move_walls(lattice::Direction direction, std::span<WallMove> walls);
   bool wait(std::uint32_t id, lattice::Direction direction);
   void stop_waiting(Waiting entry);
-  void stop_waiting_at_all(std::uint32_t id);
   void wake(std::size_t obstacle, lattice::Direction direction);
 
   State& state_;
@@ -77,7 +77,6 @@ class Mover {
   std::vector<Waiting> next_;            // of the same obstacle
   std::vector<Waiting> previous_;        // the same; of the first one -1 - obstacle
   std::vector<std::uint32_t> walk_of_;   // by id
-  std::vector<std::uint32_t> pushed_;
 };
 
 class Engine final : public Steps {

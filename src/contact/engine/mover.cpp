@@ -45,10 +45,8 @@ void Mover::clear() {
 
 void Mover::remove_grain(std::uint32_t id) {
   if (id < waiting_.size()) {
-    stop_waiting_at_all(id);
-    while (first_[obstacle(id)] != kNone) {
-      stop_waiting(first_[obstacle(id)]);
-    }
+    release({&id, 1}, Direction::up);  // in no step: nobody is tried
+    ready_.clear();
   }
 }
 
@@ -76,23 +74,36 @@ void Mover::move(Direction direction, std::span<WallMove> walls) {
     }
   }
   for (const std::uint32_t id : free_) {  // those that wait have to be there when others go
-    move(id, direction);
+    move({&id, 1}, direction);
   }
   do {
     while (!ready_.empty()) {
       const std::uint32_t id = ready_.back();
       ready_.pop_back();
       if (!wait(id, direction)) {
-        move(id, direction);
+        move({&id, 1}, direction);
       }
     }
   } while (move_at_once(direction) || move_walls(direction, walls));
 }
 
-void Mover::move(std::uint32_t id, Direction direction) {
-  moves_.move({&id, 1}, direction);
-  stop_waiting_at_all(id);
-  wake(obstacle(id), direction);
+void Mover::move(std::span<const std::uint32_t> ids, Direction direction) {
+  moves_.move(ids, direction);
+  release(ids, direction);
+}
+
+/// Grains have moved: they wait no more, and those that wait for them are tried.
+void Mover::release(std::span<const std::uint32_t> ids, Direction direction) {
+  for (const std::uint32_t id : ids) {
+    for (const Direction other : lattice::kDirections) {
+      if (waits(id, other)) {
+        stop_waiting(waiting(id, other));
+      }
+    }
+  }
+  for (const std::uint32_t id : ids) {
+    wake(obstacle(id), direction);
+  }
 }
 
 /// Whether some grain waits for one that waits for one ... that waits for it.
@@ -124,30 +135,19 @@ bool Mover::move_at_once(Direction direction) {
     return waits(id, direction) && is_move_due(state_.remainders[id], direction);
   });
   const std::vector<std::uint32_t> ids = moves_.movable_at_once(std::move(blocked), direction);
-  moves_.move(ids, direction);
-  for (const std::uint32_t id : ids) {
-    stop_waiting_at_all(id);
-  }
-  for (const std::uint32_t id : ids) {
-    wake(obstacle(id), direction);
-  }
+  move(ids, direction);
   return !ids.empty();
 }
 
 /// What has been pushed does not move by itself in the same direction.
 bool Mover::move_walls(Direction direction, std::span<WallMove> walls) {
-  pushed_.clear();
-  if (!moves_.move_walls(direction, walls, pushed_)) {
+  std::vector<std::uint32_t> pushed;
+  if (!moves_.move_walls(direction, walls, pushed)) {
     return false;
   }
-  for (const std::uint32_t id : pushed_) {
-    stop_waiting_at_all(id);
-  }
-  for (const std::uint32_t id : pushed_) {
-    wake(obstacle(id), direction);
-  }
+  release(pushed, direction);
   wake(kWalls, direction);
-  ids_.insert(ids_.end(), pushed_.begin(), pushed_.end());
+  ids_.insert(ids_.end(), pushed.begin(), pushed.end());
   std::sort(ids_.begin(), ids_.end());
   ids_.erase(std::unique(ids_.begin(), ids_.end()), ids_.end());
   return true;
@@ -183,14 +183,6 @@ void Mover::stop_waiting(Waiting entry) {
   }
   std::uint8_t& directions = waiting_[at / lattice::kDirectionCount];
   directions = static_cast<std::uint8_t>(directions & ~(1U << at % lattice::kDirectionCount));
-}
-
-void Mover::stop_waiting_at_all(std::uint32_t id) {
-  for (const Direction direction : lattice::kDirections) {
-    if (waits(id, direction)) {
-      stop_waiting(waiting(id, direction));
-    }
-  }
 }
 
 /// Those that wait for this obstacle in the direction of the moves and still want it are tried.

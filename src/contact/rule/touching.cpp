@@ -364,13 +364,10 @@ std::vector<const Touch*> followed_by(std::span<const Contact> before, std::span
 std::vector<Touch> next_contacts(const grains::State& state, const std::vector<Contact>& before,
                                  const std::vector<Touch>& now, lattice::Direction down,
                                  bool sorted) {
-  using Key = std::pair<grains::Owner, grains::Owner>;
-  const auto bodies = [](const Contact& contact) -> Key {
-    const auto upper = grains::as_owner(contact.upper);
-    return grains::is_particle(contact.other) ? Key(std::minmax({upper, contact.other}))
-                                              : Key(upper, contact.other);
+  const auto bodies = [](const Contact& contact) {
+    return both_bodies(contact.upper, contact.other);
   };
-  std::map<Key, Touch> left;  // that no earlier contact goes on as
+  std::map<std::pair<grains::Owner, grains::Owner>, Touch> left;  // that no earlier one goes on as
   std::vector<Touch> at_walls;
   for (const Touch& touch : now) {
     left.emplace(bodies(touch.contact), touch);

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "clca/contact/state.hpp"
@@ -71,6 +72,14 @@ struct Touch {
     return {order_key(state, down, contact.upper), apart, contact.other};
   }
 };
+
+/// The bodies of a contact, of two grains the one with the lower id first: the same whichever is
+/// the upper one.
+inline std::pair<grains::Owner, grains::Owner> both_bodies(std::uint32_t upper,
+                                                           grains::Owner other) {
+  const auto id = grains::as_owner(upper);
+  return grains::is_particle(other) && other < id ? std::pair(other, id) : std::pair(id, other);
+}
 
 /// By wall.
 using WallVelocities = std::vector<Velocity<>>;
