@@ -8,6 +8,7 @@ import subprocess
 import sys
 import time
 import unittest
+import xml.etree.ElementTree as xml
 from pathlib import Path
 
 import clca
@@ -211,6 +212,17 @@ class LegendTest(unittest.TestCase):
 
 
 class LettersTest(ScratchTest):
+    def test_any_title_stays_text_and_the_file_well_formed(self):
+        run = clca.run(SCENE | {"title": "silo ]]> <b>&amp; $x_1$ \u1234 \U0001f600 end"}, output="run")
+        for chart in charts(run):
+            picture = xml.fromstring(rendered(chart, Look("svg")))
+            file = self.folder / f"{chart.name}.pdf"
+            file.write_bytes(rendered(chart, Look("pdf")))
+            said = subprocess.run(["pdftotext", "-raw", file, "-"], check=True, capture_output=True, text=True).stdout
+            for text in ("".join(picture.itertext()), said):
+                for word in ("silo ]]> <b>&amp; $x_1$", "end"):
+                    self.assertIn(word, " ".join(text.split()))
+
     def test_letters_have_eight_points_and_are_not_cut_off(self):
         run = clca.run(SCENE | {"title": "A collapse with a title so long that it takes several lines on paper, $5 of it"},
                        output="run")
