@@ -162,14 +162,15 @@ TWO_D = "stages.shaking.vessel.shake.amplitude=16.4"
 
 TABLES = [
     Table("contact.md", "stiffness", "collapse-contact",
-          [Line(f"hard rain, `{kind}`: floor over weight", HARD_RAIN[kind].arguments, "101..132", sources.load, "floor", 3, "janssen", output="{}") for kind in HARD_RAIN]
+          [Line(f"hard rain, `{kind}`: floor over weight", line.arguments, line.seeds, sources.load, "floor", 3, "janssen", output="{}")
+           for kind, line in HARD_RAIN.items()]
           + [Line(f"collapse of 540, `{kind}`: {line.title}", of_540("", kind).arguments, "101..164", sources.deposit(72), line.key, line.decimals)
              for kind in ("resistance", "none") for line in (SLOPE, RUNOUT, MOVED)],
           [Line("2/7, 0.3, with the impacts below")], output=ENDS),
     Table("contact.md", "time-step", "collapse-contact",
           [collapse(f"{grains:,}, `{kind}`, {resolution}", seeds, grains, width, kind, *(() if resolution == 0.4 else (f"contact.resolution={resolution}",)))
            for grains, width, seeds in ((540, 72, "101..116"), (2000, 138.6, "101..104")) for kind in ("resistance", "none") for resolution in (0.4, 0.55)],
-          [STEPS, RUNOUT, SLOPE, SHIFT, HEIGHT], output=ENDS),
+          [STEPS, RUNOUT, SLOPE, SHIFT, HEIGHT, *DEPOSIT[-2:]], output=ENDS),
     Table("contact.md", "forces", "janssen",
           [Line("force on the floor + friction at the sides, over the weight of all grains", key="carried", decimals=4, style=bare),
            Line("what forces and weight of a grain do not balance, over its weight, mean", key="residual", decimals=5, style=bare),
@@ -255,7 +256,8 @@ TABLES = [
           [Line(f"{IN_DRUM[kind]}, {froude}", [f"{RATE}={RATES[froude]}", rolling(kind)])
            for kind, froude in (("resistance", 0.001), ("resistance", 0.01), ("resistance", 0.1), ("none", 0.01), ("free", 0.01))],
           [Line(str(turns), key=turns) for turns in (0.05, 0.5, 1, 1.5, 1.95)], "101..103", sources.drum, output=IN_TIME),
-    Table("phenomena.md", "level-drum", "rotating-drum", [Line("surface against the level", key="surface"), Line("direction of the centre of mass", key="centre")],
+    Table("phenomena.md", "level-drum", "rotating-drum",
+          [Line("surface against the level", key="surface"), Line("direction of the centre of mass", key="centre")],
           [Line(f"{angle}°", [rolling("free"), "stages.turn.until={steps: 1}", "stages.fill.max_steps=30000", "stages.refill.max_steps=30000",
                               "stages.refill.fill.region=[27, 27, 139, 139]",
                               *(f"stages.{stage}.vessel={{tilt: {angle}}}" for stage in ("fill", "refill", "turn"))])
