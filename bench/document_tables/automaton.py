@@ -1,4 +1,4 @@
-"""Tables of the automaton: docs/phenomena.md."""
+"""Tables of the automaton: docs/phenomena.md, and those of docs/model.md and docs/scene-format.md on wall removal."""
 
 import math
 
@@ -23,6 +23,12 @@ def unless_clogged(run):
     flow = run.measures["discharge"]
     return {"clogged": bool(flow["clogged"]), "share": 100 * flow["discharged_share"],
             **({} if flow["clogged"] else {"outflow": flow["outflow_sites_per_step"]})}
+
+
+def wall_removal(run):
+    """`run-out`: over the width of 70 of docs/model.md."""
+    flow, packing = (measures(stage)(run) for stage in ("flow", "packing"))
+    return {**flow, "run-out": flow["runout_99"] / 70, "steps to settle": packing["steps"], "packing": packing["packing_fraction"]}
 
 
 def outlet(side):
@@ -118,8 +124,16 @@ def inertia(value):
     return Line(str(value), [f"rules.inertia={value}"])
 
 
-def scene(page_name, name, rows, columns, source, seeds="1..16", decimals=2, output="{}", **more):
-    return Table("phenomena.md", page_name, name, rows, columns, seeds, source, decimals, output, **more)
+def scene(name, scene_name, rows, columns, source, seeds="1..16", decimals=2, output="{}", page="phenomena.md"):
+    return Table(page, name, scene_name, rows, columns, seeds, source, decimals, output)
+
+
+def of_model(name, inertias, columns, seeds):
+    """The column of docs/model.md."""
+    return scene(name, "wall-removal", [inertia(value) for value in inertias],
+                 [Line(f"`{ties}`: {line.title}", ["walls.right.box=[70,0,71,460]", "stages.packing.fill.region=[0,0,70,460]", f"rules.ties={ties}"],
+                       key=line.key, decimals=line.decimals, style=line.style) for ties in ("particle", "direction") for line in columns],
+                 wall_removal, seeds, page="model.md")
 
 
 OUTFLOW = Line("outflow", key="outflow", decimals=1)
@@ -127,10 +141,19 @@ CLOGGED = [Line("clogged", key="clogged"), Line("⟨s⟩", key="left", decimals=
 NUT = [Line("cycles to the top", key="cycles", decimals=0), Line("on top", key="up"), Line("height at the end", key="end")]
 TAILS = [Line("β", key="tail"), Line("share above the mean", key="above")]
 
+SLOPE = Line("slope °", key="repose_right_deg", decimals=1)
+RUNOUT = Line("run-out / L0", key="run-out")
+REMOVED = [SLOPE, Line("run-out of 99 %", key="runout_99", decimals=1), Line("share moved (2 sites)", key="moved_share_2", decimals=3)]
+
 TABLES = [
-    scene("wall-removal", "wall-removal", [inertia(0), inertia(0.9)],
-          [Line("steps to collapse", key="steps", decimals=0), Line("slope °", key="repose_right_deg", decimals=1),
-           Line("run-out of 99 %", key="runout_99", decimals=1), Line("share moved (2 sites)", key="moved_share_2", decimals=3)], measures("flow")),
+    of_model("ties", (0, 0.9, 0.98), [SLOPE, RUNOUT], "1..48"),
+    of_model("inertia", (0, 0.5, 0.8, 0.9, 0.95, 0.98, 1), [SLOPE, RUNOUT, Line("moved", key="moved_share")], "1..16"),
+    scene("fill-method", "wall-removal",
+          [Line(f"{value}, `{method}`", [f"rules.inertia={value}", f"stages.packing.fill.method={method}"])
+           for value in (0.9, 0) for method in ("random", "deposition")],
+          [Line("steps to settle", key="steps to settle", decimals=0, style=bare), Line("packing fraction", key="packing", decimals=3), *REMOVED],
+          wall_removal, page="scene-format.md"),
+    scene("wall-removal", "wall-removal", [inertia(0), inertia(0.9)], [Line("steps to collapse", key="steps", decimals=0), *REMOVED], wall_removal),
     scene("heap", "heap", [inertia(0), inertia(0.9)], [Line("angle of repose °", key="repose_angle_deg", decimals=1)], measures("pouring")),
     scene("silo", "silo-discharge",
           [Line(f"{2 * each:,}", [f"stages.filling.fill.counts={{small: {each}, large: {each}}}"]) for each in (300, 600, 800)],
