@@ -69,6 +69,8 @@ def until_clog(values, decimals):
     """Of numbers of grains that left and whether the orifice clogged then: all that left over the number of clogs, with the standard error of a mean
     of as many exponentially distributed numbers."""
     clogs = sum(clogged for _, clogged in values)
+    if not clogs:
+        return Cell()
     mean = sum(left for left, _ in values) / clogs
     return estimate(mean, mean / math.sqrt(clogs), decimals)
 
@@ -161,6 +163,7 @@ class Runs:
     jobs: int = 1
     until: float = math.inf  # of time.monotonic()
     made: dict = field(default_factory=dict)
+    late: bool = False  # a sweep has been cut short
 
     def once(self, function):
         if function not in self.made:
@@ -171,20 +174,20 @@ class Runs:
         """What `source` takes from each run of a sweep; from those that there was time for, if two at least."""
         key = (scene, seeds, arguments, source, begin)
         if key not in self.made:
-            folder, in_time = self.sweep(scene, seeds, arguments, begin)
+            folder = self.sweep(scene, seeds, arguments, begin)
             done = [run for run in map(opened, sorted(folder.glob("runs/*"), key=seed_of)) if run.status == "done"]
-            if not in_time and len(done) < 2:
+            if self.late and len(done) < 2:
                 raise OutOfTime
             self.made[key] = [source(run) for run in done]
         return self.made[key]
 
     def sweep(self, scene, seeds, arguments, begin=()):
-        """Its folder, and whether all of it was done in time."""
+        """Its folder."""
         name = hashlib.sha1(repr((sorted(arguments), seeds, *begin)).encode()).hexdigest()[:10]
         folder = self.folder / f"{scene}-{name}"
         command = [self.program, "sweep", f"scenes/{scene}.yaml", "--quiet", "--jobs", str(self.jobs), "-o", str(folder)]
         if begin:
-            ends = sorted((self.sweep(scene, seeds, begin)[0] / "runs").resolve().iterdir())
+            ends = sorted((self.sweep(scene, seeds, begin) / "runs").resolve().iterdir())
             command += ["--seeds", "1", "--vary", f"begin.run={','.join(map(str, ends))}"]
         else:
             command += ["--seeds", seeds]
@@ -196,10 +199,10 @@ class Runs:
         try:
             subprocess.run(command, check=True, timeout=None if math.isinf(left) else left)
         except subprocess.TimeoutExpired:
-            return folder, False
+            self.late = True
         except subprocess.CalledProcessError as failed:
             sys.exit(f"this sweep failed (exit code {failed.returncode}): {' '.join(command)}")
-        return folder, True
+        return folder
 
 
 def opened(folder):

@@ -35,6 +35,8 @@ More.
 class SomeRuns:
     """Two runs in place of a program: of each column what `numbers` say."""
 
+    late = False
+
     def __init__(self, **numbers):
         self.numbers = numbers
 
@@ -96,6 +98,7 @@ class Cells(unittest.TestCase):
         self.assertEqual(with_range([1.0, 3.0], 0).text, "2 ± 1 (1 to 3)")
         self.assertEqual(robust([1.0, 2.0, 9.0], 0).text, "2 (1 to 9)")
         self.assertEqual(until_clog([(3, True), (5, True), (10, False)], 1).text, "9.0 ± 6.4")
+        self.assertEqual(until_clog([(10, False)], 1).text, "")
 
     def test_the_readers_form_of_all_cells(self):
         for text in ("2.0 ± 1.0", "1,234", "-0.31 ± 0.01", "2 of 3", "157 ± 81 (13 to 259)", "0.82 (0.37 to 2.09)"):
