@@ -34,9 +34,8 @@ def wall_removal(run):
 def outlet(side):
     def numbers(run):
         flow = run.measures["discharge"]
-        return {key: flow[f"{name}.{side}{species}"] for key, name, species in (
-            ("outflow", "outflow_sites_per_step", ""), ("discharged", "discharged", ""), ("small", "discharged", ".small"),
-            ("large", "discharged", ".large"), ("clogged", "clogged", ""))}
+        return {"outflow": flow[f"outflow_sites_per_step.{side}"], "clogged": bool(flow[f"clogged.{side}"]),
+                **{key: flow[f"discharged.{side}{species}"] for key, species in (("discharged", ""), ("small", ".small"), ("large", ".large"))}}
     return numbers
 
 
@@ -91,8 +90,14 @@ def load(wall, stage, home=0.0):
         series = run.series[run.series["stage"] == stage]
         reached = {place: series[series[f"travel.{wall}"] >= place + home] for place in (6, 14, 16, 18, 22, 26, 36)}
         return {place: rows[f"index.{wall}"][0] for place, rows in reached.items() if len(rows)} | {
-            "end": series[f"index.{wall}"][-1], "travel": series[f"travel.{wall}"][-1], **measures(stage)(run)}
+            "end": series[f"index.{wall}"][-1], **measures(stage)(run)}
     return numbers
+
+
+def piston(run):
+    """`packing`: all sites of the grains over all below the piston, in 93 columns."""
+    travel = run.series["travel.piston"][-1]
+    return {**load("piston", "compression")(run), "travel": travel, "packing": 240 * (7 + 19) / (93 * (100 - travel))}
 
 
 def tails(run):
@@ -202,8 +207,8 @@ TABLES = [
           tails),
     scene("piston", "piston",
           [Line("travel at which it stalls", key="travel", decimals=0), Line("depth below the mean surface", key="plate_depth", decimals=1),
-           Line("nominal packing", key="packing_fraction"), *(Line(f"load after {place}", key=place, decimals=0) for place in (14, 18, 22, 26))],
-          [Line("measured")], load("piston", "compression"), output="{series: {every: 1}, contacts: {every: 4}}"),
+           Line("nominal packing", key="packing"), *(Line(f"load after {place}", key=place, decimals=0) for place in (14, 18, 22, 26))],
+          [Line("measured")], piston, output="{series: {every: 1}, contacts: {every: 4}}"),
     scene("taps", "avalanche-taps", [Line("slope °", decimals=1)],
           [Line(str(taps), TAPPED, key=taps) for taps in (0, 1, 3, 10, 30, 100, 300, 1000)], slope_by_taps, output="{series: {every: 1000}}"),
     scene("collapse-aspect", "collapse-aspect",
