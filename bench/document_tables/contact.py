@@ -57,10 +57,10 @@ def at_rest(title, grains, width, seeds):
     return Line(title, [stages, *collapse(title, seeds, grains, width, "resistance").arguments], seeds)
 
 
-def as_the_automaton(kind, seeds):
+def as_the_automaton(kind, seeds, source, *more):
     """The scene and the column of docs/model.md, in a wider box."""
     return Line(f"540, `{kind}`", ["model=contact", "box.width=800", "walls.right.box=[70,0,71,460]", "stages.packing.fill.region=[0,0,70,460]",
-                                   rolling(kind)], seeds, sources.deposit(70))
+                                   rolling(kind), *more], seeds, source)
 
 
 def hexagons(small, large):
@@ -179,7 +179,8 @@ TABLES = [
                                  "stages.filling.fill={region: [0, 0, 60, 600], counts: {small: 600, large: 600}}", "stages.rest.until={steps: 1000}"])],
           source=sources.balance),
     Table("contact.md", "reproduced", "wall-removal",
-          [*(as_the_automaton(kind, seeds) for kind, seeds in (("none", "1..128"), ("resistance", "1..128"), ("free", "1..16"))),
+          [*(as_the_automaton(kind, "1..128", sources.deposit(70)) for kind in ("none", "resistance")),
+           as_the_automaton("free", "1..16", sources.not_stopped(70), "stages.flow.max_steps=10000"),
            *(collapse(f"5,000, `{kind}`", "1..4", 5000, 213, kind, "model=contact", height=1400) for kind in ("none", "resistance"))],
           [SLOPE, RUNOUT, MOVED, HEIGHT, Line("packing fraction", key="packing", style=bare), STEPS], output=ENDS),
     Table("contact.md", "rain", "janssen",

@@ -66,6 +66,14 @@ def deposit(width):
     return numbers
 
 
+def not_stopped(width):
+    """What counts where grains roll on until the box ends."""
+    def numbers(run):
+        all_numbers = deposit(width)(run)
+        return {key: all_numbers[key] for key in ("H0/L0", "moved", "packing")}
+    return numbers
+
+
 def later_moves(run):
     """Whether a grain has moved in these stages."""
     return {stage: bool((run.series["moving"][run.series["stage"] == stage] > 0).any()) for stage in ("bed", "heap")}
