@@ -40,9 +40,9 @@ def bare(values, decimals):
 
 
 def scattered(values, decimals):
-    """Mean ± standard deviation."""
+    """Mean ± standard deviation, if values differ."""
     cell = bare(values, decimals)
-    return estimate(cell.mean, cell.deviation, decimals, cell.count) if len(values) > 1 and not isinstance(values[0], bool) else cell
+    return estimate(cell.mean, cell.deviation, decimals, cell.count) if len(set(values)) > 1 and not isinstance(values[0], bool) else cell
 
 
 def with_range(values, decimals):
