@@ -41,8 +41,8 @@ def collapse(title, seeds, grains, width, kind, *more, height=None):
         rolling(kind), *more], seeds, sources.deposit(width))
 
 
-def of_540(title, kind, *more, seeds="101..108", **others):
-    return collapse(title, seeds, 540, 72, kind, *more, **others)
+def of_540(title, kind, *more, seeds="101..108"):
+    return collapse(title, seeds, 540, 72, kind, *more)
 
 
 def by_grains(kind):
