@@ -58,11 +58,25 @@ def deposit(width):
         times = (series["time"] - series["time"][0]) / math.sqrt(2 * height)
         energy = series["kinetic_energy"]
         return {"H0/L0": height / width, "run-out": flow["runout_99"] / width, "slope": flow["repose_right_deg"], "moved": flow["moved_share"],
+                "packing": packing["packing_fraction"], "growth of rain": 100 * packing["energy_growth"], "growth": 100 * flow["energy_growth"],
                 "steps": run.stages["flow"].steps, "shift": np.average(end.displacements[:, 0], weights=masses(end, 1)) / width,
                 "slow after": times[energy > max(energy) / 100][-1], "last move": times[series["moving"] > 0][-1],
                 **{at: np.interp(at * width, profile["x"], profile["height_end"]) / width for at in (0.1, 0.5, 1, 1.5, 2, 2.5, 3)},
                 "profile": np.interp(PROFILE * width, profile["x"], profile["height_end"]) / width}
     return numbers
+
+
+def not_stopped(width):
+    """What counts where grains roll on until the box ends."""
+    def numbers(run):
+        all_numbers = deposit(width)(run)
+        return {key: all_numbers[key] for key in ("H0/L0", "moved", "packing")}
+    return numbers
+
+
+def later_moves(run):
+    """Whether a grain has moved in these stages."""
+    return {stage: bool((run.series["moving"][run.series["stage"] == stage] > 0).any()) for stage in ("bed", "heap")}
 
 
 def outflow_unit(radii=(3, 5)):
@@ -77,6 +91,13 @@ def outflow(radii=(3, 5)):
         clogged = bool(discharge["clogged"])
         return {"clogged": clogged, **({} if clogged else {"outflow": discharge["outflow_sites_per_time"] / outflow_unit(radii)})}
     return numbers
+
+
+def clogging(run):
+    """How many grains have left and whether the orifice clogged then; this of those runs that could."""
+    discharge = run.measures["discharge"]
+    clogged = bool(discharge["clogged"])
+    return {"clogged": clogged, "left": (discharge["discharged"], clogged)}
 
 
 def outflow_by_height(run):
@@ -231,14 +252,26 @@ def nut(run):
             **({"until": float(up[0])} if up else {})}
 
 
-def convection(run):
-    """Rise inside less that at the walls in d a cycle: in the bed below the surface, and of all cells."""
+def rise(run, low, high):
+    """In d a cycle, mean over the cells with centres from a height on: of the middle third, and within 2 d of either side."""
     cells = run.table("convection-shaking")
-    cells = cells[cells["y"] <= 112]
+    cells = cells[(cells["y"] >= low) & (cells["y"] <= high)]
     from_middle = abs(cells["x"] - 101)
-    inside, wall = from_middle < 202 / 6, from_middle > 101 - 2 * DIAMETER
-    rise = [np.average(cells["dy"][part], weights=cells["weight"][part]) for part in (inside, wall)]
-    return {"bed": (rise[0] - rise[1]) / DIAMETER, "all": run.measures["shaking"]["convection_centre_minus_wall"] / DIAMETER}
+    return [np.average(cells["dy"][part], weights=cells["weight"][part]) / DIAMETER
+            for part in (from_middle < 202 / 6, from_middle > 101 - 2 * DIAMETER)]
+
+
+def convection(run):
+    """Rise inside less that at the walls: in the bed below the surface, and of all cells."""
+    inside, wall = rise(run, 0, 112)
+    return {"bed": inside - wall, "all": run.measures["shaking"]["convection_centre_minus_wall"] / DIAMETER}
+
+
+def convection_at(height):
+    """The same by height, in rows of cells 16 high."""
+    def numbers(run):
+        return dict(zip(("inside", "wall"), rise(run, height - 8, height + 8)))
+    return numbers
 
 
 def of_rotation(frames, small, fast, far, spacing=1.0):
