@@ -3,6 +3,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "clca/store/file.hpp"
 #include "clca/store/output_folder.hpp"
 #include "cli/command.hpp"
 #include "cli/option_values.hpp"

@@ -39,13 +39,15 @@ Checkpoint read(const fs::path& file, double max_bytes) {
 
 void write_checkpoint(const OutputFolder& folder, const Checkpoint& checkpoint) {
   AtomicFile file = on_the_disk(folder, checkpoint);
-  folder.flush();
   folder.rename(kCheckpointFile, kCheckpointBefore);
+  folder.flush();
   file.finish();
 }
 
 void replace_checkpoint(const OutputFolder& folder, const Checkpoint& checkpoint) {
-  on_the_disk(folder, checkpoint).finish();
+  AtomicFile file = on_the_disk(folder, checkpoint);
+  folder.flush();
+  file.finish();
 }
 
 void remove_checkpoints(const OutputFolder& folder) {

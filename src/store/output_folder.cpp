@@ -79,8 +79,8 @@ class OutputFolder::State {
   const fs::path& path() const { return path_; }
   fs::path at(const std::string& name) const { return at_ / name; }
 
-  void require_own();
-  void make_own();
+  void require_own(const std::string& beside);
+  void make_own(const std::string& beside);
   bool is_file(const std::string& name) const;
   bool owns(const std::string& name) {
     const std::lock_guard lock(mutex_);
@@ -143,7 +143,7 @@ void OutputFolder::State::read_manifest() {
   }
 }
 
-void OutputFolder::State::require_own() {
+void OutputFolder::State::require_own(const std::string& beside) {
   const std::lock_guard lock(mutex_);
   std::error_code error;
   fs::directory_iterator it(at_, error);
@@ -151,7 +151,8 @@ void OutputFolder::State::require_own() {
     return;
   }
   for (const fs::directory_iterator end; !error && it != end && !is_marked_; it.increment(error)) {
-    if (const std::string name = it->path().filename(); !name.starts_with(".clca")) {
+    const std::string name = it->path().filename();
+    if (!name.starts_with(".clca") && name != beside) {
       fail_at("write to", path_,
               fmt::format("clca did not make the folder, and there are files in it ({}); "
                           "write elsewhere",
@@ -240,8 +241,8 @@ void OutputFolder::State::add_to_manifest(std::string text) {
   not_flushed_.insert(kManifest);
 }
 
-void OutputFolder::State::make_own() {
-  require_own();
+void OutputFolder::State::make_own(const std::string& beside) {
+  require_own(beside);
   const std::lock_guard lock(mutex_);
   make_folders("");
   add_to_manifest("");
@@ -313,12 +314,12 @@ fs::path OutputFolder::path(const std::string& name) const {
   return state_->path() / (prefix_ + name);
 }
 
-void OutputFolder::require_own() const {
-  state_->require_own();
+void OutputFolder::require_own(const std::string& beside) const {
+  state_->require_own(beside);
 }
 
-void OutputFolder::make_own() const {
-  state_->make_own();
+void OutputFolder::make_own(const std::string& beside) const {
+  state_->make_own(beside);
 }
 
 bool OutputFolder::owns(const std::string& name) const {

@@ -44,7 +44,7 @@ std::string time_of(const fs::path& file) {
 }
 
 bool is_of_run(const OutputFolder& files) {
-  return files.owns(kSummaryFile) || files.owns(kCheckpointFile);
+  return files.owns(kSummaryFile) || files.owns(kCheckpointFile) || files.owns(kCheckpointBefore);
 }
 
 }  // namespace

@@ -45,13 +45,13 @@ SweepFolder::SweepFolder(const fs::path& path) : files_(path) {
     throw store::StoreError(fmt::format(
         "cannot sweep in {}: it is the folder of a run; write elsewhere", files_.path().string()));
   }
-  files_.require_own();
+  files_.require_own(kRunsFolder);  // of parts of it, brought together from other machines
 }
 
 void SweepFolder::begin(const Plan& plan) const {
   write_request(plan, {}, {});
   files_.remove(kOverview);
-  files_.make_folder("runs");
+  files_.make_folder(kRunsFolder);
 }
 
 void SweepFolder::write_request(const Plan& plan, const std::vector<store::TableSummary>& tables,

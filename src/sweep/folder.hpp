@@ -10,20 +10,22 @@
 
 namespace clca::sweep {
 
+inline constexpr const char* kRunsFolder = "runs";
+
 /// The folder of a run in the folder of a sweep.
 inline std::filesystem::path run_folder(const std::filesystem::path& folder,
                                         const std::string& name) {
-  return folder / "runs" / name;
+  return folder / kRunsFolder / name;
 }
 
 class SweepFolder {
  public:
-  /// Writes nothing. Throws store::StoreError for the folder of a run, or if a table could not be
-  /// written.
+  /// Writes nothing. Throws store::StoreError for the folder of a run or of something else.
   explicit SweepFolder(const std::filesystem::path& path);
 
-  /// Makes the folder if needed and writes the request. Existing files stay, except an old
-  /// overview. Throws store::StoreError.
+  /// Makes the folder if needed.
+  void make() const { files_.make_own(kRunsFolder); }
+  /// Writes the request. Existing files stay, except an old overview. Throws store::StoreError.
   void begin(const Plan& plan) const;
 
   std::filesystem::path run(const std::string& name) const {

@@ -136,8 +136,8 @@ class Sweep {
       runs_.push_back(run);
     }
     progress_.runs = runs_.size();
+    folder_.make();
     if (!options.part) {
-      store::make_folder(options.folder);
       lock_.emplace(options.folder);
       folder_.begin(plan);
     }

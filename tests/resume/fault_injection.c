@@ -55,25 +55,14 @@ static void note(const char* what, const char* path, const char* to) {
   close(file);
   errno = error;
 }
-static void path_of(int descriptor, const char* below, char path[4096]) {
-  char link[64];
-  snprintf(link, sizeof link, "/proc/self/fd/%d", descriptor);
-  const ssize_t length = readlink(link, path, 2048);
-  snprintf(path + (length < 0 ? 0 : length), 2048, "%s%s", *below ? "/" : "", below);
-}
 static void note_file(const char* what, int descriptor) {
+  char link[64];
   char path[4096];
-  path_of(descriptor, "", path);
+  snprintf(link, sizeof link, "/proc/self/fd/%d", descriptor);
+  const ssize_t length = readlink(link, path, sizeof path - 1);
+  path[length < 0 ? 0 : length] = 0;
   note(what, path, "");
 }
-static void note_rename(int from_folder, const char* from, int to_folder, const char* to) {
-  char old_path[4096];
-  char new_path[4096];
-  path_of(from_folder, from, old_path);
-  path_of(to_folder, to, new_path);
-  note("rename", old_path, new_path);
-}
-
 #define OPEN_AT(name)                                               \
   int name(int folder, const char* path, int flags, ...) {          \
     va_list more;                                                   \
@@ -128,13 +117,8 @@ int truncate(const char* path, off_t size) {
   return fault() ? -1 : REAL(truncate)(path, size);
 }
 int mkdir(const char* path, mode_t mode) {
-  return fault() ? -1 : REAL(mkdir)(path, mode);
-}
-int mkdirat(int folder, const char* path, mode_t mode) {
   struct stat there;
-  return fstatat(folder, path, &there, AT_SYMLINK_NOFOLLOW) != 0 && fault()
-             ? -1
-             : REAL(mkdirat)(folder, path, mode);
+  return lstat(path, &there) != 0 && fault() ? -1 : REAL(mkdir)(path, mode);
 }
 
 /* A full disk does not keep anybody from these. */
@@ -145,29 +129,16 @@ static void pass(void) {
 }
 int rename(const char* from, const char* to) {
   pass();
+  note("rename", from, to);
   return REAL(rename)(from, to);
-}
-int renameat(int from_folder, const char* from, int to_folder, const char* to) {
-  pass();
-  note_rename(from_folder, from, to_folder, to);
-  return REAL(renameat)(from_folder, from, to_folder, to);
-}
-int renameat2(int from_folder, const char* from, int to_folder, const char* to, unsigned flags) {
-  pass();
-  note_rename(from_folder, from, to_folder, to);
-  return REAL(renameat2)(from_folder, from, to_folder, to, flags);
-}
-int linkat(int from_folder, const char* from, int to_folder, const char* to, int flags) {
-  pass();
-  return REAL(linkat)(from_folder, from, to_folder, to, flags);
 }
 int unlink(const char* path) {
   pass();
   return REAL(unlink)(path);
 }
-int unlinkat(int folder, const char* path, int flags) {
+int rmdir(const char* path) {
   pass();
-  return REAL(unlinkat)(folder, path, flags);
+  return REAL(rmdir)(path);
 }
 int remove(const char* path) {
   pass();

@@ -171,6 +171,8 @@ TEST_F(Faults, KilledWhileItBeginsAnewFromTheCheckpointBeforeARunGoesOnAgain) {
     ASSERT_EQ(run("out", {"--seed", "2"}, fault("kill", begun)).code, -SIGKILL);
     ASSERT_FALSE(fs::exists(before));
     fs::rename(newest, before);
+    std::ofstream(folder_.path() / "out/.clca.manifest", std::ios::app)
+        << "file \"checkpoint-previous.clca\"\n";
     const auto killed = resume(fault("kill", at));
     ASSERT_TRUE(killed.code == -SIGKILL || killed.code == 0) << killed.err;
     const auto resumed = resume();

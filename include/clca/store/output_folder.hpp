@@ -29,10 +29,10 @@ class OutputFolder {
   std::filesystem::path path() const;
   std::filesystem::path path(const std::string& name) const;
 
-  /// Throws if somebody else has put files there.
-  void require_own() const;
+  /// Throws if somebody else has put files there; `beside`: but for one of that name.
+  void require_own(const std::string& beside = "") const;
   /// The same; makes the folder if needed, and the manifest.
-  void make_own() const;
+  void make_own(const std::string& beside = "") const;
   /// Whether the manifest lists the file, and it is there.
   bool owns(const std::string& name) const;
   /// All existing files of the manifest in this folder.

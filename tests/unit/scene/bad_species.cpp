@@ -33,9 +33,8 @@ constexpr auto kBadSpecies = std::to_array<BadScene>({
      "scene.yaml:5:18: error: species.small: expected exactly one of shape, sizes, found shape and "
      "sizes"},
     {"a rectangle without height", "species: {small: {shape: {rectangle: [3, 0]}}}",
-     "scene.yaml:5:41: error: species.small.shape.rectangle: expected a number above 0, up to "
-     "1000, "
-     "found 0"},
+     "scene.yaml:5:42: error: species.small.shape.rectangle: expected a number above 0 and up "
+     "to 1000, found '0'"},
     {"an outline without a site in it",
      "species: {small: {shape: {outline: [[0.2, 0.2], [0.3, 0.2], [0.3, 0.3]]}}}",
      "scene.yaml:5:26: error: species.small.shape: a shape has at least one site", Judge::parser},
@@ -88,13 +87,13 @@ constexpr auto kBadSpecies = std::to_array<BadScene>({
      "orientations, color, sieve); did you mean 'color'?"},
     {"an unknown shape", "species: {small: {shape: {hexagn: 1}}}",
      "scene.yaml:5:27: error: unknown key 'hexagn' in species.small.shape (allowed: hexagon, "
-     "disc, sites, polygon, rod); did you mean 'hexagon'?"},
+     "disc, rectangle, outline, sites, polygon, rod); did you mean 'hexagon'?"},
     {"a shape in two ways", "species: {small: {shape: {hexagon: 1, rod: {radius: 1, length: 2}}}}",
-     "scene.yaml:5:26: error: species.small.shape: expected exactly one of hexagon, disc, sites, "
-     "polygon, rod, found hexagon and rod"},
+     "scene.yaml:5:26: error: species.small.shape: expected exactly one of hexagon, disc, "
+     "rectangle, outline, sites, polygon, rod, found hexagon and rod"},
     {"a shape in no way", "species: {small: {shape: {}}}",
-     "scene.yaml:5:26: error: species.small.shape: expected exactly one of hexagon, disc, sites, "
-     "polygon, rod, found none"},
+     "scene.yaml:5:26: error: species.small.shape: expected exactly one of hexagon, disc, "
+     "rectangle, outline, sites, polygon, rod, found none"},
     {"a hexagon too large", "species: {small: {shape: {hexagon: 101}}}",
      "scene.yaml:5:36: error: species.small.shape.hexagon: expected a whole number from 0 to "
      "100, found '101'"},

@@ -93,7 +93,7 @@ TEST(Parse, ReadsTheFourKindsOfShapes) {
 TEST(Parse, ReadsRectanglesAndOutlinesInSpacings) {
   const Scene scene = scene_with(
       "species:\n"
-      "  rect: {shape: {rectangle: [3, 5]}}\n"
+      "  small: {shape: {rectangle: [3, 5]}}\n"
       "  dot: {shape: {rectangle: [0.1, 0.1]}}\n"
       "  ell: {shape: {outline: [[0, 0], [5.2, 0], [5.2, 2], [1.8, 2], [1.8, 6], [0, 6]]}}\n"
       "  upright: {shape: {outline: [[-1.8, -1], [1.8, -1], [1.8, 1], [-1.8, 1]]}}\n");
