@@ -136,7 +136,7 @@ bool is_inside(const Eigen::Vector2d& point, const std::vector<Eigen::Vector2d>&
   constexpr double kRounding = 1e-6;
   bool inside = false;
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    const Eigen::Vector2d from = corners[i];
+    const Eigen::Vector2d& from = corners[i];
     const Eigen::Vector2d along = corners[(i + 1) % corners.size()] - from;
     const Eigen::Vector2d to_point = point - from;
     const double cross = along.x() * to_point.y() - along.y() * to_point.x();
@@ -144,8 +144,8 @@ bool is_inside(const Eigen::Vector2d& point, const std::vector<Eigen::Vector2d>&
     if ((to_point - share * along).norm() < kRounding) {
       return true;
     }
-    if ((to_point.y() < 0) != (to_point.y() < along.y())) {
-      inside ^= (cross > 0) == (along.y() > 0);
+    if ((to_point.y() < 0) != (to_point.y() < along.y()) && (cross > 0) == (along.y() > 0)) {
+      inside = !inside;
     }
   }
   return inside;

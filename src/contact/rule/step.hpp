@@ -99,12 +99,14 @@ class Steps : public grains::Mechanics {
   /// Everything else of a step. Returns how many grains moved.
   virtual std::size_t move_grains() = 0;
 
+  // NOLINTBEGIN(readability-identifier-naming): as private ones, beside functions of their names
   State state_;
   grains::Box box_;
   double gravity_;  // lattice spacings per step squared
   Rule rule_;
   EnergyExchange exchange_;
   Cuts cuts_;
+  // NOLINTEND(readability-identifier-naming)
 };
 
 /// The definition of a step. Engine does the same faster.
