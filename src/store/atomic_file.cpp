@@ -89,10 +89,6 @@ AtomicFile::AtomicFile(const fs::path& path, std::function<void()> flush_later)
 AtomicFile::~AtomicFile() = default;
 AtomicFile::AtomicFile(AtomicFile&& other) noexcept = default;
 
-fs::path AtomicFile::path() const {
-  return state_->path;
-}
-
 fs::path AtomicFile::temporary_path() const {
   return state_->temporary;
 }

@@ -22,7 +22,6 @@ class AtomicFile {
   AtomicFile& operator=(const AtomicFile&) = delete;
   AtomicFile& operator=(AtomicFile&&) = delete;
 
-  std::filesystem::path path() const;
   /// Another program may write to this path instead of write().
   std::filesystem::path temporary_path() const;
   /// Appends.

@@ -29,7 +29,8 @@ class OutputFolder {
   std::filesystem::path path() const;
   std::filesystem::path path(const std::string& name) const;
 
-  /// Throws if somebody else has put files there; `beside`: but for one of that name.
+  /// Throws if clca did not make the folder and there are files in it. One of the name `beside` may
+  /// be there.
   void require_own(const std::string& beside = "") const;
   /// The same; makes the folder if needed, and the manifest.
   void make_own(const std::string& beside = "") const;
