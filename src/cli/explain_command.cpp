@@ -49,8 +49,9 @@ std::string text_of(const std::string& name, const std::string& title, const std
                      unit.empty() ? "" : "; in " + unit, fmt::join(where, ", "));
 }
 
-/// A quantity that run.json and tables have, once for each meaning; empty if there is none.
-std::string quantity_text(const std::string& name) {
+/// A quantity that run.json and tables have, once for each meaning, in these units; empty if there
+/// is none.
+std::string quantity_text(const std::string& name, const std::optional<scene::Conversion>& units) {
   const std::size_t dot = name.find('.');
   std::vector<std::pair<const run::Quantity*, std::vector<std::string>>> found;
   for (const run::NamedQuantity& named : run::named_quantities()) {
@@ -68,7 +69,7 @@ std::string quantity_text(const std::string& name) {
   std::string text;
   for (const auto& [quantity, where] : found) {
     text += text_of(name, std::string(quantity->name), std::string(quantity->meaning),
-                    std::string(quantity->unit), where);
+                    run::shown_unit(quantity->unit, units), where);
   }
   return text;
 }
@@ -81,7 +82,7 @@ std::string explained(const std::string& name, const Derived& derived) {
                    own->unit == "1" ? "" : run::shown_unit(own->unit, derived.units),
                    {"run.json: the scene derives it"});
   }
-  std::string quantity = quantity_text(name);
+  std::string quantity = quantity_text(name, derived.units);
   try {
     const std::string key = scene::explain(name);
     return quantity.empty() ? key : key + "\n" + quantity;
@@ -144,7 +145,8 @@ void add_explain_command(CommandLine& command_line) {
       .values(key_of_scene());
   command
       .option("--scene", &options->scene,
-              "A scene whose derived measures may be among the names; without KEY all of them")
+              "A scene in whose units quantities are, and whose derived measures may be among the "
+              "names; without KEY all of these")
       .values(scene_names());
   command
       .option("--format", &options->format,

@@ -119,10 +119,17 @@ std::optional<Runout> runout(const grains::State& state) {
   }
   const std::size_t last = after.sites() - 1;
   const auto one_percent = static_cast<std::size_t>(0.01 * static_cast<double>(last));
-  const int front = std::max(after.last() - before.last(), before.first() - after.first());
+  const int to_right = after.last() - before.last();
+  const int to_left = before.first() - after.first();
+  const int front = std::max(to_right, to_left);
+  const bool at_side =
+      !state.lattice.periodic() && ((to_right > 0 && after.last() == state.lattice.columns() - 1) ||
+                                    (to_left > 0 && after.first() == 0));
   const int most = std::max(after.column_of(last - one_percent) - before.last(),
                             before.first() - after.column_of(one_percent));
-  return Runout{.front = lattice::kColumnPitch * front, .percent_99 = lattice::kColumnPitch * most};
+  return Runout{.front = lattice::kColumnPitch * front,
+                .percent_99 = lattice::kColumnPitch * most,
+                .at_side = at_side};
 }
 
 }  // namespace clca::measure

@@ -162,15 +162,19 @@ int cell_width(int columns) {
   return std::clamp(kSheet / columns, 240, 640);
 }
 
+PixelBox tile_size(double view_width, double view_height, int width) {
+  const double scale = std::min(width / view_width, kTallest * width / view_height);
+  const auto pixels = [&](double length) {
+    return std::max(1, static_cast<int>(std::lround(scale * length)));
+  };
+  return {.width = pixels(view_width), .height = pixels(view_height)};
+}
+
 Tile tile(const Image& picture, const PictureView& view, int width) {
   const PixelBox& box = view.box;
-  const double shrink = std::min(static_cast<double>(width) / box.width,
-                                 kTallest * static_cast<double>(width) / box.height);
-  const auto resized = [&](int length) {
-    return std::max(1, static_cast<int>(std::lround(shrink * length)));
-  };
-  return {.view = scaled(cropped(picture, box), resized(box.width), resized(box.height)),
-          .scale = shrink * view.scale};
+  const PixelBox size = tile_size(box.width, box.height, width);
+  return {.view = scaled(cropped(picture, box), size.width, size.height),
+          .scale = view.scale * size.width / box.width};
 }
 
 Image side_by_side(const std::vector<Image>& pictures) {

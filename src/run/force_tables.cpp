@@ -13,6 +13,45 @@
 
 namespace clca::run {
 
+namespace {
+
+/// Of the line from one end to the other, downwards, or to the right.
+Eigen::Vector2d downwards(const Eigen::Vector2d& line) {
+  const Eigen::Vector2d unit = line.normalized();
+  return unit.y() > 0 || (unit.y() == 0 && unit.x() < 0) ? -unit : unit;
+}
+
+std::optional<Eigen::Vector2d> direction_of(const scene::WallPart& part) {
+  if (const auto* line = std::get_if<lattice::Segment>(&part)) {
+    return downwards(line->to - line->from);
+  }
+  if (const auto* box = std::get_if<lattice::Rectangle>(&part)) {
+    const bool stands = box->right - box->left < box->top - box->bottom;
+    return stands ? Eigen::Vector2d(0, -1) : Eigen::Vector2d(1, 0);
+  }
+  return std::nullopt;
+}
+
+/// Of a wall whose parts are all parallel, and of a side of the box: a unit vector along it.
+std::optional<Eigen::Vector2d> direction_of(const scene::Scene& scene, grains::Owner body) {
+  constexpr double kParallel = 1e-9;
+  if (contact::is_side(body)) {
+    const bool stands = body == contact::kLeftSide || body == contact::kRightSide;
+    return stands ? Eigen::Vector2d(0, -1) : Eigen::Vector2d(1, 0);
+  }
+  std::optional<Eigen::Vector2d> all;
+  for (const scene::WallPart& part : scene.walls[grains::wall_number(body)].parts) {
+    const auto direction = direction_of(part);
+    if (!direction || (all && (*all - *direction).norm() > kParallel)) {
+      return std::nullopt;
+    }
+    all = direction;
+  }
+  return all;
+}
+
+}  // namespace
+
 // No wall has a dot in its name, so none is called as a side of the box.
 std::string body_name(const scene::Scene& scene, grains::Owner owner) {
   switch (owner) {
@@ -74,9 +113,10 @@ TableOf<ContactRow> contacts_table(const scene::Scene& scene) {
         is_contact(scene),
         {{{"normal_", "Normal", "", "towards the first"},
           [](auto& row) { return row.force->normal; }},
-         {{"normal_force", "Normal force", "grain weights", ""},
+         {{"normal_force", "Normal force", scene::kContactForceUnit, ""},
           [](auto& row) { return row.force->along_normal; }},
-         {{"shear_force", "Shear force", "grain weights", "along the normal turned anticlockwise"},
+         {{"shear_force", "Shear force", scene::kContactForceUnit,
+           "along the normal turned anticlockwise"},
           [](auto& row) { return row.force->along_shear; }}}},
        {kOverlap,
         has_overlaps(scene),
@@ -91,15 +131,16 @@ TableOf<ContactRow> contacts_table(const scene::Scene& scene) {
          {{"share", "Share of the samples", "", "with this contact"}, &ContactRow::share}}}}};
 }
 
-TableOf<measure::ForceBin> forces_table(const scene::Scene& /*scene*/) {
+TableOf<measure::ForceBin> forces_table(const scene::Scene& scene) {
   using Bin = measure::ForceBin;
+  const std::string_view unit = is_contact(scene) ? scene::kContactForceUnit : "sites";
   return {
       {.name = "forces", .kind = TableInfo::Kind::parts},
-      {{{"low", "Lower end of the bin", "",
-         "of the index of force in sites; of the contact model of normal forces between grains, "
-         "in grain weights"},
+      {{{"low", "Lower end of the bin", unit,
+         "of the index of force; of the contact model of normal forces between grains, in grain "
+         "weights"},
         &Bin::low},
-       {{"high", "Upper end of the bin", "", "likewise"}, &Bin::high},
+       {{"high", "Upper end of the bin", unit, "likewise"}, &Bin::high},
        {{"count", "Contacts", "", "in the bin"}, &Bin::count},
        {{"density", "Probability density", "", "of f/⟨f⟩"}, &Bin::density}}};
 }
@@ -122,7 +163,7 @@ TableOf<LoadRow> loads_table(const scene::Scene& scene) {
           {{kContactModel,
             is_contact(scene),
             {{{"contacts", "Contacts", "", ""}, &LoadRow::contacts},
-             {{"normal_force", "Normal force", "grain weights", "sum over its contacts"},
+             {{"normal_force", "Normal force", scene::kContactForceUnit, "sum over its contacts"},
               &LoadRow::load},
              {{"residual", "Balance of forces", "",
                "what forces and weight do not balance, over the weight"},
@@ -137,6 +178,8 @@ struct WallRow {
   std::string wall = {};
   std::uint64_t contacts = 0;
   Eigen::Vector2d force = Eigen::Vector2d::Zero();
+  std::optional<double> across = {};  // of a straight wall
+  std::optional<double> along = {};
   const measure::WallForce* overlap = nullptr;
   std::optional<double> depth = {};
   std::optional<double> stalled_since = {};  // step
@@ -152,7 +195,13 @@ TableOf<WallRow> walls_table(const scene::Scene& scene) {
       {{kContactModel,
         is_contact(scene),
         {{{"contacts", "Contacts", "", ""}, &WallRow::contacts},
-         {{"force_", "Force on the wall", "grain weights", ""}, &WallRow::force}}},
+         {{"force_", "Force on the wall", scene::kContactForceUnit, ""}, &WallRow::force},
+         {{"normal_force", "Normal force on the wall", scene::kContactForceUnit,
+           "across it, of a straight wall and of the sides"},
+          &WallRow::across},
+         {{"shear_force", "Shear force on the wall", scene::kContactForceUnit,
+           "along it, towards its lower end, or to the right"},
+          &WallRow::along}}},
        {kOverlap,
         has_overlaps(scene),
         {{{"travel", "Travel of the wall", "sites", "from home"},
@@ -174,7 +223,7 @@ TableOf<WallRow> walls_table(const scene::Scene& scene) {
 
 TableOf<measure::StressCell> stress_table(const scene::Scene& /*scene*/) {
   using Cell = measure::StressCell;
-  constexpr std::string_view kUnit = "grain weights/spacing";
+  constexpr std::string_view kUnit = scene::kStressUnit;
   return {{.name = "stress", .kind = TableInfo::Kind::parts},
           {{kCellCentre, &Cell::centre},
            {{"xx", "Stress, xx", kUnit, "pressed positive"}, &Cell::xx},
@@ -226,6 +275,9 @@ class ForceTables : public Observer {
 };
 
 void ForceTables::end_stage(const StageView& now) {
+  for (RunTable* table : tables()) {
+    table->set_mean_mass(contact::mean_mass(now.model.state()));
+  }
   if (const auto* contacts = now.observers.find<ContactRecord>()) {
     add_forces(now, contacts->at_end(now.model));
   } else {
@@ -315,6 +367,10 @@ void ForceTables::add_walls(const scene::Scene& scene, const Forces& forces) {
   }
   for (auto& [owner, row] : rows) {
     row.wall = body_name(scene, owner);
+    if (const auto along = direction_of(scene, owner)) {
+      row.along = row.force.dot(*along);
+      row.across = std::abs(row.force.x() * along->y() - row.force.y() * along->x());
+    }
     walls_.add(row);
   }
 }

@@ -22,6 +22,8 @@ constexpr double kFastest = 2;     // in highest velocities
 constexpr double kSpinning = 0.5;  // in spins of grains that roll that fast
 constexpr double kNeighbours = 6;  // of discs of one size
 
+constexpr int kTileSamples = 4;  // along each axis of a pixel, as a picture made smaller has
+
 render::Annotations annotations_of(const scene::Frames& frames) {
   if (!frames.caption) {
     return render::Annotations::none;
@@ -30,24 +32,34 @@ render::Annotations annotations_of(const scene::Frames& frames) {
                                                     : render::Annotations::all;
 }
 
-render::Style style_of(const scene::Frames& frames, const lattice::Lattice& lattice, int threads) {
-  return {.width = frames.width.value_or(0),
-          .height = frames.height.value_or(0),
-          .supersampling = frames.supersampling,
-          .drawing = frames.drawing == scene::Drawing::polygons ? render::Drawing::polygons
-                                                                : render::Drawing::lookup,
-          .view = view_of(frames, lattice),
-          .annotations = annotations_of(frames),
-          .threads = threads};
+render::Style style_of(const scene::Frames& frames, const lattice::Lattice& lattice,
+                       const PictureUse& use) {
+  render::Style style = {.width = frames.width.value_or(0),
+                         .height = frames.height.value_or(0),
+                         .supersampling = frames.supersampling,
+                         .drawing = frames.drawing == scene::Drawing::polygons
+                                        ? render::Drawing::polygons
+                                        : render::Drawing::lookup,
+                         .view = view_of(frames, lattice),
+                         .annotations = annotations_of(frames),
+                         .threads = use.threads,
+                         .vector = use.vector};
+  if (use.tile_width != 0) {
+    const auto& [left, bottom, right, top] = style.view;
+    const image::PixelBox size = render::tile_size(right - left, top - bottom, use.tile_width);
+    style.width = size.width;
+    style.height = size.height;
+    style.supersampling = kTileSamples;
+    style.annotations = render::Annotations::none;
+  }
+  return style;
 }
 
-render::Painter make_painter(const scene::Scene& scene, const grains::State& state, int threads,
-                             bool vector) {
+render::Painter make_painter(const scene::Scene& scene, const grains::State& state,
+                             const PictureUse& use) {
   const scene::Frames& frames = *scene.output.frames;
   try {
-    render::Style style = style_of(frames, state.lattice, threads);
-    style.vector = vector;
-    return {style, state.lattice, state.kinds};
+    return {style_of(frames, state.lattice, use), state.lattice, state.kinds};
   } catch (const render::RenderError& error) {
     throw SceneRunError(fmt::format("{}: error: {}", frames.location, error.what()));
   }
@@ -90,13 +102,21 @@ std::vector<double> spins(const View& view, double time_step) {
   return result;
 }
 
-/// By id, grain weights per lattice spacing: the normal forces over the circumference of a disc of
-/// the grain's area.
-std::vector<double> pressures(const View& view) {
+/// By id, the normal forces on each grain.
+std::vector<double> loads(const View& view, const OverlayScales& scales) {
+  std::vector<double> result = contact::loads(view.state.particles.size(), view.contact->forces);
+  const double grain_weight = scales.value_of(scene::kContactForceUnit, view.state);
+  std::ranges::transform(result, result.begin(), [=](double load) { return grain_weight * load; });
+  return result;
+}
+
+/// By id, the normal forces over the circumference of a disc of the grain's area.
+std::vector<double> pressures(const View& view, const OverlayScales& scales) {
   const grains::State& state = view.state;
   std::vector<double> result = contact::loads(state.particles.size(), view.contact->forces);
+  const double unit = scales.value_of(scene::kStressUnit, state);
   for (std::size_t id = 0; id < result.size(); ++id) {
-    result[id] /= std::numbers::pi * state.shape(state.particles[id]).diameter();
+    result[id] *= unit / (std::numbers::pi * state.shape(state.particles[id]).diameter());
   }
   return result;
 }
@@ -138,17 +158,16 @@ image::PngText scene_metadata(const scene::Scene& scene) {
           {"Seed", fmt::format("{}", scene.seed)}};
 }
 
-FramePainter::FramePainter(const scene::Scene& scene, const grains::State& state, int threads,
-                           bool vector)
+FramePainter::FramePainter(const scene::Scene& scene, const grains::State& state,
+                           const PictureUse& use)
     : scene_(scene),
       frames_(*scene.output.frames),
-      conversion_(scene::conversion(scene)),
       scales_(overlay_scales(scene)),
-      painter_(make_painter(scene, state, threads, vector)) {}
+      painter_(make_painter(scene, state, use)) {}
 
 double FramePainter::bytes(const scene::Scene& scene, double particles, int captures) {
-  return render::Painter::bytes_for(style_of(*scene.output.frames, lattice_of(scene), 1), particles,
-                                    captures);
+  return render::Painter::bytes_for(style_of(*scene.output.frames, lattice_of(scene), {}),
+                                    particles, captures);
 }
 
 CapturedFrame FramePainter::capture(const View& view, const PictureHistory& history) {
@@ -161,8 +180,8 @@ CapturedFrame FramePainter::capture(const View& view, const PictureHistory& hist
   text["Stage"] = history.stage;
   text["Step"] = fmt::format("{}", step);
   std::string when = fmt::format("step {}", step);
-  if (conversion_) {
-    text["Time"] = conversion_->time_text(step);
+  if (scales_.conversion) {
+    text["Time"] = scales_.conversion->time_text(step);
     when = "t = " + text["Time"];
   }
   return {.capture = painter_.capture(view.state, view.occupancy, colors),
@@ -220,9 +239,9 @@ render::Coloring FramePainter::coloring(const View& view, const PictureHistory& 
     case scene::ColorBy::spin: {
       const double high = kSpinning * scales_.highest_spin;
       const auto ends = frames_.range ? range(high) : statistics::Range{-high, high};
-      return render::color_by_value(spins(view, conversion_->time_step),
-                                    fmt::format("spin (radians/{})", conversion_->time_unit), ends,
-                                    true);
+      return render::color_by_value(spins(view, scales_.conversion->time_step),
+                                    fmt::format("spin (radians/{})", scales_.conversion->time_unit),
+                                    ends, true);
     }
     case scene::ColorBy::coordination: {
       const std::vector<int> touched = measure::coordination(state, view.occupancy);
@@ -235,12 +254,15 @@ render::Coloring FramePainter::coloring(const View& view, const PictureHistory& 
       return render::color_by_axis();
     case scene::ColorBy::force:
       return view.contact ? render::color_by_value(
-                                contact::loads(state.particles.size(), view.contact->forces),
-                                "load (grain weights)", range(kLoad * scales_.strongest_force))
+                                loads(view, scales_),
+                                fmt::format("load ({})", scales_.unit_of(scene::kContactForceUnit)),
+                                range(kLoad * scales_.strongest_force))
                           : render::color_by_force(range(kMaxForceIndex));
     case scene::ColorBy::pressure:
-      return render::color_by_value(pressures(view), "pressure (grain weights/spacing)",
-                                    range(scales_.highest_pressure));
+      return render::color_by_value(
+          pressures(view, scales_),
+          fmt::format("pressure ({})", scales_.unit_of(scene::kStressUnit)),
+          range(scales_.highest_pressure));
     case scene::ColorBy::species:
       break;
   }

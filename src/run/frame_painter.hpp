@@ -81,14 +81,19 @@ struct Picture {
 /// Provenance of a picture, without stage and step.
 image::PngText scene_metadata(const scene::Scene& scene);
 
+/// What pictures are drawn for.
+struct PictureUse {
+  int threads = 1;      ///< of captures
+  bool vector = false;  ///< captures serve FramePainter::pdf()
+  int tile_width = 0;   ///< pixels; not 0: tiles of a contact sheet alone, nothing around the view
+};
+
 /// One thread may capture the next picture while another rasterizes.
 class FramePainter {
  public:
-  /// `scene` has frames and outlives this object. `threads`: for captures. Throws SceneRunError if
-  /// the driver cannot draw it.
-  /// `vector`: captures serve pdf().
-  FramePainter(const scene::Scene& scene, const grains::State& state, int threads,
-               bool vector = false);
+  /// `scene` has frames and outlives this object. Throws SceneRunError if the driver cannot draw
+  /// it.
+  FramePainter(const scene::Scene& scene, const grains::State& state, const PictureUse& use);
 
   /// Memory for pictures of so many particles, of which so many are captured at a time.
   static double bytes(const scene::Scene& scene, double particles, int captures);
@@ -120,7 +125,6 @@ class FramePainter {
 
   const scene::Scene& scene_;
   const scene::Frames& frames_;
-  std::optional<scene::Conversion> conversion_;
   OverlayScales scales_;
   render::Painter painter_;
 };

@@ -11,6 +11,7 @@
 #include "clca/measure/grid.hpp"
 #include "clca/measure/snapshot.hpp"
 #include "clca/measure/weight_paths.hpp"
+#include "clca/run/quantity.hpp"
 #include "clca/scene/contact.hpp"
 #include "clca/scene/units.hpp"
 #include "grains/internal/apart_table.hpp"
@@ -20,12 +21,18 @@ namespace clca::run {
 
 namespace {
 
-double mean_diameter(const scene::Scene& scene) {
-  double diameters = 0;
+/// Over the species.
+template <class ValueOf>
+double mean(const scene::Scene& scene, ValueOf value_of) {
+  double sum = 0;
   for (const scene::Species& species : scene.species) {
-    diameters += species.shape.diameter();
+    sum += static_cast<double>(value_of(species.shape));
   }
-  return diameters / static_cast<double>(scene.species.size());
+  return sum / static_cast<double>(scene.species.size());
+}
+
+double mean_diameter(const scene::Scene& scene) {
+  return mean(scene, [](const lattice::Shape& shape) { return shape.diameter(); });
 }
 
 /// The largest of 1, 2 and 5 times a power of ten that is not above `number` (positive).
@@ -35,9 +42,10 @@ double rounded_down(double number) {
   return power * (leading < 2 ? 1 : leading < 5 ? 2 : 5);
 }
 
-double strongest_force(const scene::Scene& scene, const scene::Frames& frames) {
-  return frames.force_scale.value_or(
-      rounded_down(2 * scene::contact_parameters(scene).fall_height / mean_diameter(scene)));
+/// `grain_weight`: in the unit of forces.
+double strongest_force(const scene::Scene& scene, double grain_weight) {
+  return scene.output.frames->force_scale.value_or(rounded_down(
+      2 * grain_weight * scene::contact_parameters(scene).fall_height / mean_diameter(scene)));
 }
 
 double velocity_cell(const scene::Scene& scene, const scene::Frames& frames) {
@@ -47,6 +55,15 @@ double velocity_cell(const scene::Scene& scene, const scene::Frames& frames) {
   const double height = frames.view ? frames.view->top - frames.view->bottom : scene.box.height;
   const double least = std::max(width, height) / kMostAcross;
   return frames.velocity_cell.value_or(std::max(kDiameters * mean_diameter(scene), least));
+}
+
+/// One of the unit, in SI units where there are any. `mean_mass`: see scene::Conversion.
+double in_si(std::optional<scene::Conversion> conversion, std::string_view unit, double mean_mass) {
+  if (!conversion) {
+    return 1;
+  }
+  conversion->mean_mass = mean_mass;
+  return conversion->in_si(1, unit);
 }
 
 /// In lattice spacings per step.
@@ -63,22 +80,35 @@ double default_velocity(const scene::Scene& scene) {
 OverlayScales overlay_scales(const scene::Scene& scene) {
   const scene::Frames& frames = *scene.output.frames;
   OverlayScales scales = {
-      .strongest_force = strongest_force(scene, frames),
+      .conversion = scene::conversion(scene),
       .velocity_cell = velocity_cell(scene, frames),
       .arrow_velocity = frames.velocity_scale,
       .velocity_unit = {.one = "spacing per step", .several = "spacings per step"}};
-  scales.highest_pressure = scales.strongest_force / mean_diameter(scene);
-  if (const auto conversion = scene::conversion(scene)) {
+  std::optional<scene::Conversion>& conversion = scales.conversion;
+  if (conversion) {
     scales.step_velocity = conversion->velocity(1);
     scales.velocity_unit = {.one = conversion->velocity_unit, .several = conversion->velocity_unit};
   }
   scales.highest_velocity =
       frames.velocity_scale.value_or(rounded_down(scales.step_velocity * default_velocity(scene)));
-  if (const auto conversion = scene::conversion(scene)) {
+  if (conversion) {
     scales.highest_spin =
         2 * scales.highest_velocity / (mean_diameter(scene) * conversion->spacing);
   }
+  const double mass = mean(scene, [](const lattice::Shape& shape) { return shape.size(); });
+  const double grain_weight = in_si(conversion, scene::kContactForceUnit, mass);
+  scales.strongest_force = strongest_force(scene, grain_weight);
+  scales.highest_pressure = scales.strongest_force / grain_weight *
+                            in_si(conversion, scene::kStressUnit, mass) / mean_diameter(scene);
   return scales;
+}
+
+std::string OverlayScales::unit_of(std::string_view unit) const {
+  return shown_unit(unit, conversion);
+}
+
+double OverlayScales::value_of(std::string_view unit, const grains::State& state) const {
+  return in_si(conversion, unit, contact::mean_mass(state));
 }
 
 double arrow_scale(double typical, const OverlayScales& scales) {
@@ -135,7 +165,8 @@ Eigen::Vector2d to_point(const grains::State& state, const grains::Particle& fir
 
 /// Lines from centre to centre, or to the wall.
 DrawnOverlay contact_forces(const View& view, const std::vector<contact::Force>& forces,
-                            double strongest) {
+                            const OverlayScales& scales) {
+  const double grain_weight = scales.value_of(scene::kContactForceUnit, view.state);
   std::vector<render::ForceLine> lines;
   for (const contact::Force& force : forces) {
     const grains::Particle& upper = view.state.particles[force.upper];
@@ -143,15 +174,17 @@ DrawnOverlay contact_forces(const View& view, const std::vector<contact::Force>&
         grains::is_particle(force.other)
             ? between_centres(view.state, upper, static_cast<std::size_t>(force.other))
             : to_point(view.state, upper, force.point);
-    add_line(view.state, upper, along, force.along_normal, lines);
+    add_line(view.state, upper, along, grain_weight * force.along_normal, lines);
   }
+  const double strongest = scales.strongest_force;
   return {render::force_network(lines, strongest),
-          {render::force_key(strongest, fmt::format("{:g} grain weights", strongest))}};
+          {render::force_key(strongest, fmt::format("{:g} {}", strongest,
+                                                    scales.unit_of(scene::kContactForceUnit)))}};
 }
 
-DrawnOverlay weight(const View& view, measure::WeightRule rule, double strongest) {
+DrawnOverlay weight(const View& view, measure::WeightRule rule, const OverlayScales& scales) {
   const auto supported = measure::supported_grains(view.state, view.occupancy);
-  return contact_forces(view, measure::weight_paths(view.state, supported, rule).forces, strongest);
+  return contact_forces(view, measure::weight_paths(view.state, supported, rule).forces, scales);
 }
 
 /// Lines from centre to centre, or to the overlap with a wall.
@@ -249,20 +282,19 @@ DrawnOverlay overlay_of(scene::Overlay overlay, const View& view, const PictureH
                         const OverlayScales& scales) {
   switch (overlay) {
     case scene::Overlay::forces:
-      return view.contact ? contact_forces(view, view.contact->forces, scales.strongest_force)
-                          : overlaps(view);
+      return view.contact ? contact_forces(view, view.contact->forces, scales) : overlaps(view);
     case scene::Overlay::arrows:
       return view.cycles != nullptr ? arrows(*view.cycles) : DrawnOverlay();
     case scene::Overlay::velocity:
       return velocities(view.state, *history.window, scales);
     case scene::Overlay::weight_inner:
-      return weight(view, measure::WeightRule::inner, scales.strongest_force);
+      return weight(view, measure::WeightRule::inner, scales);
     case scene::Overlay::weight_outer:
-      return weight(view, measure::WeightRule::outer, scales.strongest_force);
+      return weight(view, measure::WeightRule::outer, scales);
     case scene::Overlay::weight_pair:
-      return weight(view, measure::WeightRule::pair, scales.strongest_force);
+      return weight(view, measure::WeightRule::pair, scales);
     case scene::Overlay::weight_q:
-      return weight(view, measure::WeightRule::q, scales.strongest_force);
+      return weight(view, measure::WeightRule::q, scales);
     case scene::Overlay::none:
       break;
   }

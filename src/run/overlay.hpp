@@ -3,11 +3,15 @@
 // run.
 
 #include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
+#include "clca/grains/state.hpp"
 #include "clca/render/legend.hpp"
 #include "clca/render/overlays.hpp"
 #include "clca/scene/scene.hpp"
+#include "clca/scene/units.hpp"
 
 namespace clca::run {
 
@@ -15,9 +19,10 @@ struct View;
 struct PictureHistory;
 
 struct OverlayScales {
-  /// Contact model: drawn as the widest line, in grain weights.
+  std::optional<scene::Conversion> conversion = {};
+  /// Drawn as the widest line, in unit_of(scene::kContactForceUnit).
   double strongest_force = 1;
-  /// Contact model: end of the colours by pressure, grain weights per lattice spacing.
+  /// Contact model: end of the colours by pressure, in unit_of(scene::kStressUnit).
   double highest_pressure = 1;
   /// Side of the cells of velocities, lattice spacings.
   double velocity_cell = 1;
@@ -31,11 +36,16 @@ struct OverlayScales {
   /// A lattice spacing per step, in `velocity_unit`.
   double step_velocity = 1;
   render::UnitName velocity_unit;
+
+  /// Of pictures, for a unit of the contact model: that of SI where the scene has a density.
+  std::string unit_of(std::string_view unit) const;
+  /// One of the unit of the contact model, in that of pictures of this state.
+  double value_of(std::string_view unit, const grains::State& state) const;
 };
 
 /// From the keys of `output.frames`. Their defaults:
-/// - the strongest force is twice the weight of a column of grains as high as the fall height,
-///   rounded to 1, 2 or 5 times a power of ten; few forces exceed it;
+/// - the strongest force is twice the weight of a column of grains as high as the fall height, of
+///   as many of each species, rounded to 1, 2 or 5 times a power of ten; few forces exceed it;
 /// - the highest pressure is that force over the mean diameter;
 /// - a cell is 3 mean diameters of the species wide, and at least a 30th of the view;
 /// - the highest velocity is half a spacing per step, or with the contact model half of that after

@@ -60,10 +60,7 @@ void MovieTarget::finish() {
 
 SheetTarget::SheetTarget(const std::vector<std::unique_ptr<RunDrawing>>& drawings,
                          std::filesystem::path file, int columns, std::size_t moments)
-    : drawings_(drawings),
-      file_(std::move(file)),
-      columns_(drawings.size() > 1 ? static_cast<int>(drawings.size()) : columns),
-      moments_(moments) {
+    : drawings_(drawings), file_(std::move(file)), columns_(columns), moments_(moments) {
   if (file_.extension() != ".png") {
     throw RedrawError(fmt::format("{}: a contact sheet ends in .png", file_.string()));
   }

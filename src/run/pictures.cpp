@@ -16,7 +16,9 @@ class Pictures : public Observer {
  public:
   /// Throws SceneRunError if the driver cannot draw them.
   Pictures(const scene::Scene& scene, const grains::State& state, const RunOptions& options)
-      : scene_(scene), wanted_(options.pictures), painter_(scene, state, options.threads) {}
+      : scene_(scene),
+        wanted_(options.pictures),
+        painter_(scene, state, {.threads = options.threads}) {}
 
   static double bytes(const scene::Scene& scene, double particles);
 

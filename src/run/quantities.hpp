@@ -42,8 +42,9 @@ std::vector<store::NamedMeasure> stage_measures(const StageView& stage);
 /// Of one measure alone, which the scene asks for.
 std::vector<store::NamedMeasure> stage_measures(scene::Measure wanted, const StageView& stage);
 
-/// Why slopes among the measures have no value where it is not plain; one line for each flank.
-std::vector<std::string> slope_notes(const scene::Scene& scene, const SceneModel& model);
+/// Why slopes among the measures have no value where it is not plain, one line for each flank, and
+/// that the box has ended the run-out.
+std::vector<std::string> measure_notes(const scene::Scene& scene, const SceneModel& model);
 
 /// `discharged.OUTLET` where there are several outlets, each followed by
 /// `discharged.OUTLET.SPECIES` where there are several species. None if they are so many that

@@ -166,7 +166,7 @@ class Redraw::Impl {
   void add_over_time(std::size_t end);
   bool stop_asked() const { return options_.stop != nullptr && options_.stop->load() != 0; }
 
-  const RedrawOptions options_;
+  RedrawOptions options_;
   std::vector<std::optional<store::OutputFolder>> folders_;  // by run
   Drawings drawings_;
   std::vector<std::vector<double>> times_;  // by run, of its pictures
@@ -179,6 +179,9 @@ class Redraw::Impl {
 Redraw::Impl::Impl(const std::vector<RunToDraw>& runs, const RedrawOptions& options)
     : options_(options) {
   check_files(options);
+  if (runs.size() > 1) {
+    options_.columns = static_cast<int>(runs.size());
+  }
   if (options.space_time && runs.size() > 1) {
     throw RedrawError(
         fmt::format("{}: a picture over time is of one run", options.space_time->file.string()));
@@ -191,8 +194,12 @@ Redraw::Impl::Impl(const std::vector<RunToDraw>& runs, const RedrawOptions& opti
   if (runs.size() > 1) {
     make_comparable(runs, drawings_);
   }
+  const bool only_sheet =
+      !options.sheet.empty() && options.movie.empty() &&
+      std::none_of(runs.begin(), runs.end(), [](const RunToDraw& run) { return run.pictures; });
+  const int tile_width = only_sheet ? render::cell_width(options_.columns) : 0;
   for (const auto& drawing : drawings_) {
-    drawing->prepare();
+    drawing->prepare(tile_width);
   }
   times_ = times_of(drawings_);
   moments_ = moments_of(times_);

@@ -204,7 +204,7 @@ void Run::end_stage(StageEnd end) {
                       .steps = history_.steps,
                       .ended = to_text(end),
                       .measures = stage_measures(view()),
-                      .notes = slope_notes(scene_, model_),
+                      .notes = measure_notes(scene_, model_),
                       .fills = stage().fill.has_value()});
   const std::string time =
       conversion_ ? fmt::format(" ({})", conversion_->time_text(history_.steps)) : "";
@@ -314,7 +314,7 @@ void check_start(const scene::Scene& scene) {
   SceneModel model(scene, first_state(scene), {});
   prepare_stage(model, scene, scene.stages.front());
   if (scene.output.frames) {
-    const FramePainter painter(scene, model.state(), 1);
+    const FramePainter painter(scene, model.state(), {});
   }
 }
 

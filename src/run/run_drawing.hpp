@@ -31,8 +31,11 @@ class RunDrawing {
   /// Shown above the pictures.
   void set_title(const std::string& title) { scene_.title = title; }
 
-  /// Call before capture(). Throws SceneRunError if the driver cannot draw the pictures.
-  void prepare() { painter_.emplace(scene_, initial_, 1, pdf_); }
+  /// Call before capture(). `tile_width`: see PictureUse. Throws SceneRunError if the driver cannot
+  /// draw the pictures.
+  void prepare(int tile_width = 0) {
+    painter_.emplace(scene_, initial_, PictureUse{.vector = pdf_, .tile_width = tile_width});
+  }
   /// Gives the arrows of all pictures one scale, where the scene has none for them: that of the
   /// fastest picture.
   void share_arrow_scale();

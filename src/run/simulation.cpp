@@ -110,7 +110,7 @@ class Simulation::Impl {
   /// Draws pictures that look the same way.
   struct Drawing {
     Drawing(scene::Scene drawn, const grains::State& state)
-        : scene(std::move(drawn)), painter(scene, state, 1) {}
+        : scene(std::move(drawn)), painter(scene, state, {}) {}
 
     scene::Scene scene;
     FramePainter painter;

@@ -194,7 +194,7 @@ SpaceTime::SpaceTime(const scene::Scene& scene, const grains::State& initial,
       part_(shown_part(scene)),
       annotations_(scene.output.frames->caption),
       scene_(pictured(scene, options_, part_)),
-      painter_(scene_, initial, 1),
+      painter_(scene_, initial, {}),
       means_(scene.output.frames->width.value_or(kUsualWidth),
              rows_of(scene, options_, part_, painter_.height()), options_.column ? 3 : 2,
              static_cast<double>(frames_.front().step), static_cast<double>(frames_.back().step)) {}

@@ -311,8 +311,16 @@ std::vector<store::NamedMeasure> stage_measures(scene::Measure wanted, const Sta
   return results;
 }
 
-std::vector<std::string> slope_notes(const scene::Scene& scene, const SceneModel& model) {
+std::vector<std::string> measure_notes(const scene::Scene& scene, const SceneModel& model) {
   std::vector<std::string> notes;
+  if (requests(scene, scene::Measure::runout)) {
+    const auto runout = measure::runout(model.state());
+    if (runout && runout->at_side) {
+      notes.emplace_back(
+          "runout_99 and runout_front: grains have come to a side of the box, which ends the "
+          "run-out; a wider box lets them go on");
+    }
+  }
   const auto add = [&](const std::string& name, bool uneven) {
     if (uneven) {
       notes.push_back(name + " is null: the surface there has no single slope");

@@ -152,6 +152,12 @@ TableScope table_scope(const scene::BoltzmannScene& scene);
 class RunTable {
  public:
   const TableInfo& info() const { return info_; }
+  /// See scene::Conversion::mean_mass: of the rows from now on.
+  void set_mean_mass(double sites) {
+    if (scope_.conversion) {
+      scope_.conversion->mean_mass = sites;
+    }
+  }
   /// What its columns are.
   std::vector<store::ColumnSummary> summary() const;
 

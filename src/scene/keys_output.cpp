@@ -113,9 +113,9 @@ Type<Frames> frames_type() {
                 "go out of the picture")
                 .of(Model::contact),
             key("force_scale", &Frames::force_scale, above_zero(kMaxForceScale),
-                "the force drawn as the widest line, in grain weights, by `weight_...` and with "
-                "`model: contact`; there the colours of `force` end at twice it, those of "
-                "`pressure` at it over the mean diameter")
+                "the force drawn as the widest line, by `weight_...` and with `model: contact`, in "
+                "grain weights, or in newtons with `units.density`; there the colours of `force` "
+                "end at twice it, those of `pressure` at it over the mean diameter")
                 .defaults_to("from the fall height"),
             key("velocity_cell", &Frames::velocity_cell, number(1, kMaxCellSide),
                 "side of the cells of `overlay: velocity` in lattice spacings")

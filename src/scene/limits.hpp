@@ -61,7 +61,7 @@ inline constexpr int kMaxSupersampling = 4;
 inline constexpr double kMaxCellSide = 1000;
 inline constexpr int kMaxLineParts = 1000;
 inline constexpr double kMinLineLength = 1;    ///< lattice spacings
-inline constexpr double kMaxForceScale = 1e9;  ///< grain weights
+inline constexpr double kMaxForceScale = 1e9;  ///< grain weights or newtons
 inline constexpr double kMaxVelocityScale = 1e9;
 inline constexpr double kMaxWait = 1e9;  ///< seconds
 

@@ -27,6 +27,12 @@ std::optional<SiUnit> Conversion::si(std::string_view unit) const {
   if (unit == kForceUnit) {
     return SiUnit{"N", site->weight};
   }
+  if (unit == kContactForceUnit) {
+    return SiUnit{"N", site->weight * mean_mass};
+  }
+  if (unit == kStressUnit) {
+    return SiUnit{"N/m", site->weight * mean_mass / spacing};
+  }
   if (unit == kEnergyUnit) {
     return SiUnit{"J", site->weight * spacing};
   }

@@ -212,6 +212,11 @@ TEST_F(CliTest, ExplainsAQuantityOfARun) {
             "'runout_99'\n");
 }
 
+TEST_F(CliTest, ExplainsAQuantityInTheUnitsOfAScene) {
+  EXPECT_THAT(run({"explain", "vx", "--scene", "silo-beverloo"}).out, HasSubstr("; in m/s\n"));
+  EXPECT_THAT(run({"explain", "vx"}).out, HasSubstr("; in spacings/step\n"));
+}
+
 TEST_F(CliTest, ExplainsWhatASceneDerives) {
   const auto result = run({"explain", "runout_ratio", "--scene", "collapse-aspect"});
   EXPECT_EQ(result.out,

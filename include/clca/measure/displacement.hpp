@@ -24,6 +24,7 @@ double smallest_diameter(const grains::State& state);
 struct Runout {
   double front = 0;       ///< of the outermost site
   double percent_99 = 0;  ///< of the 99th percentile of the sites on that side
+  bool at_side = false;   ///< the front is at a side of the box, which ends it
 };
 
 /// None for an empty box.

@@ -20,7 +20,10 @@ struct Tile {
 /// In pixels, for about the same width of all sheets.
 int cell_width(int columns);
 
-/// The tile of a picture, its view resized to `width` pixels, or less where it is tall.
+/// Of the tile of a view, in pixels: `width` wide, or less where the view is tall.
+PixelBox tile_size(double view_width, double view_height, int width);
+
+/// The tile of a picture, its view resized to tile_size().
 Tile tile(const Image& picture, const PictureView& view, int width);
 
 /// The tiles in rows under a title, each in a cell `cell_width` pixels wide, with its label below.

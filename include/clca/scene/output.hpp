@@ -94,7 +94,7 @@ struct Frames {
   bool caption = true;
   PictureStyle style = PictureStyle::screen;
   bool upright = false;  ///< of Model::contact: turned as the vessel is
-  /// Force of the widest line, in grain weights; none: estimated.
+  /// Force of the widest line, in grain weights, with Units::density in newtons; none: estimated.
   std::optional<double> force_scale = {};
   /// Side of a cell of Overlay::velocity; none: from grains and view.
   std::optional<double> velocity_cell = {};

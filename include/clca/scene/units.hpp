@@ -14,6 +14,9 @@ namespace clca::scene {
 inline constexpr std::string_view kForceUnit = "weights of a site";
 inline constexpr std::string_view kEnergyUnit = "weights of a site × spacings";
 inline constexpr std::string_view kMomentUnit = "spacings × weights of a site";
+// Of forces of contacts: a grain of mean mass, see contact::mean_mass().
+inline constexpr std::string_view kContactForceUnit = "grain weights";
+inline constexpr std::string_view kStressUnit = "grain weights/spacing";
 
 /// What one of another unit is.
 struct SiUnit {
@@ -37,6 +40,7 @@ struct Conversion {
   double spacing = 1;                 ///< a lattice spacing, in the unit of length
   double time_step = 1;               ///< in the unit of time
   std::optional<SiteMass> site = {};  ///< if the scene has units with a density
+  double mean_mass = 1;               ///< sites of the grain whose weight is a unit
 
   bool operator==(const Conversion&) const = default;
 
@@ -48,7 +52,7 @@ struct Conversion {
   double velocity(double spacings_per_step) const {
     return spacings_per_step * spacing / time_step;
   }
-  /// N, J or N m for the units above; none for another one, or without a density.
+  /// N, J, N m or N/m for the units above; none for another one, or without a density.
   std::optional<SiUnit> si(std::string_view unit) const;
   /// In that SI unit, if there is one; else the value itself.
   double in_si(double value, std::string_view unit) const;

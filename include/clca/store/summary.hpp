@@ -30,7 +30,7 @@ struct StageSummary {
   std::uint64_t steps = 0;
   std::string ended;  ///< settled, stalled, steps, discharged, cycles, bound or interrupted
   std::vector<NamedMeasure> measures;
-  std::vector<std::string> notes = {};  ///< why a measure has no value
+  std::vector<std::string> notes = {};  ///< why a measure has no value or says little
   bool fills = false;                   ///< particles are filled in
 };
 

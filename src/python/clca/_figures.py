@@ -311,7 +311,7 @@ def convection(source: Source, figure: Figure, files: Files, part: str, table: T
 
 def contacts(source: Source, figure: Figure, files: Files, part: str, table: Table) -> Panel:
     loads = source.table(f"loads-{part}")
-    column, unit = ("normal_force", "grain weights") if has(table, "normal_force") else ("sites", "sites")
+    column = "normal_force" if has(table, "normal_force") else "sites"
     strongest = float(numpy.nanmax(table[column]))
     centres = {text_of(number): (x, y) for number, x, y in zip(loads["id"], loads["x"], loads["y"])}
     box = source.folder.summary.get("box", {})
@@ -335,7 +335,7 @@ def contacts(source: Source, figure: Figure, files: Files, part: str, table: Tab
     points = numpy.array(segments or [[(0, 0)]]).reshape(-1, 2)
     low, high = points.min(0) - 1, points.max(0) + 1
     x_limits = (box["left"], box["right"]) if wide else (low[0], high[0])
-    return place_panel(draw, f"{part} (widest: {strongest:.3g} {unit})", x_limits, (low[1], high[1]))
+    return place_panel(draw, f"{part} (widest: {strongest:.3g} {table.units[column]})", x_limits, (low[1], high[1]))
 
 
 def density(table: Table, share: str) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:

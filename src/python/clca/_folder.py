@@ -165,7 +165,7 @@ class Stage(NamedTuple):
     steps: int
     ended: str  #: settled, stalled, steps, time, discharged, cycles, bound or interrupted
     measures: dict[str, Value]  #: by their names in run.json
-    notes: list[str]  #: why a measure has no value
+    notes: list[str]  #: why a measure has no value or says little
     fills: bool = False  #: particles are filled in
 
 

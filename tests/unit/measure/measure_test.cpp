@@ -209,7 +209,23 @@ TEST(Runout, IsMeasuredBeyondWhereTheMaterialStood) {
   const Runout spread = runout(state).value();
   EXPECT_NEAR(spread.front, 100 * kColumnPitch, 1e-9);
   EXPECT_NEAR(spread.percent_99, 98 * kColumnPitch, 1e-9);  // 1 % of 300 sites: two columns less
+  EXPECT_TRUE(spread.at_side);
   EXPECT_FALSE(runout(stacks({0})).has_value());
+}
+
+TEST(Runout, IsEndedByASideOfTheBoxWhereGrainsHaveComeToIt) {
+  State state = stacks({0, 1, 1, 1, 0});
+  for (int id = 0; id < 3; ++id) {
+    state.origins[static_cast<std::size_t>(id)] = {2, id};
+  }
+  EXPECT_FALSE(runout(state)->at_side);
+  state = stacks({0, 1, 1, 1});
+  for (int id = 0; id < 3; ++id) {
+    state.origins[static_cast<std::size_t>(id)] = {2, id};
+  }
+  EXPECT_TRUE(runout(state)->at_side);
+  state.origins = {{1, 0}, {2, 0}, {3, 0}};
+  EXPECT_FALSE(runout(state)->at_side) << "they stood there";
 }
 
 TEST(Outflow, IsTheRateOfTheSteadyPart) {

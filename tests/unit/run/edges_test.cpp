@@ -22,7 +22,10 @@ namespace clca::run::edges_test {
 namespace {
 
 namespace fs = std::filesystem;
+using ::testing::Contains;
 using ::testing::Each;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 using ::testing::Le;
 
 class Edges : public ::testing::Test {
@@ -111,6 +114,16 @@ measure: []
   for (const double rate : column("particle_flow_rate")) {
     EXPECT_TRUE(std::isnan(rate) || rate == 0) << rate;
   }
+}
+
+TEST_F(Edges, ANoteSaysThatASideOfTheBoxHasEndedTheRunOut) {
+  const auto notes_at = [&](const char* width) {
+    return run(testing::bare_scene("wall-removal", {width}), {.folder = path(width)})
+        .stages.at(1)
+        .notes;
+  };
+  EXPECT_THAT(notes_at("box.width=110"), Contains(HasSubstr("a side of the box, which ends")));
+  EXPECT_THAT(notes_at("box.width=400"), IsEmpty());
 }
 
 TEST_F(Edges, ASourceEmitsItsGrainsAtTheStepsOfItsRate) {

@@ -286,6 +286,25 @@ TEST_F(RedrawTest, AContactSheetShowsPicturesEvenlyChosenWithoutWritingThem) {
   EXPECT_FALSE(fs::exists(folder_.path() / "run/render"));
 }
 
+TEST_F(RedrawTest, TilesOfASheetLookAsThePicturesMadeSmaller) {
+  const scene::Scene scene =
+      parse(kDrained, {"output.frames.every=20", "output.frames.view=[0, 0, 40, 20]"});
+  const fs::path run_folder = folder_.path() / "run";
+  testing::run_and_store(scene, run_folder, 2);
+  const auto sheet = [&](const char* name, const std::optional<store::OutputFolder>& pictures) {
+    const fs::path file = folder_.path() / name;
+    Redraw({{scene, run_folder, pictures}}, {.sheet = file, .columns = 3}).draw();
+    return image::decode_png(testing::bytes_of(file)).image;
+  };
+  const image::Image small = sheet("small.png", std::nullopt);
+  const image::Image made_smaller =
+      sheet("smaller.png", store::OutputFolder(folder_.path() / "pictures"));
+  ASSERT_EQ(small.width, made_smaller.width);
+  ASSERT_EQ(small.height, made_smaller.height);
+  const render::Difference difference = render::difference_of(small, made_smaller, 96);
+  EXPECT_LT(difference.pixels, small.pixels.size() / 30) << "outlines are as wide as in a picture";
+}
+
 /// A line of two places.
 Eigen::ArrayXXd line(double low, double high) {
   Eigen::ArrayXXd values(1, 2);
