@@ -108,7 +108,9 @@ namespace clca::python {
 
 void add_gas(py::module_& module) {
   constexpr int kSpin = 3;
-  py::class_<Gas>(module, "Gas")
+  py::class_<Gas> bound(module, "Gas");
+  refuse_pickle(bound);
+  bound
       .def(py::init<const LoadedScene&, std::optional<int>>(), py::arg("scene"),
            py::arg("threads") = py::none())
       .def("advance", &Gas::advance, py::arg("time"),

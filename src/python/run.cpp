@@ -73,6 +73,9 @@ void resume(const std::filesystem::path& folder, const std::optional<std::string
             std::optional<int> threads, const py::object& report) {
   const double limit = run::default_memory_limit();
   run::SavedRun saved = run::load_run(folder, limit, until);
+  if (saved.finished) {
+    return;
+  }
   const int chosen = threads.value_or(default_threads(saved.scene));
   run::check_memory(saved.scene, limit, chosen);
   carry_out({.threads = chosen}, report,

@@ -39,7 +39,9 @@ const scene::BoltzmannScene& LoadedScene::of_gas() const {
 }
 
 void add_scene(py::module_& module) {
-  py::class_<LoadedScene>(module, "Scene")
+  py::class_<LoadedScene> bound(module, "Scene");
+  refuse_pickle(bound);
+  bound
       .def(py::init<std::string, std::optional<std::string>, std::vector<scene::Override>>(),
            py::call_guard<Released>())
       .def_property_readonly(

@@ -48,6 +48,15 @@ class HeldCaster : public py::detail::type_caster_base<T> {
   }
 };
 
+/// Refuses pickle, whose older protocols end the process for classes of pybind11.
+template <class Class>
+void refuse_pickle(Class& bound) {
+  bound.def("__reduce__", [](const py::object& self) -> py::object {
+    throw py::type_error("cannot pickle " +
+                         py::str(py::type::of(self).attr("__name__")).cast<std::string>());
+  });
+}
+
 void add_scene(py::module_& module);
 void add_run(py::module_& module);
 void add_gas(py::module_& module);

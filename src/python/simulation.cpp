@@ -135,8 +135,9 @@ void add_simulation(py::module_& module) {
     interrupt->during([&] { made = std::make_unique<Simulation>(scene, threads, interrupt); });
     return made;
   };
-  py::class_<Simulation>(module, "Simulation")
-      .def(py::init(make), py::arg("scene"), py::arg("threads") = 1)
+  py::class_<Simulation> bound(module, "Simulation");
+  refuse_pickle(bound);
+  bound.def(py::init(make), py::arg("scene"), py::arg("threads") = 1)
       .def("_step", step)
       .def("next_stage", next_stage,
            "Ends the stage here and begins the next one. Throws Error in the last one.")

@@ -208,8 +208,10 @@ std::vector<store::ColumnSummary> sweep_summary(const std::vector<std::string>& 
                                                 const KnownQuantities& known) {
   std::vector<store::ColumnSummary> result;
   for (const std::string& key : columns) {
-    const auto of_stage = known.find(key.substr(key.find('.') + 1));
-    result.push_back(column_summary(key, of_stage ? of_stage : known.find(key)));
+    constexpr std::string_view kError = "_se";  // of a mean, in its unit
+    const std::string of = key.ends_with(kError) ? key.substr(0, key.size() - kError.size()) : key;
+    const auto of_stage = known.find(of.substr(of.find('.') + 1));
+    result.push_back(column_summary(key, of_stage ? of_stage : known.find(of)));
   }
   return result;
 }

@@ -68,13 +68,17 @@ FolderLock::FolderLock(const std::filesystem::path& folder) {
                                        holder.empty() ? "" : fmt::format(" (process {})", holder)));
   }
   descriptor_ = opened.release();
+  process_ = ::getpid();
 }
 
 FolderLock::FolderLock(FolderLock&& other) noexcept
-    : descriptor_(std::exchange(other.descriptor_, -1)) {}
+    : descriptor_(std::exchange(other.descriptor_, -1)), process_(other.process_) {}
 
 FolderLock::~FolderLock() {
   if (descriptor_ >= 0) {
+    if (process_ == ::getpid()) {
+      ::flock(descriptor_, LOCK_UN);  // forked children may have the descriptor, too
+    }
     ::close(descriptor_);
   }
 }

@@ -102,6 +102,8 @@ class OutputFolder::State {
 
  private:
   void read_manifest();
+  /// `below`: a folder, with a slash at its end.
+  void require_folder_or_nothing(const std::string& below) const;
   void list(const std::string& name);
   void add_to_manifest(std::string text);
 
@@ -195,9 +197,15 @@ void OutputFolder::State::make_folders(const std::string& name) {
     if (::mkdir(folder.c_str(), 0777) != 0 && errno != EEXIST) {
       fail_at("make the folder", path_ / below);
     }
-    if (!is_real_folder(folder)) {
-      fail_at("write to", folder, "it is no folder, or a symbolic link, which is not followed");
-    }
+    require_folder_or_nothing(below);
+  }
+}
+
+void OutputFolder::State::require_folder_or_nothing(const std::string& below) const {
+  const fs::path folder = at(below.substr(0, below.size() - 1));
+  std::error_code error;
+  if (fs::exists(fs::symlink_status(folder, error)) && !is_real_folder(folder)) {
+    fail_at("write to", folder, "it is no folder, or a symbolic link, which is not followed");
   }
 }
 
@@ -257,16 +265,21 @@ void OutputFolder::State::remove(const std::string& name) const {
 void OutputFolder::State::clear(const std::string& first, const std::string& kept) {
   const std::lock_guard lock(mutex_);
   read_manifest();  // another process may have added names
+  std::set<std::string> folders;
+  for (const std::string& name : names_) {
+    const std::vector<std::string> of_file = folders_of(name);
+    folders.insert(of_file.begin(), of_file.end());
+  }
+  for (const std::string& below : folders) {  // before anything is lost
+    require_folder_or_nothing(below);
+  }
   if (names_.contains(first)) {
     remove(first);
   }
-  std::set<std::string> folders;
   for (const std::string& name : names_) {
     if (name != kept) {
       remove(name);
     }
-    const std::vector<std::string> of_file = folders_of(name);
-    folders.insert(of_file.begin(), of_file.end());
   }
   std::for_each(folders.rbegin(), folders.rend(),  // inner ones first
                 [this](const std::string& below) { ::rmdir(at(below).c_str()); });
@@ -353,6 +366,9 @@ void OutputFolder::write(const std::string& name, std::string_view text) const {
 }
 
 int OutputFolder::open_to_append(const std::string& name) const {
+  if (!owns(name)) {
+    state_->remove(prefix_ + name);  // what somebody else put there is replaced, as by create()
+  }
   state_->prepare(prefix_ + name);
   Descriptor file = opened(state_->at(prefix_ + name), O_WRONLY | O_APPEND | O_CREAT);
   if (!file.is_open()) {

@@ -1,5 +1,6 @@
 """What else the process does: other libraries, other folders, children, signals, its end."""
 
+import itertools
 import multiprocessing
 import os
 import pathlib
@@ -287,6 +288,10 @@ class UnmadeTest(unittest.TestCase):
                 with self.subTest(f"{kind.__name__}.{name}"), self.assertRaises(TypeError):
                     found = getattr(kind.__new__(kind), name)
                     found()
+        objects = [clca.Simulation(scene), *(kind.__new__(kind) for kind in classes)]
+        for unmade, protocol in itertools.product(objects, range(pickle.HIGHEST_PROTOCOL + 1)):
+            with self.subTest(f"{type(unmade).__name__}, protocol {protocol}"), self.assertRaises((TypeError, AttributeError)):
+                pickle.dumps(unmade, protocol)
         for call in (lambda: clca.run(clca.Scene.__new__(clca.Scene)), lambda: clca.Gas(clca.Scene.__new__(clca.Scene)),
                      lambda: clca.Simulation.__new__(clca.Simulation).step(1)):
             with self.assertRaises((TypeError, AttributeError)):

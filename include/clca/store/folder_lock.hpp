@@ -19,8 +19,8 @@ class FolderInUseError : public FolderLockError {
   using FolderLockError::FolderLockError;
 };
 
-/// Locks the file `.clca.lock` of a folder. The system releases the lock when the process ends. The
-/// file is empty and remains.
+/// Locks the file `.clca.lock` of a folder. The system releases the lock when the process ends, and
+/// children that it has forked meanwhile. The file is empty and remains.
 class FolderLock {
  public:
   /// Throws FolderInUseError if another process holds the lock, with its id if known, and
@@ -34,6 +34,7 @@ class FolderLock {
 
  private:
   int descriptor_ = -1;
+  int process_ = 0;  // that has locked it
 };
 
 }  // namespace clca::store

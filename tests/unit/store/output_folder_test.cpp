@@ -17,6 +17,7 @@
 #include <thread>
 
 #include "clca/store/file.hpp"
+#include "clca/store/folder_lock.hpp"
 #include "clca/store/growing_file.hpp"
 #include "support/runs.hpp"
 
@@ -132,9 +133,37 @@ TEST_F(OutputFolderTest, SymbolicLinksAreNeverFollowed) {
               ThrowsMessage<StoreError>(EndsWith("it is not a regular file")));
   EXPECT_THROW(out.open_to_append("table.csv"), StoreError);
   EXPECT_THROW(out.truncate("table.csv", 0), StoreError);
-  out.clear("", "");
+  out.write("kept.csv", "x");
+  EXPECT_THAT([&] { out.clear("", ""); }, ThrowsMessage<StoreError>(HasSubstr("link")));
+  EXPECT_EQ(text("out/kept.csv"), "x") << "nothing is lost where the next run cannot write";
   EXPECT_EQ(text("far/a.png"), "mine");
   EXPECT_TRUE(fs::is_symlink(path("out/table.csv")));
+}
+
+TEST_F(OutputFolderTest, AGrowingFileReplacesOneThatSomebodyElsePutThere) {
+  const OutputFolder out = folder();
+  out.write("a.txt", "x");
+  put("out/table.csv", "mine");
+  GrowingFile file(out, "table.csv", 0);
+  file.append("a,b\n");
+  file.append("1,2\n");
+  EXPECT_EQ(text("out/table.csv"), "a,b\n1,2\n");
+  out.flush();
+}
+
+TEST_F(OutputFolderTest, ALockIsFreeWhenItsOwnerIsDoneAlsoIfAChildWasForked) {
+  std::optional<FolderLock> lock(std::in_place, path("."));
+  const pid_t child = ::fork();
+  if (child == 0) {
+    const FolderLock of_parent = *std::move(lock);  // not its own: it does not unlock
+    ::pause();
+    ::_exit(0);
+  }
+  EXPECT_THROW(FolderLock{path(".")}, FolderInUseError);
+  lock.reset();
+  EXPECT_NO_THROW(FolderLock{path(".")});
+  ::kill(child, SIGKILL);
+  ::waitpid(child, nullptr, 0);
 }
 
 TEST_F(OutputFolderTest, AManifestThatNamesFilesElsewhereOrIsNoneIsRefused) {

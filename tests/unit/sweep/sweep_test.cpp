@@ -78,6 +78,11 @@ TEST_F(SweepTest, LeavesARunFolderForEachRunAndTablesOverAll) {
   EXPECT_EQ(json["seeds"], "1..2,5");
   EXPECT_EQ(json["title"], plan_of().variants.front().scene.title);
   EXPECT_EQ(json["vary"][0]["rows"][1][0], "0.9");
+  const auto& columns = json["tables"]["mean-series"];
+  const auto error = std::ranges::find(columns, "mean_height_se",
+                                       [](const auto& column) { return column["key"]; });
+  ASSERT_NE(error, columns.end());
+  EXPECT_EQ((*error)["unit"], "spacings") << "of the mean";
   const auto scene = scene::parse_file(at("out/runs/rules.inertia=0.9,seed=5/scene.yaml"));
   EXPECT_EQ(scene.seed, 5U);
   EXPECT_EQ(testing::csv_column(at("out/runs.csv"), "seed"),
