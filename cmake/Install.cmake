@@ -1,4 +1,4 @@
-# Installs the program with its data, man pages and completion, the libraries, and the Python package where it is built. Others
+# Installs the program with its data, documents, man pages and completion, the libraries, and the Python package where it is built. Others
 # use the libraries by find_package(clca), with COMPONENTS clca (all, the default), core or boltzmann, or by pkg-config.
 # Each component is a Debian package (Package.cmake).
 include(CMakePackageConfigHelpers)
@@ -18,6 +18,20 @@ install(CODE "
   execute_process(COMMAND $<TARGET_FILE:clca_program> __man \${folder} COMMAND_ERROR_IS_FATAL ANY)
   file(GLOB pages \${folder}/clca*.1)
   execute_process(COMMAND gzip -9nf \${pages} COMMAND_ERROR_IS_FATAL ANY)")
+
+set(documents ${CMAKE_INSTALL_DATADIR}/doc/clca)
+install(DIRECTORY examples DESTINATION ${documents} PATTERN __pycache__ EXCLUDE)
+find_program(MKDOCS mkdocs)
+if(MKDOCS)  # the site, else its pages
+  install(CODE "
+    execute_process(COMMAND ${CMAKE_COMMAND} -E env PYTHONDONTWRITEBYTECODE=1 ${MKDOCS} build --quiet --strict
+                            --config-file ${PROJECT_SOURCE_DIR}/mkdocs.yml
+                            --site-dir \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${documents}/html\"
+                    COMMAND_ERROR_IS_FATAL ANY)")
+else()
+  install(FILES README.md CHANGELOG.md DESTINATION ${documents})
+  install(DIRECTORY docs DESTINATION ${documents})
+endif()
 
 if(CLCA_MPI)
   install(TARGETS clca_mpi_program RUNTIME COMPONENT mpi)

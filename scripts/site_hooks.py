@@ -1,7 +1,8 @@
-"""Hooks of mkdocs.yml: the site also has what its pages link to outside of docs/, sources as pages of their own, and
-all its links lead somewhere.
+"""Hooks of mkdocs.yml: the site also has what its pages link to outside of docs/, sources as pages of their own; all
+its links lead somewhere, and its search works in files, too, and leaves sources out.
 """
 
+import json
 import logging
 import posixpath
 import re
@@ -33,6 +34,11 @@ def place_of(source):
     if Path(source).suffix in LANGUAGES:
         return f"{source}.md"
     return "index.md" if source == "README.md" else source.removeprefix("docs/")
+
+
+def is_source(location):
+    """Whether this address in the site is of the page of a source."""
+    return Path(pages_of_sources.name, location.partition("#")[0].removesuffix(".html") + ".md").exists()
 
 
 def page_of_source(source, config):
@@ -112,9 +118,27 @@ class Links(HTMLParser):
             self.loads.add(values.get("src") or values.get("href"))
 
 
+def on_post_page(output, page, config):
+    script = posixpath.relpath("search.js", posixpath.dirname(page.file.url) or ".")
+    return output.replace("</head>", f'<script src="{script}"></script></head>', 1)
+
+
+def write_search_index(site):
+    """Leaves sources out of the index, and writes it as a script, too, for docs/search.js."""
+    path = site / "search/search_index.json"
+    index = json.loads(path.read_text())
+    index["docs"] = [entry for entry in index["docs"] if not is_source(entry["location"])]
+    text = json.dumps(index, separators=(",", ":"))
+    path.write_text(text)
+    path.with_suffix(".js").write_text(f"var __index = {text};\nvar __search = {{index: Promise.resolve(__index)}};\n")
+
+
 def on_post_build(config):
     """Warns of links without a target, and of anything that a page would load from elsewhere."""
     site = Path(config["site_dir"])
+    write_search_index(site)
+    for name in ("sitemap.xml", "sitemap.xml.gz"):  # without addresses
+        (site / name).unlink()
     pages = {path: Links(path.read_text()) for path in site.rglob("*.html")}
     for path, page in pages.items():
         name = path.relative_to(site)

@@ -1,4 +1,4 @@
-# Run as a script, with BUILD, EXAMPLE, WORK, GENERATOR, COMPILER and SANITIZE given.
+# Run as a script, with BUILD, PAGES, EXAMPLE, WORK, GENERATOR, COMPILER and SANITIZE given.
 set(prefix ${WORK}/prefix)
 set(example_build ${WORK}/example)
 file(REMOVE_RECURSE ${prefix} ${example_build})
@@ -9,7 +9,8 @@ endfunction()
 
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${prefix})
 run(${prefix}/bin/clca check wall-removal)
-foreach(file clca/python/clca/__main__.py man/man1/clca-run.1.gz bash-completion/completions/clca)
+foreach(file clca/python/clca/__main__.py man/man1/clca-run.1.gz bash-completion/completions/clca
+        doc/clca/${PAGES} doc/clca/examples/read_trajectory.py)
   if(NOT EXISTS ${prefix}/share/${file})
     message(FATAL_ERROR "${file} is not installed")
   endif()

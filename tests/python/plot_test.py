@@ -20,6 +20,7 @@ from support import CONTACT, GAS, PROGRAM, SCENE, ScratchTest, clca_program
 
 import matplotlib
 matplotlib.use("agg")
+from matplotlib import pyplot  # noqa: E402
 
 # What gnuplot's templates drew of these scenes.
 OF_RUN = {"profile", "motion", "mean-height"}
@@ -105,6 +106,10 @@ class FiguresTest(ScratchTest):
         self.assertEqual([len(curve.x) for curve in panel.on_y2], [len(curve.x) for curve in panel.curves[:2]])
         self.assertEqual([curve.label for curve in panel.curves[2:]],
                          ["Mean height of the particles (spacings) (left)", "Moving (particles) (right, dashed)"])
+        with _chart.style(1):
+            first, second = _chart.draw_panel(pyplot.figure().add_subplot(), panel)
+        pyplot.close()
+        self.assertEqual([any(line.get_visible() for line in ax.get_ygridlines()) for ax in (first, second)], [True, False])
         with self.assertRaisesRegex(clca.Error, "no figure over time of a table with a column 'movin'"):
             names(run, y2="movin")
 
@@ -160,8 +165,6 @@ class SweepTest(ScratchTest):
                 names(sweep, **wrong)
 
     def test_notebooks_get_axes(self):
-        from matplotlib import pyplot
-
         sweep = clca.sweep(SCENE, seeds=[1, 2], vary={"rules.inertia": [0, 0.9]}, output="sweep")
         run = sweep[0]
         with matplotlib.rc_context({"axes.prop_cycle": matplotlib.cycler(color=["#123456", "#654321"])}):

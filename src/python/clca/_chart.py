@@ -220,6 +220,7 @@ def draw_panel(ax: Any, panel: Panel, look: Look = Look(), beside: Sequence[Pane
     if panel.curves and not (panel.x.words or panel.x.log) and {*look.x_limits, panel.x.low} == {None}:
         ax.margins(x=0.03 if shown[0].style in ("bars", "points") else 0)
     if panel.y2 is not None:
+        axes[1].grid(False)  # it would lie over the curves of the first axis
         draw_axis(axes[1], "y", panel.y2, [curve.y for curve in panel.on_y2])
     if panel.equal:
         ax.set_aspect("equal")
