@@ -187,7 +187,7 @@ ObserverKind fields_observer() {
          {"fluctuation_hellinger", "Distance from chi-square", "",
           "of the distribution of the fluctuations (Hellinger), over the mean of the window"},
          {"fluctuation_hellinger_local", "Distance from chi-square, local", "",
-          "the same, over the mean of the cell"},
+          "as `fluctuation_hellinger`, over the mean of the cell"},
          {"fluctuation_samples", "Samples of fluctuations", "", "particles × windows"},
          {"fluctuation_resting_share", "Left out: resting", "",
           "in cells that rest or move as one"},

@@ -22,7 +22,8 @@ Eigen::Vector2d downwards(const Eigen::Vector2d& line) {
 }
 
 std::optional<Eigen::Vector2d> direction_of(const scene::WallPart& part) {
-  if (const auto* line = std::get_if<lattice::Segment>(&part)) {
+  const auto* line = std::get_if<lattice::Segment>(&part);
+  if (line != nullptr && line->from != line->to) {
     return downwards(line->to - line->from);
   }
   if (const auto* box = std::get_if<lattice::Rectangle>(&part)) {

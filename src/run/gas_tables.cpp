@@ -55,7 +55,7 @@ const std::vector<GasValue>& gas_values() {
        [](Gas gas) { return gas.now.collisions; }},
       {{"a2_tr", "Second cumulant, velocities", "", "3⟨v⁴⟩/(5⟨v²⟩²) - 1; 0 if normal"},
        [](Gas gas) { return gas.now.moments.a2_translational; }},
-      {{"a2_rot", "Second cumulant, spins", "", "the same of the spins"},
+      {{"a2_rot", "Second cumulant, spins", "", "as `a2_tr`, of the spins"},
        [](Gas gas) { return gas.now.moments.a2_rotational; }},
       {{"dh_tr", "Hellinger distance, translational energy", "", "from chi-square"},
        [](Gas gas) { return gas.now.dh_translational; }},

@@ -26,12 +26,13 @@ bool counts_apart(const scene::Scene& scene) {
 
 constexpr Quantity kPerStep = {"outflow_sites_per_step", "Outflow", "sites/step",
                                "steady part: while 20 % to 70 % of what left the box left"};
+constexpr std::string_view kSteady = "steady part, as `outflow_sites_per_step`";
 constexpr Quantity kPerTime = {"outflow_sites_per_time", "Outflow over time", "sites/time",
-                               "the same"};
-constexpr Quantity kMassPerTime = {"outflow_mass_per_time", "Mass outflow", "kg/s", "the same"};
-constexpr Quantity kParticlesPerTime = {"outflow_particles_per_time", "Particle outflow",
-                                        "particles/s",
-                                        "the same, over the mean mass of a particle that left"};
+                               kSteady};
+constexpr Quantity kMassPerTime = {"outflow_mass_per_time", "Mass outflow", "kg/s", kSteady};
+constexpr Quantity kParticlesPerTime = {
+    "outflow_particles_per_time", "Particle outflow", "particles/s",
+    "`outflow_mass_per_time` over the mean mass of a particle that left"};
 constexpr Quantity kClogged = {"clogged", "Clogged", "",
                                "at rest, particles hang over an outlet that they could have "
                                "passed; some outlet, if there are several"};
