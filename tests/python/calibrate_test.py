@@ -100,6 +100,21 @@ class CalibrateTest(ScratchTest):
         self.study(tests=[{"scene": "scene.yaml", "targets": {"packing.packing_fraction": [0.8, 1]}}])
         self.assertIn("rules.inertia is not determined", clca.Calibration("found").notes[0])
 
+    def test_a_measure_that_depends_on_no_parameter_is_told(self):
+        targets = {"packing.packing_fraction": (0.8, 0.01), "flow.runout_99": (12, 0.5)}
+        how = {"seeds": 2, "points": 8, "rounds": 0, "check": 2}
+        scene = SCENE | {"stages": [SCENE["stages"][0], SCENE["stages"][1] | {"rules": {"inertia": 0.5}}]}
+        vary = {"stages.flow.rules.inertia": (0, 0.9)}
+        found = clca.calibrate(scene, targets, vary, output="found", **how)
+        said = "scene: packing.packing_fraction does not depend on stages.flow.rules.inertia: it is the same at all points."
+        self.assertIn(said, found.notes)
+        self.assertNotIn("runout", "".join(note for note in found.notes if "depend" in note))
+        alone = clca.calibrate(scene, {"flow.runout_99": (12, 0.5)}, vary, output="alone", **how)
+        self.assertEqual(found.best, alone.best)
+        for targets in ({"packing.packing_fraction": (0.8, 0.01)}, {"packing.steps": (9, 1), "flow.runout_99": (12, 0.5)}):
+            with self.assertRaisesRegex(clca.Error, "^no target depends on title: the same in all runs"):
+                clca.calibrate(scene, targets, {"title": (0.1, 0.9)}, output="title", **how)
+
     def test_a_wrong_study_is_one_line_with_its_place(self):
         for text, line in (
             ("vary: {a.b: [1, 0]}\ntests: []", "study.yaml:1:8: error: the range is empty: 1 to 0"),

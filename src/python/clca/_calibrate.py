@@ -138,6 +138,9 @@ def notes_of(answer: Answer, tables: Mapping[str, Rows], correlations: Numbers) 
             yield f"{key} is not determined: anything from {row['low']:.3g} to {row['high']:.3g} gives the targets."
         elif row["low"] - low < 0.01 * (high - low) or high - row["high"] < 0.01 * (high - low):
             yield f"{key} lies at the end of its range: a wider range may have better values."
+    for row, surrogate in zip(tables["targets"], answer.surrogates):
+        if surrogate.is_constant:
+            yield f"{row['test']}: {row['target']} does not depend on {' or '.join(vary)}: it is the same at all points."
     for (i, first), (j, second) in combinations(enumerate(vary), 2):
         if abs(together := correlations[i, j]) > 0.8:
             more = f"More of {first} with {'less' if together < 0 else 'more'} of {second} gives the same targets"
