@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 import numpy
 
 from . import _answer
-from ._arguments import absolute, plain, to_yaml
+from ._arguments import absolute, jobs as checked_jobs, plain, progress as checked_progress, to_yaml
 from ._error import ArgumentError, Error
 from ._folder import Folder, make_own, write_file, wrong
 from ._notebook import Progress
@@ -160,7 +160,7 @@ def content_of(answer: Answer) -> tuple[dict[str, Any], dict[str, Rows]]:
     tests = []
     for test in study.tests:
         scene = os.fspath(test.scene) if isinstance(test.scene, (str, os.PathLike)) else test.name
-        tests.append({"name": test.name, "scene": scene, "set": plain(test.set), "targets": test.targets})
+        tests.append({"name": test.name, "scene": scene, "set": plain("set", test.set), "targets": test.targets})
     summary: dict[str, Any] = {"tests": tests} | {name: value for name, value in study._asdict().items() if name != "tests"}
     summary |= {"runs": answer.runs, "correlations": correlations.tolist()}
     summary |= {"notes": list(notes_of(answer, tables, correlations)), "tables": {}}
@@ -250,6 +250,7 @@ def calibrate(
         return ArgumentError(": ".join(filter(None, (".".join(map(str, shown)), text))))
 
     study = study_of(said, refuse)
+    checked_jobs(jobs), checked_progress(progress)
     folder = absolute(output if output is not None else Path("renders") / f"{study.tests[0].name}-calibration")
     make_own(folder)
     number = 0
@@ -268,7 +269,7 @@ def sweeps_of(study: Study, planned: Any) -> Iterator[dict[str, Any]]:
     for test, rows, seeds, folder in planned:
         yield {
             "scene": test.scene,
-            "set": [f"{key}={to_yaml(value)}" for key, value in test.set.items()],
+            "set": [f"{key}={to_yaml(key, value)}" for key, value in test.set.items()],
             "vary": f"{','.join(study.vary)}={separator.join(','.join(map(repr, row)) for row in rows)}",
             "seeds": f"{seeds[0]}..{seeds[-1]}",
             "folder": os.fspath(folder),

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy
 from numpy.typing import NDArray
 
-from ._arguments import MOST, absolute, path, whole
+from ._arguments import MOST, absolute, at_most_runs, flag, number, path, text, whole
 from ._error import ArgumentError, CompiledPartError, Error, WriteError
 from ._frames import Frames, Kind
 from ._notebook import Movie, Picture, overrides, shown
@@ -60,6 +60,8 @@ def make_own(folder: Path) -> None:
 
 def write_file(file: Path, content: bytes, is_listed: bool) -> None:
     """A whole file. One that the manifest of its folder lists is removed by the next run into it. Throws Error."""
+    if file.is_dir():
+        raise WriteError(f"cannot write {file}: it is a folder")
     new, line, manifest = file.with_name(f".{file.name}.new"), f'\nfile "{file.name}"\n', file.with_name(MANIFEST)
     try:
         if is_listed and manifest.is_file() and line not in manifest.read_text():
@@ -90,8 +92,8 @@ def wrong(file: Path, error: Exception) -> Error:
 Names = str | Sequence[str]
 
 
-def names(given: Names) -> tuple[str, ...]:
-    return (given,) if isinstance(given, str) and given else tuple(given)
+def names(name: str, given: Names) -> tuple[str, ...]:
+    return tuple([given] * bool(given) if isinstance(given, str) else [text(name, one) for one in at_most_runs(name, given)])
 
 
 class Folder:
@@ -152,7 +154,14 @@ class Result(Folder):
         from ._plot import plot
 
         assert isinstance(self, (Run, Sweep))
-        return plot(self, name, ax, Choice(x, names(y), names(over), y2, log, names(stage), first, last, filling, mean))
+        if text("log", log) not in ("", "x", "y", "xy"):
+            raise ArgumentError(f"log: expected x, y or xy, found '{log}'")
+        first, last = (None if one is None else number("first, last", one) for one in (first, last))
+        choice = Choice(
+            text("x", x), names("y", y), names("over", over), text("y2", y2), log, names("stage", stage), first, last,
+            flag("filling", filling), whole("mean", mean, 1, 1_000_000)
+        )
+        return plot(self, text("name", name), ax, choice)
 
     def _repr_html_(self) -> str | None:
         assert isinstance(self, (Run, Sweep))
@@ -266,9 +275,9 @@ class Run(Result):
         notebook. Throws Error.
         """
         if duration is not None:
-            if not 0.1 <= duration <= 86_400:
-                raise ArgumentError(f"duration: expected 0.1 to 86400 seconds, found {duration:g}")
+            duration = number("duration", duration, 0.1, 86_400, "0.1 to 86400 seconds")
             frames = {"every": 1, **frames}
+        stage = None if stage is None else text("stage", stage)
         movie = compiled("drawing grains").movie
         movie(self.folder, path(file), whole("fps", fps, 1, 240), duration, stage, overrides(frames))
         return Movie(absolute(file))
@@ -287,7 +296,7 @@ class Run(Result):
 
         first, last = (None if step is None else whole("first, last", step, 0, MOST) for step in (first, last))
         file = None if path is None else absolute(path)
-        return export(self, format, file, first, last, whole("every", every, 1, MOST))
+        return export(self, text("format", format), file, first, last, whole("every", every, 1, MOST))
 
     def __getstate__(self) -> dict[str, Any]:
         return {name: value for name, value in self.__dict__.items() if name != "frames"}  # of an open trajectory
