@@ -210,6 +210,26 @@ class ReportTest(PageTest):
                 clca.open("run").report()
             self.assertFalse(Path("run/report.html").exists())
 
+    def test_a_damaged_run_is_refused_with_what_is_wrong(self):
+        for changed, place in (
+            ({"scene": 5}, "scene"), ({"steps": "x"}, "steps"), ({"steps": True}, "steps"), ({"seed": 10**400}, "seed"),
+            ({"state_hash": "x"}, "state_hash"), ({"stages": [1]}, "stages.0"), ({"stages": {}}, "stages"),
+            ({"stages": [self.run["stages"][0] | {"measures": {"a.b": "c"}}]}, "stages.0.measures.a.b"),
+            ({"measures": [{"key": "a"}]}, "measures.0.name"), ({"tables": {"series": 3}}, "tables.series"),
+            ({"units": {"time": "s"}}, "units.velocity"), ({"build": []}, "build"), ({"wall_seconds": None}, "wall_seconds"),
+        ):
+            self.write("run.json", json.dumps(self.run | changed))
+            with self.assertRaisesRegex(clca.Error, f"^cannot read .*/run.json: '{place}' is missing or not what it should be$"):
+                clca.open("run")
+        for missing in ("build", "threads", "wall_seconds"):
+            self.write("run.json", json.dumps({key: value for key, value in self.run.items() if key != missing}))
+            with self.assertRaisesRegex(clca.Error, f"^cannot read .*{missing}"):
+                clca.open("run").report()
+        self.write("run.json", json.dumps(self.run))
+        self.write("series.csv", "step,\n0,1\n")
+        with self.assertRaisesRegex(clca.Error, "^cannot read .*series.csv: line 1: cut off or no row of the table$"):
+            clca.open("run").series._repr_html_()
+
     def test_a_run_without_title_or_scene_says_so(self):
         self.run["title"] = ""
         (self.folder / "run/scene.yaml").unlink()

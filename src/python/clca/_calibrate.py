@@ -18,7 +18,7 @@ import numpy
 from . import _answer
 from ._arguments import absolute, jobs as checked_jobs, plain, progress as checked_progress, to_yaml
 from ._error import ArgumentError, Error
-from ._folder import Folder, make_own, write_file, wrong
+from ._folder import Folder, make_own, write_file
 from ._notebook import Progress
 from ._rounds import Answer, scaled, step
 from ._study import Place, Study, read_study, study_of
@@ -62,11 +62,11 @@ class Calibration(Folder):
 
     def __init__(self, folder: str | os.PathLike[str]) -> None:
         super().__init__(folder, "calibration.json")
-        try:
-            self.notes, self.keys = self.summary["notes"], list(self.summary["vary"])
-            self.correlations = numpy.array(self.summary["correlations"], dtype=float)
-        except (KeyError, TypeError, ValueError) as error:
-            raise wrong(self.folder / "calibration.json", error) from None
+        self.notes, self.keys = self.summary["notes"], list(self.summary["vary"])
+        rows = self.summary["correlations"]
+        if {len(self.keys)} != {len(rows), *map(len, rows)}:
+            raise Error(f"cannot read {self.folder / 'calibration.json'}: 'correlations' is not what it should be")
+        self.correlations = numpy.array(rows, dtype=float)
 
     def __repr__(self) -> str:
         return "\n".join(summary_lines(self.parameters, self.targets, self.notes))

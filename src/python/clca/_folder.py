@@ -16,6 +16,7 @@ from ._arguments import MOST, absolute, at_most_runs, flag, number, path, text, 
 from ._error import ArgumentError, CompiledPartError, Error, WriteError
 from ._frames import Frames, Kind
 from ._notebook import Movie, Picture, overrides, shown
+from ._summary import SHAPES, check
 from ._table import Named, Quantity, Table, Value, check_regular, quantities, read_table
 
 if TYPE_CHECKING:
@@ -85,10 +86,6 @@ def compiled(what: str) -> Any:
     return _clca
 
 
-def wrong(file: Path, error: Exception) -> Error:
-    return Error(f"cannot read {file}: {error} is missing or not what it should be")
-
-
 Names = str | Sequence[str]
 
 
@@ -105,6 +102,7 @@ class Folder:
     def __init__(self, folder: str | os.PathLike[str], summary: str) -> None:
         self.folder = absolute(folder)
         self.summary = read_json(self.folder / summary)
+        check(self.summary, SHAPES[summary], self.folder / summary)
 
     @property
     def tables(self) -> list[str]:
@@ -196,20 +194,17 @@ class Run(Result):
 
     def __init__(self, folder: str | os.PathLike[str]) -> None:
         super().__init__(folder, "run.json")
-        try:
-            said = self.summary
-            self.kind, self.scene, self.title = said["kind"], said["scene"], said.get("title", "")
-            self.version, self.seed, self.status = said["clca"], said["seed"], said["status"]
-            self.particles, self.steps, self.state_hash = said["particles"], said["steps"], int(said["state_hash"], 16)
-            known = quantities(said.get("measures", []))
-            self.stages = {}
-            for stage in said["stages"]:
-                of = {key: Value(number, *known.get(key, Quantity())[:3]) for key, number in stage["measures"].items()}
-                notes, fills = stage.get("notes", []), stage.get("fills", False)
-                measures = Named("measure", of.items())
-                self.stages[stage["name"]] = Stage(stage["steps"], stage["ended"], measures, notes, fills)
-        except (KeyError, TypeError, ValueError, AttributeError) as error:
-            raise wrong(self.folder / "run.json", error) from None
+        said = self.summary
+        self.kind, self.scene, self.title = said["kind"], said["scene"], said.get("title", "")
+        self.version, self.seed, self.status = said["clca"], said["seed"], said["status"]
+        self.particles, self.steps, self.state_hash = said["particles"], said["steps"], int(said["state_hash"], 16)
+        known = quantities(said.get("measures", []))
+        self.stages = {}
+        for stage in said["stages"]:
+            of = {key: Value(number, *known.get(key, Quantity())[:3]) for key, number in stage["measures"].items()}
+            notes, fills = stage.get("notes", []), stage.get("fills", False)
+            measures = Named("measure", of.items())
+            self.stages[stage["name"]] = Stage(stage["steps"], stage["ended"], measures, notes, fills)
 
     def __repr__(self) -> str:
         return f"<run {self.folder}: {self.scene}, seed {self.seed}, {self.status} after {self.steps} steps>"
@@ -310,11 +305,8 @@ class Sweep(Result):
 
     def __init__(self, folder: str | os.PathLike[str]) -> None:
         super().__init__(folder, "sweep.json")
-        try:
-            self.title = self.summary.get("title", "")
-            self.keys = [key for varied in self.summary["vary"] for key in varied["keys"]]
-        except (KeyError, TypeError, AttributeError) as error:
-            raise wrong(self.folder / "sweep.json", error) from None
+        self.title = self.summary.get("title", "")
+        self.keys = [key for varied in self.summary["vary"] for key in varied["keys"]]
 
     def __repr__(self) -> str:
         return f"<sweep {self.folder}: {len(self)} runs>"

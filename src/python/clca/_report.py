@@ -416,7 +416,10 @@ def folder_in_notebook(folder: Run | Sweep) -> str:
 def report(folder: Run | Sweep, max_frames: int | None = None) -> tuple[bytes, list[str]]:
     """The page, and what is left out. Throws Error."""
     page = Page(folder)
-    made = run_page(page, folder, max_frames) if isinstance(folder, Run) else sweep_page(page, folder)
+    try:
+        made = run_page(page, folder, max_frames) if isinstance(folder, Run) else sweep_page(page, folder)
+    except jinja2.UndefinedError as error:  # what a page needs, but not a folder
+        raise Error(f"cannot read {folder.folder}: {error.message}") from None
     return made, page.warnings
 
 

@@ -187,7 +187,7 @@ def read_table(file: Path, known: Mapping[str, Quantity]) -> Table:
     except (OSError, csv.Error) as error:
         raise Error(f"cannot read {file}: {error.strerror if isinstance(error, OSError) else error}") from None
     wrong = next((number for number, row in enumerate(cells) if len(row) != len(names)), None)
-    if not names or len(set(names)) < len(names) or wrong is not None:
+    if not all(names) or not names or len(set(names)) < len(names) or wrong is not None:
         raise Error(f"cannot read {file}: line {1 if wrong is None else 2 + wrong}: cut off or no row of the table")
     columns = list(zip(*cells)) if cells else [()] * len(names)
     what = [known.get(name, Quantity(name)) for name in names]
