@@ -5,6 +5,7 @@ import math
 import os
 import pty
 import re
+import shutil
 import struct
 import subprocess
 import sys
@@ -16,6 +17,7 @@ from html.parser import HTMLParser
 from pathlib import Path
 
 import clca
+import numpy
 from clca import _report
 from clca._chart import Chart, Curve, Look, Panel, rendered
 from support import CONTACT, GAS, PROGRAM, SCENE, ScratchTest, clca_program
@@ -229,6 +231,27 @@ class ReportTest(PageTest):
         self.write("series.csv", "step,\n0,1\n")
         with self.assertRaisesRegex(clca.Error, "^cannot read .*series.csv: line 1: cut off or no row of the table$"):
             clca.open("run").series._repr_html_()
+
+    def test_a_page_does_not_replace_what_runs_have_left(self):
+        self.write("run.json", json.dumps(self.run))
+        self.write("trajectory/part-000000.h5", "")
+        (self.folder / "link").symlink_to("run")
+        for name in ("run.json", "scene.yaml", "sweep.json", "log.txt", "series.csv", ".clca.manifest", "checkpoint.clca",
+                     "trajectory.h5", "trajectory/part-000000.h5", "../link/run.json", "frames/../run.json"):
+            (self.folder / "run/frames").mkdir(exist_ok=True)
+            before = {file: file.read_bytes() for file in Path("run").rglob("*") if file.is_file()}
+            message = "cannot write .*: a file of that name belongs to what clca has left in "
+            with self.assertRaisesRegex(clca.Error, message):
+                clca.open("run").report(f"run/{name}")
+            told = subprocess.run([PROGRAM, "report", "run", "-o", f"run/{name}"], capture_output=True, text=True)
+            self.assertEqual(told.returncode, 2, name)
+            self.assertRegex(told.stderr, message)
+            self.assertEqual(before, {file: file.read_bytes() for file in Path("run").rglob("*") if file.is_file()})
+        shutil.rmtree("run/trajectory")
+        for name in ("report.html", "my.html", "frames/a.html", "../run.json"):
+            self.assertTrue(clca.open("run").report(f"run/{name}").exists())
+        with self.assertRaisesRegex(clca.Error, message):
+            numpy.zeros((2, 2, 3), numpy.uint8).view(clca.Picture).save("run/run.json")
 
     def test_a_run_without_title_or_scene_says_so(self):
         self.run["title"] = ""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 from collections.abc import Iterator, Sequence
 from functools import cached_property
 from pathlib import Path
@@ -24,6 +25,8 @@ if TYPE_CHECKING:
 
 MOST_BYTES = 16 << 20  # of a run.json
 MANIFEST = ".clca.manifest"
+# What clca writes into its folders and reads again.
+OWN = re.compile(r"(run|sweep|calibration)\.json|scene\.yaml|log\.txt|.*\.csv|checkpoint.*|trajectory(\.h5)?|\.clca.*")
 
 
 def read_json(file: Path) -> dict[str, Any]:
@@ -57,6 +60,15 @@ def make_own(folder: Path) -> None:
             manifest.write_text("clca manifest 1\n")
     except OSError as error:
         raise WriteError(f"cannot write to {folder}: {error.strerror}") from None
+
+
+def check_free(file: Path) -> None:
+    """Throws Error for a file that somebody names but clca writes into its folders."""
+    file = file.absolute().parent.resolve() / file.name
+    for folder in list(file.parents)[:2]:
+        is_own = any(os.path.exists(folder / name) for name in (MANIFEST, "run.json", "sweep.json"))
+        if is_own and OWN.fullmatch(file.relative_to(folder).parts[0]):
+            raise Error(f"cannot write {file}: a file of that name belongs to what clca has left in {folder}; write elsewhere")
 
 
 def write_file(file: Path, content: bytes, is_listed: bool) -> None:

@@ -24,7 +24,7 @@ from . import _answer
 from ._chart import Look, rendered
 from ._error import Error
 from ._figures import charts
-from ._folder import Run, Sweep, open, write_file
+from ._folder import Run, Sweep, check_free, open, write_file
 from ._notebook import MEDIA, png
 from ._sweep_figures import VESSEL_ANGLE
 from ._table import Quantity, Table, check_regular, quantities
@@ -425,6 +425,8 @@ def report(folder: Run | Sweep, max_frames: int | None = None) -> tuple[bytes, l
 
 def write(folder: Run | Sweep, path: Path | None, max_frames: int | None) -> Path:
     """Throws Error."""
+    if path is not None:
+        check_free(path)
     page, left_out = report(folder, max_frames)
     for text in left_out:
         warnings.warn(f"{folder.folder}: {text}", stacklevel=3)
@@ -434,6 +436,8 @@ def write(folder: Run | Sweep, path: Path | None, max_frames: int | None) -> Pat
 
 
 def command(options: dict[str, Any], folder_name: str) -> None:
+    if "file" in options:
+        check_free(Path(options["file"]))
     page, left_out = report(open(folder_name), options.get("max_frames"))
     for text in left_out:
         _answer.warning(text)
