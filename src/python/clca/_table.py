@@ -127,6 +127,8 @@ class Table(numpy.ndarray[Any, numpy.dtype[Any]]):
         """Throws Error where a cell of these is none, with its line in the file."""
         for column in columns:
             if not is_numeric(cells := self[column]):
+                if column in TEXT:
+                    raise Error(f"{self._file}: column '{column}' is text, no numbers")
                 line, cell = next((line, cell) for line, cell in enumerate(cells, 2) if isinstance(numbers_of([cell]), list))
                 raise Error(f"{self._file}: line {line}: '{cell}' in column '{column}' is no number")
 
