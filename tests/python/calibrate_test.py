@@ -160,6 +160,7 @@ class CalibrateTest(ScratchTest):
 
     def test_a_message_names_its_place_once(self):
         for changed, message in (
+            ({"scene": None, "tests": 5}, "tests: expected a list of tests"),
             ({"seeds": 1}, "seeds: expected a whole number from 2 to 1000, found '1'"),
             ({"points": 9}, "points: expected a power of two, found 9"),
             ({"vary": {"rules.inertia": (1, 10**400)}}, "vary.rules.inertia: expected the range [LOWEST, HIGHEST], found '(1, 1"),

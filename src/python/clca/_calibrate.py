@@ -243,7 +243,7 @@ def calibrate(
     if (scene is None) == (not tests):
         raise ArgumentError("calibrate: either a scene with targets, or tests")
     one = {"scene": scene, "targets": targets or {}, "set": set or {}}
-    said = {"tests": list(tests) or [one], "vary": vary or {}, "seeds": seeds, "points": points, "rounds": rounds, "check": check}
+    said = {"tests": tests or [one], "vary": vary or {}, "seeds": seeds, "points": points, "rounds": rounds, "check": check}
 
     def refuse(place: Place, text: str) -> Error:
         shown = place[2:] if not tests and place[:1] == ("tests",) else place
