@@ -34,6 +34,9 @@ int write_report(const ReportOptions& options) {
   if (options.max_frames) {
     said["max_frames"] = *options.max_frames;
   }
+  if (!options.file.empty()) {
+    said["file"] = options.file;
+  }
   return run_package("report", said, {options.run}, write);
 }
 

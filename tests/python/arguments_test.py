@@ -44,11 +44,77 @@ class ArgumentsTest(ScratchTest):
         self.refused(lambda: clca.run(SCENE, keep=True, overwrite=True))
         self.assertEqual(clca.Simulation(SCENE, threads=numpy.int64(2)).step(numpy.uint8(3)), 3)
 
+    def test_what_the_command_line_refuses_is_refused(self):
+        run = clca.run(SCENE, output="run")
+        for mean in (0, -1, 10**9, float("nan"), 1.5):
+            message = message_of_command("plot", "run", "--running-mean", mean)
+            self.refused(lambda: run.plot("motion", mean=mean), "mean: expected " + message)
+        self.refused(lambda: run.plot("motion", mean="3"), "mean: expected a whole number")
+        for first in ("3", float("nan"), True):
+            self.refused(lambda: run.plot("motion", first=first), "first, last: expected a number, found")
+        self.refused(lambda: run.plot("motion", log="z"), "log: expected x, y or xy, found 'z'")
+        self.refused(lambda: run.movie("a.mp4", duration="3"), "duration: expected 0.1 to 86400 seconds, found '3'")
+        for values in (b"12", "12", 5, None):
+            self.refused(lambda: clca.sweep(SCENE, seeds=values), "seeds: expected a list of values, found")
+            self.refused(lambda: clca.sweep(SCENE, vary={"seed": values}), "seed: expected a list of values, found")
+            self.refused(lambda: clca.sweep(SCENE, vary={("seed", "title"): [values]}), "seed,title: expected a list of values")
+        self.refused(lambda: clca.sweep(SCENE, vary={(): [()]}), "vary: expected keys, found none")
+        self.refused(lambda: clca.sweep(SCENE, vary="seed"), "vary: expected a map of keys and values, found 'seed'")
+        study = {"targets": {"flow.runout_99": (12, 1)}, "vary": {"rules.inertia": (0, 0.9)}}
+        for progress in ("x", object(), 1, None):
+            for call in (clca.run, clca.sweep, lambda scene, **how: clca.calibrate(scene, **study, **how)):
+                self.refused(lambda: call(SCENE, progress=progress, output="new"), "progress: expected True, False or a function, found")
+            self.refused(lambda: clca.resume("run", progress=progress), "progress: expected")
+        self.refused(lambda: clca.calibrate(SCENE, **study, jobs=0, output="new"), "jobs: expected a whole number from 1 to 1024")
+        self.assertFalse(os.path.exists("new"))
+        for name in ("keep", "overwrite"):
+            self.refused(lambda: clca.run(SCENE, **{name: "x"}), f"{name}: expected True or False, found 'x'")
+        for call in (run.movie, run.picture(0, width=64).save, run.report, clca.open, clca.resume, clca.Scene,
+                     lambda name: run.export("xyz", name), lambda name: clca.run(SCENE, output=name),
+                     lambda name: clca.Scene(SCENE, name=name)):
+            self.refused(lambda: call(""), "the name of a file or folder is empty")
+            self.refused(lambda: call(5), "'5' cannot be the name of a file")
+        for name in (".", "/"):
+            self.refused(lambda: run.picture(0, width=64).save(name), "cannot write ")
+
+    def test_what_is_no_text_is_told_by_its_name(self):
+        run, simulation, gas = clca.run(SCENE, output="run"), clca.Simulation(SCENE), clca.Gas(GAS)
+        for wrong in ("x\udcff", "x\ud800", "a\0b", b"x", object(), {1: 2}, [{3}]):
+            for name, call in {
+                "color_by": lambda: run.picture(1, color_by=wrong),
+                "width": lambda: simulation.picture(width=wrong),
+                "until": lambda: clca.resume("run", until=wrong),
+                "title": lambda: clca.Scene(SCENE, set={"title": wrong}),
+                "scene.title": lambda: clca.Scene(SCENE | {"title": wrong}),
+                "rules.inertia": lambda: clca.sweep(SCENE, vary={"rules.inertia": [wrong]}),
+            }.items():
+                with self.subTest(name, wrong=wrong):
+                    self.refused(call, f"{name}")
+                    self.refused(call, ": expected ")
+        for wrong in ("x\udcff", "x\ud800", "a\0b", b"x", 5):
+            for name, call in {
+                "name": lambda: simulation.measure(wrong),
+                "stage": lambda: run.movie("a.mp4", stage=wrong),
+                "format": lambda: run.export(wrong),
+                "y": lambda: run.plot(y=[wrong]),
+                "set": lambda: clca.Scene(SCENE, set={wrong: 1}),
+                "vary": lambda: clca.sweep(SCENE, vary={(wrong,): [(1,)]}),
+                "time": lambda: gas.advance(str(wrong)),
+            }.items():
+                with self.subTest(name, wrong=wrong):
+                    self.refused(call, f"{name}: expected a {'number' if name == 'time' else 'text'}, found '")
+        vary = {"a\udcff": (0, 1)}
+        self.refused(lambda: clca.calibrate(SCENE, {"flow.runout_99": (12, 1)}, vary), "vary: expected a text, found 'a\\xff'")
+        endless = {}
+        endless["box"] = endless
+        self.refused(lambda: clca.Scene(endless), "scene: expected what a scene can have")
+        self.refused(lambda: clca.Scene(SCENE, seed=10**5000), "seed: expected what a scene can have, found '<int>'")
+        self.refused(lambda: clca.Simulation(SCENE).step("a\nb"), "found 'a\\nb'")
+
     def test_seeds_are_whole_numbers(self):
         for seed in (-1, 1.7, "x", 2**64):
             self.refused(lambda: clca.Scene(SCENE, seed=seed), "expected a whole number from 0 to 18446744073709551615")
             self.refused(lambda: clca.sweep(SCENE, seeds=[seed]), "expected a whole number from 0 to 18446744073709551615")
-        self.refused(lambda: clca.sweep(SCENE, seeds="12"), "expected a whole number")
         for seeds in (range(10**6), itertools.count()):
             self.refused(lambda: clca.sweep(SCENE, seeds=seeds), "more than 100000 runs")
         self.refused(lambda: clca.sweep(SCENE, seeds=range(10**4), vary={"rules.inertia": [i / 100 for i in range(100)]}),

@@ -3,6 +3,7 @@
 import json
 import subprocess
 import unittest
+from pathlib import Path
 
 import numpy
 from support import PROGRAM, SCENE, ScratchTest, needs
@@ -11,6 +12,7 @@ for module in ("scipy", "sklearn", "yaml"):
     needs(module)
 
 import clca
+from clca._study import read_study
 from clca._surrogate import Surrogate, likely, sobol
 
 NOISE = (1.0, 0.05)
@@ -100,6 +102,21 @@ class CalibrateTest(ScratchTest):
         self.study(tests=[{"scene": "scene.yaml", "targets": {"packing.packing_fraction": [0.8, 1]}}])
         self.assertIn("rules.inertia is not determined", clca.Calibration("found").notes[0])
 
+    def test_a_measure_that_depends_on_no_parameter_is_told(self):
+        targets = {"packing.packing_fraction": (0.8, 0.01), "flow.runout_99": (12, 0.5)}
+        how = {"seeds": 2, "points": 8, "rounds": 0, "check": 2}
+        scene = SCENE | {"stages": [SCENE["stages"][0], SCENE["stages"][1] | {"rules": {"inertia": 0.5}}]}
+        vary = {"stages.flow.rules.inertia": (0, 0.9)}
+        found = clca.calibrate(scene, targets, vary, output="found", **how)
+        said = "scene: packing.packing_fraction does not depend on stages.flow.rules.inertia: it is the same at all points."
+        self.assertIn(said, found.notes)
+        self.assertNotIn("runout", "".join(note for note in found.notes if "depend" in note))
+        alone = clca.calibrate(scene, {"flow.runout_99": (12, 0.5)}, vary, output="alone", **how)
+        self.assertEqual(found.best, alone.best)
+        for targets in ({"packing.packing_fraction": (0.8, 0.01)}, {"packing.steps": (9, 1), "flow.runout_99": (12, 0.5)}):
+            with self.assertRaisesRegex(clca.Error, "^no target depends on title: the same in all runs"):
+                clca.calibrate(scene, targets, {"title": (0.1, 0.9)}, output="title", **how)
+
     def test_a_wrong_study_is_one_line_with_its_place(self):
         for text, line in (
             ("vary: {a.b: [1, 0]}\ntests: []", "study.yaml:1:8: error: the range is empty: 1 to 0"),
@@ -112,6 +129,14 @@ class CalibrateTest(ScratchTest):
             ("- 1", "study.yaml:1:1: error: expected a map"),
             ("vary: {a.b: [0, 1], a.b: [0, 2]}", "study.yaml:1:21: error: 'a.b' stands twice"),
             ("vary: {a.b: [0, .nan]}\ntests: []", "study.yaml:1:8: error: expected the range"),
+            ("vary: {a.b: [0.1, 1_0]}\ntests: []", "study.yaml:1:8: error: expected the range [LOWEST, HIGHEST], found '[0.1, '1_0']'"),
+            ("vary: {a.b: [no, yes]}\ntests: []", "study.yaml:1:8: error: expected the range"),
+            ("vary: {a.b: [false, true]}\ntests: []", "study.yaml:1:8: error: expected the range"),
+            (f"vary: {{a.b: [0, 1{400 * '0'}]}}\ntests: []", "study.yaml:1:8: error: expected the range"),
+            ("vary: {a.b: [1e-1, .5e0]}\ntests: []", "study.yaml:2:1: error: expected a list of tests"),
+            ("vary: {a.b: !!binary [0, 1]}", "study.yaml:1:13: error: tags ('!') are not part of the format"),
+            ("vary: {a.b: [0, 1]}\ntests: [{scene: x, targets: {a.b: [1, 1]}}]\nseeds: 1",
+             "study.yaml:3:1: error: expected a whole number from 2 to 1000, found '1'"),
             ("\0", "it is no YAML"),
         ):
             with open("study.yaml", "w") as file:
@@ -122,6 +147,28 @@ class CalibrateTest(ScratchTest):
             self.assertEqual(told.stderr.startswith("study.yaml:"), line.startswith("study.yaml:"), told.stderr)
             self.assertEqual(told.stderr.count("\n"), 1)
         self.assertFalse((self.folder / "renders").exists())
+
+    def test_a_study_is_read_as_a_scene_is(self):
+        with open("study.yaml", "w") as file:
+            file.write("vary: {rules.inertia: [1e-1, 9.e-1]}\ntests:\n- scene: scene.yaml\n  targets: {flow.x: [-1, .5]}\n"
+                       "  set: {title: 2020-01-01, a: 1_0, b: yes, c: 0x10, d: '12', e: 12, f: true, g: ~, h: [1:30, 12.]}")
+        study = read_study(Path("study.yaml"))
+        self.assertEqual(study.vary, {"rules.inertia": (0.1, 0.9)})
+        self.assertEqual(study.tests[0].targets, {"flow.x": (-1, 0.5)})
+        expected = {"title": "2020-01-01", "a": "1_0", "b": "yes", "c": "0x10", "d": "12", "e": 12, "f": True, "g": None}
+        self.assertEqual(study.tests[0].set, {"output": {}} | expected | {"h": ["1:30", 12]})
+
+    def test_a_message_names_its_place_once(self):
+        for changed, message in (
+            ({"scene": None, "tests": 5}, "tests: expected a list of tests"),
+            ({"seeds": 1}, "seeds: expected a whole number from 2 to 1000, found '1'"),
+            ({"points": 9}, "points: expected a power of two, found 9"),
+            ({"vary": {"rules.inertia": (1, 10**400)}}, "vary.rules.inertia: expected the range [LOWEST, HIGHEST], found '(1, 1"),
+        ):
+            with self.assertRaises(clca.Error) as caught:
+                clca.calibrate(**{"scene": "scene.yaml", "targets": {"flow.runout_99": (12, 1)}, "vary": {"rules.inertia": (0, 0.9)}}
+                               | changed)
+            self.assertTrue(str(caught.exception).startswith(message), caught.exception)
 
     def test_scenes_are_checked_before_anything_runs(self):
         told = self.study(vary={"rules.nosuch": [0, 1]})

@@ -247,6 +247,8 @@ class ExportTest(ScratchTest):
             (["untracked", "--format", "gsd"], "output.trajectory"),
             (["run", "--format", "gsd", "--every", "0"], "--every"),
             (["run", "--format", "gsd", "--from", "101"], "from step 0 to 100"),
+            (["run", "--format", "xyz", "-o", "run/run.json"], "a file of that name belongs to what clca has left in "),
+            (["run", "--format", "h5md", "-o", "run/trajectory.h5"], "a file of that name belongs to what clca has left in "),
             (["run", "--format", "gsd", "--from", "9", "--to", "8", "-o", "new/a.gsd"], "no frame"),
         ]:
             self.assertIn(reason, refused(*arguments))
@@ -259,6 +261,9 @@ class ExportTest(ScratchTest):
             run.export("xyz", "nowhere/a.xyz")
         with self.assertRaisesRegex(clca.Error, "every: expected"):
             run.export("xyz", every=0)
+        with self.assertRaisesRegex(clca.Error, "scene.yaml: a file of that name belongs to what clca has left in "):
+            run.export("xyz", "run/scene.yaml")
+        self.assertEqual(clca.open("run").frames[0].step, 0)
 
     def test_a_damaged_trajectory_is_wrong_input(self):
         clca.run(PERIODIC, output="run")

@@ -119,6 +119,16 @@ class FiguresTest(ScratchTest):
             chosen(run, ["outflow"], Choice())
         with self.assertRaisesRegex(clca.Error, "no figure 'x' .there are: .*profile"):
             chosen(run, ["x"], Choice())
+        for choice, said in (
+            ({"first": 1e9}, "the figure 'motion' has no rows in the stages and times that are chosen"),
+            ({"stages": ["packing"], "first": 9000}, "the figure 'motion' has no rows in the stages"),
+            ({"first": 1e9, "y": ["moving_share"]}, "'moving_share' has no rows in the stages and times that are chosen"),
+            ({"y2": "stage"}, "series.csv: column 'stage' is text, no numbers"),
+            ({"y2": "mean_height", "first": 1e9}, "run: nothing to draw of what is chosen"),
+            ({"y2": "movin", "first": 1e9}, "no figure over time of a table with a column 'movin'"),
+        ):
+            with self.assertRaisesRegex(clca.Error, said):
+                chosen(run, ["motion"], Choice(**choice))[0].panels()
 
     def test_names_of_the_list_are_all_different_and_say_what_they_show(self):
         self.assertEqual(len({figure.name for figure in _figures.FIGURES}), len(_figures.FIGURES))
@@ -143,6 +153,20 @@ class SweepTest(ScratchTest):
                 for ax in page.axes:
                     self.assertFalse(ax.get_window_extent().overlaps(legend))
                     self.assertGreater(ax.get_window_extent().height, 2 * legend.height)
+
+    def test_titles_of_panels_break_between_keys_and_each_column_has_labels(self):
+        title = "rules.scatter=0.1, L0=60, stages.flow.rules.inertia=0.0625"
+        self.assertEqual(_chart.broken(title, 20), ["rules.scatter=0.1,", "L0=60,", "stages.flow.rules.", "inertia=0.0625"])
+        self.assertEqual(_chart.broken("x" * 30, 20), ["x" * 20, "x" * 10])
+        x = numpy.arange(5.0)
+        panels = [Panel([Curve("a", x, x)], Axis("Time (s)"), Axis("Height"), title) for _ in range(7)]
+        with _chart.style(1):
+            page = _chart.page(Chart("a", "b", 0, lambda: panels), Look(), 960 / 96, None, 8)
+            page.canvas.draw()
+            has_label = [ax.get_xlabel() == "Time (s)" and ax.xaxis.get_ticklabels()[0].get_visible() for ax in page.axes]
+            self.assertEqual(has_label, [False, False, False, False, True, True, True])
+            shown = [ax.get_tightbbox() for ax in page.axes]
+            self.assertFalse(any(one.overlaps(other) for i, one in enumerate(shown) for other in shown[:i]))
 
     def test_many_numbers_have_a_colour_bar(self):
         vary = {"rules.inertia": [0, 0.9], "rules.scatter": [x / 10 for x in range(9)]}

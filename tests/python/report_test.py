@@ -5,6 +5,7 @@ import math
 import os
 import pty
 import re
+import shutil
 import struct
 import subprocess
 import sys
@@ -16,6 +17,7 @@ from html.parser import HTMLParser
 from pathlib import Path
 
 import clca
+import numpy
 from clca import _report
 from clca._chart import Chart, Curve, Look, Panel, rendered
 from support import CONTACT, GAS, PROGRAM, SCENE, ScratchTest, clca_program
@@ -209,6 +211,48 @@ class ReportTest(PageTest):
             with self.assertRaisesRegex(clca.Error, f"run.json: .*{message}"):
                 clca.open("run").report()
             self.assertFalse(Path("run/report.html").exists())
+
+    def test_a_damaged_run_is_refused_with_what_is_wrong(self):
+        for changed, place in (
+            ({"scene": 5}, "scene"), ({"steps": "x"}, "steps"), ({"steps": True}, "steps"), ({"seed": 10**400}, "seed"),
+            ({"state_hash": "x"}, "state_hash"), ({"stages": [1]}, "stages.0"), ({"stages": {}}, "stages"),
+            ({"stages": [self.run["stages"][0] | {"measures": {"a.b": "c"}}]}, "stages.0.measures.a.b"),
+            ({"measures": [{"key": "a"}]}, "measures.0.name"), ({"tables": {"series": 3}}, "tables.series"),
+            ({"units": {"time": "s"}}, "units.velocity"), ({"build": []}, "build"), ({"wall_seconds": None}, "wall_seconds"),
+        ):
+            self.write("run.json", json.dumps(self.run | changed))
+            with self.assertRaisesRegex(clca.Error, f"^cannot read .*/run.json: '{place}' is missing or not what it should be$"):
+                clca.open("run")
+        for missing in ("build", "threads", "wall_seconds"):
+            self.write("run.json", json.dumps({key: value for key, value in self.run.items() if key != missing}))
+            with self.assertRaisesRegex(clca.Error, f"^cannot read .*{missing}"):
+                clca.open("run").report()
+        self.write("run.json", json.dumps(self.run))
+        self.write("series.csv", "step,\n0,1\n")
+        with self.assertRaisesRegex(clca.Error, "^cannot read .*series.csv: line 1: cut off or no row of the table$"):
+            clca.open("run").series._repr_html_()
+
+    def test_a_page_does_not_replace_what_runs_have_left(self):
+        self.write("run.json", json.dumps(self.run))
+        self.write("trajectory/part-000000.h5", "")
+        (self.folder / "link").symlink_to("run")
+        for name in ("run.json", "scene.yaml", "sweep.json", "log.txt", "series.csv", ".clca.manifest", "checkpoint.clca",
+                     "trajectory.h5", "trajectory/part-000000.h5", "../link/run.json", "frames/../run.json"):
+            (self.folder / "run/frames").mkdir(exist_ok=True)
+            before = {file: file.read_bytes() for file in Path("run").rglob("*") if file.is_file()}
+            message = "cannot write .*: a file of that name belongs to what clca has left in "
+            with self.assertRaisesRegex(clca.Error, message):
+                clca.open("run").report(f"run/{name}")
+            if name in ("run.json", "trajectory/part-000000.h5"):
+                told = subprocess.run([PROGRAM, "report", "run", "-o", f"run/{name}"], capture_output=True, text=True)
+                self.assertEqual(told.returncode, 2, name)
+                self.assertRegex(told.stderr, message)
+            self.assertEqual(before, {file: file.read_bytes() for file in Path("run").rglob("*") if file.is_file()})
+        shutil.rmtree("run/trajectory")
+        for name in ("report.html", "my.html", "frames/a.html", "../run.json"):
+            self.assertTrue(clca.open("run").report(f"run/{name}").exists())
+        with self.assertRaisesRegex(clca.Error, message):
+            numpy.zeros((2, 2, 3), numpy.uint8).view(clca.Picture).save("run/run.json")
 
     def test_a_run_without_title_or_scene_says_so(self):
         self.run["title"] = ""

@@ -41,7 +41,7 @@ class RunTest(ScratchTest):
         run = clca.run(scene, set={"rules.inertia": 0.75})
         self.assertEqual((run.seed, run.folder), (9, self.folder / "renders/scene"))
         self.assertIn("inertia: 0.75", (run.folder / "scene.yaml").read_text())
-        with self.assertRaises(TypeError):
+        with self.assertRaisesRegex(clca.Error, "scene.seed: expected what a scene can have"):
             clca.Scene(SCENE | {"seed": object()})
 
     def test_measures_may_be_derived_from_others(self):
@@ -83,6 +83,13 @@ class RunTest(ScratchTest):
         with self.assertRaisesRegex(clca.Error, "would replace this file"):
             clca.run("run/scene.yaml", output="run")
         self.assertEqual(clca.run("run/scene.yaml", output="run", keep=True).folder.name, "run-2")
+
+    def test_a_run_that_is_done_needs_no_resuming(self):
+        run = clca.run(SCENE, output="run")
+        files = {file: file.read_bytes() for file in run.folder.rglob("*") if file.is_file()}
+        again = clca.resume("run")
+        self.assertEqual((again.folder, again.status, again.state_hash), (run.folder, "done", run.state_hash))
+        self.assertEqual(files, {file: file.read_bytes() for file in run.folder.rglob("*") if file.is_file()})
 
     def test_measures_know_their_units(self):
         run = clca.run(SCENE, output="run")

@@ -28,8 +28,7 @@ def main() -> int:
     os.environ.setdefault("MPLBACKEND", "agg")
     sys.path[0] = os.path.dirname(sys.path[0])  # the folder of the package, not of its modules
     try:
-        from clca._error import Error, WriteError
-        from clca._answer import printable
+        from clca._error import Error, WriteError, printable
     except ImportError as error:
         return missing(error)
     try:
@@ -38,7 +37,7 @@ def main() -> int:
             raise Error(f"no command {name}")
         importlib.import_module(f"clca._{name}").command(options, *sys.argv[3:])
     except Error as error:
-        line = printable(str(error).splitlines()[0])
+        line = str(error)
         if error.line is None:
             return failed(1 if isinstance(error, WriteError) else 2, line)
         print(line, file=sys.stderr)  # as of a scene

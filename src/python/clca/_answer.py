@@ -5,12 +5,7 @@ import sys
 from collections.abc import Iterable
 from typing import Any
 
-from ._error import Error
-
-
-def printable(text: str) -> str:
-    """Control characters, which move the cursor of a terminal, as escapes."""
-    return "".join(letter if letter.isprintable() else ascii(letter)[1:-1] for letter in text)
+from ._error import Error, printable
 
 
 def _head(**values: Any) -> None:

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import json
+import math
 import operator
 import os
 import re
+import sys
 from collections.abc import Iterable, Mapping
 from itertools import islice
 from pathlib import Path
@@ -15,9 +17,24 @@ import numpy
 
 from ._error import ArgumentError
 
+K = TypeVar("K")
 T = TypeVar("T")
+FINITE = sys.float_info.max
 MOST = 2**64 - 1
 MOST_RUNS = 100_000
+
+
+def shown(value: Any) -> str:
+    """In a message."""
+    try:
+        text = str(value)
+    except Exception:  # of any class, or a number of thousands of digits
+        text = f"<{type(value).__name__}>"
+    return text if len(text) <= 80 else f"{text[:80]}..."
+
+
+def refused(name: str, expected: str, value: Any) -> ArgumentError:
+    return ArgumentError(f"{name}: expected {expected}, found '{shown(value)}'")
 
 
 def whole(name: str, value: Any, least: int, most: int) -> int:
@@ -27,18 +44,66 @@ def whole(name: str, value: Any, least: int, most: int) -> int:
     except TypeError:
         number = least - 1
     if not least <= number <= most:
-        raise ArgumentError(f"{name}: expected a whole number from {least} to {most}, found '{value}'")
+        raise refused(name, f"a whole number from {least} to {most}", value)
     return number
+
+
+def number(name: str, value: Any, least: float = -FINITE, most: float = FINITE, expected: str = "a number") -> float:
+    """One in this range."""
+    try:
+        found = math.nan if isinstance(value, (str, bytes, bytearray, bool)) else float(value)
+    except (TypeError, ValueError, OverflowError):
+        found = math.nan
+    if not least <= found <= most:
+        raise refused(name, expected, value)
+    return found
+
+
+def text(name: str, value: Any) -> str:
+    """One that is UTF-8, without NUL."""
+    is_text = isinstance(value, str) and "\0" not in value
+    if not is_text or any("\ud800" <= letter <= "\udfff" for letter in value):
+        raise refused(name, "a text", value)
+    return str(value)
+
+
+def flag(name: str, value: Any) -> bool:
+    if not isinstance(value, (bool, numpy.bool_)):
+        raise refused(name, "True or False", value)
+    return bool(value)
+
+
+def mapping(name: str, value: Mapping[K, T] | None) -> dict[K, T]:
+    """None is an empty one."""
+    if not isinstance(value, (Mapping, type(None))):
+        raise refused(name, "a map of keys and values", value)
+    return dict(value or {})
 
 
 def threads(value: int | None) -> int | None:
     return None if value is None else whole("threads", value, 1, 1024)
 
 
+def jobs(value: int | None) -> int | None:
+    return None if value is None else whole("jobs", value, 1, 1024)
+
+
+def progress(value: Any) -> Any:
+    if not isinstance(value, bool) and not callable(value):
+        raise refused("progress", "True, False or a function", value)
+    return value
+
+
 def path(value: str | os.PathLike[str]) -> str:
     """Of a file or folder."""
-    name = os.fsdecode(value)
-    if "\0" in name:
+    try:
+        name = os.fsdecode(value)
+        is_name = b"\0" not in os.fsencode(name)
+    except (TypeError, ValueError):
+        name, is_name = shown(value), False
+    if not name:
+        raise ArgumentError("the name of a file or folder is empty")
+    if not is_name:
         raise ArgumentError(f"{name!r} cannot be the name of a file")
     return name
 
@@ -50,28 +115,39 @@ def absolute(value: str | os.PathLike[str]) -> Path:
 
 def at_most_runs(name: str, values: Iterable[T]) -> list[T]:
     """A list of the values, no more than a sweep can have runs."""
+    if isinstance(values, (str, bytes, bytearray)) or not isinstance(values, Iterable):
+        raise refused(name, "a list of values", values)
     taken = list(islice(values, MOST_RUNS + 1))
     if len(taken) > MOST_RUNS:
         raise ArgumentError(f"{name}: more than {MOST_RUNS} runs")
     return taken
 
 
-def plain(value: Any) -> Any:
-    """A value as a scene file has it, for JSON, which is YAML; None is `none`."""
+def plain(name: str, value: Any) -> Any:
+    """A value as a scene file has it, for JSON, which is YAML; None is `none`. Throws ArgumentError, which names it."""
     if value is None:
         return "none"
     if isinstance(value, Mapping):
-        return {key: plain(one) for key, one in value.items()}
+        return {text(name, key): plain(f"{name}.{key}", one) for key, one in value.items()}
     if isinstance(value, (list, tuple, range)):
-        return [plain(one) for one in value]
+        return [plain(name, one) for one in value]
     if isinstance(value, (numpy.generic, numpy.ndarray)):
-        return plain(value.tolist())
-    return os.fspath(value) if isinstance(value, os.PathLike) else value
+        return plain(name, value.tolist())
+    if isinstance(value, os.PathLike):
+        return text(name, os.fspath(value))
+    if isinstance(value, str):
+        return text(name, value)
+    if not isinstance(value, (bool, int, float)):
+        raise refused(name, "what a scene can have", value)
+    return value
 
 
-def to_yaml(value: Any, indent: int | None = None) -> str:
-    """A value in the syntax of a scene. Throws TypeError for one that a scene cannot have."""
-    value = plain(value)
-    if isinstance(value, str) and re.fullmatch(r"(?!(true|false|null)$)[A-Za-z_]+", value):
-        return value  # as one writes it, also in tables and names of folders
-    return json.dumps(value, ensure_ascii=False, indent=indent)
+def to_yaml(name: str, value: Any, indent: int | None = None) -> str:
+    """A value of that name in the syntax of a scene. Throws ArgumentError for one that a scene cannot have."""
+    try:
+        value = plain(name, value)
+        if isinstance(value, str) and re.fullmatch(r"(?!(true|false|null)$)[A-Za-z_]+", value):
+            return value  # as one writes it, also in tables and names of folders
+        return json.dumps(value, ensure_ascii=False, indent=indent)
+    except (RecursionError, ValueError) as error:
+        raise error if isinstance(error, ArgumentError) else refused(name, "what a scene can have", value) from None

@@ -16,9 +16,9 @@ from typing import TYPE_CHECKING, Any
 import numpy
 
 from . import _answer
-from ._arguments import absolute, plain, to_yaml
+from ._arguments import absolute, jobs as checked_jobs, plain, progress as checked_progress, to_yaml
 from ._error import ArgumentError, Error
-from ._folder import Folder, make_own, write_file, wrong
+from ._folder import Folder, make_own, write_file
 from ._notebook import Progress
 from ._rounds import Answer, scaled, step
 from ._study import Place, Study, read_study, study_of
@@ -62,11 +62,11 @@ class Calibration(Folder):
 
     def __init__(self, folder: str | os.PathLike[str]) -> None:
         super().__init__(folder, "calibration.json")
-        try:
-            self.notes, self.keys = self.summary["notes"], list(self.summary["vary"])
-            self.correlations = numpy.array(self.summary["correlations"], dtype=float)
-        except (KeyError, TypeError, ValueError) as error:
-            raise wrong(self.folder / "calibration.json", error) from None
+        self.notes, self.keys = self.summary["notes"], list(self.summary["vary"])
+        rows = self.summary["correlations"]
+        if {len(self.keys)} != {len(rows), *map(len, rows)}:
+            raise Error(f"cannot read {self.folder / 'calibration.json'}: 'correlations' is not what it should be")
+        self.correlations = numpy.array(rows, dtype=float)
 
     def __repr__(self) -> str:
         return "\n".join(summary_lines(self.parameters, self.targets, self.notes))
@@ -138,6 +138,9 @@ def notes_of(answer: Answer, tables: Mapping[str, Rows], correlations: Numbers) 
             yield f"{key} is not determined: anything from {row['low']:.3g} to {row['high']:.3g} gives the targets."
         elif row["low"] - low < 0.01 * (high - low) or high - row["high"] < 0.01 * (high - low):
             yield f"{key} lies at the end of its range: a wider range may have better values."
+    for row, surrogate in zip(tables["targets"], answer.surrogates):
+        if surrogate.is_constant:
+            yield f"{row['test']}: {row['target']} does not depend on {' or '.join(vary)}: it is the same at all points."
     for (i, first), (j, second) in combinations(enumerate(vary), 2):
         if abs(together := correlations[i, j]) > 0.8:
             more = f"More of {first} with {'less' if together < 0 else 'more'} of {second} gives the same targets"
@@ -157,7 +160,7 @@ def content_of(answer: Answer) -> tuple[dict[str, Any], dict[str, Rows]]:
     tests = []
     for test in study.tests:
         scene = os.fspath(test.scene) if isinstance(test.scene, (str, os.PathLike)) else test.name
-        tests.append({"name": test.name, "scene": scene, "set": plain(test.set), "targets": test.targets})
+        tests.append({"name": test.name, "scene": scene, "set": plain("set", test.set), "targets": test.targets})
     summary: dict[str, Any] = {"tests": tests} | {name: value for name, value in study._asdict().items() if name != "tests"}
     summary |= {"runs": answer.runs, "correlations": correlations.tolist()}
     summary |= {"notes": list(notes_of(answer, tables, correlations)), "tables": {}}
@@ -240,13 +243,14 @@ def calibrate(
     if (scene is None) == (not tests):
         raise ArgumentError("calibrate: either a scene with targets, or tests")
     one = {"scene": scene, "targets": targets or {}, "set": set or {}}
-    said = {"tests": list(tests) or [one], "vary": vary or {}, "seeds": seeds, "points": points, "rounds": rounds, "check": check}
+    said = {"tests": tests or [one], "vary": vary or {}, "seeds": seeds, "points": points, "rounds": rounds, "check": check}
 
     def refuse(place: Place, text: str) -> Error:
         shown = place[2:] if not tests and place[:1] == ("tests",) else place
         return ArgumentError(": ".join(filter(None, (".".join(map(str, shown)), text))))
 
     study = study_of(said, refuse)
+    checked_jobs(jobs), checked_progress(progress)
     folder = absolute(output if output is not None else Path("renders") / f"{study.tests[0].name}-calibration")
     make_own(folder)
     number = 0
@@ -265,7 +269,7 @@ def sweeps_of(study: Study, planned: Any) -> Iterator[dict[str, Any]]:
     for test, rows, seeds, folder in planned:
         yield {
             "scene": test.scene,
-            "set": [f"{key}={to_yaml(value)}" for key, value in test.set.items()],
+            "set": [f"{key}={to_yaml(key, value)}" for key, value in test.set.items()],
             "vary": f"{','.join(study.vary)}={separator.join(','.join(map(repr, row)) for row in rows)}",
             "seeds": f"{seeds[0]}..{seeds[-1]}",
             "folder": os.fspath(folder),

@@ -5,6 +5,7 @@ from __future__ import annotations
 import functools
 import io
 import math
+import re
 import textwrap
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
@@ -110,7 +111,16 @@ def wrapped(text: str, inches: float, letter: float) -> str:
     most = max(int(inches * 72 / (0.6 * letter)), 8)
     head, mark, unit = text.rpartition(" (")
     parts = [head, mark[1:] + unit] if mark and len(text) > most else [text]
-    return "\n".join(line for part in parts for line in textwrap.wrap(part, most) or [""])
+    return "\n".join(line for part in parts for line in broken(part, most) or [""])
+
+
+def broken(text: str, most: int) -> list[str]:
+    """Lines of so many letters: between words, within a long one behind `=` and the dots of a key if that is enough."""
+    lines = []
+    for line in textwrap.wrap(text, most, break_long_words=False):
+        parts = re.sub(r"=|\.(?=[A-Za-z])", r"\g<0> ", line)
+        lines += [line] if len(line) <= most else [part.replace(" ", "") for part in textwrap.wrap(parts, most)]
+    return lines
 
 
 def on_scale(share: Any) -> Any:
@@ -291,15 +301,19 @@ def page(chart: Chart, look: Look, width: float, height: float | None, letter: f
     most = int(0.4 * height / line) - title_lines if height else int(1.2 * rows * room / line)
     legend, legend_lines = legend_above(figure, *legend_of(axes, panels), width - line, max(most, 1))
     above = title_lines + legend_lines
-    extra = rows * (3.5 + (1.4 if any(panel.title for panel in panels) else 0)) * line
+    extra = 3 * line * (len(panels) < rows * columns) + rows * (3.5 + (1.4 if any(panel.title for panel in panels) else 0)) * line
     total = height or above * line + rows * room + extra
     figure.set_size_inches(width, total)
     tall = max(total - above * line, 4 * line) / rows - 3 * line
-    for those, panel in zip(axes, panels):
+    for number, (those, panel) in enumerate(zip(axes, panels)):
         labels(those, panel, max(wide, 3 * line), max(tall, 3 * line), letter)
-        those[0].set_title(wrapped(plain(panel.title), wide, letter) if len(panels) > 1 else "", loc="left")
+        those[0].set_title(wrapped(plain(panel.title), width / columns - 3 * line, letter) if len(panels) > 1 else "", loc="left")
         if len(panels) > 1:
+            x_label = those[0].get_xlabel()
             those[0].label_outer()
+            if number + columns >= len(panels):  # also where the last row has none
+                those[0].set_xlabel(x_label)
+                those[0].tick_params(labelbottom=True)
         tidy_ticks(those[0], panel, wide, letter)
     bar = next((panel.scale for panel in panels if panel.scale is not None), None)
     if bar is not None:

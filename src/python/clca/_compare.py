@@ -19,9 +19,9 @@ from typing import Any, NamedTuple
 import numpy
 
 from . import _answer
-from ._arguments import absolute
+from ._arguments import absolute, number
 from ._chart import Look, rendered
-from ._error import Error
+from ._error import Error, printable
 from ._figures import Choice, chosen
 from ._folder import Run, make_own, read_json, write_file
 from ._table import Table, csv_of
@@ -151,7 +151,7 @@ def compared(
         "comparison.csv": csv_of(names, *([i / bins, (i + 1) / bins, *row, 1 / bins] for i, row in rows)),
         "distances.csv": csv_of(["name", "distance", "floor", "samples"], *distances),
         "run.json": json.dumps(summary, indent=2).encode() + b"\n",
-    }, [f"stage {_answer.printable(stage)} beside time {shown(time)}", *said]
+    }, [f"stage {printable(stage)} beside time {shown(time)}", *said]
 
 
 def compare(
@@ -167,7 +167,8 @@ def compare(
     """
     folder = absolute(output)
     grains, gas = run_of(automaton, MODELS), run_of(boltzmann, GAS)
-    files, _ = compared(grains, gas, folder, stage, None if time is None else float(time), restitution)
+    numbers = [None if one is None else number(name, one) for name, one in (("time", time), ("restitution", restitution))]
+    files, _ = compared(grains, gas, folder, stage, *numbers)
     make_own(folder)
     for name, content in files.items():
         write_file(folder / name, content, is_listed=True)

@@ -5,6 +5,13 @@ from __future__ import annotations
 import re
 
 
+def printable(text: str) -> str:
+    """In one line: control characters, which move the cursor of a terminal, and what is no UTF-8 as escapes."""
+    is_shown = [letter.isprintable() or "\udc80" <= letter <= "\udcff" for letter in text]  # or a byte of the name of a file
+    text = "".join(letter if shown else ascii(letter)[1:-1] for letter, shown in zip(text, is_shown))
+    return text.encode(errors="surrogateescape").decode(errors="backslashreplace")
+
+
 class Error(Exception):
     """A scene, a file or a folder is wrong; one line.
 
@@ -16,7 +23,7 @@ class Error(Exception):
     column: int | None = None
 
     def __init__(self, text: str) -> None:
-        text = text.encode(errors="surrogateescape").decode(errors="backslashreplace")  # names of files
+        text = printable(text)
         super().__init__(text)
         self.message = text
         location = re.fullmatch(r"(.+?):(\d+):(\d+): error: (.*)", text, re.DOTALL)

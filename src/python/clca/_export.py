@@ -446,6 +446,9 @@ FORMATS: dict[str, tuple[Callable[[Source, Target], None], str]] = {
 
 def write(source: Source, form: str, target: Target) -> None:
     """Throws Error, WriteError where the file cannot be written."""
+    from ._folder import check_free
+
+    check_free(target.file)
     try:
         FORMATS[form][0](source, target)
     except (OSError, RuntimeError) as error:  # also of the libraries

@@ -622,6 +622,8 @@ def column_chart(source: Source, y: str) -> Chart:
     if not x:
         raise Error(f"{where}: say which column is x")
     table._check_numbers(x, y)
+    if not len(table):
+        raise Error(f"{where}: '{y}' has no rows in the stages and times that are chosen")
     curves = [curve_of(source, group, rows, x, y) for group, rows in groups_of(table, by)]
     panel = with_y2(source, table, x, by, Panel(curves, Axis(table.label(x)), Axis(table.label(y))))
     return Chart(y, table.descriptions.get(y, y), 0, lambda: [logged(panel, choice.log)], source.title, y)
@@ -662,19 +664,31 @@ def charts(folder: Run | Sweep, choice: Choice = Choice(), unreadable: Callable[
             if unreadable is None:
                 raise
             unreadable(error)
-    if choice.y2 and not found:
+    if choice.y2 and not found and (alone := Choice(y2=choice.y2)) != choice:
+        charts(folder, alone)  # says so if it is nowhere
+    elif choice.y2 and not found:
         raise Error(f"{folder.folder}: no figure over time of a table with a column '{choice.y2}'")
     return found
+
+
+def names_of(possible: Iterable[Chart]) -> set[str]:
+    """Of figures and of their rows."""
+    return {name for chart in possible for name in (chart.name, chart.source)}
 
 
 def chosen(folder: Run | Sweep, only: Sequence[str], choice: Choice) -> list[Chart]:
     """Those of these names, of a figure or of its row. Throws Error."""
     possible = charts(folder, choice)
+    is_of_columns = choice.x or choice.y or choice.over or choice.y2
+    nothing = "nothing to draw of what is chosen" if is_of_columns else "no rows in the stages and times that are chosen"
     if not possible:
-        raise Error(f"{folder.folder}: no tables that a figure could be drawn from")
-    known = {name for chart in possible for name in (chart.name, chart.source)}
+        there_is = charts(folder)
+        raise Error(f"{folder.folder}: {nothing if there_is else 'no tables that a figure could be drawn from'}")
+    known = names_of(possible)
     rows = {row.name: row for row in FIGURES}
     for name in only:
+        if name not in known and name in names_of(charts(folder)):
+            raise Error(f"{folder.folder}: the figure '{name}' has {nothing}")
         if name in rows and name not in known:
             row = rows[name]
             columns = ", ".join(filter(None, (row.x, row.y, *row.needs)))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 from collections.abc import Iterator, Sequence
 from functools import cached_property
 from pathlib import Path
@@ -12,10 +13,11 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy
 from numpy.typing import NDArray
 
-from ._arguments import MOST, absolute, path, whole
+from ._arguments import MOST, absolute, at_most_runs, flag, number, path, text, whole
 from ._error import ArgumentError, CompiledPartError, Error, WriteError
 from ._frames import Frames, Kind
 from ._notebook import Movie, Picture, overrides, shown
+from ._summary import SHAPES, check
 from ._table import Named, Quantity, Table, Value, check_regular, quantities, read_table
 
 if TYPE_CHECKING:
@@ -23,6 +25,8 @@ if TYPE_CHECKING:
 
 MOST_BYTES = 16 << 20  # of a run.json
 MANIFEST = ".clca.manifest"
+# What clca writes into its folders and reads again.
+OWN = re.compile(r"(run|sweep|calibration)\.json|scene\.yaml|log\.txt|.*\.csv|checkpoint.*|trajectory(\.h5)?|\.clca.*")
 
 
 def read_json(file: Path) -> dict[str, Any]:
@@ -58,8 +62,19 @@ def make_own(folder: Path) -> None:
         raise WriteError(f"cannot write to {folder}: {error.strerror}") from None
 
 
+def check_free(file: Path) -> None:
+    """Throws Error for a file that somebody names but clca writes into its folders."""
+    file = file.absolute().parent.resolve() / file.name
+    for folder in list(file.parents)[:2]:
+        is_own = any(os.path.exists(folder / name) for name in (MANIFEST, "run.json", "sweep.json"))
+        if is_own and OWN.fullmatch(file.relative_to(folder).parts[0]):
+            raise Error(f"cannot write {file}: a file of that name belongs to what clca has left in {folder}; write elsewhere")
+
+
 def write_file(file: Path, content: bytes, is_listed: bool) -> None:
     """A whole file. One that the manifest of its folder lists is removed by the next run into it. Throws Error."""
+    if file.is_dir():
+        raise WriteError(f"cannot write {file}: it is a folder")
     new, line, manifest = file.with_name(f".{file.name}.new"), f'\nfile "{file.name}"\n', file.with_name(MANIFEST)
     try:
         if is_listed and manifest.is_file() and line not in manifest.read_text():
@@ -83,15 +98,11 @@ def compiled(what: str) -> Any:
     return _clca
 
 
-def wrong(file: Path, error: Exception) -> Error:
-    return Error(f"cannot read {file}: {error} is missing or not what it should be")
-
-
 Names = str | Sequence[str]
 
 
-def names(given: Names) -> tuple[str, ...]:
-    return (given,) if isinstance(given, str) and given else tuple(given)
+def names(name: str, given: Names) -> tuple[str, ...]:
+    return tuple([given] * bool(given) if isinstance(given, str) else [text(name, one) for one in at_most_runs(name, given)])
 
 
 class Folder:
@@ -103,6 +114,7 @@ class Folder:
     def __init__(self, folder: str | os.PathLike[str], summary: str) -> None:
         self.folder = absolute(folder)
         self.summary = read_json(self.folder / summary)
+        check(self.summary, SHAPES[summary], self.folder / summary)
 
     @property
     def tables(self) -> list[str]:
@@ -152,7 +164,14 @@ class Result(Folder):
         from ._plot import plot
 
         assert isinstance(self, (Run, Sweep))
-        return plot(self, name, ax, Choice(x, names(y), names(over), y2, log, names(stage), first, last, filling, mean))
+        if text("log", log) not in ("", "x", "y", "xy"):
+            raise ArgumentError(f"log: expected x, y or xy, found '{log}'")
+        first, last = (None if one is None else number("first, last", one) for one in (first, last))
+        choice = Choice(
+            text("x", x), names("y", y), names("over", over), text("y2", y2), log, names("stage", stage), first, last,
+            flag("filling", filling), whole("mean", mean, 1, 1_000_000)
+        )
+        return plot(self, text("name", name), ax, choice)
 
     def _repr_html_(self) -> str | None:
         assert isinstance(self, (Run, Sweep))
@@ -187,20 +206,17 @@ class Run(Result):
 
     def __init__(self, folder: str | os.PathLike[str]) -> None:
         super().__init__(folder, "run.json")
-        try:
-            said = self.summary
-            self.kind, self.scene, self.title = said["kind"], said["scene"], said.get("title", "")
-            self.version, self.seed, self.status = said["clca"], said["seed"], said["status"]
-            self.particles, self.steps, self.state_hash = said["particles"], said["steps"], int(said["state_hash"], 16)
-            known = quantities(said.get("measures", []))
-            self.stages = {}
-            for stage in said["stages"]:
-                of = {key: Value(number, *known.get(key, Quantity())[:3]) for key, number in stage["measures"].items()}
-                notes, fills = stage.get("notes", []), stage.get("fills", False)
-                measures = Named("measure", of.items())
-                self.stages[stage["name"]] = Stage(stage["steps"], stage["ended"], measures, notes, fills)
-        except (KeyError, TypeError, ValueError, AttributeError) as error:
-            raise wrong(self.folder / "run.json", error) from None
+        said = self.summary
+        self.kind, self.scene, self.title = said["kind"], said["scene"], said.get("title", "")
+        self.version, self.seed, self.status = said["clca"], said["seed"], said["status"]
+        self.particles, self.steps, self.state_hash = said["particles"], said["steps"], int(said["state_hash"], 16)
+        known = quantities(said.get("measures", []))
+        self.stages = {}
+        for stage in said["stages"]:
+            of = {key: Value(number, *known.get(key, Quantity())[:3]) for key, number in stage["measures"].items()}
+            notes, fills = stage.get("notes", []), stage.get("fills", False)
+            measures = Named("measure", of.items())
+            self.stages[stage["name"]] = Stage(stage["steps"], stage["ended"], measures, notes, fills)
 
     def __repr__(self) -> str:
         return f"<run {self.folder}: {self.scene}, seed {self.seed}, {self.status} after {self.steps} steps>"
@@ -266,9 +282,9 @@ class Run(Result):
         notebook. Throws Error.
         """
         if duration is not None:
-            if not 0.1 <= duration <= 86_400:
-                raise ArgumentError(f"duration: expected 0.1 to 86400 seconds, found {duration:g}")
+            duration = number("duration", duration, 0.1, 86_400, "0.1 to 86400 seconds")
             frames = {"every": 1, **frames}
+        stage = None if stage is None else text("stage", stage)
         movie = compiled("drawing grains").movie
         movie(self.folder, path(file), whole("fps", fps, 1, 240), duration, stage, overrides(frames))
         return Movie(absolute(file))
@@ -287,7 +303,7 @@ class Run(Result):
 
         first, last = (None if step is None else whole("first, last", step, 0, MOST) for step in (first, last))
         file = None if path is None else absolute(path)
-        return export(self, format, file, first, last, whole("every", every, 1, MOST))
+        return export(self, text("format", format), file, first, last, whole("every", every, 1, MOST))
 
     def __getstate__(self) -> dict[str, Any]:
         return {name: value for name, value in self.__dict__.items() if name != "frames"}  # of an open trajectory
@@ -301,11 +317,8 @@ class Sweep(Result):
 
     def __init__(self, folder: str | os.PathLike[str]) -> None:
         super().__init__(folder, "sweep.json")
-        try:
-            self.title = self.summary.get("title", "")
-            self.keys = [key for varied in self.summary["vary"] for key in varied["keys"]]
-        except (KeyError, TypeError, AttributeError) as error:
-            raise wrong(self.folder / "sweep.json", error) from None
+        self.title = self.summary.get("title", "")
+        self.keys = [key for varied in self.summary["vary"] for key in varied["keys"]]
 
     def __repr__(self) -> str:
         return f"<sweep {self.folder}: {len(self)} runs>"

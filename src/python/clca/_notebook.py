@@ -7,12 +7,12 @@ import os
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from pathlib import Path, PosixPath
+from pathlib import PosixPath
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy
 
-from ._arguments import path, to_yaml
+from ._arguments import absolute, progress as checked, text, to_yaml
 from ._table import Table
 
 if TYPE_CHECKING:
@@ -31,7 +31,10 @@ class Picture(numpy.ndarray[Any, numpy.dtype[numpy.uint8]]):
 
     def save(self, file: str | os.PathLike[str]) -> None:
         """Writes a PNG."""
-        Path(path(file)).write_bytes(png(self))
+        from ._folder import check_free, write_file
+
+        check_free(absolute(file))
+        write_file(absolute(file), png(self), is_listed=False)
 
 
 def png(pixels: Picture) -> bytes:
@@ -42,7 +45,7 @@ def png(pixels: Picture) -> bytes:
 
 def overrides(frames: dict[str, Any]) -> list[str]:
     """Keys of `output.frames` for the library."""
-    return [f"output.frames.{key}={to_yaml(value)}" for key, value in frames.items()]
+    return [f"output.frames.{text('a key', key)}={to_yaml(key, value)}" for key, value in frames.items()]
 
 
 class Movie(PosixPath):
@@ -76,7 +79,7 @@ class Progress(NamedTuple):
 @contextmanager
 def reporting(progress: bool | Callable[[Progress], object]) -> Iterator[Callable[..., None] | None]:
     """What the compiled module calls: a bar on standard error, a function of the user, or nothing."""
-    width = 0
+    width, is_wanted = 0, checked(progress)
 
     def report(*numbers: Any) -> None:
         nonlocal width
@@ -84,11 +87,11 @@ def reporting(progress: bool | Callable[[Progress], object]) -> Iterator[Callabl
         if callable(progress):
             progress(now)
         else:
-            width = max(width, len(text := str(now)))
-            print(f"\r{text:{width}}", end="", file=sys.stderr, flush=True)
+            width = max(width, len(shown := str(now)))
+            print(f"\r{shown:{width}}", end="", file=sys.stderr, flush=True)
 
     try:
-        yield report if progress else None
+        yield report if is_wanted else None
     finally:
         if width:
             print(file=sys.stderr)

@@ -24,7 +24,7 @@ from . import _answer
 from ._chart import Look, rendered
 from ._error import Error
 from ._figures import charts
-from ._folder import Run, Sweep, open, write_file
+from ._folder import Run, Sweep, check_free, open, write_file
 from ._notebook import MEDIA, png
 from ._sweep_figures import VESSEL_ANGLE
 from ._table import Quantity, Table, check_regular, quantities
@@ -416,12 +416,17 @@ def folder_in_notebook(folder: Run | Sweep) -> str:
 def report(folder: Run | Sweep, max_frames: int | None = None) -> tuple[bytes, list[str]]:
     """The page, and what is left out. Throws Error."""
     page = Page(folder)
-    made = run_page(page, folder, max_frames) if isinstance(folder, Run) else sweep_page(page, folder)
+    try:
+        made = run_page(page, folder, max_frames) if isinstance(folder, Run) else sweep_page(page, folder)
+    except jinja2.UndefinedError as error:  # what a page needs, but not a folder
+        raise Error(f"cannot read {folder.folder}: {error.message}") from None
     return made, page.warnings
 
 
 def write(folder: Run | Sweep, path: Path | None, max_frames: int | None) -> Path:
     """Throws Error."""
+    if path is not None:
+        check_free(path)
     page, left_out = report(folder, max_frames)
     for text in left_out:
         warnings.warn(f"{folder.folder}: {text}", stacklevel=3)
@@ -431,6 +436,8 @@ def write(folder: Run | Sweep, path: Path | None, max_frames: int | None) -> Pat
 
 
 def command(options: dict[str, Any], folder_name: str) -> None:
+    if "file" in options:
+        check_free(Path(options["file"]))
     page, left_out = report(open(folder_name), options.get("max_frames"))
     for text in left_out:
         _answer.warning(text)

@@ -88,6 +88,9 @@ def step(study: Study, folder: Path, number: int) -> list[Planned] | Answer:
             if len(where) < study.points // 2:
                 raise Error(f"{test.name}: {target} has a value at {len(where)} of {len(at.points)} points only")
             surrogates.append(Surrogate((where - low) / (high - low), means, variances))
+    if all(surrogate.is_constant for surrogate in surrogates):
+        named = ", ".join(f"{test.name}: {target}" for test in study.tests for target in test.targets)
+        raise Error(f"no target depends on {' or '.join(keys)}: the same in all runs ({named})")
     found = likely(surrogates, [value for test in study.tests for value in test.targets.values()], len(keys))
     if number <= study.rounds:
         more = scaled(study, found.drawn(study.points // 2, number))

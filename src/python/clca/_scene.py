@@ -7,13 +7,13 @@ from collections.abc import Mapping
 from typing import Any
 
 from . import _clca
-from ._arguments import path, to_yaml
+from ._arguments import mapping, path, text, to_yaml
 
 
 def overrides(seed: int | None, set: Mapping[str, Any] | None) -> dict[str, str]:
     """Keys and their values in the syntax of a scene."""
-    keys = dict(set or {}) | ({} if seed is None else {"seed": seed})
-    return {key: to_yaml(value) for key, value in keys.items()}
+    keys = mapping("set", set) | ({} if seed is None else {"seed": seed})
+    return {text("set", key): to_yaml(key, value) for key, value in keys.items()}
 
 
 class Scene(_clca.Scene):
@@ -30,10 +30,10 @@ class Scene(_clca.Scene):
         name: str = "scene"
     ) -> None:
         if isinstance(source, Mapping):
-            file, text = path(name), to_yaml(source, indent=1).encode(errors="surrogatepass")
+            file, content = path(name), to_yaml("scene", source, indent=1).encode()
         else:
-            file, text = path(source), None
-        self._load(os.fsencode(file), text, overrides(seed, set))
+            file, content = path(source), None
+        self._load(os.fsencode(file), content, overrides(seed, set))
 
     def _load(self, file: bytes, text: bytes | None, overrides: dict[str, str]) -> None:
         self._overrides = overrides
@@ -41,7 +41,7 @@ class Scene(_clca.Scene):
 
     def _as_options(self) -> list[bytes]:
         """As for `--set`."""
-        return [f"{key}={value}".encode(errors="surrogatepass") for key, value in self._overrides.items()]
+        return [f"{key}={value}".encode() for key, value in self._overrides.items()]
 
     @classmethod
     def _again(cls, file: bytes, text: bytes, overrides: dict[str, str]) -> Scene:

@@ -10,7 +10,7 @@ import numpy
 from numpy.typing import NDArray
 
 from . import _clca
-from ._arguments import MOST, threads as checked_threads, whole
+from ._arguments import MOST, number, text, threads as checked_threads, whole
 from ._error import Error
 from ._frames import Frame, Kind, Look
 from ._notebook import Picture, overrides
@@ -71,7 +71,7 @@ class Simulation(_clca.Simulation):
         """
         if name == "profile":
             return Table((key, cells, Quantity(*what)) for key, cells, what in self._profile())
-        return {key: Value(number, *what) for key, number, what in self._measures(name)}
+        return {key: Value(number, *what) for key, number, what in self._measures(text("name", name))}
 
     def picture(self, **frames: Any) -> Picture:
         """The box as it is now. `frames` are keys of `output.frames` in place of the scene's, such as
@@ -91,6 +91,9 @@ class Gas(_clca.Gas):
         self, scene: AnyScene, seed: int | None = None, set: Mapping[str, Any] | None = None, threads: int | None = None
     ) -> None:
         super().__init__(Scene.of(scene, seed, set), checked_threads(threads))
+
+    def advance(self, time: float) -> None:
+        super().advance(number("time", time))
 
     def __repr__(self) -> str:
         try:

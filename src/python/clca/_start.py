@@ -8,7 +8,7 @@ from typing import Any
 
 from . import _arguments as arguments
 from . import _clca
-from ._arguments import MOST, at_most_runs, path, to_yaml, whole
+from ._arguments import MOST, at_most_runs, flag, mapping, path, text, to_yaml, whole
 from ._error import ArgumentError
 from ._folder import Run, Sweep
 from ._notebook import Progress, reporting
@@ -30,7 +30,7 @@ def run(
     Ctrl-C ends the run as on the command line: with complete files and a checkpoint, for `resume`; then it raises
     KeyboardInterrupt. Throws Error. Warnings of the run are Python's.
     """
-    if keep and overwrite:
+    if all([flag("keep", keep), flag("overwrite", overwrite)]):
         raise ArgumentError("keep excludes overwrite")
     folder = None if output is None else path(output)
     with reporting(progress) as report:
@@ -43,7 +43,7 @@ def resume(
 ) -> Run:
     """Goes on with a run that was stopped, or prolongs one to `until`, as in a scene. As `clca resume`; `progress` as of `run`."""
     with reporting(progress) as report:
-        _clca.resume(path(folder), None if until is None else to_yaml(until), arguments.threads(threads), report)
+        _clca.resume(path(folder), None if until is None else to_yaml("until", until), arguments.threads(threads), report)
     return Run(folder)
 
 
@@ -66,14 +66,15 @@ def sweep(
     elif set:
         scene = Scene.of(scene, set=set)
     varied = []
-    for keys, values in (vary or {}).items():
-        if isinstance(keys, str):
-            varied.append(([keys], [[to_yaml(value)] for value in at_most_runs(keys, values)]))
-        else:
-            rows = at_most_runs(",".join(keys), values)
-            varied.append((list(keys), [[to_yaml(value) for value in row] for row in rows]))
+    for keys, values in mapping("vary", vary).items():
+        of = [text("vary", key) for key in ([keys] if isinstance(keys, str) else at_most_runs("vary", keys))]
+        if not of:
+            raise ArgumentError("vary: expected keys, found none")
+        name = ",".join(of)
+        rows = at_most_runs(name, values)
+        lists = [[row] if isinstance(keys, str) else at_most_runs(name, row) for row in rows]
+        varied.append((of, [[to_yaml(name, value) for value in row] for row in lists]))
     numbers = [whole("seeds", seed, 0, MOST) for seed in at_most_runs("seeds", seeds)]
     folder = None if output is None else path(output)
-    at_a_time = None if jobs is None else whole("jobs", jobs, 1, 1024)
     with reporting(progress) as report:
-        return Sweep(_clca.sweep(*scene._origin, scene._as_options(), varied, numbers, folder, at_a_time, report))
+        return Sweep(_clca.sweep(*scene._origin, scene._as_options(), varied, numbers, folder, arguments.jobs(jobs), report))

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import math
 import os
+import re
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from ._arguments import plain, whole
+from ._arguments import at_most_runs, number, shown, text, whole
 from ._error import ArgumentError, Error
 
 MOST_PARAMETERS = 6
@@ -34,6 +34,8 @@ class Study(NamedTuple):
     check: int  #: seeds of the runs at the answer
 
 
+NUMBER = re.compile(r"-?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?", re.ASCII)  # as scenes read it
+WORDS = {"true": True, "false": False, "null": None, "~": None, "": None}
 NUMBERS = {"seeds": (8, 2, 1000), "points": (32, 8, 1024), "rounds": (2, 0, 20), "check": (8, 2, 1000)}  # usual, least, most
 
 
@@ -52,6 +54,7 @@ class Said(NamedTuple):
             raise self.wrong(f"expected a map of {what}")
         found = {key: Said(one, (*self.place, key), self.refuse) for key, one in self.value.items()}
         for key in found:
+            text(".".join(map(str, self.place)) or what, key)
             if known and key not in known:
                 raise found[key].wrong(f"unknown key '{key}'; there are {', '.join(known)}")
         for key in required:
@@ -60,10 +63,11 @@ class Said(NamedTuple):
         return found
 
     def two(self, what: str) -> tuple[float, float]:
-        is_pair = isinstance(self.value, (list, tuple)) and len(self.value) == 2
-        if not is_pair or not all(isinstance(one, (int, float)) and math.isfinite(one) for one in self.value):
-            raise self.wrong(f"expected {what}, found '{plain(self.value)}'")
-        return float(self.value[0]), float(self.value[1])
+        try:
+            first, second = at_most_runs(what, self.value)
+            return number(what, first), number(what, second)
+        except ValueError:  # also ArgumentError
+            raise self.wrong(f"expected {what}, found '{shown(self.value)}'") from None
 
 
 def test_of(said: Said, vary: Mapping[str, Any], names: Sequence[str]) -> Test:
@@ -103,17 +107,24 @@ def study_of(said: Mapping[str, Any], refuse: Refuse) -> Study:
     if not isinstance(listed, (list, tuple)) or not listed:
         raise items["tests"].wrong("expected a list of tests")
     tests: list[Test] = []
-    for number, test in enumerate(listed):
-        tests.append(test_of(Said(test, ("tests", number), refuse), vary, [before.name for before in tests]))
+    for index, test in enumerate(listed):
+        tests.append(test_of(Said(test, ("tests", index), refuse), vary, [before.name for before in tests]))
     numbers = {}
     for key, (usual, *limits) in NUMBERS.items():
         try:
             numbers[key] = whole(key, said.get(key, usual), *limits)
         except ArgumentError as error:
-            raise refuse((key,), str(error)) from None
+            raise refuse((key,), str(error).partition(": ")[2]) from None
     if numbers["points"].bit_count() > 1:
-        raise refuse(("points",), f"points: expected a power of two, found {numbers['points']}")
+        raise refuse(("points",), f"expected a power of two, found {numbers['points']}")
     return Study(tests, vary, **numbers)
+
+
+def scalar_of(text: str) -> Any:
+    """What a scene would read where there are no quotes; YAML 1.1 would make 1_0, yes and 2020-01-01 what they are not."""
+    if not NUMBER.fullmatch(text):
+        return WORDS.get(text, text)
+    return int(text) if text.lstrip("-").isdigit() and len(text) < 20 else float(text)
 
 
 def read_study(file: Path) -> Study:
@@ -137,10 +148,10 @@ def read_study(file: Path) -> Study:
         if isinstance(node, yaml.SequenceNode):
             return [value_of(one) for one in node.value]
         if not isinstance(node, yaml.MappingNode):
-            return loader.construct_object(node)
+            return scalar_of(node.value) if node.style is None else node.value
         found: dict[str, Any] = {}
         for key_node, one in node.value:
-            key = loader.construct_object(key_node)
+            key = value_of(key_node)
             if not isinstance(key, str) or key in found:
                 raise wrong(key_node.start_mark, f"'{key}' stands twice" if isinstance(key, str) else "a key is no text")
             found[key] = value_of(one)
@@ -150,10 +161,12 @@ def read_study(file: Path) -> Study:
         if file.stat().st_size > 1 << 20:
             raise Error(f"cannot read {file}: it is larger than 1 MiB")
         text = file.read_text("utf-8")
-        if any(isinstance(event, yaml.AliasEvent) for event in yaml.parse(text)):
-            raise Error(f"cannot read {file}: it has aliases (*)")
-        loader = yaml.SafeLoader(text)
-        root = loader.get_single_node()
+        for event in yaml.parse(text):
+            if isinstance(event, yaml.AliasEvent):
+                raise Error(f"cannot read {file}: it has aliases (*)")
+            if getattr(event, "tag", None):
+                raise wrong(event.start_mark, "tags ('!') are not part of the format")
+        root = yaml.compose(text, yaml.BaseLoader)
         said = value_of(root) if root else None
     except OSError as error:
         raise Error(f"cannot read {file}: {error.strerror}") from None

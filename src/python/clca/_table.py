@@ -127,6 +127,8 @@ class Table(numpy.ndarray[Any, numpy.dtype[Any]]):
         """Throws Error where a cell of these is none, with its line in the file."""
         for column in columns:
             if not is_numeric(cells := self[column]):
+                if column in TEXT:
+                    raise Error(f"{self._file}: column '{column}' is text, no numbers")
                 line, cell = next((line, cell) for line, cell in enumerate(cells, 2) if isinstance(numbers_of([cell]), list))
                 raise Error(f"{self._file}: line {line}: '{cell}' in column '{column}' is no number")
 
@@ -187,7 +189,7 @@ def read_table(file: Path, known: Mapping[str, Quantity]) -> Table:
     except (OSError, csv.Error) as error:
         raise Error(f"cannot read {file}: {error.strerror if isinstance(error, OSError) else error}") from None
     wrong = next((number for number, row in enumerate(cells) if len(row) != len(names)), None)
-    if not names or len(set(names)) < len(names) or wrong is not None:
+    if not all(names) or not names or len(set(names)) < len(names) or wrong is not None:
         raise Error(f"cannot read {file}: line {1 if wrong is None else 2 + wrong}: cut off or no row of the table")
     columns = list(zip(*cells)) if cells else [()] * len(names)
     what = [known.get(name, Quantity(name)) for name in names]
