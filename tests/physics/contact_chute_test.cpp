@@ -50,8 +50,8 @@ double exponent(const Profile& profile) {
   return (xz - x_mean * z_mean / count) / (xx - x_mean * x_mean / count);
 }
 
-// At 28 degrees, as bench/document-tables measures: 15.14 +- 0.09 and an exponent of 1.58 +- 0.02
-// by full runs of 4 seeds, 14.87 +- 0.18 and 1.54 +- 0.03 by 8 seeds of the shorter run here.
+// At 28 degrees, as bench/document-tables measures: 15.19 +- 0.11 by full runs of 4 seeds; 14.99 +-
+// 0.16 by 8 seeds of the shorter run here, with an exponent of 1.54 +- 0.03.
 // Bounds: four of its standard deviations to either side.
 TEST(ContactChute, LayersRestOrFlowWithTheProfileOfBagnold) {
   expect_within("velocity_18", profile(18, 24).velocity.back(), -0.001, 0.001);
