@@ -208,8 +208,8 @@ std::vector<store::ColumnSummary> sweep_summary(const std::vector<std::string>& 
                                                 const KnownQuantities& known) {
   std::vector<store::ColumnSummary> result;
   for (const std::string& key : columns) {
-    constexpr std::string_view kError = "_se";  // of a mean, in its unit
-    const std::string of = key.ends_with(kError) ? key.substr(0, key.size() - kError.size()) : key;
+    const std::size_t ending = key.ends_with(kErrorEnding) ? kErrorEnding.size() : 0;
+    const std::string of = key.substr(0, key.size() - ending);
     const auto of_stage = known.find(of.substr(of.find('.') + 1));
     result.push_back(column_summary(key, of_stage ? of_stage : known.find(of)));
   }
@@ -285,8 +285,9 @@ std::string columns_table(std::string_view table) {
                         where.empty() ? "" : "; ", where);
   };
   for (const ColumnInfo& column : found->second->columns) {
-    add(column.endings.back() == "_se" ? fmt::format("`{}` (`_se`)", column.quantity.key)
-                                       : fmt::format("`{}`", fmt::join(column.names(), "`, `")),
+    add(column.endings.back() == kErrorEnding
+            ? fmt::format("`{}` (`_se`)", column.quantity.key)
+            : fmt::format("`{}`", fmt::join(column.names(), "`, `")),
         column.quantity, column.where);
   }
   for (const auto& [what, of] : found->second->of_each) {

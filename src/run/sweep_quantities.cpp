@@ -74,7 +74,7 @@ const std::vector<TableInfo>& sweep_tables() {
                       "since the stage began"},
                      {"runs", "Runs", "", "number of values"},
                      {"COLUMN", "Mean", "of the column", "of each column, over the seeds"}})};
-    all.back().columns.back().endings = {"", "_se"};
+    all.back().columns.back().endings = {"", kErrorEnding};
     return all;
   }();
   return kAll;

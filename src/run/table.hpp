@@ -26,6 +26,8 @@ namespace clca::run {
 
 bool is_contact(const scene::Scene& scene);
 inline constexpr std::string_view kContactModel = "with `model: contact`";
+/// Of the columns with standard errors of means, in the units of these.
+inline constexpr std::string_view kErrorEnding = "_se";
 
 // In several tables. Behind the step, each table has the time where steps have a length.
 inline constexpr Quantity kStep = {"step", "Step", "", "of the whole run"};
@@ -54,7 +56,7 @@ struct ColumnInfo {
 template <class Value>
 std::vector<std::string_view> column_endings() {
   if constexpr (std::is_same_v<Value, statistics::Sample>) {
-    return {"", "_se"};
+    return {"", kErrorEnding};
   } else if constexpr (std::is_same_v<Value, Eigen::Vector2d> ||
                        std::is_same_v<Value, std::optional<Eigen::Vector2d>>) {
     return {"x", "y"};
@@ -238,7 +240,9 @@ class TableWriter : public RunTable {
   }
 
  private:
-  static bool is_mean(const Column<Row>& column) { return column.info.endings.back() == "_se"; }
+  static bool is_mean(const Column<Row>& column) {
+    return column.info.endings.back() == kErrorEnding;
+  }
   bool has_time(const Column<Row>& column) const {
     return scope().conversion && column.info.quantity.key == kStep.key;
   }

@@ -33,8 +33,13 @@ fs::path new_temporary_name() {
   return fmt::format("{}{:08x}{:08x}{}", kTemporaryBegin, device(), device(), kTemporaryEnd);
 }
 
-bool lock(const Descriptor& file) {
-  return ::flock(file.number(), LOCK_EX | LOCK_NB) == 0;
+/// `flags`: LOCK_NB, or 0 to wait.
+bool lock(const Descriptor& file, int flags) {
+  int result = 0;
+  do {
+    result = ::flock(file.number(), LOCK_EX | flags);
+  } while (result != 0 && errno == EINTR);
+  return result == 0;
 }
 
 }  // namespace
@@ -71,7 +76,7 @@ AtomicFile::AtomicFile(const fs::path& path, std::function<void()> flush_later)
   }
   state_->flush_later = std::move(flush_later);
   struct stat made {};
-  do {  // before it is locked, another process may take it for abandoned
+  do {  // before it is locked, another process may lock it as abandoned, and remove it
     const fs::path temporary = state_->path.parent_path() / new_temporary_name();
     constexpr int kFlags = O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC;
     state_->file = Descriptor(::open(temporary.c_str(), kFlags, kReadableByAll));
@@ -79,8 +84,7 @@ AtomicFile::AtomicFile(const fs::path& path, std::function<void()> flush_later)
       fail_writing(path);
     }
     state_->temporary = temporary;
-    if ((!lock(state_->file) && errno != EWOULDBLOCK) ||
-        ::fstat(state_->file.number(), &made) != 0) {
+    if (!lock(state_->file, 0) || ::fstat(state_->file.number(), &made) != 0) {
       fail_writing(path);
     }
   } while (made.st_nlink == 0);
@@ -142,7 +146,7 @@ void remove_abandoned_files(const fs::path& folder) {
     if (name.starts_with(kTemporaryBegin) && name.ends_with(kTemporaryEnd)) {
       const Descriptor file(
           ::open(it->path().c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
-      if (file.is_open() && file.is_regular() && lock(file)) {
+      if (file.is_open() && file.is_regular() && lock(file, LOCK_NB)) {
         ::unlink(it->path().c_str());
       }
     }

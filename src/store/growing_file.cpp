@@ -14,7 +14,7 @@ namespace clca::store {
 GrowingFile::GrowingFile(OutputFolder folder, std::string name, std::uint64_t kept)
     : folder_(std::move(folder)), name_(std::move(name)), bytes_(kept) {
   if (kept == 0) {
-    folder_.remove(name_);
+    folder_.discard(name_);
   } else if (!folder_.truncate(name_, kept)) {
     throw UnusableCheckpointError(
         fmt::format("cannot go on with {}: it is shorter than when the checkpoint was made",

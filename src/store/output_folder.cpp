@@ -366,9 +366,6 @@ void OutputFolder::write(const std::string& name, std::string_view text) const {
 }
 
 int OutputFolder::open_to_append(const std::string& name) const {
-  if (!owns(name)) {
-    state_->remove(prefix_ + name);  // what somebody else put there is replaced, as by create()
-  }
   state_->prepare(prefix_ + name);
   Descriptor file = opened(state_->at(prefix_ + name), O_WRONLY | O_APPEND | O_CREAT);
   if (!file.is_open()) {
@@ -421,6 +418,10 @@ void OutputFolder::remove(const std::string& name) const {
   if (owns(name)) {
     state_->remove(prefix_ + name);
   }
+}
+
+void OutputFolder::discard(const std::string& name) const {
+  state_->remove(prefix_ + name);
 }
 
 void OutputFolder::clear(const std::string& first, const std::string& kept) const {

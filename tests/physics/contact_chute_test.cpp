@@ -51,7 +51,7 @@ double exponent(const Profile& profile) {
 }
 
 // At 28 degrees, as bench/document-tables measures: 15.19 +- 0.11 by full runs of 4 seeds; 14.99 +-
-// 0.16 by 8 seeds of the shorter run here, with an exponent of 1.54 +- 0.03.
+// 0.16 by 8 seeds of the shorter run here. The exponent was 1.54 +- 0.03 with an older rule.
 // Bounds: four of its standard deviations to either side.
 TEST(ContactChute, LayersRestOrFlowWithTheProfileOfBagnold) {
   expect_within("velocity_18", profile(18, 24).velocity.back(), -0.001, 0.001);

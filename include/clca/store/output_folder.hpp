@@ -59,6 +59,8 @@ class OutputFolder {
   void rename(const std::string& from, const std::string& to) const;
   /// Removes a file of the manifest, if it exists.
   void remove(const std::string& name) const;
+  /// Removes a regular file, whoever has put it there. For one that no other process writes.
+  void discard(const std::string& name) const;
   /// Removes all files of the manifest except `kept`, with `first` first, then empty folders.
   void clear(const std::string& first, const std::string& kept) const;
 

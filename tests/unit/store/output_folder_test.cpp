@@ -153,17 +153,22 @@ TEST_F(OutputFolderTest, AGrowingFileReplacesOneThatSomebodyElsePutThere) {
 
 TEST_F(OutputFolderTest, ALockIsFreeWhenItsOwnerIsDoneAlsoIfAChildWasForked) {
   std::optional<FolderLock> lock(std::in_place, path("."));
-  const pid_t child = ::fork();
-  if (child == 0) {
-    const FolderLock of_parent = *std::move(lock);  // not its own: it does not unlock
+  const pid_t ends = ::fork();
+  if (ends == 0) {
+    lock.reset();
+    ::_exit(0);
+  }
+  ::waitpid(ends, nullptr, 0);
+  EXPECT_THROW(FolderLock{path(".")}, FolderInUseError) << "a child does not unlock it";
+  const pid_t stays = ::fork();
+  if (stays == 0) {
     ::pause();
     ::_exit(0);
   }
-  EXPECT_THROW(FolderLock{path(".")}, FolderInUseError);
   lock.reset();
   EXPECT_NO_THROW(FolderLock{path(".")});
-  ::kill(child, SIGKILL);
-  ::waitpid(child, nullptr, 0);
+  ::kill(stays, SIGKILL);
+  ::waitpid(stays, nullptr, 0);
 }
 
 TEST_F(OutputFolderTest, AManifestThatNamesFilesElsewhereOrIsNoneIsRefused) {
