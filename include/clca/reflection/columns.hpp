@@ -65,98 +65,101 @@ constexpr const char* item_name() {
   }
 }
 
-template <class T>
-std::vector<T*> addresses(std::vector<T>& values) {
-  std::vector<T*> result(values.size());
-  std::transform(values.begin(), values.end(), result.begin(), [](T& value) { return &value; });
-  return result;
-}
-
-/// Items of the containers as one list, with the size of each.
-template <class Item, class Container>
-std::vector<Item*> items_of(const std::vector<Container*>& containers) {
-  std::vector<Item*> items;
-  for (Container* container : containers) {
-    for (auto& item : *container) {
+/// Adds the addresses of the items of a container.
+template <class T, class Item>
+void add_items(T& container, std::vector<Item*>& items) {
+  if constexpr (Optional<std::remove_const_t<T>>) {
+    if (container) {
+      items.push_back(&*container);
+    }
+  } else {
+    for (auto& item : container) {
       items.push_back(&item);
     }
   }
-  return items;
 }
 
-class Encoder {
+/// Goes through many values of one type at once, given by their addresses, down to numbers and
+/// containers, which `Self` handles in contents().
+template <class Self>
+class Walk {
+ public:
+  template <class T>
+  void walk(const std::string& path, const std::vector<T*>& values) {
+    using Value = std::remove_const_t<T>;
+    if constexpr (Listed<Value>) {
+      std::apply([&](const auto&... field) { (walk_member(path, values, field), ...); },
+                 Value::fields());
+    } else if constexpr (Pair<Value>) {
+      walk_parts(path + "/first", values, [](T& value) { return &value.first; });
+      walk_parts(path + "/second", values, [](T& value) { return &value.second; });
+    } else if constexpr (Array<Value>) {
+      for (std::size_t i = 0; i < std::tuple_size_v<Value>; ++i) {
+        walk_parts(path + "/" + std::to_string(i), values, [i](T& value) { return &value[i]; });
+      }
+    } else if constexpr (std::same_as<Value, Eigen::Vector2d>) {
+      walk_parts(path + "/x", values, [](T& value) { return value.data(); });
+      walk_parts(path + "/y", values, [](T& value) { return value.data() + 1; });
+    } else {
+      static_cast<Self*>(this)->contents(path, values);
+    }
+  }
+
+ protected:
+  template <class Item, class T>
+  void walk_items(const std::string& path, const std::vector<T*>& containers) {
+    std::vector<Item*> items;
+    for (T* container : containers) {
+      add_items(*container, items);
+    }
+    walk(path + item_name<std::remove_const_t<Item>>(), items);
+  }
+
+ private:
+  template <class T, class Owner, class Member>
+  void walk_member(const std::string& path, const std::vector<T*>& values,
+                   const Field<Owner, Member>& field) {
+    walk_parts(path.empty() ? field.name : path + "/" + field.name, values,
+               [&](T& value) { return &(value.*(field.member)); });
+  }
+
+  template <class T, class Part>
+  void walk_parts(const std::string& path, const std::vector<T*>& values, Part part) {
+    std::vector<decltype(part(*values.front()))> parts(values.size());
+    std::transform(values.begin(), values.end(), parts.begin(),
+                   [&](T* value) { return part(*value); });
+    walk(path, parts);
+  }
+};
+
+class Encoder : public Walk<Encoder> {
  public:
   explicit Encoder(Columns& columns) : columns_(columns) {}
 
   template <Leaf T>
-  void add(const std::string& path, const std::vector<const T*>& values) {
+  void contents(const std::string& path, const std::vector<const T*>& values) {
     std::vector<Stored<T>> column(values.size());
     std::transform(values.begin(), values.end(), column.begin(),
                    [](const T* value) { return static_cast<Stored<T>>(*value); });
     columns_[path] = std::move(column);
   }
 
-  template <Listed T>
-  void add(const std::string& path, const std::vector<const T*>& values) {
-    std::apply([&](const auto&... field) { (add_member(path, values, field), ...); }, T::fields());
-  }
-
-  template <class First, class Second>
-  void add(const std::string& path, const std::vector<const std::pair<First, Second>*>& values) {
-    using Pair = std::pair<First, Second>;
-    add_member(path, values, field("first", &Pair::first));
-    add_member(path, values, field("second", &Pair::second));
-  }
-
-  template <class T, std::size_t kSize>
-  void add(const std::string& path, const std::vector<const std::array<T, kSize>*>& values) {
-    for (std::size_t i = 0; i < kSize; ++i) {
-      std::vector<const T*> parts;
-      for (const auto* value : values) {
-        parts.push_back(&(*value)[i]);
-      }
-      add(path + "/" + std::to_string(i), parts);
-    }
-  }
-
-  void add(const std::string& path, const std::vector<const Eigen::Vector2d*>& values) {
-    for (Eigen::Index i = 0; i < 2; ++i) {
-      std::vector<const double*> parts;
-      for (const Eigen::Vector2d* value : values) {
-        parts.push_back(value->data() + i);
-      }
-      add(path + (i == 0 ? "/x" : "/y"), parts);
-    }
-  }
-
-  template <Vector T>
-  void add(const std::string& path, const std::vector<const T*>& values) {
-    add_sizes(path, values);
-    add_items(path, items_of<const typename T::value_type>(values));
-  }
-
-  template <class Key, class Value>
-  void add(const std::string& path, const std::vector<const std::map<Key, Value>*>& values) {
-    add_sizes(path, values);
-    add_items(path, items_of<const std::pair<const Key, Value>>(values));
-  }
-
   template <class T>
-  void add(const std::string& path, const std::vector<const std::optional<T>*>& values) {
+  void contents(const std::string& path, const std::vector<const T*>& values) {
     std::vector<std::uint64_t> sizes;
-    std::vector<const T*> items;
-    for (const std::optional<T>* value : values) {
-      sizes.push_back(value->has_value() ? 1 : 0);
-      if (*value) {
-        items.push_back(&**value);
+    for (const T* value : values) {
+      if constexpr (Optional<T>) {
+        sizes.push_back(value->has_value() ? 1 : 0);
+      } else {
+        sizes.push_back(value->size());
       }
     }
     columns_[path + "/size"] = std::move(sizes);
-    add_items(path, items);
+    walk_items<const typename T::value_type>(path, values);
   }
 
   template <DynamicArray T>
-  void add(const std::string& path, const std::vector<const T*>& values) {
+  void contents(const std::string& path, const std::vector<const T*>& values) {
     std::vector<std::uint64_t> sizes;
     std::vector<typename T::Scalar> numbers;
     for (const T* value : values) {
@@ -168,38 +171,15 @@ class Encoder {
   }
 
  private:
-  template <class T, class Owner, class Member>
-  void add_member(const std::string& path, const std::vector<const T*>& values,
-                  const Field<Owner, Member>& field) {
-    std::vector<const std::remove_const_t<Member>*> parts(values.size());
-    std::transform(values.begin(), values.end(), parts.begin(),
-                   [&](const T* value) { return &(value->*(field.member)); });
-    add(path.empty() ? field.name : path + "/" + field.name, parts);
-  }
-
-  template <class T>
-  void add_sizes(const std::string& path, const std::vector<const T*>& values) {
-    std::vector<std::uint64_t> sizes;
-    for (const T* value : values) {
-      sizes.push_back(value->size());
-    }
-    columns_[path + "/size"] = std::move(sizes);
-  }
-
-  template <class T>
-  void add_items(const std::string& path, const std::vector<const T*>& items) {
-    add(path + item_name<T>(), items);
-  }
-
   Columns& columns_;
 };
 
-class Decoder {
+class Decoder : public Walk<Decoder> {
  public:
   Decoder(const Columns& columns, double max_bytes) : columns_(columns), bytes_left_(max_bytes) {}
 
   template <Leaf T>
-  void read(const std::string& path, const std::vector<T*>& values) {
+  void contents(const std::string& path, const std::vector<T*>& values) {
     const auto& column = find<Stored<T>>(path, values.size());
     for (std::size_t i = 0; i < values.size(); ++i) {
       if constexpr (std::same_as<T, bool>) {
@@ -209,86 +189,51 @@ class Decoder {
     }
   }
 
-  template <Listed T>
-  void read(const std::string& path, const std::vector<T*>& values) {
-    std::apply([&](const auto&... field) { (read_member(path, values, field), ...); }, T::fields());
-  }
-
-  template <class First, class Second>
-  void read(const std::string& path, const std::vector<std::pair<First, Second>*>& values) {
-    using Pair = std::pair<First, Second>;
-    read_member(path, values, field("first", &Pair::first));
-    read_member(path, values, field("second", &Pair::second));
-  }
-
-  template <class T, std::size_t kSize>
-  void read(const std::string& path, const std::vector<std::array<T, kSize>*>& values) {
-    for (std::size_t i = 0; i < kSize; ++i) {
-      std::vector<T*> parts;
-      for (auto* value : values) {
-        parts.push_back(&(*value)[i]);
-      }
-      read(path + "/" + std::to_string(i), parts);
-    }
-  }
-
-  void read(const std::string& path, const std::vector<Eigen::Vector2d*>& values) {
-    for (Eigen::Index i = 0; i < 2; ++i) {
-      std::vector<double*> parts;
-      for (Eigen::Vector2d* value : values) {
-        parts.push_back(value->data() + i);
-      }
-      read(path + (i == 0 ? "/x" : "/y"), parts);
-    }
-  }
-
   template <Vector T>
-  void read(const std::string& path, const std::vector<T*>& values) {
+  void contents(const std::string& path, const std::vector<T*>& values) {
     const auto sizes = read_sizes(path, values.size(), sizeof(typename T::value_type));
     for (std::size_t i = 0; i < values.size(); ++i) {
       values[i]->resize(sizes[i]);
     }
-    read_items(path, items_of<typename T::value_type>(values));
+    walk_items<typename T::value_type>(path, values);
   }
 
-  template <class Key, class Value>
-  void read(const std::string& path, const std::vector<std::map<Key, Value>*>& values) {
+  template <Map T>
+  void contents(const std::string& path, const std::vector<T*>& values) {
     constexpr std::size_t kNodeBytes = 64;
-    using Item = std::pair<Key, Value>;
+    using Item = std::pair<typename T::key_type, typename T::mapped_type>;
     const auto sizes = read_sizes(path, values.size(), 2 * sizeof(Item) + kNodeBytes);
     std::vector<Item> all(sum(sizes));
-    read_items(path, addresses(all));
+    walk_items<Item>(path, std::vector{&all});
     auto next = all.begin();
     for (std::size_t i = 0; i < values.size(); ++i) {
       const auto end = next + static_cast<std::ptrdiff_t>(sizes[i]);
-      *values[i] = std::map<Key, Value>(next, end);
+      *values[i] = T(next, end);
       require(values[i]->size() == sizes[i], path, "has a key twice");
       next = end;
     }
   }
 
-  template <class T>
-  void read(const std::string& path, const std::vector<std::optional<T>*>& values) {
+  template <Optional T>
+  void contents(const std::string& path, const std::vector<T*>& values) {
     const auto sizes = read_sizes(path, values.size(), 0);
-    std::vector<T*> items;
     for (std::size_t i = 0; i < values.size(); ++i) {
       require(sizes[i] <= 1, path, "is there more than once");
       if (sizes[i] == 0) {
         values[i]->reset();
-        continue;
-      }
-      if constexpr (std::default_initializable<T>) {
-        items.push_back(*values[i] ? &**values[i] : &values[i]->emplace());
+      } else if constexpr (std::default_initializable<typename T::value_type>) {
+        if (!values[i]->has_value()) {
+          values[i]->emplace();
+        }
       } else {
         require(values[i]->has_value(), path, "has no place here");
-        items.push_back(&**values[i]);
       }
     }
-    read_items(path, items);
+    walk_items<typename T::value_type>(path, values);
   }
 
   template <DynamicArray T>
-  void read(const std::string& path, const std::vector<T*>& values) {
+  void contents(const std::string& path, const std::vector<T*>& values) {
     using Number = typename T::Scalar;
     constexpr auto kRows = static_cast<std::size_t>(T::RowsAtCompileTime);
     const auto sizes = read_sizes(path, values.size(), kRows * sizeof(Number));
@@ -338,20 +283,6 @@ class Decoder {
     return sizes;
   }
 
-  template <class T, class Owner, class Member>
-  void read_member(const std::string& path, const std::vector<T*>& values,
-                   const Field<Owner, Member>& field) {
-    std::vector<Member*> parts(values.size());
-    std::transform(values.begin(), values.end(), parts.begin(),
-                   [&](T* value) { return &(value->*(field.member)); });
-    read(path.empty() ? field.name : path + "/" + field.name, parts);
-  }
-
-  template <class T>
-  void read_items(const std::string& path, const std::vector<T*>& items) {
-    read(path + item_name<T>(), items);
-  }
-
   const Columns& columns_;
   double bytes_left_;
 };
@@ -361,7 +292,7 @@ class Decoder {
 /// Adds all fields of a value, whose paths begin with `path`.
 template <class T>
 void encode(const std::string& path, const T& value, Columns& columns) {
-  detail::Encoder(columns).add(path, std::vector<const T*>{&value});
+  detail::Encoder(columns).walk(path, std::vector<const T*>{&value});
 }
 template <Listed T>
 Columns encode(const T& value) {
@@ -375,7 +306,7 @@ Columns encode(const T& value) {
 /// than `max_bytes`. Throws Mismatch; the value is then only partly set.
 template <class T>
 void decode(const std::string& path, const Columns& columns, double max_bytes, T& value) {
-  detail::Decoder(columns, max_bytes).read(path, std::vector<T*>{&value});
+  detail::Decoder(columns, max_bytes).walk(path, std::vector<T*>{&value});
 }
 template <Listed T>
 void decode(const Columns& columns, double max_bytes, T& value) {

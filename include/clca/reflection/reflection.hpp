@@ -47,6 +47,14 @@ struct IsOptional : std::false_type {};
 template <class T>
 struct IsOptional<std::optional<T>> : std::true_type {};
 template <class T>
+struct IsPair : std::false_type {};
+template <class First, class Second>
+struct IsPair<std::pair<First, Second>> : std::true_type {};
+template <class T>
+struct IsArray : std::false_type {};
+template <class T, std::size_t kSize>
+struct IsArray<std::array<T, kSize>> : std::true_type {};
+template <class T>
 struct IsMap : std::false_type {};
 template <class Key, class Value>
 struct IsMap<std::map<Key, Value>> : std::true_type {};
@@ -61,6 +69,10 @@ struct IsVector<std::string> : std::true_type {};
 template <class T>
 concept Optional = detail::IsOptional<T>::value;
 template <class T>
+concept Pair = detail::IsPair<T>::value;
+template <class T>
+concept Array = detail::IsArray<T>::value;
+template <class T>
 concept Map = detail::IsMap<T>::value;
 /// std::vector or std::string.
 template <class T>
@@ -71,5 +83,12 @@ concept DynamicArray = requires {
   requires std::derived_from<T, Eigen::DenseBase<T>>;
   requires T::SizeAtCompileTime == Eigen::Dynamic;
 };
+
+/// Adds the fields of another value to those of one: numbers, or Eigen's vectors.
+template <Listed T>
+void add_fields(T& to, const T& other) {
+  std::apply([&](const auto&... field) { ((to.*(field.member) += other.*(field.member)), ...); },
+             T::fields());
+}
 
 }  // namespace clca::reflection
