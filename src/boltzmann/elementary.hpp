@@ -17,6 +17,11 @@ inline double open_unit(std::uint64_t bits) {
   return (static_cast<double>(bits >> 12U) + 0.5) * 0x1p-52;
 }
 
+/// 32 uniform bits as a number in (0, 1).
+inline double open_unit32(std::uint32_t bits) {
+  return (bits + 0.5) * 0x1p-32;
+}
+
 /// Natural logarithm of a normal positive number, to 3e-16 relative or 3e-16 absolute.
 inline double logarithm(double x) {
   constexpr int kMantissaBits = 52;

@@ -3,7 +3,6 @@
 #include <bit>
 
 #include "boltzmann/elementary.hpp"
-#include "clca/random/words.hpp"
 
 namespace clca::boltzmann {
 namespace {
@@ -35,12 +34,10 @@ LatticeRule::LatticeRule(std::uint64_t points)
   }
 }
 
-void LatticeRule::shift(std::uint64_t seed, const ShiftKey& key) {
-  std::uint32_t item = 0;
+void LatticeRule::shift(std::uint64_t seed, random::Counter key) {
   for (std::uint64_t& component : shift_) {
-    const random::Words words =
-        random::words(seed, {.step = key.step, .group = key.group, .item = item++},
-                      random::Purpose::lattice_shift);
+    const random::Words words = random::words(seed, key, random::Purpose::lattice_shift);
+    ++key.item;
     component = random::join(words[0], words[1]);
   }
 }

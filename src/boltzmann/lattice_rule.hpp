@@ -5,13 +5,9 @@
 #include <cstdint>
 #include <vector>
 
-namespace clca::boltzmann {
+#include "clca/random/words.hpp"
 
-/// Key of the random shift of a rule.
-struct ShiftKey {
-  std::uint32_t step = 0;
-  std::uint32_t group = 0;
-};
+namespace clca::boltzmann {
 
 /// A randomly shifted rank-1 lattice rule, generating vector of Cools, Kuo & Nuyens, SIAM J. Sci.
 /// Comput. 28 (2006) 2162-2188: order-2 weights, 2^10 to 2^20 points.
@@ -24,8 +20,8 @@ class LatticeRule {
   /// At least one point, fewer than 2^32.
   explicit LatticeRule(std::uint64_t points);
 
-  /// Shifts all points by a vector drawn with purpose lattice_shift.
-  void shift(std::uint64_t seed, const ShiftKey& key);
+  /// Shifts all points by a vector drawn with purpose lattice_shift; `key`: step and group.
+  void shift(std::uint64_t seed, random::Counter key);
 
   std::uint64_t points() const { return residues_.size(); }
 

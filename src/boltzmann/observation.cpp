@@ -9,49 +9,26 @@ namespace {
 
 using Eigen::Index;
 
-/// Sums over particles, added up by blocks of the gas so that rounding stays far below the noise of
-/// a million particles.
-struct Sums {
-  double v2 = 0;
-  double w2 = 0;
-  double v4 = 0;
-  double w4 = 0;
-  double v2w2 = 0;
-  double vw_squared = 0;
-  Eigen::Array3d products = Eigen::Array3d::Zero();  // of v: x x, y y, x y
+/// Sums over particles: of v^2, w^2, v^4, w^4, v^2 w^2, (v w)^2, v_x^2, v_y^2 and v_x v_y.
+using Sums = Eigen::Array<double, 9, 1>;
 
-  void add(const Eigen::Vector3d& v, const Eigen::Vector3d& w) {
-    const double v_squared = v.squaredNorm();
-    const double w_squared = w.squaredNorm();
-    const double v_dot_w = v.dot(w);
-    v2 += v_squared;
-    w2 += w_squared;
-    v4 += v_squared * v_squared;
-    w4 += w_squared * w_squared;
-    v2w2 += v_squared * w_squared;
-    vw_squared += v_dot_w * v_dot_w;
-    products += Eigen::Array3d(v.x() * v.x(), v.y() * v.y(), v.x() * v.y());
-  }
-  void add(const Sums& other) {
-    v2 += other.v2;
-    w2 += other.w2;
-    v4 += other.v4;
-    w4 += other.w4;
-    v2w2 += other.v2w2;
-    vw_squared += other.vw_squared;
-    products += other.products;
-  }
-};
-
+/// Added up by blocks of the gas so that rounding stays far below the noise of a million particles.
 Sums sums(const Motions& motions) {
   constexpr Index kPiece = 1024;
-  Sums all;
+  Sums all = Sums::Zero();
   for (Index begin = 0; begin < motions.cols(); begin += kPiece) {
-    Sums piece;
+    Sums piece = Sums::Zero();
     for (Index i = begin; i < std::min(begin + kPiece, motions.cols()); ++i) {
-      piece.add(motions.col(i).head<3>().matrix(), motions.col(i).tail<3>().matrix());
+      const Eigen::Vector3d v = motions.col(i).head<3>().matrix();
+      const Eigen::Vector3d w = motions.col(i).tail<3>().matrix();
+      const double v2 = v.squaredNorm();
+      const double w2 = w.squaredNorm();
+      const double vw = v.dot(w);
+      piece += (Sums() << v2, w2, v2 * v2, w2 * w2, v2 * w2, vw * vw, v.x() * v.x(), v.y() * v.y(),
+                v.x() * v.y())
+                   .finished();
     }
-    all.add(piece);
+    all += piece;
   }
   return all;
 }
@@ -81,15 +58,17 @@ Moments moments(const Motions& motions) {
     throw std::invalid_argument("a gas without particles has no moments");
   }
   const Sums sum = sums(motions);
+  const double v2 = sum[0];
+  const double w2 = sum[1];
   const auto count = static_cast<double>(motions.cols());
-  const double correlation = excess(count * sum.v2w2, sum.v2 * sum.w2);
-  const Eigen::Array3d pressure = sum.v2 > 0 ? 3 / sum.v2 * sum.products : sum.products;
-  return {.translational = sum.v2 / count / 3,
-          .rotational = sum.w2 / count / 3,
-          .a2_translational = excess(3 * count * sum.v4, 5 * sum.v2 * sum.v2),
-          .a2_rotational = excess(3 * count * sum.w4, 5 * sum.w2 * sum.w2),
+  const double correlation = excess(count * sum[4], v2 * w2);
+  const Eigen::Array3d pressure = (v2 > 0 ? 3 / v2 : 1) * sum.tail<3>();
+  return {.translational = v2 / count / 3,
+          .rotational = w2 / count / 3,
+          .a2_translational = excess(3 * count * sum[2], 5 * v2 * v2),
+          .a2_rotational = excess(3 * count * sum[3], 5 * w2 * w2),
           .correlation = correlation,
-          .alignment = excess(3 * count * sum.vw_squared, sum.v2 * sum.w2) - correlation,
+          .alignment = excess(3 * count * sum[5], v2 * w2) - correlation,
           .p_xx = pressure[0],
           .p_yy = pressure[1],
           .p_xy = pressure[2]};

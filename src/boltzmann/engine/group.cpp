@@ -71,7 +71,7 @@ void Group::load(Collisions<kWidth>& collisions, int lane, const Candidate& pair
   collisions.first.row(lane) = motions_.col(pair.first).head<6>();
   collisions.second.row(lane) = motions_.col(pair.second).head<6>();
   collisions.height[lane] = open_unit32(pair.words[2]);
-  collisions.turn[lane] = open_unit32(pair.words[3]);
+  collisions.azimuth[lane] = open_unit32(pair.words[3]);
 }
 
 template <int kWidth>

@@ -1,14 +1,14 @@
-#include "boltzmann/engine/majorant.hpp"
-
 #include <omp.h>
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <vector>
 
 #include "boltzmann/engine/group.hpp"
 #include "boltzmann/engine/grouping.hpp"
+#include "boltzmann/engine/steps.hpp"
 #include "clca/parallel/first_failure.hpp"
 
 namespace clca::boltzmann {
@@ -128,14 +128,10 @@ void MajorantIntegrator::step(double end) {
 
 }  // namespace
 
-void advance_majorant(Gas& gas, const Law& law, double shear_rate, std::uint64_t seed, double time,
-                      int threads, const ContinueCondition& keep_going) {
-  MajorantIntegrator integrator(gas, law, shear_rate, seed, threads);
-  bool continues = true;
-  while (continues && gas.time < time) {
-    integrator.step(time);
-    continues = !keep_going || keep_going(gas);
-  }
+std::function<void()> majorant_steps(Gas& gas, const Law& law, double shear_rate,
+                                     std::uint64_t seed, double time, int threads) {
+  const auto integrator = std::make_shared<MajorantIntegrator>(gas, law, shear_rate, seed, threads);
+  return [integrator, time] { integrator->step(time); };
 }
 
 }  // namespace clca::boltzmann

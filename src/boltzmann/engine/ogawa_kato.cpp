@@ -1,23 +1,108 @@
-#include "boltzmann/engine/ogawa_kato.hpp"
-
 #include <omp.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
 #include <optional>
-#include <stdexcept>
+#include <span>
 #include <vector>
 
-#include "boltzmann/engine/partner_draws.hpp"
-#include "boltzmann/rule/colliding_pair.hpp"
+#include "boltzmann/elementary.hpp"
+#include "boltzmann/engine/steps.hpp"
+#include "boltzmann/lattice_rule.hpp"
+#include "boltzmann/rule/solid_collision.hpp"
 #include "clca/parallel/first_failure.hpp"
+#include "clca/random/words.hpp"
 
 namespace clca::boltzmann {
 namespace {
 
 constexpr std::uint32_t kStepShift = 1;       // 0 is that of the initial condition
 constexpr std::uint64_t kMinPerThread = 256;  // with fewer, threads would only wait
+
+// Random numbers of a particle in a step: independent, or a point of a lattice rule.
+
+/// Index of a particle, or its rank if they are sorted.
+using ParticleIndex = std::uint32_t;
+
+class IndependentDraws {
+ public:
+  IndependentDraws(std::uint64_t seed, std::uint64_t step, std::uint64_t particles)
+      : seed_(seed), step_(static_cast<std::uint32_t>(step)), others_(particles - 1) {}
+
+  /// Partners other than `particle`, with replacement.
+  void partners(ParticleIndex particle, std::span<ParticleIndex> result) const {
+    random::Words words{};
+    for (std::uint32_t k = 0; k < result.size(); ++k) {
+      if (k % words.size() == 0) {
+        words =
+            random::words(seed_, counter(particle, static_cast<std::uint32_t>(k / words.size())),
+                          random::Purpose::partner);
+      }
+      const auto other = static_cast<ParticleIndex>((words[k % words.size()] * others_) >> 32U);
+      result[k] = other + (other >= particle ? 1 : 0);
+    }
+  }
+  /// Two numbers of (0, 1): whether it collides, and with which partner.
+  std::array<double, 2> acceptance_draws(ParticleIndex particle) const {
+    return pair(particle, random::Purpose::candidate);
+  }
+  /// Two numbers of (0, 1), for the line of centres.
+  std::array<double, 2> direction(ParticleIndex particle) const {
+    return pair(particle, random::Purpose::normal);
+  }
+
+ private:
+  random::Counter counter(ParticleIndex particle, std::uint32_t group) const {
+    return {.step = step_, .group = group, .item = particle};
+  }
+  std::array<double, 2> pair(ParticleIndex particle, random::Purpose purpose) const {
+    const random::Words words = random::words(seed_, counter(particle, 0), purpose);
+    return {open_unit(random::join(words[0], words[1])),
+            open_unit(random::join(words[2], words[3]))};
+  }
+
+  std::uint64_t seed_;
+  std::uint32_t step_;
+  std::uint64_t others_;
+};
+
+/// Each particle takes one point of a shifted lattice, ordered by the first coordinate (L'Ecuyer,
+/// Lecot & Tuffin 2008, array-RQMC).
+/// Partners beyond the dimensions of the rule are drawn independently.
+class LatticeDraws {
+ public:
+  LatticeDraws(const LatticeRule& rule, const IndependentDraws& further)
+      : rule_(rule), further_(further) {}
+
+  void partners(ParticleIndex particle, std::span<ParticleIndex> result) const {
+    if (result.size() > kPartners) {
+      further_.partners(particle, result);
+    }
+    const auto others = static_cast<double>(rule_.points() - 1);
+    int dimension = kFirstPartner;
+    for (ParticleIndex& partner : result.first(std::min(result.size(), kPartners))) {
+      const auto other =
+          static_cast<ParticleIndex>(rule_.coordinate(particle, dimension++) * others);
+      partner = other + (other >= particle ? 1 : 0);
+    }
+  }
+  std::array<double, 2> acceptance_draws(ParticleIndex particle) const {
+    return {rule_.coordinate(particle, 1), rule_.coordinate(particle, 2)};
+  }
+  std::array<double, 2> direction(ParticleIndex particle) const {
+    return {rule_.coordinate(particle, 3), rule_.coordinate(particle, 4)};
+  }
+
+ private:
+  static constexpr int kFirstPartner = 5;
+  static constexpr std::size_t kPartners = LatticeRule::kDimensions - kFirstPartner;
+
+  const LatticeRule& rule_;
+  const IndependentDraws& further_;
+};
 
 Vector3<double> velocity(const Motions& motions, ParticleIndex particle) {
   return {motions(0, particle), motions(1, particle), motions(2, particle)};
@@ -87,10 +172,10 @@ void collide(const SynchronousStep& step, const Draws& draws, ParticleIndex part
       difference(velocity(step.before, particle), velocity(step.before, other));
   const Vector3<double> w1 = spin(step.before, particle);
   const Vector3<double> w2 = spin(step.before, other);
-  const auto [height, turn] = draws.direction(particle);
+  const auto [height, azimuth] = draws.direction(particle);
   const auto [push, twist] =
       solid_collision<double>(step.law, g, {w1.x + w2.x, w1.y + w2.y, w1.z + w2.z},
-                              line_of_centres<double>(g, height, turn));
+                              line_of_centres<double>(g, height, azimuth));
   motion(0) -= push.x;
   motion(1) -= push.y;
   motion(2) -= push.z;
@@ -141,45 +226,28 @@ Motions sorted_by_speed(const Motions& motions) {
   return sorted;
 }
 
-// Steps end at multiples of their duration and at the requested time, so that stopping and resuming
-// does not change them.
-// Adding up durations would accumulate rounding errors.
-class StepEnds {
- public:
-  StepEnds(double duration, double last) : duration_(duration), last_(last) {}
-
-  // The end of the step that begins at `time`.
-  double after(double time) const {
-    // A remainder that is only rounding gets no step of its own.
-    constexpr double kRest = 1e-6;
-    const double number = std::floor(time / duration_ + kRest) + 1;
-    const double end = number * duration_;
-    return end > last_ - kRest * duration_ ? last_ : end;
-  }
-
- private:
-  double duration_;
-  double last_;
-};
+// The end of a step that begins at `time`: a multiple of the duration or the last one, so that
+// stopping and resuming does not change the steps. Adding up durations would accumulate rounding
+// errors.
+double step_end(double time, double duration, double last) {
+  constexpr double kRest = 1e-6;  // a remainder that is only rounding gets no step of its own
+  const double end = (std::floor(time / duration + kRest) + 1) * duration;
+  return end > last - kRest * duration ? last : end;
+}
 
 }  // namespace
 
-void advance_ogawa_kato(Gas& gas, const Law& law, const OgawaKato& scheme, std::uint64_t seed,
-                        double time, int threads, const ContinueCondition& keep_going) {
-  if (!(scheme.time_step > 0 && std::isfinite(scheme.time_step)) || scheme.partners < 1) {
-    throw std::invalid_argument("time step and number of partners must be positive");
-  }
+std::function<void()> ogawa_kato_steps(Gas& gas, const Law& law, const OgawaKato& scheme,
+                                       std::uint64_t seed, double time, int threads) {
   const auto particles = static_cast<std::uint64_t>(gas.particles());
-  const StepEnds steps(scheme.time_step, time);
   const int useful = static_cast<int>(
       std::min(static_cast<std::uint64_t>(threads), 1 + particles / kMinPerThread));
   std::optional<LatticeRule> rule;
   if (scheme.quasi) {
     rule.emplace(particles);
   }
-  Motions before(gas.motions.rows(), gas.motions.cols());
-  while (gas.time < time) {
-    const double end = steps.after(gas.time);
+  return [=, &gas, &law, before = Motions(gas.motions.rows(), gas.motions.cols())]() mutable {
+    const double end = step_end(gas.time, scheme.time_step, time);
     const IndependentDraws draws(seed, gas.step, particles);
     const SynchronousStep step = {.before = before, .law = law, .duration = end - gas.time};
     if (rule) {
@@ -193,10 +261,7 @@ void advance_ogawa_kato(Gas& gas, const Law& law, const OgawaKato& scheme, std::
     }
     gas.time = end;
     ++gas.step;
-    if (keep_going && !keep_going(gas)) {
-      return;
-    }
-  }
+  };
 }
 
 }  // namespace clca::boltzmann

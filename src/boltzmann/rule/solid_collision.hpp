@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "boltzmann/elementary.hpp"
 #include "clca/boltzmann/law.hpp"
 
 namespace clca::boltzmann {
@@ -83,6 +84,22 @@ ImpulsePair<Real> solid_collision(const Law& law, const Vector3<Real>& g,
   return {.push = {along * normal.x + grip * slip.x, along * normal.y + grip * slip.y,
                    along * normal.z + grip * slip.z},
           .twist = {grip * turned.x, grip * turned.y, grip * turned.z}};
+}
+
+/// Line of centres with density cos(angle to g) / pi on the hemisphere about g: the direction of
+/// g/|g| + s with s uniform on the sphere, drawn from two uniform numbers in (0, 1).
+template <class Real>
+Vector3<Real> line_of_centres(const Vector3<Real>& g, const Real& height, const Real& azimuth) {
+  using std::sqrt;
+  const Real inverse = 1.0 / sqrt(dot(g, g));
+  const Real z = 2.0 * height - 1.0;
+  const Real radius = sqrt(1.0 - z * z);
+  const auto [cosine, sine] = cosine_and_sine<Real>(azimuth);
+  const Vector3<Real> sum = {g.x * inverse + radius * cosine, g.y * inverse + radius * sine,
+                             g.z * inverse + z};
+  const Real scale =
+      1.0 / Real(greater(Real(sqrt(dot(sum, sum))), std::numeric_limits<double>::min()));
+  return {sum.x * scale, sum.y * scale, sum.z * scale};
 }
 
 }  // namespace clca::boltzmann

@@ -69,7 +69,7 @@ TEST(LatticeRule, StaysInsideTheUnitCube) {
 }
 
 TEST(LatticeRule, MovesByAnotherVectorForEachSeedStepAndGroup) {
-  const auto first = [](std::uint64_t seed, const ShiftKey& place) {
+  const auto first = [](std::uint64_t seed, const random::Counter& place) {
     LatticeRule rule(16);
     rule.shift(seed, place);
     return rule.coordinate(0, 0);

@@ -1,5 +1,3 @@
-#include "boltzmann/engine/majorant.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>

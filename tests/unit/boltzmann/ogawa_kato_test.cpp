@@ -1,10 +1,10 @@
-#include "boltzmann/engine/ogawa_kato.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+
+#include "clca/boltzmann/scheme.hpp"
 
 namespace clca::boltzmann::ogawa_kato_test {
 namespace {
@@ -16,7 +16,7 @@ Gas gas_of(std::uint64_t particles, std::uint64_t seed = 1) {
 }
 
 Gas advanced(Gas gas, const Law& law, const OgawaKato& scheme, double time, int threads = 1) {
-  advance_ogawa_kato(gas, law, scheme, 1, time, threads, {});
+  advance(gas, {.law = law, .scheme = scheme}, 1, time, threads);
   return gas;
 }
 
@@ -38,8 +38,8 @@ TEST(OgawaKato, GivesOtherBitsForOtherSeeds) {
   for (const bool quasi : {false, true}) {
     Gas one = gas_of(1000);
     Gas other = one;
-    advance_ogawa_kato(one, kPaper, {.quasi = quasi}, 1, 1, 1, {});
-    advance_ogawa_kato(other, kPaper, {.quasi = quasi}, 2, 1, 1, {});
+    advance(one, {.law = kPaper, .scheme = OgawaKato{.quasi = quasi}}, 1, 1, 1);
+    advance(other, {.law = kPaper, .scheme = OgawaKato{.quasi = quasi}}, 2, 1, 1);
     EXPECT_NE(hash(one), hash(other));
   }
 }
@@ -57,7 +57,8 @@ TEST(OgawaKato, LandsOnTheTimeAskedFor) {
 TEST(OgawaKato, GoesOnAfterAStopAsIfThereHadBeenNone) {
   const Gas unbroken = advanced(gas_of(500), kPaper, {}, 2);
   Gas stopped = gas_of(500);
-  advance_ogawa_kato(stopped, kPaper, {}, 1, 2, 1, [](const Gas& gas) { return gas.step < 37; });
+  advance(stopped, {.law = kPaper, .scheme = OgawaKato{}}, 1, 2, 1,
+          [](const Gas& gas) { return gas.step < 37; });
   EXPECT_EQ(stopped.step, 37U);
   EXPECT_NEAR(stopped.time, 37 * 0.025, 1e-12);
   EXPECT_EQ(hash(advanced(stopped, kPaper, {}, 2)), hash(unbroken));
@@ -89,7 +90,7 @@ TEST(OgawaKato, NeverLetsAParticleMeetItself) {
     gas.motions = Motions::Zero(6, 2);
     gas.motions(0, 0) = 1;
     gas.motions(0, 1) = -1;
-    advance_ogawa_kato(gas, elastic, {.time_step = 0.5}, seed, 0.5, 1, {});
+    advance(gas, {.law = elastic, .scheme = OgawaKato{.time_step = 0.5}}, seed, 0.5, 1);
     participations += gas.participations;
   }
   const double expected = 1 - std::exp(-1.0);
@@ -139,9 +140,9 @@ TEST(OgawaKato, IsExpectedToHeatByNineToTenPercentAsPrinted) {
 
 TEST(OgawaKato, RefusesStepsWithoutDurationAndParticlesWithoutPartners) {
   Gas gas = gas_of(10);
-  EXPECT_THROW(advance_ogawa_kato(gas, kPaper, {.time_step = 0}, 1, 1, 1, {}),
+  EXPECT_THROW(advance(gas, {.law = kPaper, .scheme = OgawaKato{.time_step = 0}}, 1, 1, 1),
                std::invalid_argument);
-  EXPECT_THROW(advance_ogawa_kato(gas, kPaper, {.partners = 0}, 1, 1, 1, {}),
+  EXPECT_THROW(advance(gas, {.law = kPaper, .scheme = OgawaKato{.partners = 0}}, 1, 1, 1),
                std::invalid_argument);
 }
 
