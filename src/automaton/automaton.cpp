@@ -7,7 +7,6 @@
 
 #include "automaton/engine/engine.hpp"
 #include "automaton/rule/step.hpp"
-#include "clca/automaton/rules.hpp"
 
 namespace clca::automaton {
 
@@ -28,7 +27,7 @@ std::unique_ptr<grains::Mechanics> make_steps(grains::State state, const Rules& 
 
 double step_bytes(double index_count, double particles, double awake) {
   // At the beginning all are looked at.
-  return SiteReservations::bytes_for(index_count) +
+  return 2 * grains::Bitboard::bytes_for(index_count) +
          grains::kListRoom *
              (StripWorker::kListedBytes * particles + StripWorker::kAwakeBytes * awake);
 }

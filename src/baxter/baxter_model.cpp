@@ -2,15 +2,199 @@
 
 #include "clca/baxter/baxter_model.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <memory>
+#include <stdexcept>
+#include <tuple>
 #include <utility>
 
-#include "baxter/rule.hpp"
+#include "clca/random/draw.hpp"
 #include "grains/internal/one_site_steps.hpp"
 
 namespace clca::baxter {
 
 namespace {
+
+/// Energies are whole numbers: 1 is 10^-power / kUnit of the energies in docs/baxter.md.
+using Energy = std::int64_t;
+constexpr Energy kUnit = Energy{1} << 20U;
+
+/// Number of velocities: those of grains::Move.
+constexpr std::size_t kVelocities = lattice::kDirectionCount + 1;
+
+struct Choice {
+  std::uint32_t id = 0;
+  grains::Move velocity = grains::kRest;
+  std::uint16_t axis = 0;
+  Energy energy = 0;
+};
+
+using lattice::Direction;
+
+constexpr std::array<Direction, 3> kDownward = {Direction::down, Direction::down_left,
+                                                Direction::down_right};
+
+bool is_downward(std::size_t velocity) {
+  return std::any_of(kDownward.begin(), kDownward.end(),
+                     [velocity](Direction direction) { return index_of(direction) == velocity; });
+}
+
+/// The angle in units of 60 degrees; from rest to any direction 1.
+std::size_t distance(std::size_t one, std::size_t other) {
+  if (one == grains::kRest || other == grains::kRest) {
+    return one == other ? 0 : 1;
+  }
+  return static_cast<std::size_t>(
+      lattice::sixths_between(static_cast<Direction>(one), static_cast<Direction>(other)));
+}
+
+Energy power_of(Energy base, int power) {
+  Energy result = 1;
+  for (; power > 0; --power) {
+    result *= base;
+  }
+  return result;
+}
+
+/// Pure: a choice depends on the state when the step begins and the draws of its grain.
+class Rule {
+ public:
+  Rule(const grains::Box& box, const Rules& rules) : box_(box) {
+    if (!(rules.power >= 0 && rules.power <= kMaxPower && rules.gravity >= 0 &&
+          rules.gravity <= kMaxGravity && rules.like_axes >= 0 && rules.like_axes <= 1)) {
+      throw std::invalid_argument("a rule of the Baxter model is out of range");
+    }
+    const std::vector<grains::Kind>& kinds = box.state.kinds;
+    for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
+      if (kinds.size() % kAxes != 0 || kinds[kind].species != kind / kAxes) {
+        throw std::invalid_argument("a species of the Baxter model has a kind for each axis");
+      }
+    }
+    // 0.1 + 0.1 distance, to the power, in 10^-power.
+    for (std::size_t i = 0; i < unlike_velocities_.size(); ++i) {
+      unlike_velocities_[i] = power_of(static_cast<Energy>(i) + 1, rules.power);
+    }
+    // One product each is rounded as IEEE 754 says: the same whole number on every machine.
+    gravity_ = std::llround(rules.gravity * static_cast<double>(power_of(10, rules.power) * kUnit));
+    like_axes_ = std::llround(rules.like_axes * static_cast<double>(kUnit));
+  }
+
+  /// Velocity and axis of least energy. Of equal ones: rest, then the axis it has, then a draw.
+  Choice choice(std::uint32_t id) const {
+    const grains::Particle& grain = box_.state.particles[id];
+    const std::array<bool, kVelocities> is_open = open(grain.site());
+    const Energies energies = neighbour_energies(grain.site());
+    const bool can_fall = is_open[index_of(Direction::down)];
+    const bool can_descend =
+        std::any_of(kDownward.begin(), kDownward.end(),
+                    [&](Direction direction) { return is_open[index_of(direction)]; });
+    // The least is chosen.
+    const auto rank = [&grain](const Choice& choice) {
+      return std::tuple(choice.energy, choice.velocity != grains::kRest,
+                        choice.axis != axis_of(grain));
+    };
+    std::vector<Choice> least;
+    for (std::size_t velocity = 0; velocity < kVelocities; ++velocity) {
+      if (!is_open[velocity]) {
+        continue;
+      }
+      const bool pays = (can_descend && !is_downward(velocity)) ||
+                        (can_fall && velocity != index_of(Direction::down));
+      for (std::uint16_t axis = 0; axis < kAxes; ++axis) {
+        const Choice choice = {id, static_cast<grains::Move>(velocity), axis,
+                               energies[velocity][axis] + (pays ? gravity_ : 0)};
+        if (!least.empty() && rank(choice) < rank(least.front())) {
+          least.clear();
+        }
+        if (least.empty() || rank(choice) == rank(least.front())) {
+          least.push_back(choice);
+        }
+      }
+    }
+    if (least.size() == 1) {
+      return least.front();
+    }
+    const std::uint64_t bits =
+        random::draw(box_.state.seed, box_.state.step, id, random::Purpose::equal_energy);
+    return least[random::below(bits, least.size())];
+  }
+
+  /// Those of the choices that move: of several that want one site, the one of least energy, and of
+  /// equal ones a draw decides.
+  std::vector<Choice> winners(const std::vector<Choice>& choices) const {
+    struct Claim {
+      std::size_t site;
+      Energy energy;
+      std::uint64_t bits;
+      const Choice* choice;
+    };
+    std::vector<Claim> claims;
+    for (const Choice& choice : choices) {
+      if (choice.velocity != grains::kRest) {
+        const lattice::Site target =
+            box_.state.particles[choice.id].site() + unit(static_cast<Direction>(choice.velocity));
+        claims.push_back({box_.state.lattice.index(target), choice.energy,
+                          random::draw(box_.state.seed, box_.state.step, choice.id,
+                                       random::Purpose::contested_site),
+                          &choice});
+      }
+    }
+    const auto key = [](const Claim& claim) {
+      return std::tuple(claim.site, claim.energy, claim.bits, claim.choice->id);
+    };
+    std::sort(claims.begin(), claims.end(),
+              [&](const Claim& one, const Claim& other) { return key(one) < key(other); });
+    std::vector<Choice> result;
+    for (std::size_t i = 0; i < claims.size(); ++i) {
+      if (i == 0 || claims[i].site != claims[i - 1].site) {
+        result.push_back(*claims[i].choice);
+      }
+    }
+    return result;
+  }
+
+ private:
+  using Energies = std::array<std::array<Energy, kAxes>, kVelocities>;
+
+  /// The velocities that a grain may choose.
+  std::array<bool, kVelocities> open(lattice::Site site) const {
+    std::array<bool, kVelocities> result = {};
+    for (const Direction direction : lattice::kDirections) {
+      result[index_of(direction)] =
+          direction != Direction::up &&
+          !box_.occupancy.taken(box_.state.lattice.index(site + unit(direction)));
+    }
+    result[grains::kRest] = true;
+    return result;
+  }
+
+  /// Of neighbours alone, by velocity and axis.
+  Energies neighbour_energies(lattice::Site site) const {
+    Energies energies = {};
+    for (const Direction direction : lattice::kDirections) {
+      const grains::Owner owner =
+          box_.occupancy.owner(box_.state.lattice.index(site + unit(direction)));
+      if (!grains::is_particle(owner)) {
+        continue;
+      }
+      const grains::Particle& neighbour = box_.state.particles[grains::particle_id(owner)];
+      for (std::size_t velocity = 0; velocity < kVelocities; ++velocity) {
+        const Energy energy = unlike_velocities_[distance(velocity, neighbour.previous)];
+        for (std::uint16_t axis = 0; axis < kAxes; ++axis) {
+          energies[velocity][axis] += energy * (axis == axis_of(neighbour) ? like_axes_ : kUnit);
+        }
+      }
+    }
+    return energies;
+  }
+
+  const grains::Box& box_;
+  std::array<Energy, 4> unlike_velocities_ = {};  // by their distance
+  Energy gravity_ = 0;
+  Energy like_axes_ = 0;  // in units of kUnit
+};
 
 class Steps final : public grains::OneSiteSteps {
  public:
@@ -29,19 +213,19 @@ class Steps final : public grains::OneSiteSteps {
     }
     const std::vector<Choice> winners = rule_.winners(choices);
 
-    const auto turn = [&](const Choice& choice) {
+    const auto set_axis = [&](const Choice& choice) {
       grains::Particle& grain = particles[choice.id];
       changed = changed || choice.axis != axis_of(grain);
       grain.kind = static_cast<std::uint16_t>(grain.kind - axis_of(grain) + choice.axis);
     };
     for (const Choice& choice : choices) {
       if (choice.velocity == grains::kRest) {
-        turn(choice);
+        set_axis(choice);
       }
     }
     std::vector<std::pair<std::uint32_t, grains::Move>> moves;
     for (const Choice& choice : winners) {
-      turn(choice);
+      set_axis(choice);
       moves.emplace_back(choice.id, choice.velocity);
     }
     this->move(moves, report);

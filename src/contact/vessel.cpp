@@ -136,8 +136,8 @@ Acceleration acceleration(const Vessel& vessel, std::int32_t gravity, bool perio
   const Vector swing = scaled_by(
       vessel.sideways ? UnitVector{-along.y, along.x} : UnitVector{-along.x, -along.y}, shaking);
   result.gravity = {result.gravity.x + swing.x, result.gravity.y + swing.y};
-  result.turns = vessel.turn_steps > 0 && !periodic;
-  if (result.turns) {
+  result.rotates = vessel.turn_steps > 0 && !periodic;
+  if (result.rotates) {
     const double radians =
         static_cast<double>(static_cast<std::int64_t>(vessel.turn)) * 2 * std::numbers::pi;
     result.rate = static_cast<std::int32_t>(std::llround(std::ldexp(radians, kRateBits - 64)));

@@ -8,7 +8,6 @@
 
 #include "clca/random/draw.hpp"
 #include "grains/filling.hpp"
-#include "grains/placement.hpp"
 
 namespace clca::grains {
 
@@ -206,19 +205,9 @@ class Deposit {
   }
 
   bool free(const Particle& particle, Direction direction) const {
-    if (!inside(particle, direction)) {
-      return false;
-    }
-    bool free = true;
-    box_.for_each_index(particle, box_.footprints.of(particle).lead[index_of(direction)],
-                        [&](std::size_t index) { free = free && !box_.occupancy.taken(index); });
-    return free;
-  }
-
-  bool inside(const Particle& particle, Direction direction) const {
     lattice::Site target = particle.site() + unit(direction);
     target.column = state_.lattice.wrapped(target.column);
-    return rooms_[particle.kind].contains(target);
+    return rooms_[particle.kind].contains(target) && box_.is_free(particle, direction);
   }
 
   void roll_down(Particle& particle, std::uint32_t id) const {

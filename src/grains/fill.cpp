@@ -6,7 +6,6 @@
 
 #include "clca/random/draw.hpp"
 #include "grains/filling.hpp"
-#include "grains/placement.hpp"
 
 namespace clca::grains {
 

@@ -2,11 +2,12 @@
 // Placing particles: at random, or as a packing that is at rest from the start.
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
 
-#include "clca/grains/fill.hpp"
+#include "clca/grains/model.hpp"
 #include "clca/grains/state.hpp"
 #include "clca/lattice/picture.hpp"
 #include "clca/lattice/region.hpp"
@@ -57,5 +58,26 @@ struct Parts {
 /// See fill_with.
 FillResult deposit_mixture(Box& box, const lattice::Rectangle& region, const Parts& parts,
                            std::optional<double> level);
+
+// Single particles.
+
+/// True if all sites of the particle are in the box and free.
+bool fits(const Box& box, const Particle& particle);
+
+/// True if every site of the particle is in the region.
+bool lies_inside(const State& state, const Particle& particle, const lattice::Rectangle& region);
+
+/// Appends the particle, which must fit.
+void insert(Box& box, const Particle& particle);
+
+/// The kinds of a species: one for each orientation.
+std::vector<std::uint16_t> kinds_of(const State& state, std::size_t species);
+
+/// A species, drawn for the next particle in proportion to the weights, which are not all zero.
+std::size_t draw_species(const State& state, std::span<const std::size_t> weights);
+
+/// Renumbers the particles from `first` on, column by column from the left, upwards, so that
+/// neighbours in the box are neighbours in memory.
+void renumber(Box& box, std::size_t first);
 
 }  // namespace clca::grains

@@ -7,7 +7,6 @@
 
 #include "grains/filling.hpp"
 #include "grains/internal/mechanics.hpp"
-#include "grains/internal/outlet.hpp"
 
 namespace clca::grains {
 

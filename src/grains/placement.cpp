@@ -1,9 +1,8 @@
-#include "grains/placement.hpp"
-
 #include <algorithm>
 #include <numeric>
 
 #include "clca/random/draw.hpp"
+#include "grains/filling.hpp"
 
 namespace clca::grains {
 
@@ -63,6 +62,27 @@ void renumber(Box& box, std::size_t first) {
     box.for_each_index(particles[id],
                        [&](std::size_t index) { box.occupancy.take(index, as_owner(id)); });
   }
+}
+
+std::size_t outlet_around(const State& state, const Particle& particle) {
+  const auto outlet = std::find_if(
+      state.outlets.begin(), state.outlets.end(),
+      [&](const Outlet& candidate) { return lies_inside(state, particle, candidate.region); });
+  return static_cast<std::size_t>(outlet - state.outlets.begin());
+}
+
+bool count_at_outlet(State& state, std::uint32_t id) {
+  const Particle& particle = state.particles[id];
+  if (!particle.present) {
+    return false;
+  }
+  const std::size_t outlet = outlet_around(state, particle);
+  if (outlet == state.outlets.size()) {
+    return false;
+  }
+  ++state.outlets[outlet].particles;
+  state.outlets[outlet].sites += state.shape(particle).size();
+  return true;
 }
 
 }  // namespace clca::grains

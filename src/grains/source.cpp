@@ -2,8 +2,7 @@
 #include <numeric>
 
 #include "clca/random/draw.hpp"
-#include "grains/internal/box.hpp"
-#include "grains/placement.hpp"
+#include "grains/filling.hpp"
 
 namespace clca::grains {
 

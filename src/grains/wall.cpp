@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <utility>
 
 #include "grains/internal/box.hpp"
 
@@ -65,6 +66,32 @@ void insert_wall(Box& box, std::size_t number) {
       box.occupancy.take(index, wall_code(number));
     }
   }
+}
+
+std::optional<std::vector<std::uint32_t>> pushed_particles(
+    const Box& box, const WallStep& step, const std::function<bool(std::uint32_t)>& overlaps) {
+  std::vector<bool> included(box.state.particles.size(), false);
+  std::vector<std::uint32_t> ids;
+  bool blocked = false;
+  const auto add_owners = [&](std::size_t index) {
+    for (const Owner owner : {box.occupancy.owner(index), box.occupancy.second_owner(index)}) {
+      if (!is_particle(owner)) {
+        blocked = blocked || (owner != kFree && owner != wall_code(step.wall));
+      } else if (!included[particle_id(owner)]) {
+        included[particle_id(owner)] = true;
+        ids.push_back(particle_id(owner));
+      }
+    }
+  };
+  std::for_each(step.enters.begin(), step.enters.end(), add_owners);
+  for (std::size_t i = 0; i < ids.size() && !blocked; ++i) {
+    const Particle& particle = box.state.particles[ids[i]];
+    box.for_each_entered(particle, step.direction, add_owners);
+    if (overlaps(ids[i])) {
+      box.for_each_index(particle, add_owners);
+    }
+  }
+  return blocked ? std::nullopt : std::optional(std::move(ids));
 }
 
 }  // namespace clca::grains

@@ -269,11 +269,7 @@ Shape centred(const Shape& shape) {
   };
   const Axial reference = *std::min_element(
       sites.begin(), sites.end(), [&](Axial a, Axial b) { return distance(a) < distance(b); });
-  std::vector<Axial> moved;
-  for (const Axial site : sites) {
-    moved.push_back(site - reference);
-  }
-  return Shape(std::move(moved));
+  return Shape(shifted(sites, Axial() - reference));
 }
 
 }  // namespace clca::lattice

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "clca/measure/outflow.hpp"
-#include "grains/internal/outlet.hpp"
+#include "grains/internal/box.hpp"
 #include "measure/internal/sites.hpp"
 
 namespace clca::measure {
@@ -40,7 +40,7 @@ class Search {
   }
 
   /// Of a particle with this reference site, which may lie outside the box.
-  std::size_t first_index(Site site) const { return index(site + sites_.front()); }
+  std::size_t first_index(Site site) const { return state_.lattice.index(site + sites_.front()); }
 
   /// `past_particles`: only walls and the sides of the box are in the way. Sites above another
   /// outlet do not count: from there a particle falls into that one.
@@ -82,14 +82,10 @@ class Search {
   }
 
  private:
-  std::size_t index(Site site) const {
-    return state_.lattice.index({state_.lattice.wrapped(site.column), site.row});
-  }
-
   template <class Test>
   bool any_owner(Site site, const std::vector<lattice::Axial>& parts, Test test) const {
     return std::any_of(parts.begin(), parts.end(), [&](lattice::Axial part) {
-      return test(occupancy_.owner(index(site + part)));
+      return test(occupancy_.owner(state_.lattice.index(site + part)));
     });
   }
 

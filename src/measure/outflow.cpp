@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "grains/internal/outlet.hpp"
+#include "grains/internal/box.hpp"
 
 namespace clca::measure {
 

@@ -13,7 +13,7 @@
 #include "clca/scene/contact.hpp"
 #include "clca/store/file.hpp"
 #include "clca/store/trajectory.hpp"
-#include "grains/internal/outlet.hpp"
+#include "grains/internal/box.hpp"
 #include "run/model.hpp"
 
 namespace clca::run {

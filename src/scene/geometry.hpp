@@ -5,7 +5,7 @@
 #include <string>
 
 #include "clca/lattice/lattice.hpp"
-#include "clca/lattice/swept_region.hpp"
+#include "clca/lattice/region.hpp"
 #include "clca/scene/scene.hpp"
 #include "scene/value.hpp"
 

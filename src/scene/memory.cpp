@@ -9,7 +9,7 @@
 
 #include "clca/automaton/automaton.hpp"
 #include "clca/contact/contact_model.hpp"
-#include "clca/grains/fill.hpp"
+#include "clca/grains/model.hpp"
 #include "clca/scene/resolve.hpp"
 #include "grains/internal/occupancy_table.hpp"
 #include "scene/geometry.hpp"

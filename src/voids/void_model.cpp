@@ -2,26 +2,54 @@
 
 #include "clca/voids/void_model.hpp"
 
+#include <array>
 #include <memory>
+#include <numeric>
+#include <stdexcept>
 #include <utility>
 
+#include "clca/random/draw.hpp"
 #include "grains/internal/one_site_steps.hpp"
-#include "voids/rule.hpp"
 
 namespace clca::voids {
 
 namespace {
 
+/// From a grain to the voids that may claim it: straight down first.
+constexpr std::array<lattice::Direction, 3> kDownward = {
+    lattice::Direction::down, lattice::Direction::down_left, lattice::Direction::down_right};
+
+/// By kDownward.
+using Claims = std::array<bool, kDownward.size()>;
+using Weights = std::array<std::uint64_t, kDownward.size()>;
+
+std::uint64_t weight(double straight, double sieve) {
+  if (!(straight >= 0 && straight <= 1 && sieve >= 0 && sieve <= 1)) {
+    throw std::invalid_argument("a weight of the void model lies in [0, 1]");
+  }
+  constexpr double kOne = 0x1p40;
+  return static_cast<std::uint64_t>(straight * sieve * kOne);
+}
+
 class Steps final : public grains::OneSiteSteps {
  public:
   Steps(grains::State initial, const Rules& rules, const Options& options)
-      : OneSiteSteps(std::move(initial), options), rule_(box(), rules) {}
+      : OneSiteSteps(std::move(initial), options) {
+    for (const grains::Kind& kind : state().kinds) {
+      if (!rules.sieve.empty() && kind.species >= rules.sieve.size()) {
+        throw std::invalid_argument("a species has no weight");
+      }
+      const double sieve = rules.sieve.empty() ? 1 : rules.sieve[kind.species];
+      const std::uint64_t beside = weight((1 - rules.straight) / 2, sieve);
+      weights_.push_back({weight(rules.straight, sieve), beside, beside});
+    }
+  }
 
   bool advance(grains::StepReport& report) override {
-    const auto claims = this->claims();
+    const std::vector<Claims> claims = this->claims();
     std::vector<std::pair<std::uint32_t, grains::Move>> moves;
     for (std::uint32_t id = 0; id < claims.size(); ++id) {
-      if (const grains::Move move = rule_.granted(id, claims[id]); move != grains::kRest) {
+      if (const grains::Move move = granted(id, claims[id]); move != grains::kRest) {
         moves.emplace_back(id, move);
       }
     }
@@ -30,18 +58,21 @@ class Steps final : public grains::OneSiteSteps {
   }
 
  private:
-  /// By id: which of the voids of kDownward claim the grain.
-  std::vector<std::array<bool, kDownward.size()>> claims() {
-    std::vector<std::array<bool, kDownward.size()>> result(state().particles.size());
+  grains::Owner above(lattice::Site site, lattice::Direction downward) {
+    return box().occupancy.owner(state().lattice.index(site + unit(opposite(downward))));
+  }
+
+  /// By id: which voids claim the grain.
+  std::vector<Claims> claims() {
+    std::vector<Claims> result(state().particles.size());
     const lattice::Lattice& lattice = state().lattice;
-    const grains::OccupancyTable& occupancy = box().occupancy;
     for (int column = 0; column < lattice.columns(); ++column) {
       for (int row = 0; row < lattice.rows(); ++row) {
         const lattice::Site site = {column, row};
         const grains::Owner grain =
-            occupancy.taken(lattice.index(site)) ? grains::kFree : rule_.claimed(site);
+            box().occupancy.taken(lattice.index(site)) ? grains::kFree : claimed(site);
         for (std::size_t i = 0; grain != grains::kFree && i < kDownward.size(); ++i) {
-          if (occupancy.owner(lattice.index(site + unit(opposite(kDownward[i])))) == grain) {
+          if (above(site, kDownward[i]) == grain) {
             result[grains::particle_id(grain)][i] = true;
           }
         }
@@ -50,7 +81,43 @@ class Steps final : public grains::OneSiteSteps {
     return result;
   }
 
-  Rule rule_;
+  /// The grain that the void at this site claims: one of the three above it, in proportion to their
+  /// weights. kFree if they have none.
+  grains::Owner claimed(lattice::Site site) {
+    Weights weights{};
+    for (std::size_t i = 0; i < kDownward.size(); ++i) {
+      if (const grains::Owner grain = above(site, kDownward[i]); grains::is_particle(grain)) {
+        weights[i] = weights_[state().particles[grains::particle_id(grain)].kind][i];
+      }
+    }
+    const std::uint64_t sum = std::accumulate(weights.begin(), weights.end(), std::uint64_t{0});
+    if (sum == 0) {
+      return grains::kFree;
+    }
+    std::size_t chosen = 0;
+    const auto item = static_cast<std::uint32_t>(state().lattice.index(site));
+    std::uint64_t rest = random::below(
+        random::draw(state().seed, state().step, item, random::Purpose::void_choice), sum);
+    while (rest >= weights[chosen]) {
+      rest -= weights[chosen++];
+    }
+    return above(site, kDownward[chosen]);
+  }
+
+  /// Where a grain goes that these voids claim: straight down first; a coin decides between the
+  /// others.
+  grains::Move granted(std::uint32_t id, const Claims& claims) {
+    std::size_t chosen = claims[0] ? 0 : claims[1] ? 1 : 2;
+    if (!claims[chosen]) {
+      return grains::kRest;
+    }
+    if (chosen == 1 && claims[2]) {
+      chosen += random::draw(state().seed, state().step, id, random::Purpose::void_coin) & 1U;
+    }
+    return static_cast<grains::Move>(kDownward[chosen]);
+  }
+
+  std::vector<Weights> weights_;  // by kind
 };
 
 }  // namespace

@@ -1,12 +1,51 @@
 #pragma once
 // The connected lattice cellular automaton: one step of the priority-ordered update.
 
-#include "clca/automaton/rules.hpp"
+#include <array>
+#include <cstdint>
+#include <span>
+
 #include "clca/grains/model.hpp"
 
 namespace clca::automaton {
 
 using grains::Options;
+
+// The choices that the paper leaves open (Sakaguchi et al. 2001, section 3).
+
+/// Directions in which particles move by themselves: gravity and its two neighbours, or all six.
+enum class Candidates : std::uint8_t { downward, all };
+
+/// Classes of moves in the update order.
+enum class UpdateClass : std::uint8_t { rest, inertia, gravity };
+
+/// How movers of one class that want the same site are ordered: each particle by a draw of its
+/// own, or all movers of one direction together, the directions by a draw per class and step.
+enum class Ties : std::uint8_t { particle, direction };
+
+struct Rules {
+  /// Probability to keep the direction of the previous step, in [0, 1].
+  double inertia = 0.9;
+  /// Probability to take any free direction, with equal chances, in [0, 1].
+  double scatter = 0;
+  Candidates candidates = Candidates::downward;
+  /// Direction of gravity.
+  lattice::Direction gravity = lattice::Direction::down;
+  /// Each class once, in order of priority.
+  std::array<UpdateClass, 3> update_priority = {UpdateClass::rest, UpdateClass::inertia,
+                                                UpdateClass::gravity};
+  Ties ties = Ties::particle;
+
+  bool operator==(const Rules&) const = default;
+};
+
+/// Directions that the rules allow: gravity first, then its neighbours clockwise and
+/// anticlockwise, then the rest.
+std::span<const lattice::Direction> candidate_directions(const Rules& rules);
+
+/// Throws std::invalid_argument, with the reason, unless gravity is a direction and the update
+/// priority names each class once. random::Probability checks probabilities.
+void check_rules(const Rules& rules);
 
 /// Bytes that steps need besides the state and its occupancy, for a lattice with this
 /// index_count(). `awake`: particles that may move in a step.

@@ -91,18 +91,15 @@ struct EnergyExchange {
 
   /// What the grains have gained.
   double gained() const { return sources - outlets + walls + vessel; }
-  EnergyExchange& operator+=(const EnergyExchange& other) {
-    sources += other.sources;
-    outlets += other.outlets;
-    walls += other.walls;
-    vessel += other.vessel;
-    return *this;
-  }
   static constexpr auto fields() {
     using reflection::field;
     return std::make_tuple(
         field("sources", &EnergyExchange::sources), field("outlets", &EnergyExchange::outlets),
         field("walls", &EnergyExchange::walls), field("vessel", &EnergyExchange::vessel));
+  }
+  EnergyExchange& operator+=(const EnergyExchange& other) {
+    reflection::add_fields(*this, other);
+    return *this;
   }
 };
 

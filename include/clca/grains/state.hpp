@@ -84,6 +84,7 @@ struct Wall {
   /// Displacement of the wall from its initial position.
   lattice::Axial shift() const;
   bool lets_overlap() const { return motion && passive == Passive::overlap; }
+  bool in_motion() const { return motion && present && travel.active; }
   bool operator==(const Wall&) const = default;
   static constexpr auto fields() {
     using reflection::field;

@@ -33,7 +33,7 @@ constexpr Direction opposite(Direction direction) {
 }
 
 /// The angle between two directions in units of 60 degrees: 0 to 3.
-constexpr int turns_between(Direction one, Direction other) {
+constexpr int sixths_between(Direction one, Direction other) {
   const int apart =
       (static_cast<int>(one) - static_cast<int>(other) + kDirectionCount) % kDirectionCount;
   return apart <= kDirectionCount / 2 ? apart : kDirectionCount - apart;

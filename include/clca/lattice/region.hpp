@@ -1,12 +1,48 @@
 #pragma once
-// Rectangles and straight walls as sets of sites.
+// Rectangles and straight walls as sets of sites, also of those that a moving wall brings into the
+// box.
 
 #include <vector>
 
 #include "clca/lattice/lattice.hpp"
-#include "clca/lattice/swept_region.hpp"
 
 namespace clca::lattice {
+
+/// Rows from `first` up to but not including `end`.
+struct RowRange {
+  int first = 0;
+  int end = 0;
+};
+
+/// The sites that are in the box after k steps in `direction`, for some k from `low` to `high`.
+/// Sites are not wrapped: in a periodic box the columns are those of the box.
+class SweptRegion {
+ public:
+  /// The sites of the box.
+  // NOLINTNEXTLINE(google-explicit-constructor): a box is the region that nothing sweeps
+  SweptRegion(const Lattice& lattice) : SweptRegion(lattice, Direction::up, 0, 0) {}
+  SweptRegion(const Lattice& lattice, Direction direction, int low, int high);
+
+  int first_column() const { return first_column_; }
+  int end_column() const { return end_column_; }
+  /// Rows of a column; none if first >= end.
+  RowRange rows(int column) const;
+  /// A range that contains the rows of every column.
+  RowRange all_rows() const;
+
+  bool contains(Site site) const;
+
+ private:
+  /// By how many rows the steps raise a site in `column`.
+  int rise(int column, int steps) const;
+
+  Lattice lattice_;
+  Axial step_;
+  int low_;
+  int high_;
+  int first_column_;
+  int end_column_;
+};
 
 /// A rectangle in lattice spacings. Left and bottom edges belong to it, right and top edges do not.
 struct Rectangle {
@@ -44,14 +80,12 @@ Rectangle around(const Segment& segment);
 /// The sites of the region inside `rectangle`, column by column from the left, upwards. Throws as
 /// check().
 std::vector<Site> sites_in(const SweptRegion& swept_region, const Rectangle& rectangle);
-std::vector<Site> sites_in(const Lattice& lattice, const Rectangle& rectangle);
 
 /// The sites within half the thickness of the segment, and always a connected chain along it, so
 /// that nothing passes through. Sorted.
 /// Throws std::invalid_argument unless the ends are valid for nearest_site and the thickness is not
 /// negative.
 std::vector<Site> sites_along(const SweptRegion& swept_region, const Segment& segment);
-std::vector<Site> sites_along(const Lattice& lattice, const Segment& segment);
 
 /// The site nearest to a point given in lattice spacings. Throws std::invalid_argument unless both
 /// coordinates are less than 10^8.

@@ -13,7 +13,7 @@
 #include "clca/reflection/reflection.hpp"
 #include "clca/render/image.hpp"
 #include "clca/render/legend.hpp"
-#include "clca/statistics/range.hpp"
+#include "clca/statistics/sample.hpp"
 
 namespace clca::render {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "clca/lattice/region.hpp"
-#include "clca/statistics/range.hpp"
+#include "clca/statistics/sample.hpp"
 
 namespace clca::scene {
 

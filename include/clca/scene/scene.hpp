@@ -10,10 +10,10 @@
 #include <variant>
 #include <vector>
 
-#include "clca/automaton/rules.hpp"
+#include "clca/automaton/automaton.hpp"
 #include "clca/baxter/baxter_model.hpp"
 #include "clca/contact/contact_model.hpp"
-#include "clca/grains/fill.hpp"
+#include "clca/grains/model.hpp"
 #include "clca/grains/motion.hpp"
 #include "clca/grains/state.hpp"
 #include "clca/image/image.hpp"

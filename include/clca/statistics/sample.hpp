@@ -1,11 +1,18 @@
 #pragma once
-// Mean and spread of a sample.
+// Mean and spread of a sample; ranges of numbers.
 
 #include <cstddef>
 #include <utility>
 #include <vector>
 
 namespace clca::statistics {
+
+struct Range {
+  double low = 0;
+  double high = 1;
+
+  bool operator==(const Range&) const = default;
+};
 
 /// NaN if there are too few values: any statistic of none, a spread of one; also if they are so
 /// large that their sum, or that of their squares, is no finite number.

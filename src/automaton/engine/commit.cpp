@@ -84,7 +84,7 @@ void Engine::commit(StripWorker& worker) {
   for_each_proposal(worker, &Proposals::sloping, [&](MoveProposal& proposal) {
     proposal.contest(contested_lead(proposal));  // none before: it slopes
     for_each_lead(proposal,
-                  [&](Corner at, std::uint64_t) { reservations_.release(at, proposal.access); });
+                  [&](Corner at, std::uint64_t) { reserved_.clear_blocks(at, proposal.access); });
     commit_unless_contested(worker, proposal);
   });
   wake_neighbours(worker);
@@ -100,7 +100,8 @@ void Engine::commit(StripWorker& worker) {
 void Engine::commit_unless_contested(StripWorker& worker, MoveProposal& proposal) {
   worker.waking.insert(proposal.id);  // moved or not: it is examined again
   if (proposal.contested > 0 || proposal.outcome == ConflictOutcome::overlapping) {
-    worker.turns.push_back({decisions_.key(proposal.id, proposal.move), &proposal});
+    worker.turns.push_back(
+        {update_key(world_.rules, world_.state, proposal.id, proposal.move), &proposal});
   } else {
     apply_move(worker, proposal);
   }

@@ -24,7 +24,9 @@ void Engine::reserve(StripWorker& worker) {
   }
   for_each_proposal(worker, &Proposals::sloping, [&](const MoveProposal& proposal) {
     for_each_lead(proposal, [&](Corner at, std::uint64_t sites) {
-      reservations_.reserve(at, sites, proposal.access);
+      if (const std::uint64_t both = reserved_.set(at, sites, proposal.access); both != 0) {
+        contested_.set(at, both, proposal.access);
+      }
     });
   });
 }
@@ -32,9 +34,9 @@ void Engine::reserve(StripWorker& worker) {
 void Engine::find_conflicts(StripWorker& worker) {
   for_each_proposal(worker, &Proposals::falling, [&](MoveProposal& proposal) {
     for_each_lead(proposal, [&](Corner at, std::uint64_t sites) {
-      if (const std::uint64_t both = reservations_.reserved(at) & sites; both != 0) {
+      if (const std::uint64_t both = reserved_.window(at) & sites; both != 0) {
         proposal.contest(count(both));
-        reservations_.contest(at, both, proposal.access);
+        contested_.set(at, both, proposal.access);
       }
     });
   });
@@ -43,21 +45,21 @@ void Engine::find_conflicts(StripWorker& worker) {
 std::uint32_t Engine::contested_lead(const MoveProposal& proposal) const {
   std::uint32_t result = 0;
   for_each_lead(proposal, [&](Corner at, std::uint64_t sites) {
-    result += count(reservations_.contested(at) & sites);
+    result += count(contested_.window(at) & sites);
   });
   return result;
 }
 
-// A mover wins its contested sites if none of them has been won before.
-void Engine::give_turn(MoveProposal& proposal) {
+// A mover wins its contested sites if none of them has been won before; they are contested no more.
+void Engine::decide_contest(MoveProposal& proposal) {
   if (contested_lead(proposal) == proposal.contested) {
     proposal.outcome = ConflictOutcome::won;
-    for_each_lead(proposal, [&](Corner at, std::uint64_t sites) { reservations_.win(at, sites); });
+    for_each_lead(proposal, [&](Corner at, std::uint64_t sites) { contested_.clear(at, sites); });
   }
 }
 
 // One thread: contests near a cut and those that depend on them would need another phase.
-void Engine::give_turns() {
+void Engine::decide_contests() {
   turns_.clear();
   for (const StripWorker& worker : busy()) {
     const auto middle = static_cast<std::ptrdiff_t>(turns_.size());
@@ -65,14 +67,14 @@ void Engine::give_turns() {
     std::inplace_merge(turns_.begin(), turns_.begin() + middle, turns_.end());
   }
   for (const QueuedMove& turn : turns_) {
-    give_turn(*turn.proposal);
+    decide_contest(*turn.proposal);
   }
 }
 
 void Engine::end_conflicts(StripWorker& worker) {
   for (const QueuedMove& turn : worker.turns) {
     for_each_lead(*turn.proposal, [&](Corner at, std::uint64_t) {
-      reservations_.end_contest(at, turn.proposal->access);
+      contested_.clear_blocks(at, turn.proposal->access);
     });
   }
   for (const QueuedMove& turn : worker.turns) {

@@ -13,14 +13,13 @@ constexpr std::size_t kParallelFrom = 4096;
 
 Engine::Engine(grains::State initial, const Rules& rules, const Options& options)
     : Steps(std::move(initial), rules),
-      world_(world()),
-      decisions_(decisions()),
       threads_(options.threads),
       parallel_from_(options.parallel_from.value_or(kParallelFrom)),
       sleeping_(options.sleeping),
       phase_times_(options.phase_times),
       footprints_(world_.state, candidate_directions(rules)),
-      reservations_(world_.state.lattice),
+      reserved_(world_.state.lattice),
+      contested_(world_.state.lattice),
       strips_(world_.state.lattice, footprints_, static_cast<std::size_t>(options.threads)),
       workers_(static_cast<std::size_t>(options.threads)),
       examined_(world_.state.particles.size()) {
@@ -49,7 +48,7 @@ std::size_t Engine::move_particles() {
     run_phases(clock, failure);
   }
   examined_ = 0;
-  std::size_t moved = pushed_.size();
+  std::size_t moved = moved_.size();
   for (const StripWorker& worker : busy()) {
     examined_ += worker.examined;
     for (const Proposals& proposals : worker.proposals) {
@@ -59,7 +58,7 @@ std::size_t Engine::move_particles() {
         worker.turns.begin(), worker.turns.end(),
         [](const QueuedMove& turn) { return turn.proposal->outcome != ConflictOutcome::won; }));
   }
-  nothing_moved_ = moved == 0 && quiet_;
+  nothing_moved_ = moved == 0 && was_quiet();
   world_.changes.by_others = false;
   return moved;
 }
@@ -75,9 +74,6 @@ void Engine::append_moved(std::vector<std::uint32_t>& ids) const {
         }
       }
     }
-  }
-  for (const MoveProposal& proposal : pushed_) {
-    ids.push_back(proposal.id);
   }
 }
 
@@ -103,7 +99,7 @@ void Engine::run_phases(grains::PhaseClock& clock, parallel::FirstFailure& failu
 #pragma omp single
   failure.guard([this] {
     if (!overlaps_) {
-      give_turns();
+      decide_contests();
     }
   });
   in_each_strip(failure, &Engine::finish);
@@ -122,8 +118,6 @@ void Engine::in_each_strip(parallel::FirstFailure& failure, void (Engine::*phase
 }
 
 void Engine::begin_step() {
-  pushed_.clear();
-  quiet_ = true;
   overlaps_ = !world_.state.pushes.empty();
   for (StripWorker& worker : workers_) {
     std::swap(worker.awake, worker.waking);

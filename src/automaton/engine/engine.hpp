@@ -4,14 +4,11 @@
 #include <span>
 #include <vector>
 
-#include "automaton/engine/site_reservations.hpp"
 #include "automaton/engine/strip_worker.hpp"
 #include "automaton/engine/strips.hpp"
 #include "automaton/rule/step.hpp"
-#include "automaton/rule/world.hpp"
 #include "clca/automaton/automaton.hpp"
 #include "clca/parallel/first_failure.hpp"
-#include "grains/internal/phase_clock.hpp"
 
 namespace clca::automaton {
 
@@ -50,7 +47,6 @@ class Engine final : public Steps {
   bool wraps(lattice::Site site) const { return strips_.at_periodic_boundary(site); }
 
   std::size_t move_particles() override;
-  bool was_quiet() const override { return quiet_; }
   void append_moved(std::vector<std::uint32_t>& ids) const override;
 
   // Before the phases.
@@ -75,9 +71,7 @@ class Engine final : public Steps {
 
   // Particles that overlap, see overlap_step.cpp.
   void move_overlapping();
-  MoveProposal overlapping_proposal(std::uint32_t id, grains::Move move) const;
-  void propose_overlapping();
-  void move_pushed();
+  MoveProposal overlapping_proposal(const ProposedMove& move) const;
   void yield_to_pushed(ReusableBuffer<MoveProposal>& proposals);
   void give_turns_among_overlaps(StripWorker& worker);
 
@@ -88,8 +82,8 @@ class Engine final : public Steps {
   void reserve(StripWorker& worker);
   void find_conflicts(StripWorker& worker);
   std::uint32_t contested_lead(const MoveProposal& proposal) const;
-  void give_turns();
-  void give_turn(MoveProposal& proposal);
+  void decide_contests();
+  void decide_contest(MoveProposal& proposal);
   void end_conflicts(StripWorker& worker);
 
   // Carrying out moves and waking, see commit.cpp.
@@ -100,25 +94,24 @@ class Engine final : public Steps {
   void wake_neighbours(StripWorker& worker);
   void finish(StripWorker& worker);
 
-  World& world_;
-  Decisions& decisions_;
   int threads_;
   std::size_t parallel_from_;
   bool sleeping_;
   grains::PhaseTimes* phase_times_;
   WindowedFootprints footprints_;
-  SiteReservations reservations_;
+  // Lead sites that some mover has reserved in this step, and those that more than one wants. The
+  // order of changes within a phase does not matter.
+  grains::Bitboard reserved_;
+  grains::Bitboard contested_;
   Strips strips_;
   std::vector<StripWorker> workers_;
-  std::vector<QueuedMove> turns_;     // of all workers
-  std::vector<MoveProposal> pushed_;  // by the passive rule
-  std::vector<MoveProposal> freed_;   // overlap, but move by themselves
+  std::vector<QueuedMove> turns_;    // of all workers
+  std::vector<MoveProposal> freed_;  // overlap, but move by themselves
   std::size_t examined_;
   // This step:
   bool in_parallel_ = false;
   bool overlaps_ = false;      // some particles overlap
   bool records_work_ = false;  // for Strips
-  bool quiet_ = true;
   // The last step:
   bool nothing_moved_ = false;  // and no overlapping particle in the step before that
 };

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "automaton/engine/engine.hpp"
+#include "automaton/rule/decisions.hpp"
+#include "automaton/rule/passive_rule.hpp"
 
 namespace clca::automaton {
 
@@ -12,8 +14,12 @@ void Engine::move_overlapping() {
   if (nothing_moved_ && !world_.changes.by_others && sleeping_) {
     return;
   }
-  propose_overlapping();
-  move_pushed();
+  Movers movers = movers_of(PushList::overlapping_particles(world_.state));
+  freed_.clear();
+  for (const ProposedMove& move : movers.others) {
+    freed_.push_back(overlapping_proposal(move));
+  }
+  give_turns(movers.pushed, &move_pushed);
   StripWorker& worker = workers_.front();
   Proposals& proposals = worker.proposals.front();
   yield_to_pushed(proposals.falling);
@@ -24,27 +30,8 @@ void Engine::move_overlapping() {
   }
 }
 
-void Engine::propose_overlapping() {
-  pushed_.clear();
-  freed_.clear();
-  grains::State& state = world_.state;
-  std::vector<std::uint32_t> resting;
-  for (const std::uint32_t id : PushList::overlapping_particles(state)) {
-    quiet_ = quiet_ && state.particles[id].previous == grains::kRest;
-    const grains::Move move = decisions_.provisional(id);
-    if (move == grains::kRest) {
-      resting.push_back(id);
-    } else {
-      (PushList::onto(state, id).empty() ? freed_ : pushed_)
-          .push_back(overlapping_proposal(id, move));
-    }
-  }
-  for (const std::uint32_t id : resting) {
-    state.particles[id].previous = grains::kRest;
-  }
-}
-
-MoveProposal Engine::overlapping_proposal(std::uint32_t id, grains::Move move) const {
+MoveProposal Engine::overlapping_proposal(const ProposedMove& move) const {
+  const std::uint32_t id = move.key.id;
   const grains::Particle& particle = world_.state.particles[id];
   const lattice::Site site = site_of(particle);
   const WindowedFootprint& footprint = footprints_.of(particle.kind, particle.column);
@@ -55,25 +42,8 @@ MoveProposal Engine::overlapping_proposal(std::uint32_t id, grains::Move move) c
           .id = id,
           .byte = static_cast<std::uint32_t>(byte),
           .kind = particle.kind,
-          .move = move,
+          .move = static_cast<grains::Move>(move.direction),
           .outcome = ConflictOutcome::overlapping};
-}
-
-void Engine::move_pushed() {
-  std::vector<QueuedMove> turns;
-  for (MoveProposal& proposal : pushed_) {
-    turns.push_back({decisions_.key(proposal.id, proposal.move), &proposal});
-  }
-  std::sort(turns.begin(), turns.end());
-  std::vector<MoveProposal> moved;
-  for (const auto& [key, proposal] : turns) {
-    if (decisions_.move_pushed(proposal->id, static_cast<lattice::Direction>(proposal->move))) {
-      moved.push_back(*proposal);
-    } else {
-      world_.state.particles[proposal->id].previous = grains::kRest;
-    }
-  }
-  pushed_ = std::move(moved);
 }
 
 // Pushed particles have moved. Some of the others find their way taken; some overlap now, and have
@@ -86,7 +56,7 @@ void Engine::yield_to_pushed(ReusableBuffer<MoveProposal>& proposals) {
       return true;
     }
     grains::Particle& particle = state.particles[proposal.id];
-    if (!world_.is_free(particle, static_cast<lattice::Direction>(proposal.move))) {
+    if (!world_.box.is_free(particle, static_cast<lattice::Direction>(proposal.move))) {
       particle.previous = grains::kRest;
       workers_.front().waking.insert(proposal.id);  // it may have another way
       return true;
@@ -101,10 +71,10 @@ void Engine::give_turns_among_overlaps(StripWorker& worker) {
     MoveProposal& proposal = *turn.proposal;
     const auto direction = static_cast<lattice::Direction>(proposal.move);
     if (proposal.outcome != ConflictOutcome::overlapping) {
-      const bool free = world_.is_free(world_.state.particles[proposal.id], direction);
+      const bool free = world_.box.is_free(world_.state.particles[proposal.id], direction);
       proposal.outcome = free ? ConflictOutcome::won : ConflictOutcome::none;
       apply_or_rest(worker, proposal);
-    } else if (decisions_.move(proposal.id, direction)) {
+    } else if (move_by_itself(world_, proposal.id, direction)) {
       proposal.outcome = ConflictOutcome::won;
     } else {
       world_.state.particles[proposal.id].previous = grains::kRest;

@@ -65,10 +65,10 @@ bool Engine::awake_in_earlier_strip(const StripWorker& worker, std::uint32_t id,
 grains::Move Engine::provisional_by_windows(const AwakeParticle& particle) const {
   const grains::OccupancyTable& occupancy = world_.occupancy;
   const WindowedFootprint& footprint = footprints_.of(particle.kind, particle.site.column);
-  return decisions_.active().provisional(
+  return active_.provisional(
       particle.id, particle.previous, world_.state.step, [&](lattice::Direction to) {
         if (wraps(particle.site)) {
-          return world_.is_free(world_.state.particles[particle.id], to);
+          return world_.box.is_free(world_.state.particles[particle.id], to);
         }
         const auto& lead = footprint.lead_masks[index_of(to)];
         return std::none_of(lead.begin(), lead.end(), [&](const WindowMask& mask) {
@@ -90,7 +90,7 @@ grains::Move Engine::provisional_by_windows(const AwakeParticle& particle) const
   if (footprint.one_window && !wraps) {
     at = world_.occupancy.corner(footprint.corner_from(particle.site));
     taken = world_.occupancy.window(at);
-    move = decisions_.active().provisional(
+    move = active_.provisional(
         particle.id, particle.previous, world_.state.step,
         [&](lattice::Direction to) { return (taken & footprint.windows[index_of(to)].lead) == 0; });
   } else {

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "automaton/engine/awake_set.hpp"
-#include "automaton/engine/reusable_buffer.hpp"
 #include "automaton/engine/strips.hpp"
 #include "automaton/engine/windowed_footprint.hpp"
 #include "automaton/rule/update_order.hpp"

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <span>
 
-#include "clca/automaton/rules.hpp"
+#include "clca/automaton/automaton.hpp"
 #include "clca/grains/state.hpp"
 #include "clca/random/draw.hpp"
 

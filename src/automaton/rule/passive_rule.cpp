@@ -1,7 +1,11 @@
 #include "automaton/rule/passive_rule.hpp"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
+#include <vector>
 
+#include "automaton/rule/overlap_change.hpp"
 #include "clca/random/draw.hpp"
 
 namespace clca::automaton {
@@ -35,17 +39,173 @@ int limit(const lattice::Shape& shape) {
 }
 
 int gravity_bonus(const Rules& rules, Direction direction) {
-  const int turns = lattice::turns_between(rules.gravity, direction);
-  return turns == 0 ? kAlongGravity : turns == 1 ? kBesideGravity : 0;
+  const int sixths = lattice::sixths_between(rules.gravity, direction);
+  return sixths == 0 ? kAlongGravity : sixths == 1 ? kBesideGravity : 0;
+}
+
+/// How a direction follows the pushes: strictly, or else relaxed.
+struct Following {
+  int sixths = 0;        // of a full turn, from the push that is followed least
+  int pushes_along = 0;  // pushes exactly in the direction
+  bool strict = false;   // within 60 degrees of all pushes, and each of their overlaps shrinks
+};
+/// What a direction is worth: the least score is the best.
+struct Judgement {
+  std::vector<OverlapChange> changes;
+  int score = 0;
+};
+
+const lattice::Shape& shape_of(const World& world, grains::Owner owner) {
+  return world.state.shape(world.state.particles[grains::particle_id(owner)]);
+}
+
+/// None: neither strict nor relaxed.
+std::optional<Following> following_of(const World& world, std::uint32_t id, Direction direction,
+                                      const std::vector<OverlapChange>& changes) {
+  Following following;
+  bool all_shrink = true;
+  bool any_shrinks = false;
+  for (const grains::Push& push : PushList::onto(world.state, id)) {
+    const OverlapChange* change = find(changes, push.pusher);
+    if (change == nullptr || change->after() > change->before()) {
+      return std::nullopt;
+    }
+    const bool shrinks = change->after() < change->before();
+    all_shrink = all_shrink && shrinks;
+    any_shrinks = any_shrinks || shrinks;
+    following.sixths =
+        std::max(following.sixths, lattice::sixths_between(push.direction, direction));
+    following.pushes_along += push.direction == direction ? 1 : 0;
+  }
+  following.strict = following.sixths <= 1 && all_shrink;
+  return any_shrinks ? std::optional(following) : std::nullopt;
+}
+
+/// Whether the direction is within 120 degrees of all pushes.
+bool follows_pushes(const World& world, std::uint32_t id, Direction direction) {
+  const auto pushes = PushList::onto(world.state, id);
+  return std::all_of(pushes.begin(), pushes.end(), [&](const grains::Push& push) {
+    return lattice::sixths_between(push.direction, direction) <= 2;
+  });
+}
+
+/// Overlaps that begin, each weighed with the size of the other. None: one would be too deep.
+std::optional<int> grown_depth(const World& world, std::uint32_t id, Direction direction,
+                               const std::vector<OverlapChange>& changes) {
+  const grains::Particle there = moved(world.state.particles[id], direction);
+  int grown = 0;
+  for (const OverlapChange& change : changes) {
+    if (is_too_deep(world, there, change)) {
+      return std::nullopt;
+    }
+    grown += change.begins() ? 1 + radius_of(shape_of(world, change.owner)) : 0;
+  }
+  return grown;
+}
+
+bool has_room(const World& world, std::uint32_t id, Direction direction) {
+  const grains::State& state = world.state;
+  const grains::Particle& here = state.particles[id];
+  bool room = true;
+  world.box.for_each_entered(here, direction, [&](std::size_t index) {
+    const grains::Owner owner = world.occupancy.owner(index);
+    const bool closed =
+        owner == grains::kBorder ||
+        (grains::is_wall(owner) && !state.walls[grains::wall_number(owner)].lets_overlap());
+    room = room && !closed && world.occupancy.second_owner(index) == grains::kFree;
+  });
+  return room;
+}
+
+/// Whether the move gets onto no further wall, and shares no more sites with walls than now.
+bool keeps_off_walls(const World& world, std::uint32_t id, Direction direction,
+                     const std::vector<OverlapChange>& changes) {
+  const grains::Particle there = moved(world.state.particles[id], direction);
+  int before = 0;
+  int after = 0;
+  for (const OverlapChange& change : changes) {
+    if (grains::is_particle(change.owner)) {
+      continue;
+    }
+    before += change.sites_before;
+    after += change.sites_after;
+    // Onto a further wall nobody may go: that would be an overlap without a push.
+    const bool comes_onto = change.sites_before == 0;
+    if (comes_onto ||
+        (change.sites_after > 0 && !can_leave(world, there, change.owner, lattice::kDirections))) {
+      return false;
+    }
+  }
+  return after <= before;
+}
+
+/// Whether the particle, and each of those into which it would get further, shares no more sites
+/// than its limit.
+bool is_within_limits(const World& world, std::uint32_t id,
+                      const std::vector<OverlapChange>& changes) {
+  bool grows = false;
+  int own = 0;
+  for (const OverlapChange& change : changes) {
+    if (!grains::is_particle(change.owner)) {
+      continue;
+    }
+    own += change.sites_after;
+    grows = grows || change.grows();
+    if (change.grows() && shared_sites(world, grains::particle_id(change.owner)) +
+                                  change.sites_after - change.sites_before >
+                              limit(shape_of(world, change.owner))) {
+      return false;
+    }
+  }
+  return !grows || own <= limit(shape_of(world, grains::as_owner(id)));
+}
+
+/// Judges a direction of a pushed particle: it has to get it out of what pushes it along the way of
+/// the push, or at least sideways, without worse elsewhere; it may push others.
+std::optional<Judgement> judge(const World& world, std::uint32_t id, Direction direction) {
+  if (!follows_pushes(world, id, direction) || !has_room(world, id, direction)) {
+    return std::nullopt;
+  }
+  Judgement judgement{.changes = overlap_changes(world, id, direction), .score = 0};
+  const std::optional<Following> following = following_of(world, id, direction, judgement.changes);
+  if (!following || !keeps_off_walls(world, id, direction, judgement.changes)) {
+    return std::nullopt;
+  }
+  const std::optional<int> grown = grown_depth(world, id, direction, judgement.changes);
+  if (!grown || (*grown > 0 && following->sixths > 1) ||
+      !is_within_limits(world, id, judgement.changes)) {
+    return std::nullopt;
+  }
+  const grains::State& state = world.state;
+  const bool keeps_on = state.particles[id].previous == static_cast<grains::Move>(direction);
+  const int price = following->strict ? 0 : *grown == 0 ? kRelaxed : kRelaxedOnOthers;
+  judgement.score = kPerGrownDepth * *grown + price - kPerPushAlong * following->pushes_along -
+                    (keeps_on ? kKeepsOn : 0) - gravity_bonus(world.rules, direction);
+  return judgement;
+}
+
+// Of several pushes the move carries on the one it follows best; of equal ones the heaviest.
+grains::Push cause(const World& world, std::uint32_t id, Direction direction,
+                   const std::vector<OverlapChange>& changes) {
+  const auto sites = [&](const grains::Push& push) {
+    const OverlapChange* change = find(changes, push.pusher);
+    return change == nullptr ? 0 : change->sites_before;
+  };
+  const auto causes = PushList::onto(world.state, id);
+  return *std::min_element(
+      causes.begin(), causes.end(), [&](const grains::Push& a, const grains::Push& b) {
+        return std::pair(lattice::sixths_between(a.direction, direction), -sites(a)) <
+               std::pair(lattice::sixths_between(b.direction, direction), -sites(b));
+      });
 }
 
 }  // namespace
 
-grains::Move PassiveRule::provisional(std::uint32_t id) {
+grains::Move passive_direction(const World& world, std::uint32_t id) {
   std::vector<Direction> best;
   int least = 0;
   for (const Direction direction : lattice::kDirections) {
-    const auto judgement = judge(id, direction);
+    const auto judgement = judge(world, id, direction);
     if (!judgement || (!best.empty() && judgement->score > least)) {
       continue;
     }
@@ -59,162 +219,26 @@ grains::Move PassiveRule::provisional(std::uint32_t id) {
     return grains::kRest;
   }
   const std::uint64_t bits =
-      random::draw(world_.state.seed, world_.state.step, id, random::Purpose::passive);
+      random::draw(world.state.seed, world.state.step, id, random::Purpose::passive);
   return static_cast<grains::Move>(best[random::below(bits, best.size())]);
 }
 
-bool PassiveRule::move(std::uint32_t id, Direction direction) {
-  const auto judgement = judge(id, direction);
+bool move_pushed(World& world, std::uint32_t id, Direction direction) {
+  const auto judgement = judge(world, id, direction);
   if (!judgement) {
     return false;
   }
-  const grains::Push push = cause(id, direction, judgement->changes);
-  world_.move(id, direction);
-  record(id, push, judgement->changes);
-  return true;
-}
-
-std::optional<PassiveRule::Judgement> PassiveRule::judge(std::uint32_t id, Direction direction) {
-  if (!follows_pushes(id, direction) || !has_room(id, direction)) {
-    return std::nullopt;
-  }
-  Judgement judgement{.changes = overlap_changes(world_, id, direction), .score = 0};
-  const std::optional<Following> following = following_of(id, direction, judgement.changes);
-  if (!following || !keeps_off_walls(id, direction, judgement.changes)) {
-    return std::nullopt;
-  }
-  const std::optional<int> grown = grown_depth(id, direction, judgement.changes);
-  if (!grown || (*grown > 0 && following->turns > 1) || !is_within_limits(id, judgement.changes)) {
-    return std::nullopt;
-  }
-  const grains::State& state = world_.state;
-  const bool keeps_on = state.particles[id].previous == static_cast<grains::Move>(direction);
-  const int price = following->strict ? 0 : *grown == 0 ? kRelaxed : kRelaxedOnOthers;
-  judgement.score = kPerGrownDepth * *grown + price - kPerPushAlong * following->pushes_along -
-                    (keeps_on ? kKeepsOn : 0) - gravity_bonus(world_.rules, direction);
-  return judgement;
-}
-
-std::optional<PassiveRule::Following> PassiveRule::following_of(
-    std::uint32_t id, Direction direction, const std::vector<OverlapChange>& changes) const {
-  Following following;
-  bool all_shrink = true;
-  bool any_shrinks = false;
-  for (const grains::Push& push : PushList::onto(world_.state, id)) {
-    const OverlapChange* change = find(changes, push.pusher);
-    if (change == nullptr || change->after() > change->before()) {
-      return std::nullopt;
-    }
-    const bool shrinks = change->after() < change->before();
-    all_shrink = all_shrink && shrinks;
-    any_shrinks = any_shrinks || shrinks;
-    following.turns = std::max(following.turns, lattice::turns_between(push.direction, direction));
-    following.pushes_along += push.direction == direction ? 1 : 0;
-  }
-  following.strict = following.turns <= 1 && all_shrink;
-  return any_shrinks ? std::optional(following) : std::nullopt;
-}
-
-bool PassiveRule::follows_pushes(std::uint32_t id, Direction direction) const {
-  const auto pushes = PushList::onto(world_.state, id);
-  return std::all_of(pushes.begin(), pushes.end(), [&](const grains::Push& push) {
-    return lattice::turns_between(push.direction, direction) <= 2;
-  });
-}
-
-std::optional<int> PassiveRule::grown_depth(std::uint32_t id, Direction direction,
-                                            const std::vector<OverlapChange>& changes) const {
-  const grains::Particle there = moved(world_.state.particles[id], direction);
-  int grown = 0;
-  for (const OverlapChange& change : changes) {
-    if (is_too_deep(world_, there, change)) {
-      return std::nullopt;
-    }
-    grown += change.begins() ? 1 + radius_of(shape_of(change.owner)) : 0;
-  }
-  return grown;
-}
-
-bool PassiveRule::has_room(std::uint32_t id, Direction direction) const {
-  const grains::State& state = world_.state;
-  const grains::Particle& here = state.particles[id];
-  bool room = true;
-  world_.box.for_each_index(
-      here, world_.box.footprints.of(here).lead[index_of(direction)], [&](std::size_t index) {
-        const grains::Owner owner = world_.occupancy.owner(index);
-        const bool closed =
-            owner == grains::kBorder ||
-            (grains::is_wall(owner) && !state.walls[grains::wall_number(owner)].lets_overlap());
-        room = room && !closed && world_.occupancy.second_owner(index) == grains::kFree;
-      });
-  return room;
-}
-
-bool PassiveRule::keeps_off_walls(std::uint32_t id, Direction direction,
-                                  const std::vector<OverlapChange>& changes) const {
-  const grains::Particle there = moved(world_.state.particles[id], direction);
-  int before = 0;
-  int after = 0;
-  for (const OverlapChange& change : changes) {
-    if (grains::is_particle(change.owner)) {
-      continue;
-    }
-    before += change.sites_before;
-    after += change.sites_after;
-    // Onto a further wall nobody may go: that would be an overlap without a push.
-    const bool comes_onto = change.sites_before == 0;
-    if (comes_onto ||
-        (change.sites_after > 0 && !can_leave(world_, there, change.owner, lattice::kDirections))) {
-      return false;
-    }
-  }
-  return after <= before;
-}
-
-bool PassiveRule::is_within_limits(std::uint32_t id,
-                                   const std::vector<OverlapChange>& changes) const {
-  bool grows = false;
-  int own = 0;
-  for (const OverlapChange& change : changes) {
-    if (!grains::is_particle(change.owner)) {
-      continue;
-    }
-    own += change.sites_after;
-    grows = grows || change.grows();
-    if (change.grows() && shared_sites(world_, grains::particle_id(change.owner)) +
-                                  change.sites_after - change.sites_before >
-                              limit(shape_of(change.owner))) {
-      return false;
-    }
-  }
-  return !grows || own <= limit(shape_of(grains::as_owner(id)));
-}
-
-// Of several pushes the move carries on the one it follows best; of equal ones the heaviest.
-grains::Push PassiveRule::cause(std::uint32_t id, Direction direction,
-                                const std::vector<OverlapChange>& changes) const {
-  const auto sites = [&](const grains::Push& push) {
-    const OverlapChange* change = find(changes, push.pusher);
-    return change == nullptr ? 0 : change->sites_before;
-  };
-  const auto causes = PushList::onto(world_.state, id);
-  return *std::min_element(
-      causes.begin(), causes.end(), [&](const grains::Push& a, const grains::Push& b) {
-        return std::pair(lattice::turns_between(a.direction, direction), -sites(a)) <
-               std::pair(lattice::turns_between(b.direction, direction), -sites(b));
-      });
-}
-
-void PassiveRule::record(std::uint32_t id, const grains::Push& cause,
-                         const std::vector<OverlapChange>& changes) {
-  for (const OverlapChange& change : changes) {
+  const grains::Push push = cause(world, id, direction, judgement->changes);
+  world.move(id, direction);
+  for (const OverlapChange& change : judgement->changes) {
     if (change.begins()) {
-      world_.pushes.record(world_.state, {.pushed = grains::particle_id(change.owner),
-                                          .pusher = grains::as_owner(id),
-                                          .source = cause.source,
-                                          .direction = cause.direction});
+      world.pushes.record(world.state, {.pushed = grains::particle_id(change.owner),
+                                        .pusher = grains::as_owner(id),
+                                        .source = push.source,
+                                        .direction = push.direction});
     }
   }
+  return true;
 }
 
 }  // namespace clca::automaton

@@ -1,15 +1,19 @@
 #include "automaton/rule/step.hpp"
 
 #include <algorithm>
+#include <numeric>
+#include <utility>
 
+#include "automaton/rule/decisions.hpp"
 #include "automaton/rule/moving_walls.hpp"
+#include "automaton/rule/passive_rule.hpp"
 
 namespace clca::automaton {
 
 using grains::StepReport;
 
 Steps::Steps(grains::State initial, const Rules& rules)
-    : state_(std::move(initial)), box_(state_), world_(box_, rules), decisions_(world_) {}
+    : state_(std::move(initial)), box_(state_), world_(box_, rules), active_(rules, state_.seed) {}
 
 // 1. Moving walls take the step that their motion asks for, if they can.
 void Steps::before_sources() {
@@ -19,10 +23,12 @@ void Steps::before_sources() {
 // 2. Open sources emit, and at the end 5. outlets remove particles: for all models by grains::step.
 bool Steps::advance(StepReport& report) {
   // 3. Every particle chooses a provisional direction. 4. Movers have their turn.
+  moved_.clear();
+  quiet_ = true;
   report.moved = move_particles();
 
   // The end: settled when no later step can change anything.
-  const bool settled = report.moved == 0 && !wall_moved_ && was_quiet() && walls_are_still(world_);
+  const bool settled = report.moved == 0 && !wall_moved_ && quiet_ && walls_are_still(world_);
   end_step_of_walls(world_, report.moved > 0);
   ++state_.step;
   return settled;
@@ -30,61 +36,59 @@ bool Steps::advance(StepReport& report) {
 
 std::vector<std::uint32_t> Steps::moved() const {
   std::vector<std::uint32_t> ids = world_.carried;
+  ids.insert(ids.end(), moved_.begin(), moved_.end());
   append_moved(ids);
   return ids;
 }
 
-std::size_t Reference::move_particles() {
-  moved_.clear();
-  // 3. Every particle chooses a provisional direction, from the state at this moment alone.
-  choose_provisional_directions();
-  // 4. Movers have their turn in an order of priority: first those that something has been pushed
-  // onto, then the others.
-  give_turns(pushed_, &Decisions::move_pushed);
-  give_turns(others_, &Decisions::move);
-  world_.changes.clear();
-  return moved_.size();
-}
-
-void Reference::choose_provisional_directions() {
-  grains::State& state = world_.state;
-  pushed_.clear();
-  others_.clear();
-  quiet_ = true;
+Steps::Movers Steps::movers_of(std::span<const std::uint32_t> ids) {
+  Movers movers;
   std::vector<std::uint32_t> resting;  // known to others only when all have chosen
-  for (std::uint32_t id = 0; id < state.particles.size(); ++id) {
-    const grains::Particle& particle = state.particles[id];
-    if (!particle.present) {
-      continue;
-    }
-    quiet_ = quiet_ && !(world_.pushes.overlapping(id) && particle.previous != grains::kRest);
-    const grains::Move move = decisions_.provisional(id);
+  for (const std::uint32_t id : ids) {
+    const bool has_moved = state_.particles[id].previous != grains::kRest;
+    quiet_ = quiet_ && !(world_.pushes.overlapping(id) && has_moved);
+    const grains::Move move = provisional(world_, active_, id);
     if (move == grains::kRest) {
       resting.push_back(id);
       continue;
     }
-    std::vector<ProposedMove>& movers = PushList::onto(state, id).empty() ? others_ : pushed_;
-    movers.push_back(
-        {.key = decisions_.key(id, move), .direction = static_cast<lattice::Direction>(move)});
+    (PushList::onto(state_, id).empty() ? movers.others : movers.pushed)
+        .push_back(
+            {update_key(world_.rules, state_, id, move), static_cast<lattice::Direction>(move)});
   }
   for (const std::uint32_t id : resting) {
-    state.particles[id].previous = grains::kRest;
+    state_.particles[id].previous = grains::kRest;
   }
+  return movers;
 }
 
-void Reference::give_turns(std::vector<ProposedMove>& movers,
-                           bool (Decisions::*move)(std::uint32_t, lattice::Direction)) {
+void Steps::give_turns(std::vector<ProposedMove>& movers,
+                       bool (*move)(World&, std::uint32_t, lattice::Direction)) {
   std::sort(movers.begin(), movers.end(),
             [](const ProposedMove& one, const ProposedMove& other) { return one.key < other.key; });
   for (const ProposedMove& mover : movers) {
     const std::uint32_t id = mover.key.id;
-    if ((decisions_.*move)(id, mover.direction)) {
+    if (move(world_, id, mover.direction)) {
       moved_.push_back(id);
     } else {
       // Who finds the way taken rests.
-      world_.state.particles[id].previous = grains::kRest;
+      state_.particles[id].previous = grains::kRest;
     }
   }
+}
+
+std::size_t Reference::move_particles() {
+  std::vector<std::uint32_t> ids(world_.state.particles.size());
+  std::iota(ids.begin(), ids.end(), 0U);
+  std::erase_if(ids, [&](std::uint32_t id) { return !world_.state.particles[id].present; });
+  // 3. Every particle chooses a provisional direction, from the state at this moment alone.
+  Movers movers = movers_of(ids);
+  // 4. Movers have their turn in an order of priority: first those that something has been pushed
+  // onto, then the others.
+  give_turns(movers.pushed, &move_pushed);
+  give_turns(movers.others, &move_by_itself);
+  world_.changes.clear();
+  return moved_.size();
 }
 
 }  // namespace clca::automaton

@@ -2,15 +2,22 @@
 // One step of the automaton, as docs/model.md has it.
 
 #include <cstdint>
-#include <utility>
+#include <span>
 #include <vector>
 
-#include "automaton/rule/decisions.hpp"
+#include "automaton/rule/active_rule.hpp"
+#include "automaton/rule/update_order.hpp"
 #include "automaton/rule/world.hpp"
 #include "clca/grains/model.hpp"
 #include "grains/internal/mechanics.hpp"
 
 namespace clca::automaton {
+
+/// A particle that has chosen to move.
+struct ProposedMove {
+  UpdateKey key;
+  lattice::Direction direction = lattice::Direction::down;
+};
 
 /// "One step" of docs/model.md, but for points 3 and 4: the particles' own moves.
 class Steps : public grains::Mechanics {
@@ -30,53 +37,45 @@ class Steps : public grains::Mechanics {
   void removing(std::uint32_t id) final { world_.let_go(id); }
   void reloaded() final { world_.reload(); }
 
- protected:
-  /// Points 3 and 4. Returns how many particles moved.
-  virtual std::size_t move_particles() = 0;
-  /// True when no particle that overlaps had moved in the step before the last.
-  virtual bool was_quiet() const = 0;
-  /// Those that moved by themselves in this step.
-  virtual void append_moved(std::vector<std::uint32_t>& ids) const = 0;
-
-  World& world() { return world_; }
-  Decisions& decisions() { return decisions_; }
-
  private:
   grains::State state_;
   grains::Box box_;
-  World world_;
-  Decisions decisions_;
   bool wall_moved_ = false;
+  bool quiet_ = true;
+
+ protected:
+  struct Movers {
+    std::vector<ProposedMove> pushed;  ///< something has been pushed onto these
+    std::vector<ProposedMove> others;
+  };
+
+  /// Points 3 and 4, after moved_ has been cleared. Returns how many particles moved.
+  virtual std::size_t move_particles() = 0;
+  /// Those that moved by themselves in this step, but for moved_.
+  virtual void append_moved(std::vector<std::uint32_t>& /*ids*/) const {}
+
+  /// Each of these particles chooses a provisional direction, from the state at this moment alone.
+  Movers movers_of(std::span<const std::uint32_t> ids);
+  /// Whether none of those that overlap had moved in the step before.
+  bool was_quiet() const { return quiet_; }
+  /// Lets movers have their turn in order. Those that cannot move rest.
+  void give_turns(std::vector<ProposedMove>& movers,
+                  bool (*move)(World&, std::uint32_t, lattice::Direction));
+
+  // NOLINTBEGIN(readability-identifier-naming): as private ones, beside functions of their names
+  World world_;
+  ActiveRule active_;
+  std::vector<std::uint32_t> moved_;  // in this step, by give_turns()
+  // NOLINTEND(readability-identifier-naming)
 };
 
 /// Points 3 and 4 of a step as the model is defined. Engine does the same faster.
 class Reference final : public Steps {
  public:
-  Reference(grains::State initial, const Rules& rules)
-      : Steps(std::move(initial), rules), world_(world()), decisions_(decisions()) {}
+  using Steps::Steps;
 
  private:
-  struct ProposedMove {
-    UpdateKey key;
-    lattice::Direction direction = lattice::Direction::down;
-  };
-
   std::size_t move_particles() override;
-  bool was_quiet() const override { return quiet_; }
-  void append_moved(std::vector<std::uint32_t>& ids) const override {
-    ids.insert(ids.end(), moved_.begin(), moved_.end());
-  }
-  void choose_provisional_directions();
-  /// Lets movers have their turn in order. Those that cannot move rest.
-  void give_turns(std::vector<ProposedMove>& movers,
-                  bool (Decisions::*move)(std::uint32_t, lattice::Direction));
-
-  World& world_;
-  Decisions& decisions_;
-  std::vector<ProposedMove> pushed_;
-  std::vector<ProposedMove> others_;
-  std::vector<std::uint32_t> moved_;
-  bool quiet_ = true;
 };
 
 }  // namespace clca::automaton

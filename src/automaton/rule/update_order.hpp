@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <tuple>
 
-#include "clca/automaton/rules.hpp"
+#include "clca/automaton/automaton.hpp"
 #include "clca/grains/state.hpp"
 
 namespace clca::automaton {
@@ -19,22 +19,8 @@ struct UpdateKey {
   auto operator<=>(const UpdateKey&) const = default;
 };
 
-class UpdateOrder {
- public:
-  explicit UpdateOrder(const Rules& rules) : rules_(rules) {}
-
-  /// The key of particle `id`, which has not moved yet in this step and is to do `move`.
-  UpdateKey key(const grains::State& state, std::uint32_t id, grains::Move move) const;
-
- private:
-  /// The first class that fits.
-  std::uint64_t class_of(grains::Move previous, grains::Move move) const;
-  /// Ties::direction: gravity first, then pairs at the same angle to it, each in the order of a
-  /// coin for the class and the step.
-  std::uint64_t direction_tie(const grains::State& state, grains::Move move,
-                              std::uint64_t update_class) const;
-
-  Rules rules_;
-};
+/// The key of particle `id`, which has not moved yet in this step and is to do `move`.
+UpdateKey update_key(const Rules& rules, const grains::State& state, std::uint32_t id,
+                     grains::Move move);
 
 }  // namespace clca::automaton

@@ -41,7 +41,7 @@ struct alignas(16) Body {
 struct BatchFunctions {
   /// Gives the bodies the impulses that the contacts remember.
   void (*apply)(const Batch* batches, std::size_t count, Body* bodies, const Pair* pairs,
-                bool turns);
+                bool rotates);
   /// Solves all contacts, forwards or backwards.
   void (*sweep)(Batch* batches, std::size_t count, Body* bodies, const Pair* pairs,
                 const LawConstants& law, bool backwards);
@@ -59,11 +59,11 @@ class BatchKernel {
   using Int = typename Lanes::Int;
 
   static void apply(const Batch* batches, std::size_t count, Body* bodies, const Pair* pairs,
-                    bool turns) {
+                    bool rotates) {
     for (std::size_t i = 0; i < count; ++i) {
       for (std::size_t lane = 0; lane < kLanes; lane += Lanes::kWidth) {
         BatchKernel kernel(batches[i], lane, bodies, pairs);
-        contact::apply(kernel.touching_, kernel.impulse_, turns);
+        contact::apply(kernel.touching_, kernel.impulse_, rotates);
         kernel.store_velocities(batches[i]);
       }
     }

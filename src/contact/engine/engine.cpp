@@ -60,7 +60,7 @@ void Engine::look_at_all() {
   std::iota(changed_.begin(), changed_.end(), 0U);
 }
 
-std::size_t Engine::move_grains() {
+void Engine::move_grains() {
   written_back_ = false;
   clock_ = grains::PhaseClock(phase_times_);
   update_contacts();
@@ -73,7 +73,6 @@ std::size_t Engine::move_grains() {
   sweep_contacts();
   advance_and_move();
   clock_.end("moves");
-  return moved_.size();
 }
 
 void Engine::update_contacts() {
@@ -140,7 +139,7 @@ void Engine::for_each_group(Solve solve) {
 void Engine::sweep_contacts() {
   std::vector<Batch>& batches = slots_.batches();
   const Pair* pairs = rule_.bodies.pairs().data();
-  batch_.apply(batches.data(), batches.size(), bodies_.data(), pairs, rule_.law.turns);
+  batch_.apply(batches.data(), batches.size(), bodies_.data(), pairs, rule_.law.rotates);
   clock_.end("warm_start");
   for (int i = 0; i < rule_.sweeps; ++i) {
     batch_.sweep(batches.data(), batches.size(), bodies_.data(), pairs, rule_.law, i % 2 != 0);

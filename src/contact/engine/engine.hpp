@@ -9,7 +9,6 @@
 #include "clca/grains/model.hpp"
 #include "contact/engine/contacts.hpp"
 #include "contact/rule/step.hpp"
-#include "grains/internal/phase_clock.hpp"
 
 namespace clca::contact {
 
@@ -93,12 +92,11 @@ class Engine final : public Steps {
   void write_back() override;
   void write_back_velocities() override;
   void added(std::size_t first) override;
-  std::vector<std::uint32_t> moved() const override { return moved_; }
   void removing(std::uint32_t id) override;
   void reloaded() override;
 
  private:
-  std::size_t move_grains() override;
+  void move_grains() override;
   std::vector<Contact> wall_contacts() const override;
   std::vector<Contact> contacts(bool with_grains) const;
   Contact contact(std::int32_t at) const;
@@ -124,7 +122,6 @@ class Engine final : public Steps {
   Motion motion_;                              // of these
   std::vector<std::int32_t> bouncing_;         // slots of contacts that bounce in this step
   std::map<std::int32_t, Impulse<>> impacts_;  // of this step, by slot
-  std::vector<std::uint32_t> moved_;           // in the last step, once each
   std::vector<std::uint32_t> changed_;         // grains that may touch other bodies than they did
   std::vector<std::uint32_t> candidates_;      // grains whose remainder may ask for a move
   bool written_back_ = true;

@@ -89,7 +89,7 @@ Rule make_rule(const grains::State& state, const Parameters& parameters, double 
                .side_friction = friction(parameters.wall_friction),
                .wall_friction = std::vector<std::int32_t>(state.walls.size(),
                                                           friction(parameters.wall_friction)),
-               .law = {.turns = parameters.rolling != Rolling::none,
+               .law = {.rotates = parameters.rolling != Rolling::none,
                        .resists_rolling = parameters.rolling == Rolling::resistance,
                        .rolling_friction = friction(parameters.rolling_friction)},
                .bodies = Bodies(state.kinds)};
@@ -100,7 +100,7 @@ Rule make_rule(const grains::State& state, const Parameters& parameters, double 
         friction(parameters.friction_by_wall[wall].value_or(parameters.wall_friction));
   }
   for (const grains::Kind& kind : state.kinds) {
-    require(!rule.law.turns || kind.shape.is_round(),
+    require(!rule.law.rotates || kind.shape.is_round(),
             "only hexagons and discs turn: others need Rolling::none");
   }
   return rule;

@@ -31,7 +31,7 @@ using Pair = Coefficients<std::int32_t>;
 
 /// Constants of the law, the same for all contacts. Coefficients in 2^-16.
 struct LawConstants {
-  bool turns = false;  ///< otherwise grains keep their orientation
+  bool rotates = false;  ///< otherwise grains keep their orientation
   bool resists_rolling = false;
   std::int32_t rolling_friction = 0;
 };
@@ -77,7 +77,7 @@ inline std::int32_t rolling_velocity(const ContactState<>& at) {
 /// Applies impulses to the velocities of both bodies.
 template <class Int>
 [[gnu::always_inline]] inline void apply(ContactState<Int>& at, const Impulse<Int>& by,
-                                         bool turns) {
+                                         bool rotates) {
   const Int x =
       rounded(product(by.normal, at.normal_x) - product(by.shear, at.normal_y), kUnitBits);
   const Int y =
@@ -92,7 +92,7 @@ template <class Int>
   at.upper.y = pushed(at.upper.y, y, at.pair.upper_inverse_mass);
   at.other.x = pushed(at.other.x, -x, at.pair.other_inverse_mass);
   at.other.y = pushed(at.other.y, -y, at.pair.other_inverse_mass);
-  if (turns) {
+  if (rotates) {
     // A tangential force turns both bodies the same way, a moment in opposite ways. Discs: inertia
     // = mass radius^2 / 2.
     constexpr int kHalvedMassBits = kInverseMassBits - 1;
@@ -134,7 +134,7 @@ template <class Int>
   apply(at,
         Impulse<Int>{impulse.normal - before.normal, impulse.shear - before.shear,
                      impulse.rolling - before.rolling},
-        law.turns);
+        law.rotates);
 }
 
 /// Separation velocity after a collision with the velocity `closing`; 0 if that is so small that it

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "clca/random/draw.hpp"
-#include "grains/internal/pushed_cluster.hpp"
 
 namespace clca::contact {
 
@@ -79,15 +78,15 @@ void SiteMoves::move(std::span<const std::uint32_t> ids, Direction direction) {
 
 // The two halves of a move.
 void SiteMoves::leave(std::uint32_t id, Direction direction) {
-  const grains::Particle& grain = state_.grains.particles[id];
-  box_.for_each_index(grain, box_.footprints.of(grain).trail[lattice::index_of(direction)],
-                      [&](std::size_t index) { box_.occupancy.release(index); });
+  box_.for_each_left(state_.grains.particles[id], direction,
+                     [&](std::size_t index) { box_.occupancy.release(index); });
 }
 
 void SiteMoves::enter(std::uint32_t id, Direction direction) {
   grains::Particle& grain = state_.grains.particles[id];
-  box_.for_each_index(grain, box_.footprints.of(grain).lead[lattice::index_of(direction)],
-                      [&](std::size_t index) { box_.occupancy.take(index, grains::as_owner(id)); });
+  box_.for_each_entered(grain, direction, [&](std::size_t index) {
+    box_.occupancy.take(index, grains::as_owner(id));
+  });
   grain = grains::moved(grain, direction);
   if (grain.previous == grains::kRest) {
     moved_.push_back(id);
@@ -115,15 +114,15 @@ bool SiteMoves::move_walls(Direction direction, std::span<WallMove> walls,
 }
 
 bool SiteMoves::push(const grains::WallStep& step, std::vector<std::uint32_t>& pushed) {
-  grains::PushedCluster cluster(box_, step);
-  if (!cluster.gather([](std::uint32_t) { return false; })) {
+  const auto ids = grains::pushed_particles(box_, step, [](std::uint32_t) { return false; });
+  if (!ids) {
     return false;
   }
   for (const std::size_t index : step.leaves) {
     box_.occupancy.release(index);
   }
-  move(cluster.ids(), step.direction);
-  for (const std::uint32_t id : cluster.ids()) {  // at most half a site behind its site
+  move(*ids, step.direction);
+  for (const std::uint32_t id : *ids) {  // at most half a site behind its site
     Vector& remainder = state_.remainders[id];
     take(remainder, std::min(along(remainder, unit_of(step.direction)) + kSpacing / 2, 0),
          step.direction);
@@ -133,7 +132,7 @@ bool SiteMoves::push(const grains::WallStep& step, std::vector<std::uint32_t>& p
   }
   note_neighbours(step.enters);
   note_neighbours(step.leaves);
-  pushed.insert(pushed.end(), cluster.ids().begin(), cluster.ids().end());
+  pushed.insert(pushed.end(), ids->begin(), ids->end());
   return true;
 }
 
@@ -317,10 +316,6 @@ Cuts cut_remainders(State& state, const SiteMoves& moves, const Motion& motion,
 
 namespace {
 
-bool in_motion(const grains::Wall& wall) {
-  return wall.motion && wall.present && wall.travel.active;
-}
-
 // A wall behind its motion adds 1/16 of the lag per step to its velocity, at most half a spacing
 // (units of grains::kMotionSpacing).
 // A weaker push is lost in the bed, which two sweeps make elastic: with 1/64 and 1/8 spacing, walls
@@ -340,7 +335,7 @@ WallVelocities wall_velocities(const State& state) {
   WallVelocities result(state.grains.walls.size());
   for (std::size_t number = 0; number < result.size(); ++number) {
     const grains::Wall& wall = state.grains.walls[number];
-    if (!in_motion(wall)) {
+    if (!wall.in_motion()) {
       continue;
     }
     const std::int64_t lag = state.wall_remainders[number];
@@ -358,7 +353,7 @@ std::vector<WallMove> advance_walls(State& state) {
   std::vector<WallMove> result;
   for (std::size_t number = 0; number < state.grains.walls.size(); ++number) {
     const grains::Wall& wall = state.grains.walls[number];
-    if (!in_motion(wall)) {
+    if (!wall.in_motion()) {
       continue;
     }
     std::int64_t& ahead = state.wall_remainders[number];
@@ -373,7 +368,7 @@ std::vector<WallMove> advance_walls(State& state) {
 bool walls_rest(const State& state) {
   for (std::size_t number = 0; number < state.grains.walls.size(); ++number) {
     const grains::Wall& wall = state.grains.walls[number];
-    if (!in_motion(wall) || is_over(*wall.motion, wall.travel)) {
+    if (!wall.in_motion() || is_over(*wall.motion, wall.travel)) {
       continue;
     }
     const std::int64_t lag = state.wall_remainders[number];

@@ -1,7 +1,8 @@
 #pragma once
 // Motion between contacts: acceleration, remainders, and moves of grains and walls by single sites.
 //
-// A remainder is the offset of a grain from its site, less than a move.
+// A remainder is the offset of a grain from its site: where the grain is free to move, at most half
+// a spacing along any direction after its moves; where it is held up, at most two (cut_remainders).
 
 #include <algorithm>
 #include <array>
@@ -23,7 +24,7 @@ inline constexpr int kCentrifugalBits = 40;  ///< of their squares
 /// Acceleration in one step; depends on a grain only through position and velocity.
 struct Acceleration {
   Vector gravity;  ///< and shaking, in 2^-23 lattice spacings per step squared
-  bool turns = false;
+  bool rotates = false;
   std::int32_t rate = 0;  ///< angular velocity of the vessel
   std::int64_t squared_rate = 0;
   std::int32_t centre_x = 0;
@@ -45,7 +46,7 @@ Vessel next(const Vessel& vessel);
 inline void accelerate(Velocity<>& velocity, lattice::Site site, const Acceleration& by) {
   std::int64_t x = by.gravity.x;
   std::int64_t y = by.gravity.y;
-  if (by.turns) {
+  if (by.rotates) {
     const std::int32_t from_centre_x =
         rounded(product(site.column, unit_of(lattice::Direction::up_right).x),
                 kUnitBits - kCentreBits) -

@@ -15,24 +15,6 @@
 
 namespace clca::contact {
 
-// Energies in units of Energy, in the steps that led to a state; `gravity` in lattice spacings per
-// step squared.
-
-/// Of a present grain.
-Energy energy_of(const State& state, std::size_t id, double gravity);
-
-/// Positions of the walls along their motions, in lattice spacings: a wall that follows its motion
-/// is where that is, one that lags by more than a spacing moves by sites.
-std::vector<double> wall_positions(const State& state);
-
-/// Work of walls in the step that led to `state`: impulses times displacements. `contacts`: those
-/// with walls, others do not count; `before`: wall_positions.
-double wall_work(const State& state, std::span<const Contact> contacts,
-                 const std::vector<double>& before, double gravity);
-
-/// Work of the vessel in the step that led to `state`; `before`: the vessel as it began.
-double vessel_work(const State& state, const Vessel& before, double gravity);
-
 /// A group of grains that contacts connect is small if it has at most so many; walls connect none.
 inline constexpr std::size_t kMostGrains = 8;
 
@@ -91,13 +73,14 @@ class Steps : public grains::Mechanics {
   void before_sources() final { exchange_ = {}; }
   void added(std::size_t first) override;
   bool advance(grains::StepReport& report) final;
+  std::vector<std::uint32_t> moved() const final { return moved_; }
   void removing(std::uint32_t id) override;
   void reloaded() override;
   void motion_set() final { disturb(state_); }
 
  protected:
-  /// Everything else of a step. Returns how many grains moved.
-  virtual std::size_t move_grains() = 0;
+  /// Everything else of a step. Sets moved_.
+  virtual void move_grains() = 0;
 
   // NOLINTBEGIN(readability-identifier-naming): as private ones, beside functions of their names
   State state_;
@@ -106,6 +89,7 @@ class Steps : public grains::Mechanics {
   Rule rule_;
   EnergyExchange exchange_;
   Cuts cuts_;
+  std::vector<std::uint32_t> moved_;  // in the last step, once each
   // NOLINTEND(readability-identifier-naming)
 };
 
@@ -115,14 +99,12 @@ class Reference final : public Steps {
   Reference(State initial, const Parameters& parameters)
       : Steps(std::move(initial), parameters), normals_(state_.grains.kinds) {}
 
-  std::vector<std::uint32_t> moved() const override { return moved_; }
   std::vector<Contact> wall_contacts() const override { return state_.contacts; }
 
  private:
-  std::size_t move_grains() override;
+  void move_grains() override;
 
   NormalTable normals_;
-  std::vector<std::uint32_t> moved_;
 };
 
 }  // namespace clca::contact

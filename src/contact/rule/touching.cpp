@@ -83,15 +83,14 @@ std::map<grains::Owner, Surface> touched_bodies(const grains::Box& box,
                                                 const grains::Particle& grain) {
   std::map<grains::Owner, Surface> result;
   for (const lattice::Direction direction : lattice::kDirections) {
-    const std::size_t d = lattice::index_of(direction);
-    box.for_each_index(grain, box.footprints.of(grain).lead[d], [&](std::size_t index) {
+    box.for_each_entered(grain, direction, [&](std::size_t index) {
       const grains::Owner owner = box.occupancy.owner(index);
       if (owner == grains::kFree || grains::is_particle(owner)) {
         return;
       }
       const lattice::Site site = box.state.lattice.site(index);
       const grains::Owner body = body_at(box, site);
-      result[body].directions |= 1U << d;
+      result[body].directions |= 1U << lattice::index_of(direction);
       result[body].touched[body].push_back(
           grains::nearest_vector(box.state.lattice, grain.site(), site));
     });
@@ -132,7 +131,7 @@ std::vector<Axial> around(const std::vector<Axial>& sites, int distance) {
 bool faces(const Surface& body, lattice::Direction direction) {
   return std::any_of(
       lattice::kDirections.begin(), lattice::kDirections.end(), [&](lattice::Direction blocked) {
-        return contains(body.directions, blocked) && turns_between(direction, blocked) > 1;
+        return contains(body.directions, blocked) && sixths_between(direction, blocked) > 1;
       });
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "clca/grains/state.hpp"
@@ -34,6 +35,23 @@ struct Box {
     }
   }
 
+  /// The same for the sites that a particle enters, and those that it leaves, in a step.
+  template <class Visit>
+  void for_each_entered(const Particle& particle, lattice::Direction direction, Visit visit) const {
+    for_each_index(particle, footprints.of(particle).lead[index_of(direction)], visit);
+  }
+  template <class Visit>
+  void for_each_left(const Particle& particle, lattice::Direction direction, Visit visit) const {
+    for_each_index(particle, footprints.of(particle).trail[index_of(direction)], visit);
+  }
+  /// Whether all that it enters is free.
+  bool is_free(const Particle& particle, lattice::Direction direction) const {
+    bool free = true;
+    for_each_entered(particle, direction,
+                     [&](std::size_t index) { free = free && !occupancy.taken(index); });
+    return free;
+  }
+
   /// Call for each trial of a change that may take long.
   void check_interruption() {
     constexpr unsigned kTrials = 256;
@@ -61,6 +79,14 @@ inline Particle moved(Particle particle, lattice::Direction direction) {
 /// Takes a particle out for good: its sites become free.
 void take_out(Box& box, std::uint32_t id);
 
+/// Index of the first outlet that the particle lies wholly inside; the number of outlets if there
+/// is none.
+std::size_t outlet_around(const State& state, const Particle& particle);
+
+/// If the particle is present and wholly inside an outlet, counts it at the first such outlet and
+/// returns true. The caller then removes it.
+bool count_at_outlet(State& state, std::uint32_t id);
+
 /// Emits the particles that are due from every open source, if they fit. Those that do not fit stay
 /// due, up to one step's share. Returns whether an open source will emit even if nothing else
 /// changes.
@@ -75,5 +101,11 @@ bool can_insert_wall(const Box& box, std::size_t number);
 
 /// Inserts a wall that is not there and can be inserted.
 void insert_wall(Box& box, std::size_t number);
+
+/// The particles that must move together with a wall, which pushes them; none if the border or
+/// another wall blocks the step. `overlaps(id)`: whether a particle shares sites with others, which
+/// then move too.
+std::optional<std::vector<std::uint32_t>> pushed_particles(
+    const Box& box, const WallStep& step, const std::function<bool(std::uint32_t)>& overlaps);
 
 }  // namespace clca::grains

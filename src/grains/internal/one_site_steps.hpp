@@ -14,7 +14,14 @@ class OneSiteSteps : public Mechanics {
  public:
   /// Throws std::invalid_argument if the state (see check_valid(), check_one_site(), Occupancy) or
   /// the options are not valid.
-  OneSiteSteps(State initial, const Options& options);
+  OneSiteSteps(State initial, const Options& options)
+      : state_(valid(std::move(initial), options)), box_(state_) {
+    for (std::uint32_t id = 0; id < state_.particles.size(); ++id) {
+      if (state_.particles[id].previous != kRest) {
+        moved_.push_back(id);
+      }
+    }
+  }
 
   Box& box() override { return box_; }
   lattice::Direction down() const override { return lattice::Direction::down; }
@@ -24,9 +31,31 @@ class OneSiteSteps : public Mechanics {
   State& state() { return state_; }
   /// Ends a step in which these particles move; all others rest. A target was free when the step
   /// began, and is that of one particle.
-  void move(std::span<const std::pair<std::uint32_t, Move>> moves, StepReport& report);
+  void move(std::span<const std::pair<std::uint32_t, Move>> moves, StepReport& report) {
+    for (const std::uint32_t id : moved_) {
+      state_.particles[id].previous = kRest;
+    }
+    moved_.clear();
+    for (const auto& [id, move] : moves) {
+      Particle& particle = state_.particles[id];
+      box_.occupancy.release(state_.lattice.index(particle.site()));
+      particle = grains::moved(particle, static_cast<lattice::Direction>(move));
+      particle.previous = move;
+      box_.occupancy.take(state_.lattice.index(particle.site()), as_owner(id));
+      moved_.push_back(id);
+    }
+    report.moved = moved_.size();
+    ++state_.step;
+  }
 
  private:
+  static State valid(State state, const Options& options) {
+    check_valid(options);
+    check_valid(state);
+    check_one_site(state);
+    return state;
+  }
+
   State state_;
   Box box_;
   std::vector<std::uint32_t> moved_;  // in the last step

@@ -25,13 +25,9 @@ class WallEdges {
   WallStep step_of(const State& state, std::size_t number, int desired) const;
 
  private:
-  /// Sites that a step enters and leaves, at the initial position of the wall.
-  struct Edge {
-    std::vector<lattice::Site> lead;
-    std::vector<lattice::Site> trail;
-  };
-  /// Along the motion and against it.
-  using Edges = std::array<Edge, 2>;
+  /// Sites of a wall at its initial position that have none of it ahead: along the motion and
+  /// against it.
+  using Edges = std::array<std::vector<lattice::Site>, 2>;
 
   std::vector<Edges> edges_;  // by wall; empty for those without motion
 };

@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "clca/automaton/rules.hpp"
+#include "clca/automaton/automaton.hpp"
 #include "grains/internal/bitboard.hpp"
 
 namespace clca::automaton::strips_test {

@@ -88,7 +88,7 @@ TEST(BatchFunctions, GiveTheSameBitsInAnyWay) {
                                 extreme ? kMaxImpulse : kSpacing);
     Workload other = one;
     const bool turns = random() % 2 == 0;
-    const LawConstants law = {.turns = turns,
+    const LawConstants law = {.rotates = turns,
                               .resists_rolling = turns && random() % 2 == 0,
                               .rolling_friction = ratio(0.5)};
     for (const auto& [functions, load] :
@@ -161,7 +161,7 @@ TEST(ContactSlots, HaveNothingInALaneThatIsEmptied) {
   const Pair* pairs = bed.rule.bodies.pairs().data();
   for (const BatchFunctions& functions : {plain_functions(), fastest_functions()}) {
     functions.apply(slots.batches().data(), 1, bodies.data(), pairs, true);
-    functions.sweep(slots.batches().data(), 1, bodies.data(), pairs, {.turns = true}, false);
+    functions.sweep(slots.batches().data(), 1, bodies.data(), pairs, {.rotates = true}, false);
     EXPECT_EQ(bodies[1].velocity, (Velocity<Number>{7, 8, 9}));
     EXPECT_EQ(bodies[kRestingBody].velocity, Velocity<Number>());
   }

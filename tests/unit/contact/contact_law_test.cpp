@@ -40,7 +40,7 @@ TEST(EqualGrains, MeetingHeadOnPartWithTheRestitutionTimesTheirVelocity) {
         at.other.y = length(velocity);
         const Number closing = -separation_velocity(at);
         ASSERT_EQ(closing, 2 * length(velocity));
-        solved(at, 0.5, {.turns = true}, bounce(closing, ratio(restitution)));
+        solved(at, 0.5, {.rotates = true}, bounce(closing, ratio(restitution)));
         EXPECT_NEAR(separation_velocity(at), restitution * closing, 4 + closing * 0x1p-16);
         EXPECT_NEAR(at.upper.y, -at.other.y, 1);
         EXPECT_EQ(at.upper.x, 0);
@@ -60,7 +60,7 @@ TEST(Grains, ThatPartAlreadyGiveEachOtherNothing) {
   Pairing at = upright(1, 1);
   at.upper = {5000, 7000, 300};
   const Pairing before = at;
-  EXPECT_EQ(solved(at, 0.5, {.turns = true}), Impulse<Number>());
+  EXPECT_EQ(solved(at, 0.5, {.rotates = true}), Impulse<Number>());
   EXPECT_EQ(at.upper, before.upper);
   EXPECT_EQ(at.other, before.other);
 }
@@ -84,7 +84,7 @@ TEST(APair, KeepsItsMomentum) {
     };
     const auto before = momentum();
     const Impulse<Number> impulse =
-        solved(at, 0.5, {.turns = true, .resists_rolling = true, .rolling_friction = ratio(0.5)},
+        solved(at, 0.5, {.rotates = true, .resists_rolling = true, .rolling_friction = ratio(0.5)},
                static_cast<Number>(random() % kSpacing));
     const auto after = momentum();
     // Half a unit of each velocity, and of each inverse mass.
@@ -127,7 +127,7 @@ TEST(AMoment, OnTheFloorSlowsTheSpinOfAGrainOfAnySizeAlike) {
   for (const int radius : {0, 1, 2, 8}) {
     Pairing at = upright(radius, std::nullopt);
     at.upper = {0, -kSpacing, kSpacing / 4};
-    solved(at, 0, {.turns = true, .resists_rolling = true, .rolling_friction = ratio(1)});
+    solved(at, 0, {.rotates = true, .resists_rolling = true, .rolling_friction = ratio(1)});
     EXPECT_NEAR(at.upper.spin, (1 - 2 * 0.3) * kSpacing / 4, kSpacing * 0x1p-9) << radius;
   }
 }
@@ -148,7 +148,7 @@ TEST(Friction, NeverExceedsItsCoefficientTimesTheNormalImpulse) {
                   .normal_y = normal.y,
                   .pair = pair_of(1, static_cast<int>(random() % 4))};
     const double friction = static_cast<double>(random() % 1000) / 500;
-    const Impulse<Number> impulse = solved(at, friction, {.turns = turns});
+    const Impulse<Number> impulse = solved(at, friction, {.rotates = turns});
     EXPECT_LE(std::abs(impulse.shear), most(friction, impulse.normal));
   }
 }
@@ -159,7 +159,7 @@ TEST(Friction, SlowsSlipAsASpringDoesWhereItsBoundAllows) {
     for (const std::optional<int> other : {std::optional<int>(2), std::optional<int>()}) {
       Pairing at = upright(1, other);
       at.upper = {kSpacing / 16, -kSpacing, 0};
-      const Impulse<Number> impulse = solved(at, 0.5, {.turns = rolling != Rolling::none});
+      const Impulse<Number> impulse = solved(at, 0.5, {.rotates = rolling != Rolling::none});
       EXPECT_LT(std::abs(impulse.shear), impulse.normal / 2);
       // The slip of the upper one against the normal turned anticlockwise. Masses are rounded.
       const double left = rolling == Rolling::none ? 5.0 / 7 : 1.0 / 7;
@@ -181,7 +181,7 @@ TEST(AGrain, ThatRollsWithoutSlipFeelsNoFriction) {
   // Anticlockwise is to the left on the floor.
   at.upper = {kSpacing / 8, -kSpacing / 64, -kSpacing / 8};
   ASSERT_EQ(slip_velocity(at), 0);
-  const Impulse<Number> impulse = solved(at, 0.5, {.turns = true});
+  const Impulse<Number> impulse = solved(at, 0.5, {.rotates = true});
   EXPECT_GT(impulse.normal, 0);
   EXPECT_EQ(impulse.shear, 0);
   EXPECT_EQ(at.upper.x, kSpacing / 8);
@@ -199,7 +199,7 @@ TEST(RollingResistance, NeverExceedsItsCoefficientTimesTheNormalImpulse) {
                   .pair = pair_of(static_cast<int>(random() % 4), 2)};
     const double friction = static_cast<double>(random() % 1000) / 500;
     const Impulse<Number> impulse = solved(
-        at, 0.3, {.turns = true, .resists_rolling = true, .rolling_friction = ratio(friction)});
+        at, 0.3, {.rotates = true, .resists_rolling = true, .rolling_friction = ratio(friction)});
     EXPECT_LE(std::abs(impulse.rolling), most(friction, impulse.normal));
   }
 }
@@ -213,7 +213,7 @@ TEST(AWall, IsNotMoved) {
                   .normal_x = normal.x,
                   .normal_y = normal.y,
                   .pair = pair_of(static_cast<int>(random() % 4), std::nullopt)};
-    solved(at, 0.5, {.turns = true, .resists_rolling = true, .rolling_friction = ratio(0.5)});
+    solved(at, 0.5, {.rotates = true, .resists_rolling = true, .rolling_friction = ratio(0.5)});
     EXPECT_EQ(at.other, Velocity<Number>());
     EXPECT_GE(separation_velocity(at), -kSpacing * 0x1p-9) << "nothing enters a wall";
   }
@@ -250,7 +250,7 @@ TEST(ExtremeValues, StayWithinTheirBounds) {
     }
     Impulse<Number> impulse = {std::max(0, extreme(kMaxImpulse)), extreme(kMaxImpulse),
                                extreme(kMaxImpulse)};
-    const LawConstants law = {.turns = true,
+    const LawConstants law = {.rotates = true,
                               .resists_rolling = true,
                               .rolling_friction = ratio(random() % 2 == 0 ? 1e9 : 0)};
     const Number closing = -separation_velocity(at);

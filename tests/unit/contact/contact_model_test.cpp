@@ -206,6 +206,20 @@ TEST_P(ContactModelTest, AWallIsNotInsertedWhereAGrainStands) {
   EXPECT_NO_THROW(one.step());
 }
 
+TEST_P(ContactModelTest, WallsThatStayAsTheyAreChangeNothing) {
+  grains::State grains = box({particle_at(10, 1), particle_at(20, 9)});
+  grains.walls = {{.sites = {{10, 2}}, .present = false}, {.sites = {{30, 30}}}};
+  ContactModel one = model(std::move(grains));
+  for (int step = 0; step < 5; ++step) {
+    one.step();
+  }
+  const State before = one.state();
+  one.remove_wall(0);
+  EXPECT_TRUE(one.insert_wall(1));
+  EXPECT_FALSE(one.insert_wall(0)) << "a grain is in its way";
+  EXPECT_EQ(one.state(), before);
+}
+
 // Which wall a grain touches must not depend on the order in which walls came.
 TEST_P(ContactModelTest, AWallThatComesBackOwnsOfSharedSitesWhatItOwnedBefore) {
   grains::State grains = box();

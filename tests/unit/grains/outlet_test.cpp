@@ -1,4 +1,4 @@
-#include "grains/internal/outlet.hpp"
+#include "grains/internal/box.hpp"
 
 #include <gtest/gtest.h>
 

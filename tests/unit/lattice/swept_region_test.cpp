@@ -1,5 +1,3 @@
-#include "clca/lattice/swept_region.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
