@@ -1,7 +1,7 @@
 #include "clca/measure/field_grid.hpp"
 
 #include "measure/internal/sites.hpp"
-#include "measure/region_motion.hpp"
+#include "measure/numbers.hpp"
 
 namespace clca::measure {
 
@@ -43,12 +43,7 @@ Fields FieldWindow::fields(const State& now, double cell) const {
       begin_.displacements(now), steps > 0 ? static_cast<double>(steps) : 1, grid.size(),
       [&](const Eigen::Vector2d& point, const auto& visit) { grid.share_out(point, visit); });
   for (std::size_t index = 0; index < grid.size(); ++index) {
-    const RegionMotion& motion = motions[index];
-    fields.cells[index] = {.centre = grid.centre(index),
-                           .packing = packing[index],
-                           .particles = motion.particles,
-                           .velocity = motion.velocity,
-                           .fluctuation = motion.fluctuation};
+    fields.cells[index] = {motions[index], grid.centre(index), packing[index]};
   }
   return fields;
 }

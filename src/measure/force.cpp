@@ -23,6 +23,33 @@ using lattice::Site;
 
 constexpr double kBehind = 1;  // lattice spacings: a wall's roughness on the lattice and a half
 
+/// Calls `visit` with each site that two share.
+template <class Visit>
+void for_each_shared(const State& state, const Occupancy& occupancy, const OverlapContact& contact,
+                     const Visit& visit) {
+  const grains::Particle& particle = state.particles[contact.first];
+  for (const lattice::Axial part : state.shape(particle).sites()) {
+    const Site site = particle.site() + part;
+    if (occupancy.has(state.lattice.index(site), contact.second)) {
+      visit(site);
+    }
+  }
+}
+
+/// See OverlapContact::depth.
+int depth_of(const State& state, const Occupancy& occupancy, const OverlapContact& contact) {
+  const grains::Particle& particle = state.particles[contact.first];
+  const auto& parts = state.shape(particle).sites();
+  const bool one_move = std::any_of(
+      lattice::kDirections.begin(), lattice::kDirections.end(), [&](Direction direction) {
+        const Site moved = particle.site() + unit(direction);
+        return std::none_of(parts.begin(), parts.end(), [&](lattice::Axial part) {
+          return occupancy.has(state.lattice.index(moved + part), contact.second);
+        });
+      });
+  return one_move ? 1 : 2;
+}
+
 /// Current sites of the wall, not wrapped at a periodic boundary, also outside the box.
 std::vector<Site> shifted_sites(const Wall& wall) {
   std::vector<Site> sites = wall.sites;
@@ -90,21 +117,6 @@ class Cone {
   double right_ = -kInfinity;
 };
 
-/// Shared sites of a contact between particles that lie in the cone.
-std::uint64_t sites_in_cone(const State& state, const Occupancy& occupancy,
-                            const OverlapContact& contact, const Cone& cone) {
-  const grains::Particle& particle = state.particles[contact.first];
-  std::uint64_t inside = 0;
-  for (const lattice::Axial part : state.shape(particle).sites()) {
-    const Site site = particle.site() + part;
-    if (occupancy.has(state.lattice.index(site), contact.second) &&
-        cone.contains(lattice::position(site))) {
-      ++inside;
-    }
-  }
-  return inside;
-}
-
 std::optional<double> cone_share(const State& state, const Occupancy& occupancy,
                                  const std::vector<OverlapContact>& contacts) {
   std::map<std::pair<std::uint32_t, Direction>, Cone> cones;
@@ -121,7 +133,9 @@ std::optional<double> cone_share(const State& state, const Occupancy& occupancy,
       const Wall& wall = state.walls[push->source];
       cone = cones.emplace(key, Cone(state, wall, push->direction)).first;
     }
-    inside += sites_in_cone(state, occupancy, contact, cone->second);
+    for_each_shared(state, occupancy, contact, [&](Site site) {
+      inside += cone->second.contains(lattice::position(site)) ? 1U : 0U;
+    });
     all += contact.sites;
   }
   return all > 0 ? std::optional(static_cast<double>(inside) / all) : std::nullopt;
@@ -162,6 +176,58 @@ WallForce wall_force(const State& state, std::size_t number,
 }
 
 }  // namespace
+
+const Push* push_between(const State& state, const OverlapContact& contact) {
+  const Push* push = find_push(state, contact.first, contact.second);
+  if (push == nullptr && grains::is_particle(contact.second)) {
+    push = find_push(state, static_cast<std::uint32_t>(contact.second),
+                     grains::as_owner(contact.first));
+  }
+  return push;
+}
+
+// Every overlapping pair has one push.
+std::vector<OverlapContact> contacts(const State& state, const Occupancy& occupancy) {
+  check_occupancy(state, occupancy);
+  std::vector<OverlapContact> result;
+  result.reserve(state.pushes.size());
+  for (const Push& push : state.pushes) {
+    const bool by_particle = grains::is_particle(push.pusher);
+    const auto pusher = static_cast<std::uint32_t>(push.pusher);
+    const bool swapped = by_particle && pusher < push.pushed;
+    OverlapContact contact = {.first = swapped ? pusher : push.pushed,
+                              .second = swapped ? grains::as_owner(push.pushed) : push.pusher,
+                              .source = push.source};
+    for_each_shared(state, occupancy, contact, [&](Site site) {
+      ++contact.sites;
+      contact.point += lattice::position(site);
+    });
+    contact.point = state.lattice.in_box(contact.point / std::max(1, contact.sites));
+    contact.depth = depth_of(state, occupancy, contact);
+    result.push_back(contact);
+  }
+  std::sort(result.begin(), result.end(), [](const OverlapContact& a, const OverlapContact& b) {
+    return std::pair(a.first, a.second) < std::pair(b.first, b.second);
+  });
+  return result;
+}
+
+std::vector<double> force_indices(std::size_t particle_count,
+                                  const std::vector<OverlapContact>& contacts) {
+  std::vector<double> indices(particle_count, 0.0);
+  for (const OverlapContact& contact : contacts) {
+    const bool second_is_there = !grains::is_particle(contact.second) ||
+                                 static_cast<std::size_t>(contact.second) < particle_count;
+    if (contact.first >= particle_count || !second_is_there) {
+      throw std::invalid_argument("a contact is of a particle that is not there");
+    }
+    indices[contact.first] += contact.sites;
+    if (grains::is_particle(contact.second)) {
+      indices[static_cast<std::size_t>(contact.second)] += contact.sites;
+    }
+  }
+  return indices;
+}
 
 ForceSummary force_summary(const State& state, const Occupancy& occupancy,
                            const std::vector<OverlapContact>& contacts) {

@@ -68,16 +68,6 @@ void fill_bins(ForceDistribution& distribution, const std::vector<double>& stren
   }
 }
 
-template <typename Items>
-std::vector<double> sites_of(const Items& items) {
-  std::vector<double> sites;
-  sites.reserve(items.size());
-  for (const auto& item : items) {
-    sites.push_back(item.sites);
-  }
-  return sites;
-}
-
 }  // namespace
 
 std::optional<ForceDistribution> force_distribution(const std::vector<double>& strengths,
@@ -132,14 +122,6 @@ std::vector<ForceAverage::Mean> ForceAverage::means() const {
                      .share = static_cast<double>(sum.samples) / samples});
   }
   return means;
-}
-
-std::vector<double> strengths(const std::vector<OverlapContact>& contacts) {
-  return sites_of(contacts);
-}
-
-std::vector<double> strengths(const std::vector<ForceAverage::Mean>& means) {
-  return sites_of(means);
 }
 
 }  // namespace clca::measure

@@ -56,12 +56,7 @@ LineMean mean_of(const std::vector<LineBlock>& blocks, Weigh weighted) {
 }  // namespace
 
 LinePartSums& LinePartSums::operator+=(const LinePartSums& other) {
-  open += other.open;
-  covered += other.covered;
-  followed += other.followed;
-  displacement += other.displacement;
-  sites += other.sites;
-  particles += other.particles;
+  reflection::add_fields(*this, other);
   return *this;
 }
 

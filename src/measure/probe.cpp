@@ -2,7 +2,6 @@
 
 #include "measure/internal/sites.hpp"
 #include "measure/numbers.hpp"
-#include "measure/region_motion.hpp"
 
 namespace clca::measure {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "clca/grains/occupancy.hpp"
-#include "clca/measure/contacts.hpp"
+#include "clca/measure/force.hpp"
 #include "clca/render/body.hpp"
 
 namespace clca::python {

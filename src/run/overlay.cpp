@@ -7,7 +7,7 @@
 #include <map>
 #include <utility>
 
-#include "clca/measure/contacts.hpp"
+#include "clca/measure/force.hpp"
 #include "clca/measure/grid.hpp"
 #include "clca/measure/snapshot.hpp"
 #include "clca/measure/weight_paths.hpp"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "clca/measure/contacts.hpp"
+#include "clca/measure/force.hpp"
 #include "clca/measure/outflow.hpp"
 #include "clca/measure/probe.hpp"
 #include "run/energy_record.hpp"

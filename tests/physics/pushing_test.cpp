@@ -5,7 +5,7 @@
 #include <ostream>
 
 #include "clca/automaton/automaton.hpp"
-#include "clca/measure/contacts.hpp"
+#include "clca/measure/force.hpp"
 #include "clca/run/setup.hpp"
 #include "physics/seeds.hpp"
 #include "support/overlaps.hpp"

@@ -4,19 +4,16 @@
 #include <vector>
 
 #include "clca/measure/grid.hpp"
+#include "clca/measure/probe.hpp"
 #include "clca/measure/snapshot.hpp"
 #include "clca/reflection/reflection.hpp"
 
 namespace clca::measure {
 
-/// Means over the particles that started the window in the cell, weighted by their sites.
-struct FieldCell {
+/// Means over the particles that started the window in the cell.
+struct FieldCell : RegionMotion {
   Eigen::Vector2d centre = Eigen::Vector2d::Zero();  ///< lattice spacings
   double packing = 0;                                ///< share of its sites taken by particles now
-  double particles = 0;                              ///< that the means are over
-  Eigen::Vector2d velocity = Eigen::Vector2d::Zero();  ///< mean, spacings per step
-  /// 1/2 <|v - <v>|^2>: kinetic energy of the fluctuations per unit mass, (spacings per step)^2.
-  double fluctuation = 0;
 };
 
 struct Fields {

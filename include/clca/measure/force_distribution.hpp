@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "clca/measure/contacts.hpp"
+#include "clca/measure/force.hpp"
 #include "clca/reflection/reflection.hpp"
 
 namespace clca::measure {
@@ -86,7 +86,14 @@ constexpr auto ForceAverage::fields() {
 }
 
 /// The sites of each contact.
-std::vector<double> strengths(const std::vector<OverlapContact>& contacts);
-std::vector<double> strengths(const std::vector<ForceAverage::Mean>& means);
+template <class Contact>
+std::vector<double> strengths(const std::vector<Contact>& contacts) {
+  std::vector<double> sites;
+  sites.reserve(contacts.size());
+  for (const Contact& contact : contacts) {
+    sites.push_back(contact.sites);
+  }
+  return sites;
+}
 
 }  // namespace clca::measure

@@ -1,5 +1,3 @@
-#include "clca/measure/contacts.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -8,6 +6,7 @@
 #include <random>
 #include <set>
 
+#include "clca/measure/force.hpp"
 #include "pushed_states.hpp"
 #include "support/overlaps.hpp"
 

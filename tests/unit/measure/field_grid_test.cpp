@@ -155,9 +155,9 @@ TEST(Fields, AWindowOfNoStepsHasNoVelocityAndASharedSiteCountsOnce) {
 TEST(Fields, TheEnergyIsTheMeanOverParticles) {
   const Fields fields{.columns = 3,
                       .rows = 1,
-                      .cells = {{.particles = 1, .fluctuation = 4},
-                                {.particles = 3, .fluctuation = 0},
-                                {.particles = 0, .fluctuation = 100}}};
+                      .cells = {{{.particles = 1, .fluctuation = 4}},
+                                {{.particles = 3, .fluctuation = 0}},
+                                {{.particles = 0, .fluctuation = 100}}}};
   EXPECT_DOUBLE_EQ(fluctuation_energy(fields), 1);
   EXPECT_EQ(fluctuation_energy({}), 0);
 }
