@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "clca/run/quantity.hpp"
+#include "clca/record/quantity.hpp"
 #include "clca/scene/format.hpp"
 #include "clca/scene/parse.hpp"
 #include "clca/scene/units.hpp"
@@ -53,8 +53,8 @@ std::string text_of(const std::string& name, const std::string& title, const std
 /// is none.
 std::string quantity_text(const std::string& name, const std::optional<scene::Conversion>& units) {
   const std::size_t dot = name.find('.');
-  std::vector<std::pair<const run::Quantity*, std::vector<std::string>>> found;
-  for (const run::NamedQuantity& named : run::named_quantities()) {
+  std::vector<std::pair<const record::Quantity*, std::vector<std::string>>> found;
+  for (const record::NamedQuantity& named : record::named_quantities()) {
     if (named.name != name && !(named.is_of_each && named.name == name.substr(0, dot))) {
       continue;
     }
@@ -69,7 +69,7 @@ std::string quantity_text(const std::string& name, const std::optional<scene::Co
   std::string text;
   for (const auto& [quantity, where] : found) {
     text += text_of(name, std::string(quantity->name), std::string(quantity->meaning),
-                    run::shown_unit(quantity->unit, units), where);
+                    record::shown_unit(quantity->unit, units), where);
   }
   return text;
 }
@@ -79,7 +79,7 @@ std::string explained(const std::string& name, const Derived& derived) {
   const auto own = std::ranges::find(derived.measures, name, &scene::DerivedMeasure::name);
   if (own != derived.measures.end()) {
     return text_of(name, own->about.value_or(name), own->value,
-                   own->unit == "1" ? "" : run::shown_unit(own->unit, derived.units),
+                   own->unit == "1" ? "" : record::shown_unit(own->unit, derived.units),
                    {"run.json: the scene derives it"});
   }
   std::string quantity = quantity_text(name, derived.units);
@@ -91,8 +91,8 @@ std::string explained(const std::string& name, const Derived& derived) {
       return quantity;
     }
     std::vector<std::string_view> names;
-    const std::vector<run::NamedQuantity> declared = run::named_quantities();
-    std::ranges::transform(declared, std::back_inserter(names), &run::NamedQuantity::name);
+    const std::vector<record::NamedQuantity> declared = record::named_quantities();
+    std::ranges::transform(declared, std::back_inserter(names), &record::NamedQuantity::name);
     std::ranges::transform(derived.measures, std::back_inserter(names),
                            &scene::DerivedMeasure::name);
     const auto near = text::nearest(name, names);
@@ -106,7 +106,7 @@ std::string text_of(const ExplainOptions& options) {
     return scene::json_schema();
   }
   if (options.format == "quantities") {
-    return run::quantities_table();
+    return record::quantities_table();
   }
   const Derived derived = derived_of(options.scene);
   std::vector<std::string> keys = options.keys;
@@ -118,7 +118,7 @@ std::string text_of(const ExplainOptions& options) {
     keys.emplace_back();
   }
   if (options.format == "columns") {
-    return run::columns_table(keys.front());
+    return record::columns_table(keys.front());
   }
   if (options.format == "markdown") {
     return scene::markdown_table(keys);

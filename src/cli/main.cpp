@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "clca/process/program.hpp"
-#include "clca/run/run.hpp"
+#include "clca/record/provenance.hpp"
 #include "clca/scene/parse.hpp"
 #include "clca/store/file.hpp"
 #include "clca/store/trajectory.hpp"
@@ -56,7 +56,7 @@ int run_program(int argc, char** argv, clca::tasks::Ranks* ranks) {
   clca::cli::CommandLine command_line(
       "Granular flow on a triangular lattice, by the Connected Lattice Cellular Automaton or by\n"
       "contact dynamics, and the Boltzmann equation of inelastic, frictional spheres.",
-      "clca " + clca::run::version(),
+      "clca " + clca::record::version(),
       "Exit codes: 0 done; 1 a run or a figure failed, or pictures differ; 2 wrong input;\n"
       "124 (--time-limit), 129, 130 or 143 (SIGHUP, SIGINT, SIGTERM) interrupted; clca resume\n"
       "continues the run.");
@@ -98,8 +98,6 @@ Ending ending_of(int argc, char** argv, clca::tasks::Ranks* ranks) {
     return failure(ExitCode::wrong_input, error.what());
   } catch (const clca::text::InputError& error) {
     return failure(ExitCode::wrong_input, fmt::format("clca: error: {}", error.what()));
-  } catch (const clca::run::SceneRunError& error) {
-    return failure(ExitCode::wrong_input, error.what());
   } catch (const clca::process::StoppedError& error) {
     return failure(
         static_cast<ExitCode>(static_cast<int>(ExitCode::signal_base) + clca::cli::stop_signal()),

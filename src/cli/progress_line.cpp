@@ -59,7 +59,7 @@ std::string to_text(const run::GasProgress& progress) {
                      progress.collisions_per_second / 1e6);
 }
 
-std::string to_text(const run::RedrawProgress& progress) {
+std::string to_text(const drawing::RedrawProgress& progress) {
   return fmt::format("{} of {} pictures{}", progress.drawn, progress.pictures,
                      left_text(progress.seconds_left));
 }
@@ -100,7 +100,7 @@ void ProgressLine::show(const run::GasProgress& progress) {
   show(to_text(progress));
 }
 
-void ProgressLine::show(const run::RedrawProgress& progress) {
+void ProgressLine::show(const drawing::RedrawProgress& progress) {
   show(to_text(progress));
 }
 

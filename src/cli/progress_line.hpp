@@ -4,7 +4,7 @@
 #include <chrono>
 #include <string>
 
-#include "clca/run/redraw.hpp"
+#include "clca/drawing/redraw.hpp"
 #include "clca/run/run.hpp"
 #include "clca/sweep/sweep.hpp"
 
@@ -20,7 +20,7 @@ class ProgressLine {
 
   void show(const run::Progress& progress);
   void show(const run::GasProgress& progress);
-  void show(const run::RedrawProgress& progress);
+  void show(const drawing::RedrawProgress& progress);
   void show(const sweep::Progress& progress);
   /// A permanent line on standard error.
   void print(const std::string& line);

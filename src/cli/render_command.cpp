@@ -8,9 +8,9 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "clca/drawing/redraw.hpp"
 #include "clca/image/png.hpp"
 #include "clca/render/coloring.hpp"
-#include "clca/run/redraw.hpp"
 #include "clca/run/run.hpp"
 #include "clca/store/file.hpp"
 #include "clca/store/run_folder.hpp"
@@ -39,7 +39,7 @@ struct SpaceTimeChoice {
 
 struct RenderOptions {
   std::vector<fs::path> runs;
-  run::RedrawOptions redraw;
+  drawing::RedrawOptions redraw;
   fs::path folder;  ///< for the pictures
   SpaceTimeChoice space_time;
   SceneOptions scene;
@@ -55,11 +55,11 @@ void set_duration(RenderOptions& options) {
   }
   constexpr double kMostSeconds = 86'400;
   if (options.redraw.movie.empty()) {
-    throw run::RedrawError("--duration needs --movie FILE");
+    throw drawing::RedrawError("--duration needs --movie FILE");
   }
   if (!(*duration >= 0.1 && *duration <= kMostSeconds)) {
-    throw run::RedrawError(fmt::format("--duration: expected 0.1 to {:g} seconds, found {:g}",
-                                       kMostSeconds, *duration));
+    throw drawing::RedrawError(fmt::format("--duration: expected 0.1 to {:g} seconds, found {:g}",
+                                           kMostSeconds, *duration));
   }
   options.look.insert(options.look.begin(), "output.frames.every=1");
 }
@@ -68,7 +68,7 @@ void set_duration(RenderOptions& options) {
 scene::Scene scene_of(const fs::path& run, const RenderOptions& options) {
   std::vector<scene::Override> overrides = options.look;
   overrides.insert(overrides.end(), options.scene.overrides.begin(), options.scene.overrides.end());
-  scene::Scene scene = run::drawn_scene(run, overrides);
+  scene::Scene scene = drawing::drawn_scene(run, overrides);
   check_memory(scene, memory_limit(options.scene));
   return scene;
 }
@@ -78,49 +78,49 @@ void set_space_time(RenderOptions& options) {
   const SpaceTimeChoice& choice = options.space_time;
   if (choice.file.empty()) {
     if (choice.column || choice.slit || choice.surface) {
-      throw run::RedrawError("--column, --slit and --surface need --space-time FILE.png");
+      throw drawing::RedrawError("--column, --slit and --surface need --space-time FILE.png");
     }
     return;
   }
   if (choice.column.has_value() == choice.surface) {
-    throw run::RedrawError(
+    throw drawing::RedrawError(
         "--space-time shows either a column or the surface: give --column X or --surface");
   }
   if (choice.slit && !choice.column) {
-    throw run::RedrawError("--slit needs --column X");
+    throw drawing::RedrawError("--slit needs --column X");
   }
-  run::SpaceTimeOptions& wanted = options.redraw.space_time.emplace();
+  drawing::SpaceTimeOptions& wanted = options.redraw.space_time.emplace();
   wanted.file = choice.file;
   wanted.column = choice.column;
   wanted.slit = choice.slit.value_or(wanted.slit);
 }
 
-void check_memory_of_all(const std::vector<run::RunToDraw>& runs, double limit) {
+void check_memory_of_all(const std::vector<drawing::RunToDraw>& runs, double limit) {
   double bytes = 0;
-  for (const run::RunToDraw& run : runs) {
+  for (const drawing::RunToDraw& run : runs) {
     bytes += run::memory_of(run.scene);
   }
   if (bytes > limit) {
-    throw run::RedrawError(fmt::format(
+    throw drawing::RedrawError(fmt::format(
         "{} runs need about {:.0f} MiB of memory together, more than the limit of {:.0f} "
         "MiB; draw fewer of them or raise --memory-limit",
         runs.size(), bytes / kMebibyte, limit / kMebibyte));
   }
 }
 
-std::vector<run::RunToDraw> runs_of(const RenderOptions& options) {
+std::vector<drawing::RunToDraw> runs_of(const RenderOptions& options) {
   if (options.runs.size() > 1 && !options.folder.empty()) {
-    throw run::RedrawError(
+    throw drawing::RedrawError(
         "--output goes with one run; pictures of several, one by one, go into the folder render of "
         "each");
   }
-  std::vector<run::RunToDraw> runs;
+  std::vector<drawing::RunToDraw> runs;
   for (const fs::path& folder : options.runs) {
     std::error_code unknown;
-    if (std::any_of(runs.begin(), runs.end(), [&](const run::RunToDraw& run) {
+    if (std::any_of(runs.begin(), runs.end(), [&](const drawing::RunToDraw& run) {
           return fs::equivalent(run.folder, folder, unknown);
         })) {
-      throw run::RedrawError(fmt::format("{}: is given twice", folder.string()));
+      throw drawing::RedrawError(fmt::format("{}: is given twice", folder.string()));
     }
     runs.push_back({.scene = scene_of(folder, options), .folder = folder});
   }
@@ -129,23 +129,23 @@ std::vector<run::RunToDraw> runs_of(const RenderOptions& options) {
 }
 
 /// Where pictures go, if they are wanted one by one.
-void set_folders(std::vector<run::RunToDraw>& runs, const RenderOptions& options) {
-  const run::RedrawOptions& redraw = options.redraw;
+void set_folders(std::vector<drawing::RunToDraw>& runs, const RenderOptions& options) {
+  const drawing::RedrawOptions& redraw = options.redraw;
   const bool one_file = !redraw.movie.empty() || !redraw.sheet.empty() || redraw.space_time;
   if (options.folder.empty() && one_file) {
     return;
   }
-  for (run::RunToDraw& run : runs) {
+  for (drawing::RunToDraw& run : runs) {
     run.pictures = store::named_folder(options.folder, run.folder, store::kRedrawnFolder);
   }
 }
 
-nlohmann::json to_json(const run::TimePicture::Axis& axis) {
+nlohmann::json to_json(const drawing::TimePicture::Axis& axis) {
   return {{"label", axis.label}, {"low", axis.low}, {"high", axis.high}};
 }
 
 /// For _space_time.py.
-nlohmann::json to_json(const run::TimePicture& picture) {
+nlohmann::json to_json(const drawing::TimePicture& picture) {
   constexpr int kColors = 64;
   nlohmann::json json = {{"width", picture.width},
                          {"height", picture.height},
@@ -171,7 +171,7 @@ nlohmann::json to_json(const run::TimePicture& picture) {
 }
 
 /// Axes and legend are those of figures.
-int draw_over_time(const run::TimePicture& picture, const fs::path& file) {
+int draw_over_time(const drawing::TimePicture& picture, const fs::path& file) {
   return run_package(
       "space_time", to_json(picture), {},
       [&](const std::string& /*name*/, std::span<const std::uint8_t> bytes) {
@@ -180,11 +180,11 @@ int draw_over_time(const run::TimePicture& picture, const fs::path& file) {
       image::encode_png(picture.content, {}));
 }
 
-void print_totals(const std::vector<run::RunToDraw>& runs, const run::RedrawOptions& options,
-                  std::size_t drawn, std::size_t moments) {
+void print_totals(const std::vector<drawing::RunToDraw>& runs,
+                  const drawing::RedrawOptions& options, std::size_t drawn, std::size_t moments) {
   print_out("{} of {} {} drawn\n", drawn, moments, runs.size() > 1 ? "moments" : "pictures");
   std::vector<fs::path> paths;
-  for (const run::RunToDraw& run : runs) {
+  for (const drawing::RunToDraw& run : runs) {
     paths.push_back(run.pictures ? run.pictures->path() : fs::path());
   }
   paths.insert(paths.end(), {options.movie, options.sheet,
@@ -197,7 +197,7 @@ void print_totals(const std::vector<run::RunToDraw>& runs, const run::RedrawOpti
 }
 
 int render_run(RenderOptions options) {
-  run::RedrawOptions& redraw = options.redraw;
+  drawing::RedrawOptions& redraw = options.redraw;
   const std::atomic<int>& stop = catch_stop_signals();
   redraw.stop = &stop;
   redraw.max_bytes = memory_limit(options.scene);
@@ -205,14 +205,14 @@ int render_run(RenderOptions options) {
     set_space_time(options);
     set_duration(options);
   });
-  std::vector<run::RunToDraw> runs = as_input([&] { return runs_of(options); });
+  std::vector<drawing::RunToDraw> runs = as_input([&] { return runs_of(options); });
   set_folders(runs, options);
-  const auto drawing = as_input([&] { return std::make_unique<run::Redraw>(runs, redraw); });
+  const auto drawing = as_input([&] { return std::make_unique<drawing::Redraw>(runs, redraw); });
   ProgressLine line;
-  run::RedrawEvents events;
+  drawing::RedrawEvents events;
   events.warning = [&](const std::string& text) { line.print("warning: " + text); };
   if (!options.quiet) {
-    events.progress = [&](const run::RedrawProgress& progress) { line.show(progress); };
+    events.progress = [&](const drawing::RedrawProgress& progress) { line.show(progress); };
   }
   const std::size_t drawn = drawing->draw(events);
   if (redraw.space_time && drawn > 0) {

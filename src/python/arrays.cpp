@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "clca/run/quantity.hpp"
+#include "clca/record/quantity.hpp"
 #include "clca/scene/units.hpp"
 
 namespace clca::python {
@@ -121,7 +121,7 @@ py::dict body_names(const scene::Scene& scene) {
   }
   py::dict names;
   for (const grains::Owner body : bodies) {
-    names[py::int_(body)] = run::body_name(scene, body);
+    names[py::int_(body)] = record::body_name(scene, body);
   }
   return names;
 }
@@ -152,16 +152,16 @@ py::object value(const store::MeasureValue& value) {
 
 }  // namespace
 
-py::tuple quantity(const std::string& key, const run::KnownQuantities& known) {
+py::tuple quantity(const std::string& key, const record::KnownQuantities& known) {
   // STAGE.MEASURE, as in tables of sweeps, or KEY.OUTLET.
   const auto of_stage = known.find(key.substr(key.find('.') + 1));
-  const run::ShownQuantity found =
-      of_stage ? *of_stage : known.find(key).value_or(run::ShownQuantity());
+  const record::ShownQuantity found =
+      of_stage ? *of_stage : known.find(key).value_or(record::ShownQuantity());
   return py::make_tuple(found.name, found.unit, found.meaning);
 }
 
 py::list measures(const std::vector<store::NamedMeasure>& measures,
-                  const run::KnownQuantities& known) {
+                  const record::KnownQuantities& known) {
   py::list result;
   for (const auto& [key, number] : measures) {
     result.append(py::make_tuple(key, value(number), quantity(key, known)));

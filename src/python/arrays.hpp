@@ -14,7 +14,7 @@
 
 #include "clca/contact/force.hpp"
 #include "clca/grains/state.hpp"
-#include "clca/run/quantity.hpp"
+#include "clca/record/quantity.hpp"
 #include "clca/scene/scene.hpp"
 #include "clca/store/summary.hpp"
 #include "clca/store/trajectory.hpp"
@@ -73,10 +73,10 @@ py::dict body_names(const scene::Scene& scene);
 py::list walls(const scene::Scene& scene, const grains::State& state);
 
 /// (name, unit, meaning); empty for what is not known.
-pybind11::tuple quantity(const std::string& key, const run::KnownQuantities& known);
+pybind11::tuple quantity(const std::string& key, const record::KnownQuantities& known);
 
 /// (key, value or None, quantity) of each.
 pybind11::list measures(const std::vector<store::NamedMeasure>& measures,
-                        const run::KnownQuantities& known);
+                        const record::KnownQuantities& known);
 
 }  // namespace clca::python

@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "clca/drawing/redraw.hpp"
 #include "clca/image/png.hpp"
-#include "clca/run/redraw.hpp"
 #include "clca/run/setup.hpp"
 #include "clca/scene/resolve.hpp"
 #include "python/interrupt.hpp"
@@ -21,8 +21,8 @@ namespace {
 namespace fs = std::filesystem;
 using Overrides = std::vector<scene::Override>;
 
-run::RunToDraw run_to_draw(const fs::path& folder, const Overrides& overrides) {
-  run::RunToDraw drawn = {.scene = run::drawn_scene(folder, overrides), .folder = folder};
+drawing::RunToDraw run_to_draw(const fs::path& folder, const Overrides& overrides) {
+  drawing::RunToDraw drawn = {.scene = drawing::drawn_scene(folder, overrides), .folder = folder};
   run::check_memory(drawn.scene, run::default_memory_limit());
   return drawn;
 }
@@ -31,7 +31,7 @@ py::array picture(const fs::path& folder, std::uint64_t step, const Overrides& o
   image::Image image;
   {
     const Released free;
-    image = run::picture(run_to_draw(folder, overrides), step, run::default_memory_limit());
+    image = drawing::picture(run_to_draw(folder, overrides), step, run::default_memory_limit());
   }
   return pixels(image);
 }
@@ -41,14 +41,15 @@ void movie(const fs::path& folder, const fs::path& file, int frames_per_second,
            const Overrides& overrides) {
   Interrupt interrupt;
   interrupt.during([&] {
-    run::Redraw redraw({run_to_draw(folder, overrides)}, {.movie = file,
-                                                          .frames_per_second = frames_per_second,
-                                                          .duration = duration,
-                                                          .stage = stage,
-                                                          .max_bytes = run::default_memory_limit(),
-                                                          .stop = interrupt.stop()});
-    run::RedrawEvents events;
-    events.progress = [&](const run::RedrawProgress& /*progress*/) { interrupt.look(); };
+    drawing::Redraw redraw({run_to_draw(folder, overrides)},
+                           {.movie = file,
+                            .frames_per_second = frames_per_second,
+                            .duration = duration,
+                            .stage = stage,
+                            .max_bytes = run::default_memory_limit(),
+                            .stop = interrupt.stop()});
+    drawing::RedrawEvents events;
+    events.progress = [&](const drawing::RedrawProgress& /*progress*/) { interrupt.look(); };
     redraw.draw(events);
   });
 }

@@ -6,6 +6,7 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include "clca/record/provenance.hpp"
 #include "clca/run/setup.hpp"
 #include "python/interrupt.hpp"
 #include "python/scene.hpp"
@@ -89,7 +90,7 @@ void resume(const std::filesystem::path& folder, const std::optional<std::string
 void add_run(py::module_& module) {
   module.def("run", run_scene);
   module.def("resume", resume);
-  module.def("version", run::version);
+  module.def("version", record::version);
 }
 
 }  // namespace clca::python

@@ -11,13 +11,14 @@
 
 #include "clca/parallel/team.hpp"
 #include "clca/random/word_hash.hpp"
+#include "clca/record/provenance.hpp"
 #include "clca/run/run.hpp"
 #include "clca/scene/resolve.hpp"
 #include "clca/tasks/pool.hpp"
+#include "record/internal/meter.hpp"
 #include "run/gas_saved.hpp"
 #include "run/gas_share.hpp"
 #include "run/gas_slots.hpp"
-#include "run/meter.hpp"
 #include "run/run_base.hpp"
 
 namespace clca::run {
@@ -65,23 +66,23 @@ class GasRun : public RunBase {
   void carry_out() override;
   void complete_summary(store::RunSummary& summary) const override;
   void run_cases();
-  void run_case(GasCase& gas_case);
-  std::vector<GasShare> shares_of(const GasCase& gas_case) const;
-  tasks::Pool<bool>::Work work(GasCase& gas_case, GasSlots& slots);
+  void run_case(record::GasCase& gas_case);
+  std::vector<GasShare> shares_of(const record::GasCase& gas_case) const;
+  tasks::Pool<bool>::Work work(record::GasCase& gas_case, GasSlots& slots);
   /// True while the run goes on; shows progress in the thread that called run().
   bool keep_going(std::size_t number, const boltzmann::Gas& gas, double restitution,
                   const std::atomic<int>& stop);
   void show_progress(double restitution);
   /// Whether gases are advanced in the thread that called run().
   bool is_inline() const { return threads_.gases == 1 && ranks_.size() == 1; }
-  void finish_case(const GasCase& gas_case);
+  void finish_case(const record::GasCase& gas_case);
   /// Writes a checkpoint; no gas may change meanwhile.
   void save_course();
   void warn();
-  bool is_done(const GasMember& member) const {
+  bool is_done(const model::GasMember& member) const {
     return member.observations.size() == integrator_.times().size();
   }
-  bool complete(const GasCase& gas_case) const {
+  bool complete(const record::GasCase& gas_case) const {
     return gas_case.at(integrator_.times().size() - 1).size() == gas_case.members.size();
   }
   /// By one collision.
@@ -97,7 +98,7 @@ class GasRun : public RunBase {
   tasks::OneRank alone_;
   tasks::Ranks& ranks_;
   GasThreads threads_;
-  GasIntegrator integrator_;
+  model::GasIntegrator integrator_;
   GasCourse course_;
   std::uint64_t cases_logged_;          // by the lines of log.txt that were there
   std::atomic<double> collisions_ = 0;  // of gases that are not under way
@@ -105,7 +106,7 @@ class GasRun : public RunBase {
   std::vector<GasAtWork> at_work_;          // one for each member of a case
   std::atomic<int> startable_threads_ = 1;  // of each gas
   std::thread::id thread_ = std::this_thread::get_id();
-  TimeEstimate forecast_;
+  record::TimeEstimate forecast_;
   std::uint64_t steps_ = 0;
   random::WordHash hash_;
 };
@@ -115,7 +116,7 @@ void GasRun::carry_out() {
     warn();
   }
   if (ranks_.size() > 1) {
-    ranks_.begin(version());
+    ranks_.begin(record::version());
   }
   startable_threads_ = is_inline() ? parallel::start_team(threads_.of_gas) : threads_.of_gas;
   run_cases();
@@ -141,9 +142,9 @@ void GasRun::run_cases() {
   for (std::size_t i = 0; i < scene_.restitutions.size() && is_complete(); ++i) {
     if (i == course_.cases.size()) {
       course_.cases.push_back({.restitution = scene_.restitutions[i],
-                               .members = std::vector<GasMember>(scene_.ensemble)});
+                               .members = std::vector<model::GasMember>(scene_.ensemble)});
     }
-    GasCase& gas_case = course_.cases[i];
+    record::GasCase& gas_case = course_.cases[i];
     run_case(gas_case);
     if (!complete(gas_case)) {
       interrupt();
@@ -153,18 +154,18 @@ void GasRun::run_cases() {
       save_course();
     }
     finish_case(gas_case);
-    write_tables(scene_, course_.cases, folder().files());
+    record::write_tables(scene_, course_.cases, folder().files());
   }
 }
 
-void GasRun::run_case(GasCase& gas_case) {
+void GasRun::run_case(record::GasCase& gas_case) {
   gases_done_ = 0;
   tell(fmt::format("restitution {}: {} gases of {} particles", gas_case.restitution,
                    gas_case.members.size(), scene_.particles));
-  for (const GasMember& member : gas_case.members) {
+  for (const model::GasMember& member : gas_case.members) {
     collisions_ += collisions(member.participations);
   }
-  forecast_ = TimeEstimate();
+  forecast_ = record::TimeEstimate();
   at_work_ = std::vector<GasAtWork>(gas_case.members.size());
   GasSlots slots(gas_case.members, checkpoint_writer(), [this] { save_course(); });
   const std::vector<GasShare> shares = shares_of(gas_case);
@@ -193,18 +194,18 @@ void GasRun::run_case(GasCase& gas_case) {
 }
 
 /// By rank. Rank 0 has the members themselves, and those that are done, too.
-std::vector<GasShare> GasRun::shares_of(const GasCase& gas_case) const {
+std::vector<GasShare> GasRun::shares_of(const record::GasCase& gas_case) const {
   std::vector<GasShare> shares(static_cast<std::size_t>(ranks_.size()),
                                {.restitution = gas_case.restitution, .shared = {}, .begun = {}});
   std::vector<std::size_t> shared;
   std::size_t begun = 0;
   for (std::size_t number = 0; number < gas_case.members.size(); ++number) {
-    const GasMember& member = gas_case.members[number];
+    const model::GasMember& member = gas_case.members[number];
     const std::size_t rank = is_done(member) ? 0 : begun % shares.size();
     if (!member.gas && !is_done(member)) {
       shared.push_back(number);
     } else {
-      shares[rank].begun.emplace(number, rank == 0 ? GasMember() : member);
+      shares[rank].begun.emplace(number, rank == 0 ? model::GasMember() : member);
       begun += is_done(member) ? 0 : 1;
     }
   }
@@ -214,14 +215,14 @@ std::vector<GasShare> GasRun::shares_of(const GasCase& gas_case) const {
   return shares;
 }
 
-tasks::Pool<bool>::Work GasRun::work(GasCase& gas_case, GasSlots& slots) {
+tasks::Pool<bool>::Work GasRun::work(record::GasCase& gas_case, GasSlots& slots) {
   return {.carry_out =
               [this, &gas_case, &slots](std::size_t number, const std::atomic<int>& stop) {
-                GasMember member = slots.begin(number);
+                model::GasMember member = slots.begin(number);
                 collisions_ -= collisions(member.participations);
                 integrator_.integrate(
                     member, gas_case.restitution, boltzmann::member_seed(scene_.seed, number),
-                    startable_threads_, [&](const GasMember& now) {
+                    startable_threads_, [&](const model::GasMember& now) {
                       slots.after_step(number, now);
                       return keep_going(number, *now.gas, gas_case.restitution, stop);
                     });
@@ -233,7 +234,7 @@ tasks::Pool<bool>::Work GasRun::work(GasCase& gas_case, GasSlots& slots) {
               },
           .result =
               [this, &slots](std::size_t number, const tasks::Bytes& answer) {
-                GasMember member = gas_member(answer);
+                model::GasMember member = gas_member(answer);
                 collisions_ +=
                     collisions(member.participations) - collisions(slots.participations(number));
                 const bool done = is_done(member);
@@ -285,9 +286,9 @@ void GasRun::show_progress(double restitution) {
                          .seconds_left = forecast_.seconds_left()});
 }
 
-void GasRun::finish_case(const GasCase& gas_case) {
+void GasRun::finish_case(const record::GasCase& gas_case) {
   std::uint64_t steps = 0;
-  for (const GasMember& member : gas_case.members) {
+  for (const model::GasMember& member : gas_case.members) {
     steps += member.steps;
     hash_.add(member.hash);
   }
@@ -296,7 +297,7 @@ void GasRun::finish_case(const GasCase& gas_case) {
   stages().push_back({.name = case_name(gas_case.restitution),
                       .steps = steps,
                       .ended = ended,
-                      .measures = gas_measures(scene_, gas_case)});
+                      .measures = record::gas_measures(scene_, gas_case)});
   if (++course_.cases_ended > cases_logged_) {
     log().info(fmt::format("restitution {}: {} gases of {} particles, {} steps, ended: {}",
                            gas_case.restitution, gas_case.members.size(), scene_.particles, steps,
@@ -316,7 +317,7 @@ void GasRun::complete_summary(store::RunSummary& summary) const {
   summary.ranks = ranks_.size();
   summary.particles = scene_.particles * scene_.ensemble;
   summary.steps = steps_;
-  summary.tables = gas_summary(scene_);
+  summary.tables = record::gas_summary(scene_);
   summary.step_seconds = summary.wall_seconds;
   summary.rate = collisions_ / std::max(summary.wall_seconds, kMinSeconds);
   summary.state_hash = hash_.value();

@@ -23,9 +23,9 @@ class GasCheck {
  public:
   explicit GasCheck(const scene::BoltzmannScene& scene)
       : scene_(scene),
-        times_(gas_times(scene)),
-        lasting_times_(lasting_times(scene)),
-        bins_(bins_of(scene).count()) {}
+        times_(model::gas_times(scene)),
+        lasting_times_(model::lasting_times(scene)),
+        bins_(model::bins_of(scene).count()) {}
 
   void operator()(const GasCourse& course) const {
     require_of_run(course.wall_seconds >= 0 && std::isfinite(course.wall_seconds),
@@ -37,14 +37,14 @@ class GasCheck {
       require_of_run(course.cases[i].restitution == scene_.restitutions[i],
                      "its restitutions are others");
       require_of_run(course.cases[i].members.size() == scene_.ensemble, "its ensemble is another");
-      for (const GasMember& member : course.cases[i].members) {
+      for (const model::GasMember& member : course.cases[i].members) {
         check(member);
       }
     }
   }
 
  private:
-  void check(const GasMember& member) const {
+  void check(const model::GasMember& member) const {
     const std::size_t seen = member.observations.size();
     require_of_run(seen <= times_.size(), "it has more observations than the scene has times");
     for (std::size_t i = 0; i < seen; ++i) {
@@ -64,7 +64,7 @@ class GasCheck {
     }
   }
 
-  void check(const GasObservation& observation, const GasTime& time) const {
+  void check(const model::GasObservation& observation, const model::GasTime& time) const {
     const std::size_t bins = time.in_histograms ? bins_ : 0;
     require_of_run(observation.shares.translational.size() == bins &&
                        observation.shares.rotational.size() == bins,
@@ -83,7 +83,7 @@ class GasCheck {
   }
 
   const scene::BoltzmannScene& scene_;
-  std::vector<GasTime> times_;
+  std::vector<model::GasTime> times_;
   std::size_t lasting_times_;
   std::size_t bins_;
 };
@@ -92,11 +92,11 @@ class GasCheck {
 class EndChange {
  public:
   EndChange(const scene::BoltzmannScene& old_scene, const scene::BoltzmannScene& scene)
-      : lasting_times_(lasting_times(old_scene)),
-        shared_times_(shared_times(gas_times(old_scene), gas_times(scene))),
+      : lasting_times_(model::lasting_times(old_scene)),
+        shared_times_(model::shared_times(model::gas_times(old_scene), model::gas_times(scene))),
         until_(scene.until) {}
 
-  void operator()(GasMember& member) const {
+  void operator()(model::GasMember& member) const {
     const bool same_way =
         member.gas ? member.observations.size() < shared_times_ : member.observations.empty();
     if (same_way) {
@@ -126,7 +126,7 @@ void move_end(GasCourse& course, const scene::BoltzmannScene& old_scene, const S
   const auto& scene = std::get<scene::BoltzmannScene>(saved.scene);
   const EndChange move(old_scene, scene);
   try {
-    for (GasCase& gas_case : course.cases) {
+    for (record::GasCase& gas_case : course.cases) {
       std::for_each(gas_case.members.begin(), gas_case.members.end(), move);
     }
   } catch (const reflection::Mismatch& error) {
@@ -152,8 +152,8 @@ GasCourse saved_course(const SavedRun& saved) {
   if (old_scene.until != std::get<scene::BoltzmannScene>(saved.scene).until) {
     move_end(course, old_scene, saved);
   }
-  for (GasCase& gas_case : course.cases) {
-    for (GasMember& member : gas_case.members) {
+  for (record::GasCase& gas_case : course.cases) {
+    for (model::GasMember& member : gas_case.members) {
       if (member.gas) {
         member.count();
       }

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "clca/run/run.hpp"
-#include "run/gas_tables.hpp"
+#include "record/internal/gas_tables.hpp"
 
 namespace clca::run {
 
@@ -13,7 +13,7 @@ struct GasCourse {
   std::uint64_t cases_ended = 0;  ///< of which log.txt tells already
   double wall_seconds = 0;
   std::uint64_t log_bytes = 0;
-  std::vector<GasCase> cases;  ///< all that have begun, in the order of the scene
+  std::vector<record::GasCase> cases;  ///< all that have begun, in the order of the scene
 
   static constexpr auto fields() {
     using reflection::field;

@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "clca/parallel/team.hpp"
+#include "clca/record/provenance.hpp"
 #include "clca/run/run.hpp"
 #include "clca/scene/parse.hpp"
 #include "clca/scene/resolve.hpp"
@@ -26,14 +27,15 @@ tasks::Bytes packed(const T& value, const std::string& scene) {
 }
 
 void advance(GasShare share, const scene::BoltzmannScene& scene, const RunOptions& options) {
-  const GasIntegrator integrator(scene);
+  const model::GasIntegrator integrator(scene);
   const GasThreads threads(options.threads, scene.ensemble, options.ranks->size());
   const auto advance_one = [&](std::size_t number, const std::atomic<int>& stop) {
     const auto begun = share.begun.find(number);
-    GasMember member = begun == share.begun.end() ? GasMember() : std::move(begun->second);
+    model::GasMember member =
+        begun == share.begun.end() ? model::GasMember() : std::move(begun->second);
     integrator.integrate(member, share.restitution, boltzmann::member_seed(scene.seed, number),
                          parallel::start_team(threads.of_gas),
-                         [&](const GasMember& /*now*/) { return stop == 0; });
+                         [&](const model::GasMember& /*now*/) { return stop == 0; });
     return packed(member, "");
   };
   tasks::Pool<tasks::Bytes> pool(threads.gases, *options.ranks, share.shared,
@@ -50,8 +52,8 @@ tasks::Bytes to_bytes(const GasShare& share, const scene::BoltzmannScene& scene)
   return packed(share, scene::to_yaml(scene));
 }
 
-GasMember gas_member(const tasks::Bytes& answer) {
-  GasMember member;
+model::GasMember gas_member(const tasks::Bytes& answer) {
+  model::GasMember member;
   reflection::decode(store::parse_checkpoint(answer, kAnySize).fields, kAnySize, member);
   if (member.gas) {
     member.count();
@@ -60,7 +62,7 @@ GasMember gas_member(const tasks::Bytes& answer) {
 }
 
 void serve(const RunOptions& options) {
-  options.ranks->begin(version());
+  options.ranks->begin(record::version());
   while (const auto work = options.ranks->wait_for_work(options.stop)) {
     const store::Checkpoint content = store::parse_checkpoint(*work, kAnySize);
     GasShare share;

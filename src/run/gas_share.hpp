@@ -8,7 +8,7 @@
 
 #include "clca/scene/boltzmann.hpp"
 #include "clca/tasks/ranks.hpp"
-#include "run/gas_member.hpp"
+#include "model/internal/gas_member.hpp"
 
 namespace clca::run {
 
@@ -17,7 +17,7 @@ struct GasShare {
   /// Of all members that have not begun, by number: each rank takes the next one when it is free.
   std::vector<std::size_t> shared;
   /// Members that have begun in an earlier process, by number: for this rank alone.
-  std::map<std::size_t, GasMember> begun;
+  std::map<std::size_t, model::GasMember> begun;
 
   static constexpr auto fields() {
     using reflection::field;
@@ -29,7 +29,7 @@ struct GasShare {
 tasks::Bytes to_bytes(const GasShare& share, const scene::BoltzmannScene& scene);
 
 /// From the answer of a rank.
-GasMember gas_member(const tasks::Bytes& answer);
+model::GasMember gas_member(const tasks::Bytes& answer);
 
 /// Gases at a time in a process, and threads of each.
 struct GasThreads {

@@ -5,13 +5,13 @@
 
 namespace clca::run {
 
-GasMember GasSlots::begin(std::size_t number) {
+model::GasMember GasSlots::begin(std::size_t number) {
   const std::lock_guard lock(mutex_);
   running_[number] = collecting_;
   return std::exchange(members_[number], {});
 }
 
-void GasSlots::after_step(std::size_t number, const GasMember& member) {
+void GasSlots::after_step(std::size_t number, const model::GasMember& member) {
   const std::unique_lock lock(mutex_, std::try_to_lock);
   if (!lock) {
     return;  // a step later will do
@@ -23,7 +23,7 @@ void GasSlots::after_step(std::size_t number, const GasMember& member) {
     collect();
   }
   if (bool& awaited = running_[number]) {
-    GasMember copy = member;  // whole, or memory has run out and nothing is changed
+    model::GasMember copy = member;  // whole, or memory has run out and nothing is changed
     members_[number] = std::move(copy);
     awaited = false;
     save_when_complete();
@@ -50,7 +50,7 @@ void GasSlots::collect() {
   }
 }
 
-void GasSlots::end(std::size_t number, GasMember member) {
+void GasSlots::end(std::size_t number, model::GasMember member) {
   const std::lock_guard lock(mutex_);
   members_[number] = std::move(member);
   running_.erase(number);

@@ -7,14 +7,14 @@
 #include <stdexcept>
 #include <utility>
 
+#include "clca/model/initial_state.hpp"
 #include "clca/random/draw.hpp"
-#include "clca/run/run.hpp"
 #include "clca/run/setup.hpp"
 #include "clca/scene/contact.hpp"
 #include "clca/store/file.hpp"
 #include "clca/store/trajectory.hpp"
 #include "grains/internal/box.hpp"
-#include "run/model.hpp"
+#include "run/stage.hpp"
 
 namespace clca::run {
 
@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 
 struct OtherRun {
   scene::Scene scene;
-  ModelState state;
+  model::ModelState state;
 };
 
 [[noreturn]] void refuse(const scene::Begin& begin, const std::string& reason) {
@@ -54,8 +54,8 @@ OtherRun end_of(const fs::path& folder, const store::RunSummary& summary, double
                     folder.string()));
   }
   scene::Scene scene = scene::parse(found->checkpoint.scene, (folder / store::kSceneFile).string());
-  ModelState state = saved_state(scene, found->checkpoint.fields, max_bytes);
-  if (hash(state) != summary.state_hash) {
+  model::ModelState state = model::saved_state(scene, found->checkpoint.fields, max_bytes);
+  if (model::hash(state) != summary.state_hash) {
     throw store::StoreError(
         fmt::format("the checkpoint in {} is not of the end of the run", folder.string()));
   }
@@ -67,7 +67,7 @@ OtherRun frame_of(const fs::path& folder, const store::RunSummary& summary, std:
                   double max_bytes) {
   scene::Scene scene = scene::parse_file(folder / store::kSceneFile);
   scene.name = summary.scene;
-  const store::Trajectory trajectory(folder, scene, initial_state(scene), max_bytes);
+  const store::Trajectory trajectory(folder, scene, model::initial_state(scene), max_bytes);
   const auto& frames = trajectory.frames();
   const auto frame = std::find_if(
       frames.begin(), frames.end(),
@@ -76,7 +76,7 @@ OtherRun frame_of(const fs::path& folder, const store::RunSummary& summary, std:
     throw store::StoreError(
         fmt::format("the trajectory in {} has no frame of step {}", folder.string(), step));
   }
-  ModelState state = trajectory.state(static_cast<std::size_t>(frame - frames.begin()));
+  model::ModelState state = trajectory.state(static_cast<std::size_t>(frame - frames.begin()));
   return {std::move(scene), std::move(state)};
 }
 
@@ -90,13 +90,13 @@ OtherRun read_run(const scene::Begin& begin, double max_bytes) {
 OtherRun other_run(const scene::Begin& begin, double max_bytes) {
   try {
     OtherRun run = read_run(begin, max_bytes);
-    const std::uint64_t found = hash(run.state);
+    const std::uint64_t found = model::hash(run.state);
     if (begin.state && *begin.state != found) {
       throw store::StoreError(
           fmt::format("the state in {} has changed: found {:016x}, expected {:016x}", begin.run,
                       found, *begin.state));
     }
-    if (grains::present_count(grains_of(run.state)) == 0) {
+    if (grains::present_count(model::grains_of(run.state)) == 0) {
       throw store::StoreError(fmt::format("no particles are left in {}", begin.run));
     }
     return run;
@@ -187,7 +187,7 @@ std::uint16_t drawn_axis(const grains::State& state) {
 
 void take_grains(const scene::Scene& scene, const OtherRun& other,
                  const std::vector<std::size_t>& ids, grains::State& state) {
-  const grains::State& there = grains_of(other.state);
+  const grains::State& there = model::grains_of(other.state);
   std::vector<std::optional<SameKind>> kinds(there.kinds.size());
   FreeSites free(state);
   const bool same_period =
@@ -341,14 +341,19 @@ void take_motion(const scene::Scene& scene, const OtherRun& other,
 
 }  // namespace
 
-void take_particles(const scene::Scene& scene, ModelState& state) {
+model::ModelState first_state(const scene::Scene& scene) {
+  model::ModelState state = model::empty_state(scene);
+  if (!scene.begin) {
+    return state;
+  }
   const OtherRun other = other_run(*scene.begin, std::numeric_limits<double>::infinity());
-  const std::vector<std::size_t> ids = present_ids(grains_of(other.state));
-  take_grains(scene, other, ids, grains_of(state));
-  empty_outlets(grains_of(state));
+  const std::vector<std::size_t> ids = present_ids(model::grains_of(other.state));
+  take_grains(scene, other, ids, model::grains_of(state));
+  empty_outlets(model::grains_of(state));
   if (auto* contact = std::get_if<contact::State>(&state)) {
     take_motion(scene, other, ids, *contact);
   }
+  return state;
 }
 
 void find_begin(scene::Scene& scene, double max_bytes) {
@@ -356,8 +361,8 @@ void find_begin(scene::Scene& scene, double max_bytes) {
     return;
   }
   const OtherRun other = other_run(*scene.begin, max_bytes);
-  scene.begin->state = hash(other.state);
-  scene.begin->particles = grains::present_count(grains_of(other.state));
+  scene.begin->state = model::hash(other.state);
+  scene.begin->particles = grains::present_count(model::grains_of(other.state));
 }
 
 }  // namespace clca::run

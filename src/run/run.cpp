@@ -15,13 +15,14 @@
 #include "clca/scene/resolve.hpp"
 #include "clca/scene/units.hpp"
 #include "clca/scene/walls.hpp"
-#include "run/cycle_record.hpp"
-#include "run/force_record.hpp"
-#include "run/frame_painter.hpp"
+#include "drawing/internal/frame_painter.hpp"
+#include "drawing/internal/pictures.hpp"
+#include "record/internal/cycle_record.hpp"
+#include "record/internal/force_record.hpp"
+#include "record/internal/meter.hpp"
+#include "record/internal/observer.hpp"
+#include "record/internal/quantities.hpp"
 #include "run/gas_saved.hpp"
-#include "run/meter.hpp"
-#include "run/observer.hpp"
-#include "run/quantities.hpp"
 #include "run/run_base.hpp"
 #include "run/saved.hpp"
 #include "run/stage.hpp"
@@ -29,6 +30,17 @@
 namespace clca::run {
 
 namespace {
+
+/// Pictures see a moment last.
+record::Observers observers_of(const scene::Scene& scene, const grains::State& state,
+                               const RunOptions& options) {
+  auto all = record::observers_of(scene);
+  if (scene.output.frames && options.pictures != WantedPictures::none) {
+    all.push_back(drawing::pictures_observer(scene, state, options.threads,
+                                             options.pictures == WantedPictures::last));
+  }
+  return record::Observers(std::move(all));
+}
 
 class Run : public RunBase {
  public:
@@ -50,7 +62,7 @@ class Run : public RunBase {
 
  private:
   Run(const scene::Scene& scene, const RunOptions& options, const RunEvents& events,
-      ModelState state)
+      model::ModelState state)
       : RunBase({.kind = std::string(scene::name_of_model(scene.model)),
                  .scene = scene.name,
                  .title = scene.title,
@@ -82,20 +94,27 @@ class Run : public RunBase {
   store::Checkpoint checkpoint_now();
   void show_progress(bool until_rest, std::optional<double> seconds_left);
   const scene::Stage& stage() const { return scene_.stages[course_.stage]; }
-  StageView view() {
-    return {scene_,          stage(),           model_, history_, observers_, course_.moving,
-            course_.stepped, &folder().files(), &log()};
+  record::StageView view() {
+    return {scene_,
+            stage(),
+            model_,
+            history_,
+            observers_,
+            course_.moving,
+            course_.stepped,
+            &folder().files(),
+            [this](const std::string& line) { log().warning(line); }};
   }
   double step_seconds() const { return course_.step_seconds + step_clock_.seconds(); }
   double rate() const { return step_seconds() > 0 ? course_.updates / step_seconds() : 0; }
 
   const scene::Scene& scene_;
   std::optional<scene::Conversion> conversion_;
-  Stopwatch step_clock_;
-  SceneModel model_;
-  Observers observers_;
+  record::Stopwatch step_clock_;
+  model::SceneModel model_;
+  record::Observers observers_;
   RunCourse course_;
-  StageHistory history_;
+  record::StageHistory history_;
   std::size_t present_ = 0;                          // particles in the box
   bool in_stage_ = false;                            // one that goes on
   std::optional<store::Checkpoint> end_checkpoint_;  // is written with what comes after it
@@ -129,8 +148,9 @@ void Run::carry_out() {
 
 void Run::prepare() {
   // Those of another run may have been in outlets when this one took them.
-  history_ = course_.stage > 0 ? StageHistory(scene_, model_.state())
-                               : StageHistory(scene_, grains_of(empty_state(scene_)));
+  history_ = course_.stage > 0
+                 ? record::StageHistory(scene_, model_.state())
+                 : record::StageHistory(scene_, model::grains_of(model::empty_state(scene_)));
   prepare_stage(model_, scene_, stage());
 }
 
@@ -164,7 +184,7 @@ void Run::run_stage() {
 }
 
 StageEnd Run::run_steps() {
-  TimeEstimate estimate;
+  record::TimeEstimate estimate;
   while (true) {
     if (const auto ended = stage_end(stage(), model_.state(), history_)) {
       return *ended;
@@ -194,7 +214,7 @@ void Run::step() {
   present_ = course_.stepped - report.removed;
   course_.updates += static_cast<double>(course_.stepped);
   observers_.after_step(view());
-  history_.cycles = observers_.find<CycleRecord>()->cycles();
+  history_.cycles = observers_.find<record::CycleRecord>()->cycles();
 }
 
 void Run::end_stage(StageEnd end) {
@@ -203,8 +223,8 @@ void Run::end_stage(StageEnd end) {
   stages().push_back({.name = stage().name,
                       .steps = history_.steps,
                       .ended = to_text(end),
-                      .measures = stage_measures(view()),
-                      .notes = measure_notes(scene_, model_),
+                      .measures = record::stage_measures(view()),
+                      .notes = record::measure_notes(scene_, model_),
                       .fills = stage().fill.has_value()});
   const std::string time =
       conversion_ ? fmt::format(" ({})", conversion_->time_text(history_.steps)) : "";
@@ -219,7 +239,7 @@ void Run::end_stage(StageEnd end) {
   for (const std::string& note : stages().back().notes) {
     log().info(fmt::format("stage {}: {}", stage().name, note));
   }
-  for (const std::string& line : stall_lines(scene_, model_, history_.profile_at_start)) {
+  for (const std::string& line : record::stall_lines(scene_, model_, history_.profile_at_start)) {
     log().info(line);
   }
   if (end == StageEnd::bound) {
@@ -311,10 +331,10 @@ std::unique_ptr<Run> resumed_run(const scene::Scene& scene, RunOptions options,
 
 void check_start(const scene::Scene& scene) {
   scene::check_room(scene);
-  SceneModel model(scene, first_state(scene), {});
+  model::SceneModel model(scene, first_state(scene), {});
   prepare_stage(model, scene, scene.stages.front());
   if (scene.output.frames) {
-    const FramePainter painter(scene, model.state(), {});
+    const drawing::FramePainter painter(scene, model.state(), {});
   }
 }
 
@@ -323,12 +343,12 @@ store::RunSummary run(const scene::Scene& scene, const RunOptions& options,
   std::error_code unknown;
   if (scene.begin && !options.keep &&
       std::filesystem::equivalent(scene.begin->run, options.folder, unknown)) {
-    throw SceneRunError(
+    throw scene::SceneError(
         fmt::format("{}: error: begin: this run would replace the one in {}; run in another "
                     "folder, or with --keep",
                     scene.begin->location, scene.begin->run));
   }
-  check_derived(scene);
+  record::check_derived(scene);
   scene::Scene whole = scene;
   find_begin(whole, std::numeric_limits<double>::infinity());
   scene::check_room(whole);

@@ -11,7 +11,8 @@
 #include <system_error>
 #include <utility>
 
-#include "clca/run/quantity.hpp"
+#include "clca/record/provenance.hpp"
+#include "clca/record/quantity.hpp"
 #include "clca/store/file.hpp"
 
 namespace clca::run {
@@ -149,7 +150,7 @@ store::Checkpoint RunBase::checkpoint() const {
 }
 
 store::RunSummary RunBase::summary(const std::string& status) const {
-  store::RunSummary summary = provenance();
+  store::RunSummary summary = record::provenance();
   summary.kind = identity_.kind;
   summary.scene = identity_.scene;
   summary.title = identity_.title;
@@ -159,12 +160,12 @@ store::RunSummary RunBase::summary(const std::string& status) const {
   summary.wall_seconds = wall_seconds();
   summary.stages = stages_;
   complete_summary(summary);
-  const KnownQuantities known = known_quantities(summary);
+  const record::KnownQuantities known = record::known_quantities(summary);
   std::set<std::string> keys;
   for (const store::StageSummary& stage : summary.stages) {
     for (const auto& [key, value] : stage.measures) {
       if (keys.insert(key).second) {
-        summary.measures.push_back(column_summary(key, known.find(key)));
+        summary.measures.push_back(record::column_summary(key, known.find(key)));
       }
     }
   }

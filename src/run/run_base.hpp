@@ -13,9 +13,9 @@
 #include "clca/store/checkpoint.hpp"
 #include "clca/store/run_folder.hpp"
 #include "clca/store/summary.hpp"
+#include "record/internal/meter.hpp"
+#include "record/internal/table.hpp"
 #include "run/log.hpp"
-#include "run/meter.hpp"
-#include "run/table.hpp"
 
 namespace clca::run {
 
@@ -51,7 +51,7 @@ class CheckpointWriter {
 
  private:
   std::optional<scene::Checkpoints> when_;
-  std::optional<IntervalTimer> timer_;
+  std::optional<record::IntervalTimer> timer_;
   std::future<void> writing_;
 };
 
@@ -131,11 +131,11 @@ class RunBase {
   Identity identity_;
   RunOptions options_;
   const RunEvents& events_;
-  WallClock wall_clock_;  // since this run began or went on
+  record::WallClock wall_clock_;  // since this run began or went on
   double seconds_before_ = 0;
   std::optional<store::RunFolder> folder_;
   std::optional<Log> log_;
-  IntervalTimer progress_timer_;
+  record::IntervalTimer progress_timer_;
   bool is_complete_ = true;
   std::vector<store::StageSummary> stages_;
   MemoryReserve reserve_;

@@ -73,7 +73,7 @@ store::FoundCheckpoint found_checkpoint(const store::RunFolder& folder, double m
 }
 
 /// Whether a run that reached `now` can have recorded this history of what has left.
-bool has_left(const StageHistory& history, const grains::State& now, std::size_t species) {
+bool has_left(const record::StageHistory& history, const grains::State& now, std::size_t species) {
   return history.outflow.precedes(measure::discharge(now)) &&
          std::equal(history.outlets.begin(), history.outlets.end(), now.outlets.begin(),
                     now.outlets.end(),
@@ -84,13 +84,13 @@ bool has_left(const StageHistory& history, const grains::State& now, std::size_t
                             measure::discharged_particles(now, species), std::less_equal<>());
 }
 
-/// Throws SceneRunError for an end that the last stage has passed.
+/// Throws scene::SceneError for an end that the last stage has passed.
 void require_ahead(const std::string& until, const scene::Stage& stage,
-                   const StageHistory& history) {
+                   const record::StageHistory& history) {
   const auto steps = scene::steps_of(stage.until);
   const auto* cycles = std::get_if<scene::UntilCycles>(&stage.until);
   if ((steps && *steps < history.steps) || (cycles != nullptr && cycles->cycles < history.cycles)) {
-    throw SceneRunError(
+    throw scene::SceneError(
         fmt::format("--until {}: error: stage {} has passed this end: it is at step {}{}",
                     text::shortened(until), stage.name, history.steps,
                     cycles != nullptr ? fmt::format(", cycle {}", history.cycles) : ""));
@@ -145,7 +145,7 @@ WantedPictures saved_pictures(const SavedRun& saved) {
 }
 
 SavedParts saved_parts(const scene::Scene& scene, const SavedRun& saved) {
-  SavedParts parts = {.state = saved_state(scene, saved.checkpoint.fields, saved.max_bytes),
+  SavedParts parts = {.state = model::saved_state(scene, saved.checkpoint.fields, saved.max_bytes),
                       .course = {},
                       .history = {},
                       .stages = {}};
@@ -153,7 +153,7 @@ SavedParts saved_parts(const scene::Scene& scene, const SavedRun& saved) {
   reflection::decode(kSavedCourse, columns, saved.max_bytes, parts.course);
   reflection::decode(kSavedHistory, columns, saved.max_bytes, parts.history);
   parts.stages = store::parse_summary(saved.checkpoint.summary, "its summary").stages;
-  const grains::State& grains = grains_of(parts.state);
+  const grains::State& grains = model::grains_of(parts.state);
   const auto columns_of_lattice = static_cast<std::size_t>(grains.lattice.columns());
   if (!has_left(parts.history, grains, scene.species.size())) {
     throw reflection::Mismatch("what has left is not of this run");

@@ -3,8 +3,8 @@
 
 #include "clca/run/run.hpp"
 #include "clca/store/file.hpp"
-#include "run/model.hpp"
-#include "run/observer.hpp"
+#include "model/internal/scene_model.hpp"
+#include "record/internal/observer.hpp"
 
 namespace clca::run {
 
@@ -36,9 +36,9 @@ inline constexpr const char* kSavedPictures = "outputs/wanted_pictures";
 
 /// The parts of a checkpoint that are not of observers.
 struct SavedParts {
-  ModelState state;
+  model::ModelState state;
   RunCourse course;
-  StageHistory history;
+  record::StageHistory history;
   std::vector<store::StageSummary> stages;  ///< those that have ended
 };
 

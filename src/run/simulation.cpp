@@ -11,11 +11,11 @@
 #include "clca/parallel/team.hpp"
 #include "clca/run/setup.hpp"
 #include "clca/scene/walls.hpp"
-#include "run/contact_record.hpp"
-#include "run/cycle_record.hpp"
-#include "run/frame_painter.hpp"
-#include "run/model.hpp"
-#include "run/quantities.hpp"
+#include "drawing/internal/frame_painter.hpp"
+#include "model/internal/scene_model.hpp"
+#include "record/internal/contact_record.hpp"
+#include "record/internal/cycle_record.hpp"
+#include "record/internal/quantities.hpp"
 #include "run/stage.hpp"
 
 namespace clca::run {
@@ -23,7 +23,7 @@ namespace clca::run {
 namespace {
 
 scene::Scene checked(scene::Scene scene) {
-  check_derived(scene);
+  record::check_derived(scene);
   find_begin(scene, std::numeric_limits<double>::infinity());
   scene::check_room(scene);
   return scene;
@@ -44,9 +44,9 @@ class Simulation::Impl {
       : scene_(checked(scene)),
         options_{.threads = parallel::start_team(threads)},
         interruption_(std::move(interruption)),
-        model_(std::make_shared<SceneModel>(scene_, first_state(scene_), options_)),
+        model_(std::make_shared<model::SceneModel>(scene_, first_state(scene_), options_)),
         observed_(without_files(scene_)),
-        observers_(observers_of(observed_, model_->state(), {.pictures = WantedPictures::none})) {
+        observers_(record::observers_of(observed_)) {
     begin_stage();
   }
 
@@ -54,7 +54,7 @@ class Simulation::Impl {
   std::size_t stage_number() const { return stage_; }
   const std::optional<StageEnd>& end() const { return end_; }
   bool is_last() const { return stage_ + 1 == scene_.stages.size(); }
-  const SceneModel& model() const { return *model_; }
+  const model::SceneModel& model() const { return *model_; }
 
   /// Rethrows what has failed.
   void check() const {
@@ -86,7 +86,7 @@ class Simulation::Impl {
   }
 
   std::vector<store::NamedMeasure> measures(std::optional<scene::Measure> wanted) const {
-    return wanted ? stage_measures(*wanted, view()) : stage_measures(view());
+    return wanted ? record::stage_measures(*wanted, view()) : record::stage_measures(view());
   }
 
   image::Image picture(const scene::Frames& frames) {
@@ -95,13 +95,13 @@ class Simulation::Impl {
       drawn.output.frames = frames;
       drawing_.emplace(std::move(drawn), model_->state());
     }
-    const CapturedFrame frame =
-        drawing_->painter.capture({.state = model_->state(),
-                                   .occupancy = model_->grains().occupancy(),
-                                   .cycles = observers_.find<CycleRecord>(),
-                                   .contact = shown_contact(drawing_->scene, *model_, observers_),
-                                   .angle = model_->vessel().angle},
-                                  pictures_);
+    const drawing::CapturedFrame frame = drawing_->painter.capture(
+        {.state = model_->state(),
+         .occupancy = model_->grains().occupancy(),
+         .cycles = observers_.find<record::CycleRecord>(),
+         .contact = record::shown_contact(drawing_->scene, *model_, observers_),
+         .angle = model_->vessel().angle},
+        pictures_);
     pictures_.window.emplace(model_->state());
     return drawing_->painter.rasterize(frame).image;
   }
@@ -113,12 +113,14 @@ class Simulation::Impl {
         : scene(std::move(drawn)), painter(scene, state, {}) {}
 
     scene::Scene scene;
-    FramePainter painter;
+    drawing::FramePainter painter;
   };
 
   const scene::Stage& stage() const { return scene_.stages[stage_]; }
-  StageView view() const {
-    return {scene_, stage(), *model_, history_, observers_, moving_, stepped_, nullptr, nullptr};
+  record::StageView view() const {
+    return {scene_,   stage(),    *model_,
+            history_, observers_, moving_,
+            stepped_, nullptr,    [](const auto& /*line*/) {}};
   }
 
   /// Carries out a change; after one that has failed, state and records do not fit together.
@@ -141,7 +143,7 @@ class Simulation::Impl {
     moving_ = report.moved;
     stepped_ = grains::present_count(model_->state()) + report.removed;
     observers_.after_step(view());
-    history_.cycles = observers_.find<CycleRecord>()->cycles();
+    history_.cycles = observers_.find<record::CycleRecord>()->cycles();
     end_ = stage_end(stage(), model_->state(), history_);
     if (end_) {
       history_.settled = end_ == StageEnd::settled || end_ == StageEnd::stalled;
@@ -158,32 +160,33 @@ class Simulation::Impl {
 
   void begin_stage() {
     if (model_.use_count() > 1) {  // somebody holds the state
-      model_ = std::make_shared<SceneModel>(scene_, model_->copied_state(), options_);
+      model_ = std::make_shared<model::SceneModel>(scene_, model_->copied_state(), options_);
     }
-    history_ = stage_ > 0 ? StageHistory(scene_, model_->state())
-                          : StageHistory(scene_, grains_of(empty_state(scene_)));
+    history_ = stage_ > 0
+                   ? record::StageHistory(scene_, model_->state())
+                   : record::StageHistory(scene_, model::grains_of(model::empty_state(scene_)));
     model_->grains().set_interruption(interruption_);
     prepare_stage(*model_, scene_, stage());
     history_.begin(model_->state());
     moving_ = 0;
     stepped_ = 0;
     observers_.begin_stage(view());
-    run::begin_stage(pictures_, scene_, stage(), model_->state());
+    drawing::begin_stage(pictures_, scene_, stage(), model_->state());
     pictures_.window.emplace(model_->state());
   }
 
   scene::Scene scene_;
   grains::Options options_;
   std::function<void()> interruption_;
-  std::shared_ptr<SceneModel> model_;
+  std::shared_ptr<model::SceneModel> model_;
   scene::Scene observed_;
-  Observers observers_;
-  StageHistory history_;
+  record::Observers observers_;
+  record::StageHistory history_;
   std::size_t moving_ = 0;  // particles, in the last step
   std::size_t stepped_ = 0;
   std::size_t stage_ = 0;
   std::optional<StageEnd> end_;
-  PictureHistory pictures_;
+  drawing::PictureHistory pictures_;
   std::optional<Drawing> drawing_;
   std::exception_ptr failure_;
 };
@@ -224,7 +227,7 @@ std::shared_ptr<const grains::State> Simulation::held_grains() const {
   return live().held_grains();
 }
 store::ContactFrame Simulation::contact_frame() const {
-  const SceneModel& model = live().model();
+  const model::SceneModel& model = live().model();
   return {.velocities = model.velocities(),
           .spins = model.spins(),
           .forces = model.forces().value_or(std::vector<contact::Force>())};

@@ -4,19 +4,19 @@
 
 #include <algorithm>
 
-#include "clca/run/run.hpp"
+#include "clca/scene/parse.hpp"
 
 namespace clca::run {
 
 namespace {
 
-void fill(SceneModel& model, const scene::Scene& scene, const scene::Stage& stage) {
+void fill(model::SceneModel& model, const scene::Scene& scene, const scene::Stage& stage) {
   const scene::Fill& fill = *stage.fill;
   if (const auto mixture = scene::mixture_of(fill)) {
     const grains::FillResult result = model.grains().fill(fill.region, *mixture);
     if (std::all_of(result.placed.begin(), result.placed.end(),
                     [](std::size_t placed) { return placed == 0; })) {
-      throw SceneRunError(
+      throw scene::SceneError(
           fmt::format("{}: error: the fill of stage {} has placed nothing; enlarge "
                       "the region, or raise the level",
                       fill.location, stage.name));
@@ -36,16 +36,16 @@ void fill(SceneModel& model, const scene::Scene& scene, const scene::Stage& stag
                             fill.counts[species], scene.species[species].name);
     }
   }
-  throw SceneRunError(
+  throw scene::SceneError(
       fmt::format("{}: error: the fill of stage {} does not fit: {} fitted; enlarge the region, "
                   "lower the counts or fill in several stages",
                   fill.location, stage.name, fitted));
 }
 
-void insert_walls(SceneModel& model, const scene::Scene& scene, const scene::Stage& stage) {
+void insert_walls(model::SceneModel& model, const scene::Scene& scene, const scene::Stage& stage) {
   for (const std::size_t wall : stage.insert) {
     if (!model.grains().insert_wall(wall)) {
-      throw SceneRunError(fmt::format(
+      throw scene::SceneError(fmt::format(
           "{}: error: stages.{}.insert: wall {} would stand inside particles or another wall; move "
           "it, or insert it before they come",
           stage.insert_location, stage.name, scene.walls[wall].name));
@@ -67,7 +67,7 @@ bool has_stalled(const grains::State& state) {
 
 }  // namespace
 
-void prepare_stage(SceneModel& model, const scene::Scene& scene, const scene::Stage& stage) {
+void prepare_stage(model::SceneModel& model, const scene::Scene& scene, const scene::Stage& stage) {
   model.set_rules(stage);
   for (const std::size_t wall : stage.remove) {
     model.grains().remove_wall(wall);
@@ -111,7 +111,7 @@ std::string to_text(StageEnd end) {
 }
 
 std::optional<StageEnd> stage_end(const scene::Stage& stage, const grains::State& state,
-                                  const StageHistory& history) {
+                                  const record::StageHistory& history) {
   if (history.steps == 0) {
     return std::nullopt;
   }
@@ -134,7 +134,7 @@ std::optional<StageEnd> stage_end(const scene::Stage& stage, const grains::State
   return history.steps >= stage.max_steps ? std::optional(StageEnd::bound) : std::nullopt;
 }
 
-std::optional<double> done_share(const scene::Stage& stage, const StageHistory& history) {
+std::optional<double> done_share(const scene::Stage& stage, const record::StageHistory& history) {
   if (const auto steps = scene::steps_of(stage.until)) {
     return static_cast<double>(history.steps) / static_cast<double>(*steps);
   }

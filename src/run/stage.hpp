@@ -1,20 +1,26 @@
 #pragma once
-// How a stage begins and when it ends.
+// How a run and its stages begin, and when these end.
 
 #include <cstdint>
 #include <optional>
 #include <string>
 
 #include "clca/scene/scene.hpp"
-#include "run/model.hpp"
-#include "run/observer.hpp"
+#include "model/internal/scene_model.hpp"
+#include "record/internal/observer.hpp"
 
 namespace clca::run {
 
+/// The initial state of a scene. If it begins with another run, with the particles of that: they
+/// are numbered anew, in their order; grains of the contact model keep velocities, contacts and
+/// positions within their sites if they come from the end of a run of that model, else they are at
+/// rest. Throws scene::SceneError unless they are there, of species of the scene, and find room.
+model::ModelState first_state(const scene::Scene& scene);
+
 /// Removes and inserts walls, fills, opens and closes sources, starts walls and the vessel, marks
 /// the origins.
-/// Throws SceneRunError if a wall would overlap particles or the fill does not fit.
-void prepare_stage(SceneModel& model, const scene::Scene& scene, const scene::Stage& stage);
+/// Throws scene::SceneError if a wall would overlap particles or the fill does not fit.
+void prepare_stage(model::SceneModel& model, const scene::Scene& scene, const scene::Stage& stage);
 
 /// Why a stage has ended. `stalled`: settled, with a wall that is due to move and blocked.
 enum class StageEnd : std::uint8_t {
@@ -33,9 +39,9 @@ std::string to_text(StageEnd end);
 
 /// Why the stage ends now; none if it continues.
 std::optional<StageEnd> stage_end(const scene::Stage& stage, const grains::State& state,
-                                  const StageHistory& history);
+                                  const record::StageHistory& history);
 
 /// Progress of the stage in [0, 1]; none of one until rest: nobody knows how long that takes.
-std::optional<double> done_share(const scene::Stage& stage, const StageHistory& history);
+std::optional<double> done_share(const scene::Stage& stage, const record::StageHistory& history);
 
 }  // namespace clca::run

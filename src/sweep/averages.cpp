@@ -10,7 +10,7 @@
 #include <set>
 #include <utility>
 
-#include "clca/run/quantity.hpp"
+#include "clca/record/quantity.hpp"
 #include "clca/statistics/sample.hpp"
 #include "clca/store/file.hpp"
 #include "clca/store/run_folder.hpp"
@@ -248,7 +248,7 @@ std::optional<store::Table> mean_table(const Averaged& what, const Names& keys,
   const Names& positions = what.positions.empty() ? times : what.positions;
   position.insert(position.end(), positions.begin(), positions.end());
   const Names heads =
-      run::sweep_columns("mean", {{"KEY", keys}, {"ROW", position}, {"COLUMN", columns}});
+      record::sweep_columns("mean", {{"KEY", keys}, {"ROW", position}, {"COLUMN", columns}});
   if (columns.empty() || std::set(heads.begin(), heads.end()).size() < heads.size()) {
     return std::nullopt;
   }

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "clca/run/run.hpp"
+#include "clca/record/provenance.hpp"
 #include "clca/store/file.hpp"
 #include "clca/store/run_folder.hpp"
 
@@ -24,7 +24,7 @@ std::string to_json(const Plan& plan, const std::vector<store::TableSummary>& ta
   for (const Variation& variation : plan.request.variations) {
     variations.push_back({{"keys", variation.keys}, {"rows", variation.rows}});
   }
-  const Json object = {{"clca", run::version()},
+  const Json object = {{"clca", record::version()},
                        {"scene", plan.request.scene.string()},
                        {"title", plan.title()},
                        {"set", plan.request.overrides},

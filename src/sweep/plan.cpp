@@ -7,6 +7,8 @@
 #include <charconv>
 #include <set>
 
+#include "clca/record/provenance.hpp"
+#include "clca/record/quantity.hpp"
 #include "clca/run/run.hpp"
 #include "clca/run/setup.hpp"
 #include "clca/scene/resolve.hpp"
@@ -115,7 +117,7 @@ Variant parsed(const Request& request, const std::vector<std::string>& keys,
                             "boltzmann.ensemble and lists of boltzmann.restitution of its own");
   }
   auto scene = std::get<scene::Scene>(std::move(any));
-  run::check_derived(scene);
+  record::check_derived(scene);
   scene.seed = request.seeds.front();
   return {std::move(values), std::move(scene)};
 }
@@ -192,7 +194,7 @@ int fitting_jobs(const Plan& plan, int jobs, double max_bytes) {
 }
 
 std::uint64_t hash_of(const Plan& plan, std::string_view more) {
-  std::string all = fmt::format("{} {} {}", run::version(), to_text(plan.request.seeds), more);
+  std::string all = fmt::format("{} {} {}", record::version(), to_text(plan.request.seeds), more);
   for (const Variant& variant : plan.variants) {
     all += scene::to_yaml(variant.scene);
   }

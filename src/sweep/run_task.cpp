@@ -10,6 +10,7 @@
 #include <system_error>
 #include <utility>
 
+#include "clca/record/provenance.hpp"
 #include "clca/run/run.hpp"
 #include "clca/scene/resolve.hpp"
 #include "clca/store/checkpoint.hpp"
@@ -57,7 +58,7 @@ std::optional<store::RunSummary> summary_in(const fs::path& folder) {
 /// Whether a run is of this scene and program version.
 bool is_same(const fs::path& folder, const store::RunSummary& summary, const scene::Scene& scene) {
   try {
-    return summary.version == run::version() &&
+    return summary.version == record::version() &&
            has_text(folder / store::kSceneFile, scene::to_yaml(scene));
   } catch (const store::StoreError&) {
     return false;
@@ -124,7 +125,7 @@ store::RunSummary executed(const scene::Scene& scene, const fs::path& folder, do
     } catch (const store::UnusableCheckpointError& error) {
       events.warning(fmt::format("{}: begins anew", error.what()));
     } catch (
-        const run::SceneRunError&) {  // told from the start, with the location in the user's scene
+        const scene::SceneError&) {  // told from the start, with the location in the user's scene
     }
   }
   return run::run(scene, run, events);

@@ -12,8 +12,9 @@
 #include <set>
 
 #include "clca/image/png.hpp"
+#include "clca/record/provenance.hpp"
+#include "clca/record/quantity.hpp"
 #include "clca/render/painter.hpp"
-#include "clca/run/quantity.hpp"
 #include "clca/run/run.hpp"
 #include "clca/store/file.hpp"
 #include "clca/store/folder_lock.hpp"
@@ -52,7 +53,7 @@ void prepare_drawing(const Plan& plan) {
   try {
     render::prepare_polygons();
   } catch (const render::RenderError& error) {
-    throw run::SceneRunError(
+    throw scene::SceneError(
         fmt::format("{}: error: {}", drawn->scene.output.frames->location, error.what()));
   }
 }
@@ -349,15 +350,16 @@ void Sweep::write_tables(const std::vector<NamedTable>& means) {
                                           measures_table(plan_, results_)};
   folder_.write_tables(tables);
   const auto done = std::ranges::find(results_, Status::done, &Result::status);
-  auto known = run::known_quantities(done != results_.end() ? done->summary : store::RunSummary());
-  known.of = run::KnownQuantities::Of::sweep;
+  auto known =
+      record::known_quantities(done != results_.end() ? done->summary : store::RunSummary());
+  known.of = record::KnownQuantities::Of::sweep;
   std::vector<store::TableSummary> summaries;
   for (const auto* list : {&tables, &means}) {
     for (const NamedTable& table : *list) {
-      summaries.emplace_back(table.name, run::sweep_summary(table.table.columns(), known));
+      summaries.emplace_back(table.name, record::sweep_summary(table.table.columns(), known));
     }
   }
-  folder_.write_request(plan_, summaries, run::sweep_summary(run::sweep_measures(), known));
+  folder_.write_request(plan_, summaries, record::sweep_summary(record::sweep_measures(), known));
 }
 
 /// Every so often, and never for more than a small part of the time.
@@ -379,7 +381,7 @@ void Sweep::write_overview() {
     return;
   }
   folder_.write_overview(image::encode_png(
-      *image, {{"Title", plan_.title()}, {"Software", fmt::format("clca {}", run::version())}}));
+      *image, {{"Title", plan_.title()}, {"Software", fmt::format("clca {}", record::version())}}));
   const std::size_t shown = selection(plan_).runs.size();
   if (shown < progress_.runs) {
     tell(events_.message, fmt::format("the overview shows {} of {} runs", shown, progress_.runs));

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <utility>
 
-#include "clca/run/quantity.hpp"
+#include "clca/record/quantity.hpp"
 #include "clca/statistics/sample.hpp"
 #include "clca/store/table.hpp"
 
@@ -187,7 +187,8 @@ NamedTable runs_table(const Plan& plan, const std::vector<Result>& results) {
   for (const auto& [stage, measure] : measures.keys()) {
     names.push_back(fmt::format("{}.{}", stage, measure));
   }
-  store::Table table(run::sweep_columns("runs", {{"KEY", plan.keys()}, {"STAGE.MEASURE", names}}));
+  store::Table table(
+      record::sweep_columns("runs", {{"KEY", plan.keys()}, {"STAGE.MEASURE", names}}));
   for (std::size_t run = 0; run < results.size(); ++run) {
     table.add_row(run_row(plan, run, results[run], measures));
   }
@@ -195,7 +196,7 @@ NamedTable runs_table(const Plan& plan, const std::vector<Result>& results) {
 }
 
 NamedTable measures_table(const Plan& plan, const std::vector<Result>& results) {
-  store::Table table(run::sweep_columns("measures", {{"KEY", plan.keys()}}));
+  store::Table table(record::sweep_columns("measures", {{"KEY", plan.keys()}}));
   const std::size_t seeds = plan.request.seeds.size();
   for (std::size_t i = 0; i < plan.variants.size(); ++i) {
     add_statistics(table, plan.variants[i].values, results, i * seeds, (i + 1) * seeds);

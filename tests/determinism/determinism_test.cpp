@@ -12,7 +12,7 @@
 #include <sstream>
 
 #include "clca/automaton/automaton.hpp"
-#include "clca/run/setup.hpp"
+#include "clca/model/initial_state.hpp"
 #include "support/runs.hpp"
 #include "support/stages.hpp"
 
@@ -194,8 +194,8 @@ TEST(Determinism, ParallelStepsEqualSequentialOnesForBothKindsOfTies) {
   for (const char* ties : {"particle", "direction"}) {
     const scene::Scene scene =
         testing::bare_scene("silo-collapse", {fmt::format("rules.ties={}", ties)});
-    automaton::Automaton sequential(run::initial_state(scene), scene.rules);
-    automaton::Automaton parallel(run::initial_state(scene), scene.rules,
+    automaton::Automaton sequential(model::initial_state(scene), scene.rules);
+    automaton::Automaton parallel(model::initial_state(scene), scene.rules,
                                   {.threads = 4, .parallel_from = 1});
     const scene::Stage& packing = scene.stages.front();
     for (automaton::Automaton* automaton : {&sequential, &parallel}) {
@@ -215,7 +215,7 @@ TEST(Determinism, ParallelStepsEqualSequentialOnesForBothKindsOfTies) {
 
 /// The first two stages of a scene, the second for 300 steps at most.
 grains::State state_after(const scene::Scene& scene, const automaton::Options& options) {
-  automaton::Automaton automaton(testing::stage_begun(scene, 0, run::initial_state(scene)),
+  automaton::Automaton automaton(testing::stage_begun(scene, 0, model::initial_state(scene)),
                                  scene.rules, options);
   while (!automaton.step().settled) {
   }

@@ -18,6 +18,7 @@ namespace {
 
 namespace fuzz = clca::fuzz;
 namespace reflection = clca::reflection;
+namespace model = clca::model;
 namespace run = clca::run;
 namespace scene = clca::scene;
 namespace store = clca::store;
@@ -56,7 +57,7 @@ stages:
 
 reflection::Columns saved_columns() {
   const scene::Scene& scene = contact_scene();
-  run::SceneModel model(scene, run::first_state(scene), {});
+  model::SceneModel model(scene, run::first_state(scene), {});
   run::prepare_stage(model, scene, scene.stages.front());
   for (std::uint64_t step = 0; step < *scene::steps_of(scene.stages.front().until); ++step) {
     model.grains().step();
@@ -94,7 +95,7 @@ void go_on(std::span<const std::uint8_t> bytes) {
   reflection::Columns columns = kSaved;
   change(columns, choices);
   try {
-    run::SceneModel(scene, run::saved_state(scene, columns, kLimit), {}).grains().step();
+    model::SceneModel(scene, model::saved_state(scene, columns, kLimit), {}).grains().step();
   } catch (const std::invalid_argument&) {
     fuzz::require(!bytes.empty(), "a run does not go on");
   } catch (const reflection::Mismatch&) {

@@ -8,8 +8,8 @@
 #include <string>
 
 #include "clca/automaton/automaton.hpp"
+#include "clca/model/initial_state.hpp"
 #include "clca/run/run.hpp"
-#include "clca/run/setup.hpp"
 #include "clca/store/checkpoint.hpp"
 #include "clca/store/file.hpp"
 #include "clca/store/trajectory.hpp"
@@ -116,7 +116,7 @@ class DamagedTrajectory : public ::testing::Test {
   }
 
   testing::ScratchFolder folder_;
-  grains::State fixed_ = run::initial_state(fuzz::small_scene());
+  grains::State fixed_ = model::initial_state(fuzz::small_scene());
   store::TrajectoryWriter::Written written_;
 
  private:

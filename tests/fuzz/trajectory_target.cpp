@@ -7,7 +7,7 @@
 
 #include "choices.hpp"
 #include "clca/automaton/automaton.hpp"
-#include "clca/run/setup.hpp"
+#include "clca/model/initial_state.hpp"
 #include "clca/store/file.hpp"
 #include "clca/store/trajectory.hpp"
 #include "memory_meter.hpp"
@@ -23,7 +23,7 @@ namespace {
 namespace automaton = clca::automaton;
 namespace fuzz = clca::fuzz;
 namespace grains = clca::grains;
-namespace run = clca::run;
+namespace model = clca::model;
 namespace store = clca::store;
 
 constexpr std::size_t kWalls = 2;
@@ -135,7 +135,7 @@ Omitted change(store::TrajectoryPart& part, const store::Extents& before, fuzz::
 
 std::vector<std::uint8_t> file_of(store::TrajectoryPart& part, Omitted omitted) {
   static const store::SceneTables tables(fuzz::small_scene(),
-                                         run::initial_state(fuzz::small_scene()));
+                                         model::initial_state(fuzz::small_scene()));
   return store::hdf5_file("part", store::kTrajectoryKind, [&](const store::Hdf5Writer& file) {
     tables.write(file);
     std::size_t at = 0;
@@ -182,7 +182,7 @@ std::size_t read(const Folder& folder, const Parts& parts, double limit) {
   std::size_t sound = 0;
   try {
     const store::Trajectory trajectory(folder.path(), fuzz::small_scene(),
-                                       run::initial_state(fuzz::small_scene()), limit);
+                                       model::initial_state(fuzz::small_scene()), limit);
     const std::size_t in_first = parts.front().frames.step.size();
     for (std::size_t frame = 0; frame < trajectory.frames().size(); ++frame) {
       try {

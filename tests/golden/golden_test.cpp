@@ -12,12 +12,12 @@
 #include <stdexcept>
 
 #include "clca/automaton/automaton.hpp"
+#include "clca/drawing/redraw.hpp"
 #include "clca/image/png.hpp"
+#include "clca/model/initial_state.hpp"
 #include "clca/render/coloring.hpp"
 #include "clca/render/difference.hpp"
 #include "clca/render/painter.hpp"
-#include "clca/run/redraw.hpp"
-#include "clca/run/setup.hpp"
 #include "clca/store/file.hpp"
 #include "support/runs.hpp"
 
@@ -172,9 +172,9 @@ image::Image over_time(std::optional<double> column) {
        "output.frames={every: 6, width: 320, height: 180, caption: false, color_by: stage_layer, "
        "layers: 5, view: [-5, 0, 110, 220]}"});
   run::run(scene, {.folder = folder.path() / "run", .pictures = run::WantedPictures::last});
-  run::Redraw redraw({{scene, folder.path() / "run"}},
-                     {.space_time = run::SpaceTimeOptions{.file = folder.path() / "over-time.png",
-                                                          .column = column}});
+  drawing::Redraw redraw({{scene, folder.path() / "run"}},
+                         {.space_time = drawing::SpaceTimeOptions{
+                              .file = folder.path() / "over-time.png", .column = column}});
   redraw.draw();
   return redraw.over_time().content;
 }
@@ -203,7 +203,7 @@ grains::State with_one_lifted(const grains::State& state) {
 
 TEST(GoldenComparison, NoticesOneParticleInAnotherPlace) {
   const scene::Scene scene = testing::bare_scene("wall-removal", {});
-  automaton::Automaton automaton(run::initial_state(scene), scene.rules);
+  automaton::Automaton automaton(model::initial_state(scene), scene.rules);
   automaton.fill(scene.stages[0].fill->region, scene.stages[0].fill->counts);
   while (!automaton.step().settled) {
   }

@@ -6,7 +6,7 @@
 
 #include "clca/automaton/automaton.hpp"
 #include "clca/measure/force.hpp"
-#include "clca/run/setup.hpp"
+#include "clca/model/initial_state.hpp"
 #include "physics/seeds.hpp"
 #include "support/overlaps.hpp"
 #include "support/stages.hpp"
@@ -30,7 +30,7 @@ void PrintTo(const PushingCase& pushing, std::ostream* stream) {
 class Pushing {
  public:
   explicit Pushing(const scene::Scene& scene)
-      : automaton_(testing::stage_begun(scene, 0, run::initial_state(scene)), scene.rules) {
+      : automaton_(testing::stage_begun(scene, 0, model::initial_state(scene)), scene.rules) {
     while (!automaton_.step().settled) {
     }
     count_ = grains::present_count(automaton_.state());

@@ -96,7 +96,7 @@ Run any_run(bool contact) {
   Run result;
   try {
     result.summary = run::run(scene::parse(text, "scene.yaml"), {.folder = folder.path()});
-  } catch (const run::SceneRunError&) {
+  } catch (const scene::SceneError&) {
     RC_DISCARD("a fill does not fit");
   }
   result.series = store::read_table(folder.path() / "series.csv");

@@ -8,10 +8,11 @@
 #include <filesystem>
 
 #include "clca/store/table.hpp"
+#include "drawing/internal/frame_painter.hpp"
+#include "drawing/overlay.hpp"
+#include "model/internal/scene_model.hpp"
 #include "property/random_motions.hpp"
-#include "run/frame_painter.hpp"
-#include "run/model.hpp"
-#include "run/overlay.hpp"
+#include "run/stage.hpp"
 #include "store/trajectory_part.hpp"
 #include "support/runs.hpp"
 
@@ -118,15 +119,16 @@ void look_at_parts(const fs::path& folder, bool contact, Places& places) {
 
 /// The lines of forces in pictures.
 void look_at_pictures(const store::Trajectory& trajectory, bool contact, Places& places) {
-  run::OverlayScales scales;
+  drawing::OverlayScales scales;
   scales.strongest_force = 1;
   for (std::size_t frame = 0; frame < trajectory.frames().size(); ++frame) {
     const grains::State state = trajectory.state(frame);
-    run::View view = {.state = state, .occupancy = grains::Occupancy(state)};
+    drawing::View view = {.state = state, .occupancy = grains::Occupancy(state)};
     if (contact) {
       view.contact = trajectory.contact_frame(frame);
     }
-    const run::DrawnOverlay drawn = run::overlay_of(scene::Overlay::forces, view, {}, scales);
+    const drawing::DrawnOverlay drawn =
+        drawing::overlay_of(scene::Overlay::forces, view, {}, scales);
     for (const render::Stroke& stroke : drawn.overlay.strokes) {
       places.require(stroke.from.x(), stroke.from.y(), "the beginning of a line");
       places.require(stroke.to.x(), stroke.to.y(), "the end of a line");
@@ -142,10 +144,10 @@ void look_at_a_run(bool contact) {
   const fs::path run = folder.path() / "run";
   try {
     run::run(scene, {.folder = run});
-  } catch (const run::SceneRunError&) {
+  } catch (const scene::SceneError&) {
     RC_DISCARD("the fill does not fit");
   }
-  const grains::State fixed = run::grains_of(run::first_state(scene));
+  const grains::State fixed = model::grains_of(run::first_state(scene));
   Places places(fixed.lattice);
   look_at_tables(run, places);
   look_at_parts(run, contact, places);

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "clca/run/setup.hpp"
+#include "clca/model/initial_state.hpp"
 #include "clca/scene/parse.hpp"
 #include "clca/store/file.hpp"
 #include "clca/store/trajectory.hpp"
@@ -48,7 +48,7 @@ std::string difference_of_trajectories(const fs::path& a, const fs::path& b) {
     return "";
   }
   const scene::Scene scene = scene::parse_file(a / "scene.yaml");
-  const grains::State fixed = run::initial_state(scene);
+  const grains::State fixed = model::initial_state(scene);
   const store::Trajectory first(a, scene, fixed, kMuch);
   const store::Trajectory second(b, scene, fixed, kMuch);
   if (first.frames().size() != second.frames().size()) {

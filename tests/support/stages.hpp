@@ -10,7 +10,7 @@ namespace clca::testing {
 /// The state with a stage of the scene, of the automaton, begun.
 inline grains::State stage_begun(const scene::Scene& scene, std::size_t stage,
                                  grains::State state) {
-  run::SceneModel model(scene, std::move(state), {});
+  model::SceneModel model(scene, std::move(state), {});
   run::prepare_stage(model, scene, scene.stages.at(stage));
   return model.state();
 }

@@ -9,7 +9,7 @@ namespace clca::testing {
 store::RunSummary run_and_store(const scene::Scene& scene, const std::filesystem::path& folder,
                                 std::uint64_t every) {
   store::RunSummary summary = run::run(scene, {.folder = folder});
-  run::SceneModel model(scene, run::first_state(scene), {});
+  model::SceneModel model(scene, run::first_state(scene), {});
   store::TrajectoryWriter writer(store::OutputFolder(folder), scene, model.state(), {});
   for (std::size_t stage = 0; stage < summary.stages.size(); ++stage) {
     run::prepare_stage(model, scene, scene.stages[stage]);

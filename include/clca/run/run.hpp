@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
-#include <stdexcept>
 #include <string>
 
 #include "clca/scene/parse.hpp"
@@ -18,13 +17,6 @@
 #include "clca/text/input_error.hpp"
 
 namespace clca::run {
-
-/// A scene that cannot be run: a fill that does not fit, a picture that the driver cannot draw.
-/// what() is one line with the location in the scene file.
-class SceneRunError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
 
 /// Progress of a run.
 struct Progress {
@@ -101,9 +93,9 @@ struct RunEvents {
 
 /// Runs a scene. Replaces the files of an earlier run in the folder; other files stay. No folder is
 /// made if the first stage cannot start. Several threads may run at once, each in its own folder.
-/// Throws scene::SceneError (see check_walls, check_room), SceneRunError, UnfinishedRunError,
-/// store::StoreError, std::bad_alloc; std::invalid_argument unless the number of threads is
-/// positive.
+/// Throws scene::SceneError, also for a fill that does not fit and a picture that the driver cannot
+/// draw; UnfinishedRunError, store::StoreError, std::bad_alloc; std::invalid_argument unless the
+/// number of threads is positive.
 /// If fewer threads can be started, warns and uses these. A later failure leaves the status
 /// `failed` and the last checkpoint.
 store::RunSummary run(const scene::Scene& scene, const RunOptions& options,
@@ -143,14 +135,8 @@ WantedPictures saved_pictures(const SavedRun& saved);
 
 /// Continues a run to its end, with the same bits as an uninterrupted run. Ignores the folder of
 /// the options.
-/// Throws as run(), store::UnusableCheckpointError, and SceneRunError for an `until` that the run
-/// has passed.
+/// Throws as run(), store::UnusableCheckpointError, and scene::SceneError for an `until` that the
+/// run has passed.
 store::RunSummary resume(SavedRun saved, const RunOptions& options, const RunEvents& events = {});
-
-/// A summary with version, compiler and build type filled in.
-store::RunSummary provenance();
-
-/// Version of the program, as in CMakeLists.txt.
-std::string version();
 
 }  // namespace clca::run

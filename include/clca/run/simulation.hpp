@@ -54,7 +54,7 @@ class Simulation {
 
   /// What run.json has of the stage, as of now; `wanted`: one of Scene::measures alone.
   std::vector<store::NamedMeasure> measures(std::optional<scene::Measure> wanted = {}) const;
-  /// Throws SceneRunError if the driver cannot draw it.
+  /// Throws scene::SceneError if the driver cannot draw it.
   image::Image picture(const scene::Frames& frames);
 
  private:

@@ -82,7 +82,7 @@ class Trajectory {
     std::size_t particles = 0;  ///< present
   };
 
-  /// `fixed`: the initial state of the scene (run::initial_state), for everything that a run does
+  /// `fixed`: the initial state of the scene (model::initial_state), for everything that a run does
   /// not change. Reads the list of parts once; open again for later frames.
   /// Throws StoreError if there is no trajectory, if files are incomplete or of another scene, or
   /// if a part or a state needs more than `max_bytes` of memory.

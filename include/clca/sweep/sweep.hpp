@@ -72,7 +72,7 @@ struct Events {
 
 /// Returns the final Progress: runs neither done nor failed are elsewhere, or were interrupted or
 /// not started. A failed run does not stop the others.
-/// Throws store::StoreError if something cannot be written, and run::SceneRunError if no picture
+/// Throws store::StoreError if something cannot be written, and scene::SceneError if no picture
 /// can be drawn here.
 Progress execute(const Plan& plan, const Options& options, const Events& events = {});
 

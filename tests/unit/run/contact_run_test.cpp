@@ -17,7 +17,7 @@
 #include "clca/store/checkpoint.hpp"
 #include "clca/store/file.hpp"
 #include "clca/store/table.hpp"
-#include "run/energy_record.hpp"
+#include "record/energy_record.hpp"
 #include "run/stage.hpp"
 #include "support/run_folders.hpp"
 #include "support/runs.hpp"
@@ -395,9 +395,9 @@ output: {series: {every: 1}}
 
 TEST_F(ContactRunTest, EnergyThatFallsWithoutEndIsMeasuredByItsFall) {
   const auto scene = small();
-  SceneModel model(scene, first_state(scene), {});
+  model::SceneModel model(scene, first_state(scene), {});
   prepare_stage(model, scene, scene.stages.front());
-  EnergyRecord record(scene);
+  record::EnergyRecord record(scene);
   record.begin(scene.stages.front(), model);
   const auto energy = *model.energy();
   const double start = energy.kinetic + energy.potential;
@@ -409,9 +409,9 @@ TEST_F(ContactRunTest, EnergyThatFallsWithoutEndIsMeasuredByItsFall) {
 
 TEST_F(ContactRunTest, EnergyThatGrowsIsToldOnce) {
   const auto scene = small();
-  SceneModel model(scene, first_state(scene), {});
+  model::SceneModel model(scene, first_state(scene), {});
   prepare_stage(model, scene, scene.stages.front());
-  EnergyRecord record(scene);
+  record::EnergyRecord record(scene);
   record.begin(scene.stages.front(), model);
   const auto energy = *model.energy();
   const double start = energy.kinetic + energy.potential;
@@ -564,7 +564,7 @@ TEST_F(ContactRunTest, AStageUntilATimeTakesItsStepsAndGoesOnToALaterOne) {
   EXPECT_EQ(first.stages[1].ended, "time");
   EXPECT_EQ(first.stages[1].steps, *scene::steps_of(timed("0.1").stages[1].until));
   EXPECT_THAT([&] { resume(load_run(path(), kMuch, "{time: 0.05}"), {}); },
-              ::testing::ThrowsMessage<SceneRunError>(HasSubstr("has passed this end")));
+              ::testing::ThrowsMessage<scene::SceneError>(HasSubstr("has passed this end")));
   const auto later = resume(load_run(path(), kMuch, "{time: 0.2}"), {});
   EXPECT_EQ(later.state_hash, run(timed("0.2"), {.folder = path("at once")}).state_hash);
   EXPECT_EQ(testing::difference_of_runs(path("at once"), path()), "");

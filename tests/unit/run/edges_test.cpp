@@ -8,9 +8,9 @@
 #include <cmath>
 #include <tuple>
 
-#include "clca/run/quantity.hpp"
+#include "clca/model/initial_state.hpp"
+#include "clca/record/quantity.hpp"
 #include "clca/run/run.hpp"
-#include "clca/run/setup.hpp"
 #include "clca/run/simulation.hpp"
 #include "clca/scene/units.hpp"
 #include "clca/store/run_folder.hpp"
@@ -155,7 +155,7 @@ TEST_F(Edges, ASourceEmitsItsGrainsAtTheStepsOfItsRate) {
 
 TEST(ASource, DoesNotDriftAndKeepsTheUnitOfBinaryFractions) {
   const auto source = [](const std::string& rate) {
-    return initial_state(
+    return model::initial_state(
                scene::parse("clca: 1\nbox: {width: 9, height: 9}\n"
                             "species: {a: {shape: {hexagon: 0}}}\n"
                             "sources: {s: {at: [2, 2], rate: " +
@@ -193,7 +193,7 @@ class FrameForces : public Edges {
   /// Upwards on the grain, in the frames after the first.
   std::vector<double> forces(const std::string& name) const {
     const scene::Scene scene = scene::parse_file(path(name) / store::kSceneFile);
-    store::Trajectory trajectory(path(name), scene, initial_state(scene), 1e9);
+    store::Trajectory trajectory(path(name), scene, model::initial_state(scene), 1e9);
     std::vector<double> result;
     for (std::size_t frame = 1; frame < trajectory.frames().size(); ++frame) {
       result.push_back(0);
@@ -264,12 +264,12 @@ TEST_F(Edges, ADerivedMeasureTakesNamesWithADash) {
 TEST(ADerivedMeasure, OfAnOutletOrSpeciesThatThereIsNotIsRefused) {
   for (const char* name :
        {"discharged.o.nosuch", "discharged.nosuch", "packing_fraction.o", "clogged.o.a"}) {
-    EXPECT_THROW(check_derived(scene::parse(kDashes, "scene.yaml",
-                                            {fmt::format("measure={{f: ={}}}", name)})),
+    EXPECT_THROW(record::check_derived(scene::parse(kDashes, "scene.yaml",
+                                                    {fmt::format("measure={{f: ={}}}", name)})),
                  scene::SceneError)
         << name;
   }
-  EXPECT_NO_THROW(check_derived(scene::parse(
+  EXPECT_NO_THROW(record::check_derived(scene::parse(
       kDashes, "scene.yaml", {"measure={f: =clogged.o-1 + outflow_sites_per_step.o}"})));
 }
 

@@ -64,19 +64,19 @@ class AGasThatGoesOn : public ::testing::TestWithParam<Kind> {};
 
 TEST_P(AGasThatGoesOn, HasTheSameBitsHoweverOftenItWasStopped) {
   const scene::BoltzmannScene scene = gas(GetParam().overrides);
-  const GasIntegrator carrier(scene);
+  const model::GasIntegrator carrier(scene);
   constexpr std::uint64_t kSeed = 7;
-  GasMember unbroken;
-  carrier.integrate(unbroken, 0.8, kSeed, 1, [](const GasMember&) { return true; });
+  model::GasMember unbroken;
+  carrier.integrate(unbroken, 0.8, kSeed, 1, [](const model::GasMember&) { return true; });
   ASSERT_EQ(unbroken.observations.size(), carrier.times().size());
   ASSERT_GT(unbroken.steps, 10U);
   for (const int asked : {1, 2, 5, 17}) {
-    GasMember member;
+    model::GasMember member;
     int stops = 0;
     while (member.observations.size() < carrier.times().size()) {
       int left = asked + 1;  // once before there is a step
       carrier.integrate(member, 0.8, kSeed, 1 + stops % 3,
-                        [&](const GasMember&) { return --left > 0; });
+                        [&](const model::GasMember&) { return --left > 0; });
       member = reread(member);
       ++stops;
     }
@@ -347,8 +347,8 @@ TEST_F(GasResumeTest, GasesThatWereNotKeptAreNotProlonged) {
   store::Checkpoint checkpoint = store::read_checkpoint(folder_.path(), kMaxBytes)->checkpoint;
   GasCourse course;
   reflection::decode(kSavedGases, checkpoint.fields, kMaxBytes, course);
-  for (GasCase& one : course.cases) {
-    for (GasMember& member : one.members) {
+  for (record::GasCase& one : course.cases) {
+    for (model::GasMember& member : one.members) {
       member.retained.reset();
     }
   }
@@ -365,15 +365,15 @@ struct Forgery {
   const char* reason;
 };
 
-GasMember& under_way(GasCourse& course) {
-  for (GasMember& member : course.cases.back().members) {
+model::GasMember& under_way(GasCourse& course) {
+  for (model::GasMember& member : course.cases.back().members) {
     if (member.gas) {
       return member;
     }
   }
   throw std::logic_error("no gas is under way");
 }
-GasMember& ended(GasCourse& course) {
+model::GasMember& ended(GasCourse& course) {
   return course.cases.front().members.front();
 }
 

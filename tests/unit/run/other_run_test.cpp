@@ -10,7 +10,8 @@
 
 #include "clca/run/run.hpp"
 #include "clca/run/setup.hpp"
-#include "run/model.hpp"
+#include "model/internal/scene_model.hpp"
+#include "run/stage.hpp"
 #include "support/runs.hpp"
 
 namespace clca::run::other_run_test {
@@ -68,19 +69,19 @@ class OtherRunTest : public ::testing::Test {
     return "";
   }
   /// Where the particles are that a run begins with, and what they are.
-  static std::vector<std::pair<Eigen::Vector2d, std::string>> places(const ModelState& state,
+  static std::vector<std::pair<Eigen::Vector2d, std::string>> places(const model::ModelState& state,
                                                                      const scene::Scene& scene) {
     std::vector<std::pair<Eigen::Vector2d, std::string>> result;
-    const grains::State& grains = grains_of(state);
+    const grains::State& grains = model::grains_of(state);
     for (const grains::Particle& particle : grains.particles) {
       result.emplace_back(grains::centre(grains, particle),
                           scene.species[grains.kinds[particle.kind].species].name);
     }
     return result;
   }
-  ModelState end(const std::string& name) const {
+  model::ModelState end(const std::string& name) const {
     const SavedRun saved = load_run(path(name), kMuch, "1000000");
-    return saved_state(std::get<scene::Scene>(saved.scene), saved.checkpoint.fields, kMuch);
+    return model::saved_state(std::get<scene::Scene>(saved.scene), saved.checkpoint.fields, kMuch);
   }
 
   testing::ScratchFolder folder_;
@@ -153,25 +154,25 @@ TEST_F(OtherRunTest, BeginsWithAStepOfTheTrajectory) {
   const auto early = flow({"begin.step=10"});
   const auto late = flow();
   EXPECT_NE(places(first_state(early), early), places(first_state(late), late));
-  EXPECT_EQ(grains_of(first_state(early)).particles.size(), 50U);
+  EXPECT_EQ(model::grains_of(first_state(early)).particles.size(), 50U);
   EXPECT_THAT(refusal({"begin.step=11"}), EndsWith("the trajectory in " + path("packing").string() +
                                                    " has no frame of step 11"));
 }
 
 TEST_F(OtherRunTest, LeavesOutWhatHasLeftTheOtherRun) {
   pack({"outlets={drain: {region: [0, 0, 8, 6]}}"});
-  const std::size_t left = grains::present_count(grains_of(end("packing")));
+  const std::size_t left = grains::present_count(model::grains_of(end("packing")));
   ASSERT_LT(left, 50U);
   const auto state = first_state(flow());
-  EXPECT_EQ(grains_of(state).particles.size(), left);
-  EXPECT_EQ(grains::present_count(grains_of(state)), left);
+  EXPECT_EQ(model::grains_of(state).particles.size(), left);
+  EXPECT_EQ(grains::present_count(model::grains_of(state)), left);
 }
 
 TEST_F(OtherRunTest, GoesFromEitherModelToTheOther) {
   const std::vector<scene::Override> contact = {"model=contact", "contact={rolling: none}"};
   pack();
   const scene::Scene by_contact = flow(contact);
-  const ModelState still = first_state(by_contact);
+  const model::ModelState still = first_state(by_contact);
   EXPECT_EQ(places(still, by_contact), places(first_state(flow()), flow()));
   EXPECT_EQ(std::get<contact::State>(still).velocities,
             std::vector<contact::Velocity<std::int32_t>>(50));
@@ -183,9 +184,9 @@ TEST_F(OtherRunTest, GoesFromEitherModelToTheOther) {
 
 TEST_F(OtherRunTest, GrainsWithAnAxisKeepItAndThoseWithoutGetOne) {
   const std::string one_site = "species={small: {shape: {hexagon: 0}}}";
-  const auto axes = [](const ModelState& state) {
+  const auto axes = [](const model::ModelState& state) {
     std::vector<std::uint16_t> result;
-    for (const grains::Particle& particle : grains_of(state).particles) {
+    for (const grains::Particle& particle : model::grains_of(state).particles) {
       result.push_back(baxter::axis_of(particle));
     }
     return result;
@@ -259,7 +260,7 @@ TEST_F(OtherRunTest, APeriodicBoxTakesNoParticlesFromBeyondItsWidth) {
 TEST_F(OtherRunTest, DoesNotReplaceTheRunThatItBeginsWith) {
   pack();
   EXPECT_THAT([&] { run(flow(), {.folder = path("packing")}); },
-              ::testing::ThrowsMessage<SceneRunError>(HasSubstr("would replace the one in")));
+              ::testing::ThrowsMessage<scene::SceneError>(HasSubstr("would replace the one in")));
 }
 
 }  // namespace

@@ -262,7 +262,7 @@ TEST_F(ResumeTest, AnEndThatTheRunHasPassedIsRefusedAndNothingIsChanged) {
   const auto scene = testing::bytes_of(path() / "scene.yaml");
   const auto summary = testing::bytes_of(path() / "run.json");
   EXPECT_THAT([&] { resume(load_run(path(), kMuch, "2"), {}); },
-              ::testing::ThrowsMessage<SceneRunError>(
+              ::testing::ThrowsMessage<scene::SceneError>(
                   HasSubstr("--until 2: error: stage flow has passed this end: it is at step")));
   EXPECT_EQ(testing::bytes_of(path() / "scene.yaml"), scene);
   EXPECT_EQ(testing::bytes_of(path() / "run.json"), summary);

@@ -13,8 +13,9 @@
 
 #include "clca/automaton/automaton.hpp"
 #include "clca/image/png.hpp"
-#include "clca/run/quantity.hpp"
-#include "clca/run/setup.hpp"
+#include "clca/model/initial_state.hpp"
+#include "clca/record/provenance.hpp"
+#include "clca/record/quantity.hpp"
 #include "clca/store/file.hpp"
 #include "clca/store/run_folder.hpp"
 #include "clca/store/table.hpp"
@@ -54,13 +55,13 @@ nlohmann::json json_of(const fs::path& file) {
 }
 
 TEST(Setup, KeepsOneKindPerOrientationThatLooksDifferent) {
-  const grains::State state = initial_state(small_scene());
+  const grains::State state = model::initial_state(small_scene());
   ASSERT_EQ(state.kinds.size(), 1U + 3U);  // the hexagon, and the rod in three directions
   EXPECT_EQ(state.kinds[3].species, 1);
 }
 
 TEST(Setup, GivesWallsTheirMotionAndLeavesOutThoseThatComeLater) {
-  const grains::State state = initial_state(small_scene(
+  const grains::State state = model::initial_state(small_scene(
       {"walls={plate: {box: [1, 70, 9, 74], motion: {direction: down, distance: 30}, passive: "
        "overlap}, post: {box: [2, 0, 4, 3]}}",
        "stages=[{name: first, fill: {region: [10, 0, 20, 40], counts: {small: 1, rod: 1}}}, {name: "
@@ -78,7 +79,7 @@ TEST(Setup, GivesWallsTheirMotionAndLeavesOutThoseThatComeLater) {
 TEST(Setup, WhereTheCoordinatesOfAShapeStartDoesNotMatter) {
   const auto near = small_scene({"species.rod.shape={sites: [[0, 0], [1, 0], [2, 0]]}"});
   const auto far = small_scene({"species.rod.shape={sites: [[90, 7], [91, 7], [92, 7]]}"});
-  EXPECT_EQ(initial_state(near).kinds, initial_state(far).kinds);
+  EXPECT_EQ(model::initial_state(near).kinds, model::initial_state(far).kinds);
 }
 
 TEST(Run, LeavesAWholeRunFolder) {
@@ -129,7 +130,7 @@ TEST(Run, DerivesMeasuresFromOthersAndSaysWhatTheyAre) {
   const auto read = store::read_summary(folder.path() / "out" / "run.json");
   EXPECT_EQ(read.derived, summary.derived);
   EXPECT_EQ(read.stages[1].measures, measures);
-  const KnownQuantities known = known_quantities(read);
+  const record::KnownQuantities known = record::known_quantities(read);
   EXPECT_EQ(known.find("ratio")->name, "Reach");
   EXPECT_EQ(known.find("twice")->meaning, "=2*ratio");
   EXPECT_EQ(known.find("runout_99")->name, "Run-out of 99 %");
@@ -137,7 +138,7 @@ TEST(Run, DerivesMeasuresFromOthersAndSaysWhatTheyAre) {
 
 TEST(Run, RefusesDerivedMeasuresOfNamesThatThereAreNot) {
   const auto expect = [](const std::string& measure, const std::string& message) {
-    EXPECT_THAT([&] { check_derived(small_scene({"measure=" + measure})); },
+    EXPECT_THAT([&] { record::check_derived(small_scene({"measure=" + measure})); },
                 ::testing::ThrowsMessage<scene::SceneError>(::testing::EndsWith(message)));
   };
   expect("{ratio: =runout_9 / 3}",
@@ -152,7 +153,7 @@ TEST(Run, RefusesDerivedMeasuresOfNamesThatThereAreNot) {
   expect("{ratio: =discharged.drain}",
          "error: measure.ratio: unknown measure 'discharged.drain' in '=discharged.drain'; did you "
          "mean 'discharged_share'?");
-  EXPECT_NO_THROW(check_derived(small_scene(
+  EXPECT_NO_THROW(record::check_derived(small_scene(
       {"outlets={drain: {region: [40, 0, 50, 5]}}", "measure={ratio: =discharged.drain + time}"})));
 }
 
@@ -181,14 +182,14 @@ TEST(Run, PicturesSayWhereTheyComeFrom) {
   EXPECT_EQ(png.text.at("Scene"), "small");
   EXPECT_EQ(png.text.at("Seed"), "5");
   EXPECT_EQ(png.text.at("Step"), "0");
-  EXPECT_EQ(png.text.at("Software"), "clca " + version());
+  EXPECT_EQ(png.text.at("Software"), "clca " + record::version());
 }
 
 TEST(Run, AFillThatDoesNotFitSaysHowManyFittedAndMakesNoFolder) {
   const testing::ScratchFolder folder;
   const auto scene = small_scene({"stages.packing.fill.counts.small=285"});
   EXPECT_THAT([&] { run(scene, {.folder = folder.path() / "out"}); },
-              ::testing::ThrowsMessage<SceneRunError>(::testing::AllOf(
+              ::testing::ThrowsMessage<scene::SceneError>(::testing::AllOf(
                   ::testing::StartsWith("small.yaml:12:11: error: the fill of stage packing"),
                   ::testing::HasSubstr("of 285 small"), ::testing::HasSubstr("enlarge"))));
   EXPECT_FALSE(fs::exists(folder.path() / "out"));

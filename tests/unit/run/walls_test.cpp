@@ -133,7 +133,7 @@ TEST(WallsInRuns, AWallIsNotInsertedInsideParticles) {
   const auto scene = plate({"walls.plate.box=[12, 5, 18, 80]", "walls.plate.motion.distance=2"});
   EXPECT_THAT(
       [&] { run(scene, {.folder = folder.path()}); },
-      ::testing::ThrowsMessage<SceneRunError>(::testing::AllOf(
+      ::testing::ThrowsMessage<scene::SceneError>(::testing::AllOf(
           ::testing::StartsWith("plate.yaml:13:13: error: stages.push.insert: wall plate would"),
           HasSubstr("inside particles"))));
 }

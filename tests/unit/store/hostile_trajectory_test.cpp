@@ -6,6 +6,7 @@
 #include <functional>
 #include <limits>
 
+#include "clca/model/initial_state.hpp"
 #include "clca/scene/parse.hpp"
 #include "clca/store/file.hpp"
 #include "clca/store/trajectory.hpp"
@@ -38,7 +39,7 @@ std::filesystem::path only_part(const std::filesystem::path& run) {
 /// The plate scene from the frame on in which the plate begins to move.
 void write_plate(const std::filesystem::path& run) {
   const scene::Scene scene = testing::plate_scene();
-  TrajectoryWriter writer(OutputFolder(run), scene, run::initial_state(scene), {});
+  TrajectoryWriter writer(OutputFolder(run), scene, model::initial_state(scene), {});
   testing::play(scene, 10, [&](const grains::State& state, std::size_t stage, bool begins) {
     if (stage == 1) {
       writer.add(state, stage, begins);
@@ -70,7 +71,7 @@ void rewrite(const std::filesystem::path& path, const std::function<void(Traject
 std::string reason(const std::filesystem::path& run,
                    const scene::Scene& scene = testing::plate_scene()) {
   try {
-    const Trajectory trajectory(run, scene, run::initial_state(scene), kMuch);
+    const Trajectory trajectory(run, scene, model::initial_state(scene), kMuch);
     for (std::size_t frame = 0; frame < trajectory.frames().size(); ++frame) {
       trajectory.state(frame);
     }
@@ -82,7 +83,7 @@ std::string reason(const std::filesystem::path& run,
 
 /// Two grains, the first one on the floor and on the second one.
 void write_contacts(const std::filesystem::path& run, const scene::Scene& scene) {
-  grains::State state = run::initial_state(scene);
+  grains::State state = model::initial_state(scene);
   state.particles = {testing::particle_at(5, 5), testing::particle_at(9, 5)};
   state.origins = {{5, 5}, {9, 5}};
   const contact::Force force = {
@@ -111,7 +112,7 @@ TEST(HostileTrajectory, FilesOfEarlierVersionsAreReadWithoutSpins) {
   const scene::Scene scene = contact_scene();
   write_contacts(folder.path(), scene);
   const auto spins = [&] {
-    const Trajectory trajectory(folder.path(), scene, run::initial_state(scene), kMuch);
+    const Trajectory trajectory(folder.path(), scene, model::initial_state(scene), kMuch);
     return trajectory.contact_frame(0).spins;
   };
   EXPECT_EQ(spins(), std::vector<double>({4, 5}));

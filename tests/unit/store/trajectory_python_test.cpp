@@ -8,6 +8,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "clca/model/initial_state.hpp"
 #include "clca/scene/parse.hpp"
 #include "clca/store/trajectory.hpp"
 #include "support/missing.hpp"
@@ -52,7 +53,7 @@ class TrajectoryInPython : public ::testing::Test {
   }
 
   void write(const scene::Scene& scene) {
-    TrajectoryWriter writer(OutputFolder(run()), scene, run::initial_state(scene), {});
+    TrajectoryWriter writer(OutputFolder(run()), scene, model::initial_state(scene), {});
     testing::play(scene, 5, [&](const grains::State& state, std::size_t stage, bool begins) {
       writer.add(state, stage, begins);
       if (++frames_ % 4 == 0) {
@@ -115,7 +116,7 @@ stages: [{name: only, fill: {region: [0, 0, 20, 20], counts: {grain: 1}}}]
 output: {trajectory: {contacts: true}}
 )",
                                           "one.yaml");
-  grains::State state = run::initial_state(scene);
+  grains::State state = model::initial_state(scene);
   state.particles = {testing::particle_at(5, 5)};
   state.origins = {{5, 5}};
   contact::Force force = {.other = contact::kFloor, .point = {5, 5}, .along_normal = 2.5};

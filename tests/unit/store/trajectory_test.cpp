@@ -6,8 +6,9 @@
 #include <fstream>
 
 #include "clca/automaton/automaton.hpp"
+#include "clca/model/initial_state.hpp"
 #include "clca/store/file.hpp"
-#include "run/model.hpp"
+#include "model/internal/scene_model.hpp"
 #include "run/stage.hpp"
 #include "support/runs.hpp"
 #include "support/trajectories.hpp"
@@ -31,7 +32,7 @@ class TrajectoryTest : public ::testing::Test {
  protected:
   /// Plays a scene; a part has `frames_per_part` frames.
   Shown write(const scene::Scene& scene, std::uint64_t every, std::size_t frames_per_part) const {
-    const grains::State fixed = run::initial_state(scene);
+    const grains::State fixed = model::initial_state(scene);
     TrajectoryWriter writer(OutputFolder(run()), scene, fixed, {});
     Shown shown;
     testing::play(scene, every, [&](const grains::State& state, std::size_t stage, bool begins) {
@@ -48,7 +49,7 @@ class TrajectoryTest : public ::testing::Test {
   }
 
   void expect_equal(const scene::Scene& scene, const Shown& shown) const {
-    const Trajectory trajectory(run(), scene, run::initial_state(scene), kMuch);
+    const Trajectory trajectory(run(), scene, model::initial_state(scene), kMuch);
     ASSERT_EQ(trajectory.frames().size(), shown.states.size());
     for (std::size_t frame = 0; frame < shown.states.size(); ++frame) {
       const grains::State state = trajectory.state(frame);
@@ -61,7 +62,7 @@ class TrajectoryTest : public ::testing::Test {
 
   std::string reason(const scene::Scene& scene, double max_bytes = kMuch) const {
     try {
-      const Trajectory trajectory(run(), scene, run::initial_state(scene), max_bytes);
+      const Trajectory trajectory(run(), scene, model::initial_state(scene), max_bytes);
       for (std::size_t frame = 0; frame < trajectory.frames().size(); ++frame) {
         trajectory.state(frame);
       }
@@ -113,7 +114,7 @@ stages:
 output: {trajectory: {every: 20, contacts: true}}
 )",
                                           "rain.yaml");
-  run::SceneModel model(scene, run::first_state(scene), {});
+  model::SceneModel model(scene, run::first_state(scene), {});
   TrajectoryWriter writer(OutputFolder(run()), scene, model.state(), {});
   run::prepare_stage(model, scene, scene.stages.front());
   std::vector<ContactFrame> shown;
@@ -144,7 +145,7 @@ output: {trajectory: {every: 20, contacts: true}}
   writer.flush();
   ASSERT_LT(present_count(model.state()), 30U) << "nothing has left";
   ASSERT_GT(shown.back().forces.size(), 10U);
-  const Trajectory trajectory(run(), scene, run::initial_state(scene), kMuch);
+  const Trajectory trajectory(run(), scene, model::initial_state(scene), kMuch);
   ASSERT_EQ(trajectory.frames().size(), shown.size());
   for (std::size_t frame = shown.size(); frame-- > 0;) {
     EXPECT_EQ(trajectory.contact_frame(frame), shown[frame]) << "frame " << frame;
@@ -155,7 +156,7 @@ output: {trajectory: {every: 20, contacts: true}}
 TEST_F(TrajectoryTest, FramesAreReadInAnyOrder) {
   const scene::Scene scene = testing::hourglass_scene();
   const Shown shown = write(scene, 5, 4);
-  const Trajectory trajectory(run(), scene, run::initial_state(scene), kMuch);
+  const Trajectory trajectory(run(), scene, model::initial_state(scene), kMuch);
   for (std::size_t i = 0; i < shown.states.size(); ++i) {
     const std::size_t frame = i * 17 % shown.states.size();
     ASSERT_EQ(trajectory.state(frame), shown.states[frame]) << "frame " << frame;
@@ -166,7 +167,7 @@ TEST_F(TrajectoryTest, FramesAreReadInAnyOrder) {
 TEST_F(TrajectoryTest, AnAutomatonCanBeMadeOfAnyFrame) {
   const scene::Scene scene = testing::plate_scene();
   write(scene, 4, 10);
-  const Trajectory trajectory(run(), scene, run::initial_state(scene), kMuch);
+  const Trajectory trajectory(run(), scene, model::initial_state(scene), kMuch);
   for (std::size_t frame = 0; frame < trajectory.frames().size(); ++frame) {
     EXPECT_NO_THROW(automaton::Automaton(trajectory.state(frame), scene.rules).step());
   }
@@ -179,7 +180,7 @@ TEST_F(TrajectoryTest, ARunGoesOnWhereItsCheckpointWas) {
   const TrajectoryWriter::Written kept{.parts = 3, .frames = 12};
   write_whole(run() / "trajectory" / "notes.txt", "of the user");
   {
-    TrajectoryWriter writer(OutputFolder(run()), scene, run::initial_state(scene), kept);
+    TrajectoryWriter writer(OutputFolder(run()), scene, model::initial_state(scene), kept);
     EXPECT_FALSE(std::filesystem::exists(part(3))) << "later than the checkpoint";
     EXPECT_TRUE(std::filesystem::exists(run() / "trajectory" / "notes.txt"));
     EXPECT_EQ(writer.written().frames, 12U);
@@ -199,7 +200,7 @@ TEST_F(TrajectoryTest, ARunGoesOnWhereItsCheckpointWas) {
 TEST_F(TrajectoryTest, ANewRunRemovesWhatAnOldOneHasLeft) {
   const scene::Scene scene = testing::plate_scene();
   write(scene, 5, 4);
-  const TrajectoryWriter writer(OutputFolder(run()), scene, run::initial_state(scene), {});
+  const TrajectoryWriter writer(OutputFolder(run()), scene, model::initial_state(scene), {});
   EXPECT_FALSE(std::filesystem::exists(run() / "trajectory.h5"));
   EXPECT_TRUE(std::filesystem::is_empty(run() / "trajectory"));
 }
@@ -209,7 +210,7 @@ TEST_F(TrajectoryTest, ARunDoesNotGoOnWithPartsThatAreNotItsOwn) {
   write(scene, 5, 4);
   const auto why = [&](const scene::Scene& of, const TrajectoryWriter::Written& kept) {
     try {
-      const TrajectoryWriter writer(OutputFolder(run()), of, run::initial_state(of), kept);
+      const TrajectoryWriter writer(OutputFolder(run()), of, model::initial_state(of), kept);
     } catch (const StoreError& error) {
       return std::string(error.what());
     }
@@ -226,7 +227,7 @@ TEST_F(TrajectoryTest, ARunDoesNotGoOnWithPartsThatAreNotItsOwn) {
 
 TEST_F(TrajectoryTest, WhatIsInMemoryIsWrittenWhenItIsMuch) {
   const scene::Scene scene = testing::plate_scene();
-  run::SceneModel model(scene, run::first_state(scene), {});
+  model::SceneModel model(scene, run::first_state(scene), {});
   run::prepare_stage(model, scene, scene.stages.front());
   TrajectoryWriter writer(OutputFolder(run()), scene, model.state(), {});
   constexpr std::size_t kMaxFrames = (std::size_t{16} << 20U) / (std::size_t{80} * 33);

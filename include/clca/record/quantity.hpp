@@ -1,0 +1,103 @@
+#pragma once
+// What the numbers in run.json and in the tables of a run are.
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "clca/grains/state.hpp"
+#include "clca/scene/scene.hpp"
+#include "clca/scene/units.hpp"
+#include "clca/store/summary.hpp"
+
+namespace clca::record {
+
+struct Quantity {
+  std::string_view key;      ///< in run.json, or the name of a column
+  std::string_view name;     ///< in words
+  std::string_view unit;     ///< as for shown_unit; of a pure number empty
+  std::string_view meaning;  ///< may be empty
+  bool of_floor = false;  ///< along or above the floor of the vessel: says little if it is turned
+};
+
+/// Of a run of grains or a sweep, also of one outlet or wall, KEY.OUTLET, and of a part of a
+/// vector, KEYx; null if there is none of this key.
+const Quantity* find_quantity(std::string_view key);
+/// Of a gas.
+const Quantity* find_gas_quantity(std::string_view key);
+/// Of the tables of a sweep over runs of grains.
+const Quantity* find_sweep_quantity(std::string_view key);
+
+/// A name in run.json or in tables, and what it stands for.
+struct NamedQuantity {
+  std::string name;
+  const Quantity* quantity;
+  std::string where;        ///< as `series.csv`
+  bool is_of_each = false;  ///< there may be NAME.OUTLET or NAME.WALL, too
+};
+/// All that are declared; a name may come several times.
+std::vector<NamedQuantity> named_quantities();
+
+/// A quantity of one run or sweep.
+struct ShownQuantity {
+  std::string name;     ///< in words
+  std::string of;       ///< the outlet or wall that it is of, or x, y of a vector; empty: the whole
+  std::string unit;     ///< as the run has it; of a pure number empty
+  std::string meaning;  ///< may be empty
+  bool of_floor = false;  ///< as Quantity::of_floor
+};
+
+/// What is known of the quantities of one run or sweep.
+struct KnownQuantities {
+  enum class Of : std::uint8_t { run, gas, sweep };
+
+  Of of = Of::run;
+  std::optional<scene::Conversion> units = {};
+  std::vector<scene::DerivedMeasure> derived = {};
+
+  /// One that is declared, or that the scene derives.
+  std::optional<ShownQuantity> find(std::string_view key) const;
+};
+
+KnownQuantities known_quantities(const store::RunSummary& summary);
+
+/// A measure or a column, in words. `found`: what is known of it, if anything.
+store::ColumnSummary column_summary(const std::string& key,
+                                    const std::optional<ShownQuantity>& found);
+/// The columns of a table of a sweep over runs: `known` of these.
+std::vector<store::ColumnSummary> sweep_summary(const std::vector<std::string>& columns,
+                                                const KnownQuantities& known);
+/// Measures that only a sweep has.
+std::vector<std::string> sweep_measures();
+
+/// Checks that the names in derived measures are those of measures that the scene takes. Throws
+/// scene::SceneError for the first that is not.
+void check_derived(const scene::Scene& scene);
+
+/// `unit` with the unit of velocity for `spacings/step`, that of time for `time` and that of
+/// scene::Conversion::si() for one of masses, where a run has them.
+std::string shown_unit(std::string_view unit, const std::optional<scene::Conversion>& units);
+
+/// What a grain touches, as tables of contacts name it: a grain by its number, a wall by its name,
+/// a side of the box as `box.floor`.
+std::string body_name(const scene::Scene& scene, grains::Owner owner);
+/// All walls, then the sides of the box.
+std::vector<grains::Owner> walls_and_sides(const scene::Scene& scene);
+
+/// The measures of a stage as a table in Markdown: measure, name in run.json, unit, what.
+std::string quantities_table();
+/// The columns of a table of a run, such as `series`, of a gas `gas.series`, of a sweep
+/// `sweep.runs`, or the datasets of the `trajectory`, likewise. Throws text::InputError for one
+/// that there is not.
+std::string columns_table(std::string_view table);
+/// All that columns_table() takes.
+std::vector<std::string> table_names();
+/// The names of the columns of `runs`, `measures` or `mean`, a table of a sweep, with `names` in
+/// place of those that are declared in capitals.
+std::vector<std::string> sweep_columns(
+    std::string_view table, const std::map<std::string_view, std::vector<std::string>>& names);
+
+}  // namespace clca::record

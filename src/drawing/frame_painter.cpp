@@ -1,0 +1,273 @@
+#include "drawing/internal/frame_painter.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numbers>
+#include <utility>
+
+#include "clca/contact/force.hpp"
+#include "clca/measure/coordination.hpp"
+#include "clca/record/provenance.hpp"
+#include "clca/scene/parse.hpp"
+#include "drawing/overlay.hpp"
+
+namespace clca::drawing {
+
+namespace {
+
+// Fixed, so that pictures of a sequence are comparable.
+constexpr int kMaxForceIndex = 8;  // overlapped sites
+constexpr double kLoad = 2;        // of a grain, in strongest forces of a contact
+constexpr double kFastest = 2;     // in highest velocities
+constexpr double kSpinning = 0.5;  // in spins of grains that roll that fast
+constexpr double kNeighbours = 6;  // of discs of one size
+
+constexpr int kTileSamples = 4;  // along each axis of a pixel, as a picture made smaller has
+
+render::Annotations annotations_of(const scene::Frames& frames) {
+  if (!frames.caption) {
+    return render::Annotations::none;
+  }
+  return frames.style == scene::PictureStyle::print ? render::Annotations::legend
+                                                    : render::Annotations::all;
+}
+
+render::Style style_of(const scene::Frames& frames, const lattice::Lattice& lattice,
+                       const PictureUse& use) {
+  render::Style style = {.width = frames.width.value_or(0),
+                         .height = frames.height.value_or(0),
+                         .supersampling = frames.supersampling,
+                         .drawing = frames.drawing == scene::Drawing::polygons
+                                        ? render::Drawing::polygons
+                                        : render::Drawing::lookup,
+                         .view = view_of(frames, lattice),
+                         .annotations = annotations_of(frames),
+                         .threads = use.threads,
+                         .vector = use.vector};
+  if (use.tile_width != 0) {
+    const auto& [left, bottom, right, top] = style.view;
+    const image::PixelBox size = render::tile_size(right - left, top - bottom, use.tile_width);
+    style.width = size.width;
+    style.height = size.height;
+    style.supersampling = kTileSamples;
+    style.annotations = render::Annotations::none;
+  }
+  return style;
+}
+
+render::Painter make_painter(const scene::Scene& scene, const grains::State& state,
+                             const PictureUse& use) {
+  const scene::Frames& frames = *scene.output.frames;
+  try {
+    return {style_of(frames, state.lattice, use), state.lattice, state.kinds};
+  } catch (const render::RenderError& error) {
+    throw scene::SceneError(fmt::format("{}: error: {}", frames.location, error.what()));
+  }
+}
+
+std::vector<render::NamedColor> species_colors(const scene::Scene& scene) {
+  std::vector<render::NamedColor> colors;
+  for (std::size_t number = 0; number < scene.species.size(); ++number) {
+    const scene::Species& species = scene.species[number];
+    const render::Rgb color = species.color.value_or(render::palette_color(number));
+    colors.push_back({species.name, color});
+  }
+  return colors;
+}
+
+/// By id, `step_velocity` for a lattice spacing per step. Without velocities of the model: of the
+/// mean velocity since the window began, 0 for particles that have come since.
+std::vector<double> speeds(const View& view, const PictureHistory& history, double step_velocity) {
+  std::vector<double> result(view.state.particles.size(), 0);
+  if (view.contact) {
+    std::transform(
+        view.contact->velocities.begin(), view.contact->velocities.end(), result.begin(),
+        [&](const Eigen::Vector2d& velocity) { return step_velocity * velocity.norm(); });
+  } else if (history.window->step() < view.state.step) {
+    const auto velocities = history.window->velocities(view.state);
+    std::transform(velocities.begin(), velocities.end(), result.begin(), [&](const auto& velocity) {
+      return velocity ? step_velocity * velocity->norm() : 0;
+    });
+  }
+  return result;
+}
+
+/// Angular velocities by id, radians per unit of time. `time_step`: in that unit.
+std::vector<double> spins(const View& view, double time_step) {
+  std::vector<double> result = view.contact->spins;
+  for (std::size_t id = 0; id < result.size(); ++id) {
+    const double radius = view.state.shape(view.state.particles[id]).diameter() / 2;
+    result[id] /= radius * time_step;
+  }
+  return result;
+}
+
+/// By id, the normal forces on each grain.
+std::vector<double> loads(const View& view, const OverlayScales& scales) {
+  std::vector<double> result = contact::loads(view.state.particles.size(), view.contact->forces);
+  const double grain_weight = scales.value_of(scene::kContactForceUnit, view.state);
+  std::ranges::transform(result, result.begin(), [=](double load) { return grain_weight * load; });
+  return result;
+}
+
+/// By id, the normal forces over the circumference of a disc of the grain's area.
+std::vector<double> pressures(const View& view, const OverlayScales& scales) {
+  const grains::State& state = view.state;
+  std::vector<double> result = contact::loads(state.particles.size(), view.contact->forces);
+  const double unit = scales.value_of(scene::kStressUnit, state);
+  for (std::size_t id = 0; id < result.size(); ++id) {
+    result[id] *= unit / (std::numbers::pi * state.shape(state.particles[id]).diameter());
+  }
+  return result;
+}
+
+}  // namespace
+
+lattice::Lattice lattice_of(const scene::Scene& scene) {
+  return lattice::Lattice::covering(scene.box.width, scene.box.height, scene.box.periodic);
+}
+
+lattice::Rectangle view_of(const scene::Frames& frames, const lattice::Lattice& lattice) {
+  return frames.view.value_or(render::whole_box(lattice));
+}
+
+void begin_stage(PictureHistory& history, const scene::Scene& scene, const scene::Stage& stage,
+                 const grains::State& state) {
+  double highest = 2;
+  for (std::size_t id = 0; id < state.particles.size(); ++id) {
+    if (state.particles[id].present) {
+      highest = std::max(highest, lattice::position(state.origins[id]).y());
+    }
+  }
+  history.stage = stage.name;
+  history.displacement_scale = highest / 2;
+  history.layers = render::layer_range(state, stage.sources);
+  begin_window(history, scene, state);
+}
+
+void begin_window(PictureHistory& history, const scene::Scene& scene, const grains::State& state) {
+  if (scene::pictures_compare_positions(scene)) {
+    history.window.emplace(state);
+  }
+}
+
+image::PngText scene_metadata(const scene::Scene& scene) {
+  return {{"Title", scene.title},
+          {"Software", fmt::format("clca {}", record::version())},
+          {"Scene", scene.name},
+          {"Seed", fmt::format("{}", scene.seed)}};
+}
+
+FramePainter::FramePainter(const scene::Scene& scene, const grains::State& state,
+                           const PictureUse& use)
+    : scene_(scene),
+      frames_(*scene.output.frames),
+      scales_(overlay_scales(scene)),
+      painter_(make_painter(scene, state, use)) {}
+
+double FramePainter::bytes(const scene::Scene& scene, double particles, int captures) {
+  return render::Painter::bytes_for(style_of(*scene.output.frames, lattice_of(scene), {}),
+                                    particles, captures);
+}
+
+CapturedFrame FramePainter::capture(const View& view, const PictureHistory& history) {
+  const std::uint64_t step = view.state.step;
+  render::Coloring colors = coloring(view, history);
+  render::mark_beyond(colors, view.state, view.occupancy);
+  DrawnOverlay drawn = overlay_of(frames_.overlay, view, history, scales_);
+  colors.legend.lines = std::move(drawn.keys);
+  image::PngText text = scene_metadata(scene_);
+  text["Stage"] = history.stage;
+  text["Step"] = fmt::format("{}", step);
+  std::string when = fmt::format("step {}", step);
+  if (scales_.conversion) {
+    text["Time"] = scales_.conversion->time_text(step);
+    when = "t = " + text["Time"];
+  }
+  return {.capture = painter_.capture(view.state, view.occupancy, colors),
+          .caption = {.title = scene_.title,
+                      .detail = fmt::format("{}, {}", history.stage, when),
+                      .spacing = scene_.units ? scene_.units->spacing : 0},
+          .overlay = std::move(drawn.overlay),
+          .turn = frames_.upright ? contact::degrees(view.angle) : 0,
+          .text = std::move(text)};
+}
+
+Picture FramePainter::rasterize(const CapturedFrame& frame) {
+  Picture picture = {
+      .image = painter_.rasterize(frame.capture, frame.caption, frame.overlay, frame.turn),
+      .moment = frame.caption.detail,
+      .legend = frame.capture.legend(),
+      .text = frame.text};
+  picture.legend.fade = frame.overlay.fade;
+  const auto& [box, scale] = painter_.view();
+  picture.text["View"] = fmt::format("{} {} {} {}", box.x, box.y, box.width, box.height);
+  picture.text["Scale"] = fmt::format("{}", scale);
+  if (frames_.caption) {
+    picture.text["Legend"] = render::to_text(picture.legend);
+  }
+  return picture;
+}
+
+render::Tile FramePainter::tile(const Picture& picture, int width) const {
+  render::Tile tile = render::tile(picture.image, painter_.view(), width);
+  if (frames_.caption) {
+    tile.legend = picture.legend;
+  }
+  return tile;
+}
+
+std::vector<std::uint8_t> FramePainter::pdf(const CapturedFrame& frame) {
+  return painter_.pdf(frame.capture, frame.caption, frame.overlay, frame.turn);
+}
+
+render::Coloring FramePainter::coloring(const View& view, const PictureHistory& history) const {
+  const grains::State& state = view.state;
+  const auto range = [this](double high) {
+    return frames_.range ? statistics::Range{frames_.range->low, frames_.range->high}
+                         : statistics::Range{0, high};
+  };
+  switch (frames_.color_by) {
+    case scene::ColorBy::stage_layer:
+      return render::color_by_layer(state.kinds, frames_.layers, history.layers);
+    case scene::ColorBy::displacement:
+      return render::color_by_displacement(range(history.displacement_scale));
+    case scene::ColorBy::speed:
+      return render::color_by_value(speeds(view, history, scales_.step_velocity),
+                                    fmt::format("speed ({})", scales_.velocity_unit.several),
+                                    range(kFastest * scales_.highest_velocity));
+    case scene::ColorBy::spin: {
+      const double high = kSpinning * scales_.highest_spin;
+      const auto ends = frames_.range ? range(high) : statistics::Range{-high, high};
+      return render::color_by_value(spins(view, scales_.conversion->time_step),
+                                    fmt::format("spin (radians/{})", scales_.conversion->time_unit),
+                                    ends, true);
+    }
+    case scene::ColorBy::coordination: {
+      const std::vector<int> touched = measure::coordination(state, view.occupancy);
+      return render::color_by_value({touched.begin(), touched.end()}, "grains and walls touched",
+                                    range(kNeighbours));
+    }
+    case scene::ColorBy::id:
+      return render::color_by_id();
+    case scene::ColorBy::axis:
+      return render::color_by_axis();
+    case scene::ColorBy::force:
+      return view.contact ? render::color_by_value(
+                                loads(view, scales_),
+                                fmt::format("load ({})", scales_.unit_of(scene::kContactForceUnit)),
+                                range(kLoad * scales_.strongest_force))
+                          : render::color_by_force(range(kMaxForceIndex));
+    case scene::ColorBy::pressure:
+      return render::color_by_value(
+          pressures(view, scales_),
+          fmt::format("pressure ({})", scales_.unit_of(scene::kStressUnit)),
+          range(scales_.highest_pressure));
+    case scene::ColorBy::species:
+      break;
+  }
+  return render::color_by_species(state.kinds, species_colors(scene_));
+}
+
+}  // namespace clca::drawing

@@ -1,0 +1,132 @@
+#pragma once
+// Draws states as the scene specifies, during a run or from a trajectory.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "clca/contact/vessel.hpp"
+#include "clca/grains/occupancy.hpp"
+#include "clca/grains/state.hpp"
+#include "clca/image/png.hpp"
+#include "clca/measure/snapshot.hpp"
+#include "clca/reflection/reflection.hpp"
+#include "clca/render/coloring.hpp"
+#include "clca/render/contact_sheet.hpp"
+#include "clca/render/painter.hpp"
+#include "clca/scene/scene.hpp"
+#include "clca/scene/units.hpp"
+#include "clca/store/trajectory.hpp"
+#include "drawing/overlay.hpp"
+#include "record/internal/cycle_record.hpp"
+
+namespace clca::drawing {
+
+/// Everything that a picture shows.
+struct View {
+  const grains::State& state;
+  grains::Occupancy occupancy;
+  const record::CycleRecord* cycles = nullptr;      ///< none where the run is over: then no arrows
+  std::optional<store::ContactFrame> contact = {};  ///< of the contact model: what is shown
+  contact::Angle angle = 0;                         ///< of the vessel
+};
+
+lattice::Lattice lattice_of(const scene::Scene& scene);
+/// The part of the plane that pictures show.
+lattice::Rectangle view_of(const scene::Frames& frames, const lattice::Lattice& lattice);
+
+/// What later pictures need to know of earlier ones; part of a checkpoint.
+struct PictureHistory {
+  std::string stage;
+  double displacement_scale = 1;  ///< end of the colour bar, lattice spacings
+  render::LayerRange layers;
+  std::optional<std::uint64_t> last_step;  ///< that was drawn
+  /// At the last picture or the start of the stage, if scene::pictures_compare_positions().
+  std::optional<measure::Snapshot> window = {};
+
+  static constexpr auto fields() {
+    return std::make_tuple(
+        reflection::field("stage", &PictureHistory::stage),
+        reflection::field("displacement_scale", &PictureHistory::displacement_scale),
+        reflection::field("layers", &PictureHistory::layers),
+        reflection::field("last_step", &PictureHistory::last_step),
+        reflection::field("window", &PictureHistory::window));
+  }
+};
+
+/// Sets what all pictures of a stage share. `state`: at the start of the stage, with the origins
+/// marked.
+void begin_stage(PictureHistory& history, const scene::Scene& scene, const scene::Stage& stage,
+                 const grains::State& state);
+/// Begins the window before the next picture.
+void begin_window(PictureHistory& history, const scene::Scene& scene, const grains::State& state);
+
+/// A captured picture with its annotations, not yet rasterized.
+struct CapturedFrame {
+  render::Capture capture;
+  render::Caption caption;
+  render::Overlay overlay;
+  double turn = 0;  ///< degrees anticlockwise
+  image::PngText text;
+};
+
+struct Picture {
+  render::Image image;
+  std::string moment;  ///< stage and step, or time
+  render::Legend legend;
+  image::PngText text;
+};
+
+/// Provenance of a picture, without stage and step.
+image::PngText scene_metadata(const scene::Scene& scene);
+
+/// What pictures are drawn for.
+struct PictureUse {
+  int threads = 1;      ///< of captures
+  bool vector = false;  ///< captures serve FramePainter::pdf()
+  int tile_width = 0;   ///< pixels; not 0: tiles of a contact sheet alone, nothing around the view
+};
+
+/// One thread may capture the next picture while another rasterizes.
+class FramePainter {
+ public:
+  /// `scene` has frames and outlives this object. Throws scene::SceneError if the driver cannot
+  /// draw it.
+  FramePainter(const scene::Scene& scene, const grains::State& state, const PictureUse& use);
+
+  /// Memory for pictures of so many particles, of which so many are captured at a time.
+  static double bytes(const scene::Scene& scene, double particles, int captures);
+
+  /// One scale for the arrows of all pictures, where their velocities are up to that.
+  void set_typical_velocity(double velocity) {
+    scales_.arrow_velocity = arrow_scale(velocity, scales_);
+  }
+  /// See drawing::typical_velocity().
+  double typical_velocity(const View& view, const PictureHistory& history) const {
+    return drawing::typical_velocity(view, history, scales_);
+  }
+
+  /// Reads what the picture needs; the state may change afterwards.
+  CapturedFrame capture(const View& view, const PictureHistory& history);
+  Picture rasterize(const CapturedFrame& frame);
+  std::vector<std::uint8_t> pdf(const CapturedFrame& frame);
+
+  /// Of a contact sheet, without label.
+  render::Tile tile(const Picture& picture, int width) const;
+  render::PixelBox view() const { return painter_.view().box; }
+
+  int width() const { return painter_.width(); }  ///< pixels of a picture
+  int height() const { return painter_.height(); }
+
+ private:
+  /// The colours of the particles.
+  render::Coloring coloring(const View& view, const PictureHistory& history) const;
+
+  const scene::Scene& scene_;
+  const scene::Frames& frames_;
+  OverlayScales scales_;
+  render::Painter painter_;
+};
+
+}  // namespace clca::drawing

@@ -1,0 +1,304 @@
+#include "drawing/overlay.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "clca/measure/force.hpp"
+#include "clca/measure/grid.hpp"
+#include "clca/measure/snapshot.hpp"
+#include "clca/measure/weight_paths.hpp"
+#include "clca/record/quantity.hpp"
+#include "clca/scene/contact.hpp"
+#include "clca/scene/units.hpp"
+#include "drawing/internal/frame_painter.hpp"
+#include "grains/internal/apart_table.hpp"
+
+namespace clca::drawing {
+
+namespace {
+
+/// Over the species.
+template <class ValueOf>
+double mean(const scene::Scene& scene, ValueOf value_of) {
+  double sum = 0;
+  for (const scene::Species& species : scene.species) {
+    sum += static_cast<double>(value_of(species.shape));
+  }
+  return sum / static_cast<double>(scene.species.size());
+}
+
+double mean_diameter(const scene::Scene& scene) {
+  return mean(scene, [](const lattice::Shape& shape) { return shape.diameter(); });
+}
+
+/// The largest of 1, 2 and 5 times a power of ten that is not above `number` (positive).
+double rounded_down(double number) {
+  const double power = std::pow(10, std::floor(std::log10(number)));
+  const double leading = number / power;
+  return power * (leading < 2 ? 1 : leading < 5 ? 2 : 5);
+}
+
+/// `grain_weight`: in the unit of forces.
+double strongest_force(const scene::Scene& scene, double grain_weight) {
+  return scene.output.frames->force_scale.value_or(rounded_down(
+      2 * grain_weight * scene::contact_parameters(scene).fall_height / mean_diameter(scene)));
+}
+
+double velocity_cell(const scene::Scene& scene, const scene::Frames& frames) {
+  constexpr double kDiameters = 3;
+  constexpr double kMostAcross = 30;  // cells along the longer side of the view
+  const double width = frames.view ? frames.view->right - frames.view->left : scene.box.width;
+  const double height = frames.view ? frames.view->top - frames.view->bottom : scene.box.height;
+  const double least = std::max(width, height) / kMostAcross;
+  return frames.velocity_cell.value_or(std::max(kDiameters * mean_diameter(scene), least));
+}
+
+/// One of the unit, in SI units where there are any. `mean_mass`: see scene::Conversion.
+double in_si(std::optional<scene::Conversion> conversion, std::string_view unit, double mean_mass) {
+  if (!conversion) {
+    return 1;
+  }
+  conversion->mean_mass = mean_mass;
+  return conversion->in_si(1, unit);
+}
+
+/// In lattice spacings per step.
+double default_velocity(const scene::Scene& scene) {
+  constexpr double kOfAutomaton = 0.5;
+  constexpr double kOfFreeFall = 0.5;
+  // The resolution is what a fall from the fall height ends with.
+  return scene.model == scene::Model::contact ? kOfFreeFall * scene.contact.resolution
+                                              : kOfAutomaton;
+}
+
+}  // namespace
+
+OverlayScales overlay_scales(const scene::Scene& scene) {
+  const scene::Frames& frames = *scene.output.frames;
+  OverlayScales scales = {
+      .conversion = scene::conversion(scene),
+      .velocity_cell = velocity_cell(scene, frames),
+      .arrow_velocity = frames.velocity_scale,
+      .velocity_unit = {.one = "spacing per step", .several = "spacings per step"}};
+  std::optional<scene::Conversion>& conversion = scales.conversion;
+  if (conversion) {
+    scales.step_velocity = conversion->velocity(1);
+    scales.velocity_unit = {.one = conversion->velocity_unit, .several = conversion->velocity_unit};
+  }
+  scales.highest_velocity =
+      frames.velocity_scale.value_or(rounded_down(scales.step_velocity * default_velocity(scene)));
+  if (conversion) {
+    scales.highest_spin =
+        2 * scales.highest_velocity / (mean_diameter(scene) * conversion->spacing);
+  }
+  const double mass = mean(scene, [](const lattice::Shape& shape) { return shape.size(); });
+  const double grain_weight = in_si(conversion, scene::kContactForceUnit, mass);
+  scales.strongest_force = strongest_force(scene, grain_weight);
+  scales.highest_pressure = scales.strongest_force / grain_weight *
+                            in_si(conversion, scene::kStressUnit, mass) / mean_diameter(scene);
+  return scales;
+}
+
+std::string OverlayScales::unit_of(std::string_view unit) const {
+  return record::shown_unit(unit, conversion);
+}
+
+double OverlayScales::value_of(std::string_view unit, const grains::State& state) const {
+  return in_si(conversion, unit, contact::mean_mass(state));
+}
+
+double arrow_scale(double typical, const OverlayScales& scales) {
+  constexpr double kRest = 0.01;  // of the highest velocity
+  return scales.arrow_velocity.value_or(
+      typical > kRest * scales.highest_velocity ? typical : scales.highest_velocity);
+}
+
+namespace {
+
+// Fixed, so that pictures of a sequence are comparable. More sites in one contact are rare.
+constexpr double kMaxOverlapSites = 6;  // sites
+// Cells rarely visited by grains have too large errors.
+constexpr double kMinWeight = 0.2;         // of the fullest cell's
+constexpr double kMinDisplacement = 1e-3;  // spacings per cycle
+
+/// From the centre of a grain to that of the nearest image of another.
+Eigen::Vector2d between_centres(const grains::State& state, const grains::Particle& first,
+                                std::size_t second) {
+  const grains::Particle& other = state.particles[second];
+  const lattice::Axial apart = grains::nearest_vector(state.lattice, first.site(), other.site());
+  return lattice::position(apart) + state.shape(other).centroid() - state.shape(first).centroid();
+}
+
+/// Adds a line from the centre of a grain. At a periodic boundary it ends, and goes on at the
+/// other.
+void add_line(const grains::State& state, const grains::Particle& first,
+              const Eigen::Vector2d& along, double strength,
+              std::vector<render::ForceLine>& lines) {
+  const lattice::Lattice& lattice = state.lattice;
+  const Eigen::Vector2d from = grains::centre_in_box(state, first);
+  const Eigen::Vector2d to = from + along;
+  const double left = lattice::Lattice::corner().x();
+  const double right = left + lattice.size().x();
+  if (!lattice.periodic() || (to.x() >= left && to.x() <= right)) {
+    lines.push_back({.from = from, .to = to, .strength = strength});
+    return;
+  }
+  const auto [out, in] = to.x() < left ? std::pair(left, right) : std::pair(right, left);
+  const double height = from.y() + (out - from.x()) / along.x() * along.y();
+  lines.push_back({.from = from, .to = {out, height}, .strength = strength});
+  lines.push_back({.from = {in, height}, .to = lattice.in_box(to), .strength = strength});
+}
+
+/// From the centre of a grain to the nearest image of the point where it meets a wall.
+Eigen::Vector2d to_point(const grains::State& state, const grains::Particle& first,
+                         const Eigen::Vector2d& point) {
+  Eigen::Vector2d along = point - grains::centre_in_box(state, first);
+  if (state.lattice.periodic()) {
+    along.x() = std::remainder(along.x(), state.lattice.size().x());
+  }
+  return along;
+}
+
+/// Lines from centre to centre, or to the wall.
+DrawnOverlay contact_forces(const View& view, const std::vector<contact::Force>& forces,
+                            const OverlayScales& scales) {
+  const double grain_weight = scales.value_of(scene::kContactForceUnit, view.state);
+  std::vector<render::ForceLine> lines;
+  for (const contact::Force& force : forces) {
+    const grains::Particle& upper = view.state.particles[force.upper];
+    const Eigen::Vector2d along =
+        grains::is_particle(force.other)
+            ? between_centres(view.state, upper, static_cast<std::size_t>(force.other))
+            : to_point(view.state, upper, force.point);
+    add_line(view.state, upper, along, grain_weight * force.along_normal, lines);
+  }
+  const double strongest = scales.strongest_force;
+  return {render::force_network(lines, strongest),
+          {render::force_key(strongest, fmt::format("{:g} {}", strongest,
+                                                    scales.unit_of(scene::kContactForceUnit)))}};
+}
+
+DrawnOverlay weight(const View& view, measure::WeightRule rule, const OverlayScales& scales) {
+  const auto supported = measure::supported_grains(view.state, view.occupancy);
+  return contact_forces(view, measure::weight_paths(view.state, supported, rule).forces, scales);
+}
+
+/// Lines from centre to centre, or to the overlap with a wall.
+DrawnOverlay overlaps(const View& view) {
+  std::vector<render::ForceLine> lines;
+  for (const measure::OverlapContact& contact : measure::contacts(view.state, view.occupancy)) {
+    const grains::Particle& first = view.state.particles[contact.first];
+    const Eigen::Vector2d along =
+        grains::is_particle(contact.second)
+            ? between_centres(view.state, first, static_cast<std::size_t>(contact.second))
+            : to_point(view.state, first, contact.point);
+    add_line(view.state, first, along, static_cast<double>(contact.sites), lines);
+  }
+  return {render::force_network(lines, kMaxOverlapSites),
+          {render::force_key(kMaxOverlapSites,
+                             fmt::format("{:g} overlapped sites", kMaxOverlapSites))}};
+}
+
+double heaviest(const std::vector<measure::Arrow>& arrows) {
+  double most = 0;
+  for (const measure::Arrow& arrow : arrows) {
+    most = std::max(most, arrow.weight);
+  }
+  return most;
+}
+
+DrawnOverlay arrows(const record::CycleRecord& cycles) {
+  const measure::Convection* convection = cycles.convection();
+  if (convection == nullptr || convection->cycles() == 0) {
+    return {};
+  }
+  const std::vector<measure::Arrow> all = convection->arrows();
+  const double enough = kMinWeight * heaviest(all);
+  std::vector<render::FieldArrow> field;
+  for (const measure::Arrow& arrow : all) {
+    if (arrow.weight >= enough) {
+      field.push_back({arrow.centre, arrow.displacement});
+    }
+  }
+  const double scale = std::max(kMinDisplacement, render::typical_length(field));
+  return {render::arrow_field(field, cycles.cell(), scale),
+          {render::arrow_key(cycles.cell(), scale,
+                             {.one = "spacing per cycle", .several = "spacings per cycle"})}};
+}
+
+/// Arrows of the cells with enough grains. Their cost does not depend on the size of the box.
+std::vector<render::FieldArrow> velocity_arrows(const grains::State& state,
+                                                const measure::Snapshot& begin,
+                                                const OverlayScales& scales) {
+  if (state.step == begin.step()) {
+    return {};
+  }
+  struct Sums {
+    double sites = 0;
+    Eigen::Vector2d displacement = Eigen::Vector2d::Zero();
+  };
+  const measure::Grid grid(state.lattice, scales.velocity_cell);
+  std::map<std::size_t, Sums> cells;
+  double enough = 0;
+  for (const measure::Displacement& grain : begin.displacements(state)) {
+    grid.share_out(grain.from + grain.vector, [&](std::size_t index, double share) {
+      Sums& cell = cells[index];
+      cell.sites += share * grain.sites;
+      cell.displacement += share * grain.sites * grain.vector;
+      enough = std::max(enough, kMinWeight * cell.sites);
+    });
+  }
+  const double per_step = scales.step_velocity / static_cast<double>(state.step - begin.step());
+  std::vector<render::FieldArrow> result;
+  for (const auto& [index, cell] : cells) {
+    if (cell.sites >= enough) {
+      result.push_back({grid.centre(index), per_step / cell.sites * cell.displacement});
+    }
+  }
+  return result;
+}
+
+DrawnOverlay velocities(const grains::State& state, const measure::Snapshot& begin,
+                        const OverlayScales& scales) {
+  const double cell = scales.velocity_cell;
+  const std::vector<render::FieldArrow> field = velocity_arrows(state, begin, scales);
+  const double scale = arrow_scale(render::typical_length(field), scales);
+  return {render::arrow_field(field, cell, scale),
+          {render::arrow_key(cell, scale, scales.velocity_unit)}};
+}
+
+}  // namespace
+
+double typical_velocity(const View& view, const PictureHistory& history,
+                        const OverlayScales& scales) {
+  return render::typical_length(velocity_arrows(view.state, *history.window, scales));
+}
+
+DrawnOverlay overlay_of(scene::Overlay overlay, const View& view, const PictureHistory& history,
+                        const OverlayScales& scales) {
+  switch (overlay) {
+    case scene::Overlay::forces:
+      return view.contact ? contact_forces(view, view.contact->forces, scales) : overlaps(view);
+    case scene::Overlay::arrows:
+      return view.cycles != nullptr ? arrows(*view.cycles) : DrawnOverlay();
+    case scene::Overlay::velocity:
+      return velocities(view.state, *history.window, scales);
+    case scene::Overlay::weight_inner:
+      return weight(view, measure::WeightRule::inner, scales);
+    case scene::Overlay::weight_outer:
+      return weight(view, measure::WeightRule::outer, scales);
+    case scene::Overlay::weight_pair:
+      return weight(view, measure::WeightRule::pair, scales);
+    case scene::Overlay::weight_q:
+      return weight(view, measure::WeightRule::q, scales);
+    case scene::Overlay::none:
+      break;
+  }
+  return {};
+}
+
+}  // namespace clca::drawing

@@ -1,0 +1,322 @@
+#include "drawing/run_drawing.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "clca/model/initial_state.hpp"
+#include "clca/scene/contact.hpp"
+#include "clca/text/message.hpp"
+#include "drawing/overlay.hpp"
+
+namespace clca::drawing {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Frame = store::Trajectory::Frame;
+
+// Names of scales; that of velocities is their unit.
+constexpr const char* kDisplacement = "displacement";
+constexpr const char* kForce = "force";
+constexpr const char* kCell = "cell";
+
+/// The scene, if the run can be drawn.
+const scene::Scene& drawable(const RunToDraw& run) {
+  const scene::Scene& scene = run.scene;
+  std::error_code unknown;
+  if (!fs::exists(run.folder / "trajectory", unknown) && !unknown) {
+    throw RedrawError(fmt::format(
+        "{}: the run has left no trajectory; run the scene again with output.trajectory in it, as "
+        "by --set output.trajectory.every=10",
+        run.folder.string()));
+  }
+  if (scene.output.frames->overlay == scene::Overlay::arrows) {
+    throw RedrawError(fmt::format(
+        "{}: overlay: arrows are means over whole cycles, which a trajectory does not hold; draw "
+        "with the overlay none, forces or velocity",
+        scene.output.frames->location));
+  }
+  const auto& trajectory = scene.output.trajectory;
+  if (scene::pictures_show_forces(scene) && !(trajectory && trajectory->contacts)) {
+    const bool overlay = scene.output.frames->overlay == scene::Overlay::forces;
+    throw RedrawError(fmt::format(
+        "{}: {}: the trajectory of this run holds no forces; draw {}, or run the scene again with "
+        "output.trajectory.contacts: true",
+        scene.output.frames->location, overlay ? "overlay" : "color_by",
+        overlay ? "with the overlay none" : "by another colour"));
+  }
+  return scene;
+}
+
+/// The frame nearest to a range of steps.
+std::size_t nearest_frame(const std::vector<Frame>& frames, const RedrawOptions& options) {
+  const auto distance = [&](const Frame& frame) {
+    return frame.step < options.from ? options.from - frame.step
+                                     : frame.step - std::min(frame.step, options.to);
+  };
+  const auto nearest = std::min_element(
+      frames.begin(), frames.end(),
+      [&](const Frame& one, const Frame& other) { return distance(one) < distance(other); });
+  return static_cast<std::size_t>(nearest - frames.begin());
+}
+
+/// Leaves the pictures of one stage, with one of its beginning.
+void leave_stage(std::vector<std::size_t>& pictures, const RunToDraw& run, const std::string& stage,
+                 const std::vector<Frame>& frames) {
+  std::vector<std::string_view> names;
+  for (const scene::Stage& one : run.scene.stages) {
+    names.emplace_back(one.name);
+  }
+  const auto number = static_cast<std::size_t>(std::ranges::find(names, stage) - names.begin());
+  if (number == names.size()) {
+    throw RedrawError(fmt::format("{}: no stage {}{}", run.folder.string(), text::shown(stage),
+                                  text::suggestion(stage, names)));
+  }
+  const auto first = std::ranges::find(frames, number, &Frame::stage);
+  if (first == frames.end()) {
+    throw RedrawError(fmt::format("{}: the trajectory ends before the stage {}",
+                                  run.folder.string(), text::shown(stage)));
+  }
+  std::erase_if(pictures, [&](std::size_t i) { return frames[i].stage != number; });
+  const auto begin = static_cast<std::size_t>(first - frames.begin());
+  if (pictures.empty() || pictures.front() != begin) {  // drawn as the end of the stage before
+    pictures.insert(pictures.begin(), begin);
+  }
+}
+
+/// Those of the pictures of the run that the options select, or the nearest frame.
+std::vector<std::size_t> chosen(const RunToDraw& run, const RedrawOptions& options,
+                                const std::vector<Frame>& frames,
+                                const std::vector<std::size_t>& run_pictures) {
+  if (frames.empty()) {
+    throw RedrawError(fmt::format("{}: the trajectory is empty so far", run.folder.string()));
+  }
+  if (options.from > options.to) {
+    throw RedrawError(fmt::format("{}: expected a first step up to the last one, found {} and {}",
+                                  run.folder.string(), options.from, options.to));
+  }
+  std::vector<std::size_t> result = run_pictures;
+  if (options.stage) {
+    leave_stage(result, run, *options.stage, frames);
+  }
+  std::erase_if(result, [&](std::size_t i) {
+    return frames[i].step < options.from || frames[i].step > options.to;
+  });
+  const bool has_no_end = options.to == RedrawOptions().to;
+  if (options.from > frames.back().step && has_no_end) {
+    throw RedrawError(
+        fmt::format("{}: no picture in that range; the trajectory goes from step {} to {}",
+                    run.folder.string(), frames.front().step, frames.back().step));
+  }
+  if (result.empty() && options.stage) {
+    throw RedrawError(fmt::format("{}: stage {} has no picture in that range", run.folder.string(),
+                                  text::shown(*options.stage)));
+  }
+  if (result.empty()) {
+    result.push_back(nearest_frame(frames, options));
+  }
+  return result;
+}
+
+/// The vessel at the start of each stage, as follows from the scene.
+std::vector<contact::Vessel> vessels(const scene::Scene& scene, const std::vector<Frame>& frames) {
+  std::vector<contact::Vessel> result;
+  std::uint64_t start = 0;
+  for (const Frame& frame : frames) {
+    if (frame.stage < result.size()) {
+      continue;
+    }
+    contact::Vessel vessel;
+    if (!result.empty()) {
+      vessel.angle = angle_after(result.back(), frame.step - start);
+    }
+    if (scene.model == scene::Model::contact) {
+      vessel = vessel_in(scene, scene.stages[frame.stage], vessel);
+    }
+    result.push_back(vessel);
+    start = frame.step;
+  }
+  return result;
+}
+
+}  // namespace
+
+RunDrawing::RunDrawing(const RunToDraw& run, const RedrawOptions& options, double max_bytes)
+    : name_(fs::absolute(run.folder / "").lexically_normal().parent_path().filename().string()),
+      scene_(drawable(run)),
+      initial_(model::initial_state(scene_)),
+      trajectory_(run.folder, scene_, initial_, max_bytes),
+      run_pictures_(frame_choice(trajectory_.frames(), scene_.output.frames->every)),
+      chosen_(chosen(run, options, trajectory_.frames(), run_pictures_)),
+      vessels_(vessels(scene_, trajectory_.frames())),
+      pdf_(options.pdf) {
+  const std::uint64_t first = step(0);
+  if (first < options.from || first > options.to) {
+    note_ = fmt::format("{}: no picture of the steps {} to {}; step {} of the trajectory is drawn",
+                        run.folder.string(), options.from, options.to, first);
+  }
+}
+
+RunDrawing::Scale RunDrawing::scale() const {
+  Scale scale;
+  if (scene_.output.frames->color_by == scene::ColorBy::displacement) {
+    std::set<std::size_t> stages;
+    for (const std::size_t frame : chosen_) {
+      stages.insert(trajectory_.frames()[frame].stage);
+    }
+    double& end = scale[kDisplacement];
+    for (const std::size_t stage : stages) {
+      PictureHistory history;
+      drawing::begin_stage(history, scene_, scene_.stages[stage],
+                           trajectory_.state(first_frame(stage)));
+      end = std::max(end, history.displacement_scale);
+    }
+  }
+  const OverlayScales scales = overlay_scales(scene_);
+  scale[kForce] = scales.strongest_force;
+  scale[scales.velocity_unit.several] = scales.highest_velocity;
+  scale[kCell] = scales.velocity_cell;
+  return scale;
+}
+
+void RunDrawing::set_scale(const Scale& scale) {
+  scene::Frames& frames = *scene_.output.frames;
+  if (frames.color_by == scene::ColorBy::displacement && !frames.range) {
+    frames.range = {0, scale.at(kDisplacement)};
+  }
+  frames.force_scale = scale.at(kForce);
+  frames.velocity_scale = scale.at(overlay_scales(scene_).velocity_unit.several);
+  frames.velocity_cell = scale.at(kCell);
+}
+
+void RunDrawing::share_arrow_scale() {
+  if (scene_.output.frames->overlay != scene::Overlay::velocity) {
+    return;
+  }
+  double highest = 0;
+  for (std::size_t number = 0; number < pictures(); ++number) {
+    look_at(number, chosen_[number], [&](const View& view) {
+      highest = std::max(highest, painter_->typical_velocity(view, history_));
+    });
+  }
+  painter_->set_typical_velocity(highest);
+}
+
+CapturedFrame RunDrawing::capture(std::size_t number) {
+  std::optional<CapturedFrame> frame;
+  look_at(number, chosen_[number],
+          [&](const View& view) { frame = painter_->capture(view, history_); });
+  return *std::move(frame);
+}
+
+std::vector<Frame> RunDrawing::latest_frames() const {
+  std::vector<Frame> result;
+  for (const std::size_t frame : chosen_) {
+    result.push_back(trajectory_.frames()[latest(frame)]);
+  }
+  return result;
+}
+
+void RunDrawing::add_to(SpaceTime& space_time, std::size_t number) {
+  look_at(number, latest(chosen_[number]),
+          [&](const View& view) { space_time.add(view, history_, number); });
+}
+
+std::uint64_t RunDrawing::step(std::size_t number) const {
+  return trajectory_.frames()[chosen_[number]].step;
+}
+
+template <class Show>
+void RunDrawing::look_at(std::size_t number, std::size_t frame, Show show) {
+  begin_stage(trajectory_.frames()[chosen_[number]].stage);
+  begin_window(chosen_[number]);
+  begin_stage(trajectory_.frames()[frame].stage);
+  const grains::State state = trajectory_.state(frame);
+  const grains::Occupancy occupancy(state);
+  std::optional<store::ContactFrame> contact;
+  const scene::ColorBy colors = scene_.output.frames->color_by;
+  if (scene_.model == scene::Model::contact &&
+      (scene::pictures_show_forces(scene_) || colors == scene::ColorBy::speed ||
+       colors == scene::ColorBy::spin)) {
+    contact = trajectory_.contact_frame(frame);
+    const std::vector<double>& spins = contact->spins;
+    if (colors == scene::ColorBy::spin &&
+        std::any_of(spins.begin(), spins.end(), [](double spin) { return std::isnan(spin); })) {
+      throw RedrawError(
+          fmt::format("{}: color_by: the trajectory is of an earlier version and holds no spins",
+                      scene_.output.frames->location));
+    }
+  }
+  show({.state = state,
+        .occupancy = occupancy,
+        .contact = std::move(contact),
+        .angle = angle_after(vessels_[*stage_], state.step - stage_start_)});
+}
+
+std::size_t RunDrawing::first_frame(std::size_t stage) const {
+  const std::vector<Frame>& frames = trajectory_.frames();
+  const auto first = std::find_if(frames.begin(), frames.end(),
+                                  [&](const Frame& frame) { return frame.stage == stage; });
+  return static_cast<std::size_t>(std::distance(frames.begin(), first));
+}
+
+std::size_t RunDrawing::latest(std::size_t frame) const {
+  const std::vector<Frame>& frames = trajectory_.frames();
+  while (frame + 1 < frames.size() && frames[frame + 1].step == frames[frame].step) {
+    ++frame;
+  }
+  return frame;
+}
+
+void RunDrawing::begin_stage(std::size_t stage) {
+  if (stage_ == stage) {
+    return;
+  }
+  stage_ = stage;
+  const std::size_t first = first_frame(stage);
+  stage_start_ = trajectory_.frames()[first].step;
+  drawing::begin_stage(history_, scene_, scene_.stages[stage], trajectory_.state(first));
+}
+
+void RunDrawing::begin_window(std::size_t frame) {
+  if (!scene::pictures_compare_positions(scene_)) {
+    return;
+  }
+  std::size_t before = first_frame(trajectory_.frames()[frame].stage);
+  const auto next = std::lower_bound(run_pictures_.begin(), run_pictures_.end(), frame);
+  if (next != run_pictures_.begin()) {
+    before = std::max(before, *std::prev(next));
+  }
+  drawing::begin_window(history_, scene_, trajectory_.state(before));
+}
+
+std::vector<std::size_t> frame_choice(const std::vector<store::Trajectory::Frame>& frames,
+                                      std::uint64_t every) {
+  std::vector<std::size_t> chosen;
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    const store::Trajectory::Frame& frame = frames[i];
+    const bool begins = i == 0 || frames[i - 1].stage != frame.stage;
+    const bool ends = i + 1 == frames.size() || frames[i + 1].stage != frame.stage;
+    const bool drawn_before = i > 0 && frames[i - 1].step == frame.step;
+    if (!drawn_before && (begins || ends || frame.step - frames[chosen.back()].step >= every)) {
+      chosen.push_back(i);
+    }
+  }
+  return chosen;
+}
+
+bool is_among(std::size_t number, std::size_t count, std::size_t most) {
+  if (count <= most) {
+    return true;
+  }
+  // The k-th selected item is the one nearest to k * (count - 1) / (most - 1).
+  const std::size_t gaps = most - 1;
+  const std::size_t k = (number * gaps + (count - 1) / 2) / (count - 1);
+  return (k * (count - 1) + gaps / 2) / gaps == number;
+}
+
+}  // namespace clca::drawing

@@ -1,0 +1,96 @@
+#pragma once
+// The pictures of one run, from its trajectory.
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "clca/contact/vessel.hpp"
+#include "clca/drawing/redraw.hpp"
+#include "clca/store/trajectory.hpp"
+#include "drawing/internal/frame_painter.hpp"
+#include "drawing/space_time.hpp"
+
+namespace clca::drawing {
+
+class RunDrawing {
+ public:
+  /// Selects the frames; `max_bytes`: of memory, for the trajectory. Throws RedrawError,
+  /// store::StoreError.
+  RunDrawing(const RunToDraw& run, const RedrawOptions& options, double max_bytes);
+
+  /// Ends of the scales of its pictures, by what they show and its unit.
+  using Scale = std::map<std::string, double>;
+  Scale scale() const;
+  /// `scale`: has at least the names of scale().
+  void set_scale(const Scale& scale);
+  /// Of the folder, such as `gate-15`.
+  const std::string& name() const { return name_; }
+  /// Shown above the pictures.
+  void set_title(const std::string& title) { scene_.title = title; }
+
+  /// Call before capture(). `tile_width`: see PictureUse. Throws scene::SceneError if the driver
+  /// cannot draw the pictures.
+  void prepare(int tile_width = 0) {
+    painter_.emplace(scene_, initial_, PictureUse{.vector = pdf_, .tile_width = tile_width});
+  }
+  /// Gives the arrows of all pictures one scale, where the scene has none for them: that of the
+  /// fastest picture.
+  void share_arrow_scale();
+  /// `number`: of the picture.
+  CapturedFrame capture(std::size_t number);
+
+  /// Those of the pictures; where a stage ends with one, the frame at the beginning of the next.
+  std::vector<store::Trajectory::Frame> latest_frames() const;
+  /// Adds that frame of a picture.
+  void add_to(SpaceTime& space_time, std::size_t number);
+
+  /// What the user should know of the choice of the frames; empty if nothing.
+  const std::string& note() const { return note_; }
+  const scene::Scene& scene() const { return scene_; }
+  /// The state before the first stage.
+  const grains::State& initial() const { return initial_; }
+  FramePainter& painter() { return *painter_; }
+  const FramePainter& painter() const { return *painter_; }
+  std::size_t pictures() const { return chosen_.size(); }
+  std::uint64_t step(std::size_t number) const;
+
+ private:
+  std::size_t first_frame(std::size_t stage) const;
+  /// The last frame of the same step.
+  std::size_t latest(std::size_t frame) const;
+  void begin_stage(std::size_t stage);
+  /// Begins the window of velocities with the picture before, drawn or not, as the run does.
+  void begin_window(std::size_t frame);
+  /// Calls `show` with the view of a frame that a picture shows.
+  template <class Show>
+  void look_at(std::size_t number, std::size_t frame, Show show);
+
+  std::string name_;
+  scene::Scene scene_;
+  grains::State initial_;
+  store::Trajectory trajectory_;
+  std::vector<std::size_t> run_pictures_;  // frames, with `every` of the scene
+  std::vector<std::size_t> chosen_;        // frames, among these
+  std::vector<contact::Vessel> vessels_;   // by stage, at its start
+  std::string note_;
+  bool pdf_;
+  std::optional<FramePainter> painter_;
+  std::optional<std::size_t> stage_;
+  std::uint64_t stage_start_ = 0;  // step
+  PictureHistory history_;
+};
+
+/// Selected indices into `frames`, ascending. Each stage begins and ends with a picture, the others
+/// are at least `every` steps apart. A step shared by two stages is drawn once, as the end of the
+/// first.
+std::vector<std::size_t> frame_choice(const std::vector<store::Trajectory::Frame>& frames,
+                                      std::uint64_t every);
+
+/// Whether item `number` of `count` is among at most `most` (two or more) evenly spaced ones,
+/// including first and last.
+bool is_among(std::size_t number, std::size_t count, std::size_t most);
+
+}  // namespace clca::drawing

@@ -1,0 +1,132 @@
+#include "model/internal/gas_member.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "clca/scene/resolve.hpp"
+
+namespace clca::model {
+
+std::vector<GasTime> gas_times(const scene::BoltzmannScene& scene) {
+  struct ObservationTime {
+    GasTime time;
+    bool is_said;  // by the scene; a multiple may miss it by rounding
+  };
+  std::vector<ObservationTime> all = {{{scene.until, true, false}, true}};
+  for (const double time : scene.histograms) {
+    all.push_back({{time, false, true}, true});
+  }
+  for (std::uint64_t row = 0; static_cast<double>(row) * scene.series_every < scene.until; ++row) {
+    all.push_back({{static_cast<double>(row) * scene.series_every, true, false}, false});
+  }
+  std::sort(all.begin(), all.end(), [](const ObservationTime& a, const ObservationTime& b) {
+    return a.time.time < b.time.time;
+  });
+  std::vector<GasTime> times;
+  for (const ObservationTime& next : all) {
+    if (times.empty() ||
+        next.time.time - times.back().time > scene::kSameTime * scene.series_every) {
+      times.push_back(next.time);
+      continue;
+    }
+    times.back().time = next.is_said ? next.time.time : times.back().time;
+    times.back().in_series |= next.time.in_series;
+    times.back().in_histograms |= next.time.in_histograms;
+  }
+  return times;
+}
+
+std::size_t shared_times(const std::vector<GasTime>& one, const std::vector<GasTime>& other) {
+  const auto same = [](const GasTime& a, const GasTime& b) {
+    return a.time == b.time && a.in_histograms == b.in_histograms;
+  };
+  const auto [end, _] = std::mismatch(one.begin(), one.end(), other.begin(), other.end(), same);
+  return static_cast<std::size_t>(end - one.begin());
+}
+
+std::size_t lasting_times(const scene::BoltzmannScene& scene) {
+  scene::BoltzmannScene longer = scene;
+  longer.until += 2 * scene.series_every;
+  return shared_times(gas_times(scene), gas_times(longer));
+}
+
+statistics::Bins bins_of(const scene::BoltzmannScene& scene) {
+  if (const auto* uniform = std::get_if<scene::UniformBins>(&scene.bins)) {
+    return statistics::Bins::uniform(uniform->width, uniform->end);
+  }
+  return statistics::Bins::equiprobable(std::get<scene::QuantileBins>(scene.bins).count,
+                                        kGasDegrees);
+}
+
+double rotational_unit(double translational, double rotational) {
+  return rotational > 0 ? rotational : translational;
+}
+
+void GasMember::count() {
+  steps = gas->step;
+  participations = gas->participations;
+  hash = boltzmann::hash(*gas);
+}
+
+GasIntegrator::GasIntegrator(const scene::BoltzmannScene& scene)
+    : scene_(scene),
+      times_(gas_times(scene)),
+      lasting_times_(lasting_times(scene)),
+      keeps_lasting_(scene::retained_gas_bytes(scene) > 0),
+      bins_(bins_of(scene)),
+      reference_(statistics::chi_square_shares(bins_, kGasDegrees)) {}
+
+void GasIntegrator::integrate(GasMember& member, double restitution, std::uint64_t seed,
+                              int threads,
+                              const std::function<bool(const GasMember&)>& keep_going) const {
+  if (member.observations.size() == times_.size()) {
+    return;
+  }
+  if (!member.gas) {
+    member.gas = boltzmann::make_gas(scene::initial_condition(scene_), seed);
+  }
+  const boltzmann::Process process = scene::process(scene_, restitution);
+  boltzmann::Gas& gas = *member.gas;
+  // A cold gas may take a single step between two times, which cannot be interrupted.
+  while (member.observations.size() < times_.size() && keep_going(member)) {
+    const GasTime& next = times_[member.observations.size()];
+    boltzmann::advance(gas, process, seed, next.time, threads,
+                       [&](const boltzmann::Gas& /*gas*/) { return keep_going(member); });
+    if (gas.time < next.time) {
+      break;
+    }
+    member.observations.push_back(observe(gas, next.in_histograms));
+    retain_gas(member);
+  }
+  member.count();
+  if (member.observations.size() == times_.size()) {
+    member.gas.reset();
+  }
+}
+
+void GasIntegrator::retain_gas(GasMember& member) const {
+  if (keeps_lasting_ && member.observations.size() == lasting_times_) {
+    member.retained = member.gas;
+  }
+}
+
+GasObservation GasIntegrator::observe(const boltzmann::Gas& gas, bool in_histograms) const {
+  GasObservation observation;
+  observation.moments = boltzmann::moments(gas.motions);
+  observation.collisions = gas.collisions_per_particle();
+  boltzmann::EnergyShares shares =
+      boltzmann::energy_shares(gas.motions, observation.moments, bins_);
+  observation.dh_translational = distance(shares.translational);
+  observation.dh_rotational = distance(shares.rotational);
+  if (in_histograms) {
+    observation.shares = std::move(shares);
+  }
+  return observation;
+}
+
+double GasIntegrator::distance(const std::vector<double>& shares) const {
+  return statistics::hellinger_distance(shares, reference_);
+}
+
+}  // namespace clca::model

@@ -1,0 +1,112 @@
+#pragma once
+// One gas of an ensemble and its observations.
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "clca/boltzmann/gas.hpp"
+#include "clca/boltzmann/observation.hpp"
+#include "clca/boltzmann/scheme.hpp"
+#include "clca/reflection/reflection.hpp"
+#include "clca/scene/boltzmann.hpp"
+#include "clca/statistics/distribution.hpp"
+
+namespace clca::model {
+
+/// Degrees of freedom of the chi-square distribution of energies in space.
+inline constexpr int kGasDegrees = 3;
+
+/// A time of observation.
+struct GasTime {
+  double time = 0;
+  bool in_series = false;
+  bool in_histograms = false;
+
+  bool operator==(const GasTime&) const = default;
+};
+
+/// Times of the series (from 0 to the end) and of the histograms, ascending, without duplicates.
+std::vector<GasTime> gas_times(const scene::BoltzmannScene& scene);
+
+/// Number of initial observation times that two scenes share, including the kind of observation and
+/// the steps up to then.
+std::size_t shared_times(const std::vector<GasTime>& one, const std::vector<GasTime>& other);
+
+/// Number of initial times shared with a scene that only runs longer: all, or all but the end.
+std::size_t lasting_times(const scene::BoltzmannScene& scene);
+
+statistics::Bins bins_of(const scene::BoltzmannScene& scene);
+
+/// Unit of rotational temperatures: that of time 0, or the translational one if there is no spin.
+double rotational_unit(double translational, double rotational);
+
+/// Observation of a gas at one time.
+struct GasObservation {
+  boltzmann::Moments moments;
+  double collisions = 0;  ///< per particle
+  double dh_translational = 0;
+  double dh_rotational = 0;
+  boltzmann::EnergyShares shares;  ///< empty where no histogram is asked for
+
+  static constexpr auto fields() {
+    using reflection::field;
+    return std::make_tuple(field("moments", &GasObservation::moments),
+                           field("collisions", &GasObservation::collisions),
+                           field("dh_translational", &GasObservation::dh_translational),
+                           field("dh_rotational", &GasObservation::dh_rotational),
+                           field("shares", &GasObservation::shares));
+  }
+};
+
+/// A gas of an ensemble and its observations so far.
+struct GasMember {
+  std::vector<GasObservation> observations;  ///< at the first of the times, all at the end
+  std::optional<boltzmann::Gas> gas;         ///< while it is under way
+  /// The gas at the last time shared with a longer run, from where the end can be moved. None if
+  /// the run does not keep it.
+  std::optional<boltzmann::Gas> retained;
+  std::uint64_t steps = 0;  ///< this and the rest: of the gas when count() was called
+  std::uint64_t participations = 0;
+  std::uint64_t hash = 0;
+
+  /// Adds an observation of the gas.
+  void count();
+
+  static constexpr auto fields() {
+    using reflection::field;
+    return std::make_tuple(
+        field("observations", &GasMember::observations), field("gas", &GasMember::gas),
+        field("lasting", &GasMember::retained), field("steps", &GasMember::steps),
+        field("participations", &GasMember::participations), field("hash", &GasMember::hash));
+  }
+};
+
+/// Advances the members of a scene through its observation times.
+class GasIntegrator {
+ public:
+  explicit GasIntegrator(const scene::BoltzmannScene& scene);
+
+  /// Advances a member to the end, or until `keep_going`, called before each time and after each
+  /// step, returns false. The result does not depend on stops or threads.
+  void integrate(GasMember& member, double restitution, std::uint64_t seed, int threads,
+                 const std::function<bool(const GasMember&)>& keep_going) const;
+
+  const std::vector<GasTime>& times() const { return times_; }
+
+ private:
+  GasObservation observe(const boltzmann::Gas& gas, bool in_histograms) const;
+  double distance(const std::vector<double>& shares) const;
+  /// Keeps a copy of the gas if the scene needs one.
+  void retain_gas(GasMember& member) const;
+
+  const scene::BoltzmannScene& scene_;
+  std::vector<GasTime> times_;
+  std::size_t lasting_times_;
+  bool keeps_lasting_;
+  statistics::Bins bins_;
+  std::vector<double> reference_;
+};
+
+}  // namespace clca::model

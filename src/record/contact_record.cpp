@@ -1,0 +1,192 @@
+#include "record/internal/contact_record.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+namespace clca::record {
+
+namespace {
+
+/// Whether the stage may end within the next window of steps. A bed at rest ends it only if
+/// `quiet`.
+bool may_end_soon(const scene::Stage& stage, std::uint64_t steps, std::uint64_t window,
+                  bool quiet) {
+  if (const auto end = scene::steps_of(stage.until)) {
+    return steps + window > *end;
+  }
+  return quiet || steps + window > stage.max_steps ||
+         !std::holds_alternative<scene::UntilSettled>(stage.until);
+}
+
+bool is_sound(const contact::ForceSums::Sum& sum, const grains::State& state) {
+  const std::size_t grains = state.particles.size();
+  const bool there =
+      sum.upper < grains &&
+      (grains::is_particle(sum.other) ? static_cast<std::size_t>(sum.other) < grains
+                                      : sum.other <= contact::kRightSide ||
+                                            (grains::is_wall(sum.other) &&
+                                             grains::wall_number(sum.other) < state.walls.size()));
+  const auto numbers = {sum.point_x,  sum.point_y,  sum.normal_x, sum.normal_y,
+                        sum.branch_x, sum.branch_y, sum.force_x,  sum.force_y};
+  return there && std::all_of(numbers.begin(), numbers.end(),
+                              [](double number) { return std::isfinite(number); });
+}
+
+}  // namespace
+
+void ForceWindow::add(const std::vector<contact::Force>& forces, std::uint64_t most) {
+  const std::uint64_t block = (most + 1) / 2;
+  if (block_.steps >= block) {
+    before_ = std::exchange(block_, {});
+    if (most == 1) {
+      before_ = {};
+    }
+  }
+  contact::add(block_, forces);
+}
+
+std::vector<contact::Force> ForceWindow::means() const {
+  contact::ForceSums all = before_;
+  contact::add(all, block_);
+  return contact::means(all);
+}
+
+bool ForceWindow::belongs_to(const grains::State& state) const {
+  const auto all_sound = [&](const contact::ForceSums& sums) {
+    return (sums.steps > 0 || sums.sums.empty()) &&
+           std::all_of(sums.sums.begin(), sums.sums.end(),
+                       [&](const auto& sum) { return is_sound(sum, state); });
+  };
+  return all_sound(before_) && all_sound(block_);
+}
+
+void ContactRecord::Recurring::begin_step(std::uint64_t steps_in_stage) {
+  if (due) {
+    window.clear();
+  }
+  due = every > 0 && steps_in_stage % every == 0;
+}
+
+bool ContactRecord::Recurring::is_due_within(std::uint64_t steps,
+                                             std::uint64_t steps_in_stage) const {
+  return every > 0 && (every - steps_in_stage % every) % every < steps;
+}
+
+ContactRecord::ContactRecord(const scene::Scene& scene)
+    : sampling_(scene.output.contacts.value_or(scene::Contacts{})),
+      most_((sampling_.window + sampling_.every - 1) / sampling_.every),
+      has_tables_(requests(scene, scene::Measure::force) ||
+                  requests(scene, scene::Measure::weight_paths)),
+      pictures_{.every = scene::pictures_show_forces(scene) ? scene.output.frames->every : 0},
+      frames_{.every = scene.output.trajectory && scene.output.trajectory->contacts
+                           ? scene.output.trajectory->every
+                           : 0} {}
+
+double ContactRecord::bytes(const scene::Scene& scene, double particles) {
+  const ContactRecord record(scene);
+  const int recurring = (record.pictures_.every > 0 ? 1 : 0) + (record.frames_.every > 0 ? 1 : 0);
+  const int windows = recurring + (record.has_tables_ || recurring > 0 ? 1 : 0);
+  constexpr double kBlocks = 3;  // of a window, with their sum
+  return kBlocks * windows * contact::ForceSums::bytes_for(contact::kContactsPerGrain * particles);
+}
+
+void ContactRecord::prepare(const StageView& /*now*/) {
+  stage_.clear();
+  for (Recurring* recurring : {&pictures_, &frames_}) {
+    recurring->window.clear();
+    recurring->due = false;
+  }
+}
+
+void ContactRecord::after_step(const StageView& now) {
+  const std::uint64_t steps_in_stage = now.history.steps;
+  pictures_.begin_step(steps_in_stage);
+  frames_.begin_step(steps_in_stage);
+  const bool is_shown = pictures_.every > 0 || frames_.every > 0;
+  const bool ends_soon =
+      (has_tables_ || is_shown) &&
+      may_end_soon(now.stage, steps_in_stage, sampling_.window, now.model.quiet());
+  if (!ends_soon && !stage_.is_empty()) {
+    stage_.clear();
+  }
+  if (steps_in_stage % sampling_.every != 0) {
+    return;
+  }
+  std::vector<ForceWindow*> takers;
+  if (ends_soon) {
+    takers.push_back(&stage_);
+  }
+  for (Recurring* recurring : {&pictures_, &frames_}) {
+    if (recurring->is_due_within(sampling_.window, steps_in_stage)) {
+      takers.push_back(&recurring->window);
+    }
+  }
+  if (takers.empty()) {
+    return;
+  }
+  const std::vector<contact::Force> forces = *now.model.forces();
+  for (ForceWindow* window : takers) {
+    window->add(forces, most_);
+  }
+}
+
+std::vector<contact::Force> ContactRecord::at_end(const model::SceneModel& model) const {
+  return stage_.is_empty() ? *model.forces() : stage_.means();
+}
+
+std::vector<contact::Force> ContactRecord::shown(const model::SceneModel& model) const {
+  const Recurring& recurring = pictures_.due ? pictures_ : frames_;
+  const std::vector<contact::Force> now = *model.forces();
+  std::vector<contact::Force> forces = at_end(model);
+  if (recurring.due) {  // whether the stage ends then or not
+    forces = recurring.window.is_empty() ? now : recurring.window.means();
+  }
+  const auto bodies = [](const contact::Force& force) {
+    return std::minmax({grains::as_owner(force.upper), force.other});
+  };
+  std::set<std::pair<grains::Owner, grains::Owner>> there;
+  const auto is_present = [&](grains::Owner body) {
+    return !grains::is_particle(body) || model.state().particles[grains::particle_id(body)].present;
+  };
+  for (const contact::Force& force : now) {
+    if (is_present(grains::as_owner(force.upper)) && is_present(force.other)) {
+      there.insert(bodies(force));
+    }
+  }
+  std::erase_if(forces,
+                [&](const contact::Force& force) { return !there.contains(bodies(force)); });
+  return forces;
+}
+
+ObserverKind contacts_observer() {
+  return observer_kind<ContactRecord>(is_contact);
+}
+
+double frame_bytes(const scene::Scene& scene, bool has_forces, double particles) {
+  const double forces =
+      has_forces ? grains::kListRoom * contact::kContactsPerGrain * sizeof(contact::Force) : 0;
+  return is_contact(scene) ? particles * (sizeof(Eigen::Vector2d) + sizeof(double) + forces) : 0;
+}
+
+std::optional<store::ContactFrame> shown_contact(const scene::Scene& scene,
+                                                 const model::SceneModel& model,
+                                                 const Observers& observers) {
+  if (!is_contact(scene)) {
+    return std::nullopt;
+  }
+  store::ContactFrame shown;
+  if (scene::pictures_show_forces(scene)) {
+    shown.forces = observers.find<ContactRecord>()->shown(model);
+  }
+  if (scene.output.frames->color_by == scene::ColorBy::speed) {
+    shown.velocities = model.velocities();
+  }
+  if (scene.output.frames->color_by == scene::ColorBy::spin) {
+    shown.spins = model.spins();
+  }
+  return shown;
+}
+
+}  // namespace clca::record

@@ -1,0 +1,101 @@
+#include "record/energy_record.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace clca::record {
+
+namespace {
+
+constexpr double kTolerance = 0.01;  // a bed that lands gives back 0.5 % for some steps
+
+}  // namespace
+
+void EnergyRecord::begin(const scene::Stage& stage, const model::SceneModel& model) {
+  is_closed_ = stage.sources.empty() && stage.move.empty() && !model.vessel().moves();
+  start_ = model.energy()->sum();
+  fall_ = 0;
+  for (const grains::Particle& particle : model.state().particles) {
+    const double sites =
+        particle.present ? static_cast<double>(model.state().shape(particle).size()) : 0;
+    fall_ += sites;
+  }
+  exchanged_ = {};
+  lowest_ = start_;
+  growth_ = 0;
+  rest_ = {};
+}
+
+void EnergyRecord::after_step(const StageView& now) {
+  if (now.model.too_fast() && !std::exchange(has_been_too_fast_, true)) {
+    now.warn(
+        fmt::format("stage {}, step {}: a grain falls faster than it can move, and loses velocity; "
+                    "choose a larger contact.fall_height",
+                    now.stage.name, now.model.state().step));
+  }
+  if (const auto growth = add(now.model, now.model.exchange()); growth) {
+    now.warn(fmt::format(
+        "stage {}, step {}: kinetic and potential energy have grown from {:.0f} to {:.0f}, by "
+        "{:.1f} % of the {:.0f} at the start of the stage or dissipated since; choose a smaller "
+        "contact.resolution",
+        now.stage.name, now.model.state().step, growth->lowest, growth->now,
+        100 * (growth->now - growth->lowest) / growth->scale, growth->scale));
+  }
+  if (!is_closed_ || scene::steps_of(now.stage.until)) {
+    return;
+  }
+  if (const auto text = rest_.add(now.scene, now.model.state(), now.moving); text) {
+    now.warn(fmt::format("stage {}, step {}: {}; the stage goes on up to max_steps ({})",
+                         now.stage.name, now.model.state().step, *text, now.stage.max_steps));
+  }
+}
+
+std::optional<EnergyRecord::Growth> EnergyRecord::add(const model::SceneModel& model,
+                                                      const contact::EnergyExchange& exchange) {
+  exchanged_ += exchange;
+  if (!is_closed_) {
+    return std::nullopt;
+  }
+  const contact::Energy energy = *model.energy();
+  const double now = energy.sum() - exchanged_.gained();
+  lowest_ = std::min(lowest_, now);
+  // On a slope without end the potential energy falls without end, below 0.
+  const double scale = std::max({start_, fall_, start_ - lowest_, energy.kinetic});
+  if (scale <= 0) {
+    return std::nullopt;
+  }
+  growth_ = std::max(growth_, (now - lowest_) / scale);
+  if (has_warned_ || growth_ <= kTolerance) {
+    return std::nullopt;
+  }
+  has_warned_ = true;
+  return Growth{.scale = scale, .lowest = lowest_, .now = now};
+}
+
+double EnergyRecord::dissipated(const contact::Energy& now) const {
+  return start_ + exchanged_.gained() - now.sum();
+}
+
+std::optional<double> EnergyRecord::growth() const {
+  return is_closed_ ? std::optional(growth_) : std::nullopt;
+}
+
+ObserverKind energy_observer() {
+  return observer_kind<EnergyRecord>(
+      is_contact, {},
+      {{{},
+        "model `contact`, without sources",
+        {{"energy_growth", "Growth of the energy", "",
+          "most that it has grown in the stage, as a share of that at its start"}},
+        [](const StageView& stage) -> std::vector<store::MeasureValue> {
+          const auto* energy = stage.observers.find<EnergyRecord>();
+          const auto growth = energy != nullptr ? energy->growth() : std::nullopt;
+          return growth ? std::vector<store::MeasureValue>{*growth}
+                        : std::vector<store::MeasureValue>();
+        }}});
+}
+
+}  // namespace clca::record

@@ -1,0 +1,70 @@
+#pragma once
+// The energy balance of a stage of the contact model, in units of contact::Energy.
+
+#include <cstdint>
+#include <optional>
+
+#include "record/internal/observer.hpp"
+#include "record/rest_watch.hpp"
+
+namespace clca::record {
+
+class EnergyRecord : public SavedObserver<EnergyRecord> {
+ public:
+  explicit EnergyRecord(const scene::Scene& /*scene*/) {}
+
+  /// Warns of energy that grows, of grains that fall too fast, and of a bed that does not come to
+  /// rest.
+  void after_step(const StageView& now) override;
+
+  struct Growth {
+    /// The most of: the initial, the dissipated and the kinetic energy, and that of a fall of all
+    /// grains by a lattice spacing.
+    double scale = 0;
+    double lowest = 0;  ///< of the stage
+    double now = 0;
+  };
+  void begin(const scene::Stage& stage, const model::SceneModel& model);
+  /// `exchange`: of the step. Once in a run, what there is to warn of: the energy has grown by more
+  /// than 1 % of the scale.
+  std::optional<Growth> add(const model::SceneModel& model,
+                            const contact::EnergyExchange& exchange);
+
+  /// Since the start of the stage.
+  const contact::EnergyExchange& exchanged() const { return exchanged_; }
+  /// Dissipated energy: initial energy of the stage and what the grains have gained since, minus
+  /// the present energy.
+  double dissipated(const contact::Energy& now) const;
+
+  /// Largest rise above an earlier minimum, relative to the scale. None if sources, walls or the
+  /// vessel did work.
+  std::optional<double> growth() const;
+
+  static constexpr const char* kPath = "records/energy";
+  static constexpr auto fields() {
+    using reflection::field;
+    return std::make_tuple(
+        field("is_closed", &EnergyRecord::is_closed_), field("start", &EnergyRecord::start_),
+        field("fall", &EnergyRecord::fall_), field("exchanged", &EnergyRecord::exchanged_),
+        field("lowest", &EnergyRecord::lowest_), field("growth", &EnergyRecord::growth_),
+        field("has_warned", &EnergyRecord::has_warned_),
+        field("has_been_too_fast", &EnergyRecord::has_been_too_fast_),
+        field("rest", &EnergyRecord::rest_));
+  }
+  bool precedes(const grains::State& state) const { return rest_.precedes(state); }
+
+ private:
+  void prepare(const StageView& now) override { begin(now.stage, now.model); }
+
+  bool is_closed_ = true;  // no sources, neither walls nor vessel move
+  double start_ = 0;
+  double fall_ = 0;  // of all grains by a lattice spacing
+  contact::EnergyExchange exchanged_;
+  double lowest_ = 0;
+  double growth_ = 0;
+  bool has_warned_ = false;
+  bool has_been_too_fast_ = false;
+  RestWatch rest_;  // of the stage
+};
+
+}  // namespace clca::record

@@ -1,0 +1,202 @@
+// fields.csv: packing, velocity and fluctuation on a grid, for each window, and the distribution of
+// fluctuation energies.
+
+#include <limits>
+#include <optional>
+#include <string>
+
+#include "clca/measure/field_grid.hpp"
+#include "clca/measure/fluctuation.hpp"
+#include "record/internal/quantities.hpp"
+
+namespace clca::record {
+
+namespace {
+
+struct FieldRow {
+  const StageView& now;
+  const measure::FieldCell& cell;
+  double speed;  // unit of velocity
+};
+
+TableOf<FieldRow> fields_table(const scene::Scene& /*scene*/) {
+  return {{.name = "fields"},
+          {{kStage, [](auto& row) { return row.now.stage.name; }},
+           {kStep, [](auto& row) { return row.now.model.state().step; }},
+           {kCellCentre, [](auto& row) { return row.cell.centre; }},
+           {{"packing", "Packing", "",
+             "share of its sites that particles take at the end of the window"},
+            [](auto& row) { return row.cell.packing; }},
+           {{"particles", "Particles", "particles",
+             "that began the window in the cell; between two cells half in each"},
+            [](auto& row) { return row.cell.particles; }},
+           {kVelocity, [](auto& row) { return Eigen::Vector2d(row.cell.velocity * row.speed); }},
+           {kFluctuation, [](auto& row) { return row.cell.fluctuation * row.speed * row.speed; }}}};
+}
+
+struct EnergyBin {
+  double lower = 0;
+  std::optional<double> upper = {};
+  double share = 0;
+  double share_local = 0;
+  double reference = 0;
+};
+
+TableOf<EnergyBin> fluctuation_table(const scene::Scene& /*scene*/) {
+  return {
+      {.name = "fluctuation", .kind = TableInfo::Kind::parts},
+      {{{"lower", "Lower end of the bin", "", "of the energy X of fluctuations"},
+        &EnergyBin::lower},
+       {{"upper", "Upper end of the bin", "", "none for the last"}, &EnergyBin::upper},
+       {{"share", "Share of the particles", "", "over the mean of the window"}, &EnergyBin::share},
+       {{"share_local", "Share of the particles, local", "", "over the mean of the cell"},
+        &EnergyBin::share_local},
+       {{"reference", "Share under chi-square", "", ""}, &EnergyBin::reference}}};
+}
+
+class FieldRecord : public SavedObserver<FieldRecord> {
+ public:
+  explicit FieldRecord(const scene::Scene& scene)
+      : fields_(*scene.output.fields),
+        speed_(velocity_unit(scene)),
+        fields_table_(table_scope(scene), fields_table(scene)),
+        fluctuation_table_(table_scope(scene), fluctuation_table(scene)) {}
+
+  static double bytes(const scene::Scene& /*scene*/, double particles) {
+    return 2 * measure::Snapshot::bytes_for(particles) + particles * sizeof(measure::Displacement);
+  }
+
+  void after_step(const StageView& now) override {
+    if (now.model.state().step - window_begin_ >= fields_.every) {
+      end_window(now);
+    }
+  }
+  /// The last window may be short.
+  void end_stage(const StageView& now) override {
+    if (now.model.state().step > window_begin_) {
+      end_window(now);
+    }
+    if (fluctuations_.samples() > 0) {
+      write_fluctuations(now);
+    }
+  }
+  std::vector<RunTable*> tables() override { return {&fields_table_, &fluctuation_table_}; }
+
+  std::vector<store::MeasureValue> measures() const;
+
+  bool precedes(const grains::State& now) const {
+    return window_ && window_->precedes(now) && window_begin_ <= now.step &&
+           fluctuations_.has_all_bins();
+  }
+  static constexpr const char* kPath = "records/fields";
+  static constexpr auto fields() {
+    using reflection::field;
+    return std::make_tuple(field("window", &FieldRecord::window_),
+                           field("fluctuations", &FieldRecord::fluctuations_),
+                           field("window_begin", &FieldRecord::window_begin_),
+                           field("fluctuation_steps", &FieldRecord::fluctuation_steps_),
+                           field("steps", &FieldRecord::steps_));
+  }
+
+ private:
+  void prepare(const StageView& now) override {
+    window_.emplace(now.model.state());
+    window_begin_ = now.model.state().step;
+    fluctuations_ = {};
+    fluctuation_steps_ = 0;
+    steps_ = 0;
+  }
+  void end_window(const StageView& now);
+  void write_fluctuations(const StageView& now);
+  /// Mean over the windows of the stage, weighted by their steps; in the unit of the column.
+  double fluctuation_energy() const;
+
+  scene::Fields fields_;
+  double speed_;  // unit of velocity
+  std::optional<measure::FieldWindow> window_;
+  measure::Fluctuations fluctuations_;  // over the complete windows of the stage
+  std::uint64_t window_begin_ = 0;      // step
+  double fluctuation_steps_ = 0;        // sum of fluctuation x steps
+  std::uint64_t steps_ = 0;
+  TableWriter<FieldRow> fields_table_;
+  TableWriter<EnergyBin> fluctuation_table_;
+};
+
+void FieldRecord::end_window(const StageView& now) {
+  const grains::State& state = now.model.state();
+  const measure::Fields fields = window_->fields(state, fields_.cell);
+  for (const measure::FieldCell& cell : fields.cells) {
+    if (cell.particles > 0 || cell.packing > 0) {
+      fields_table_.add({now, cell, speed_});
+    }
+  }
+  const std::uint64_t steps = state.step - window_begin_;
+  if (steps == fields_.every) {
+    fluctuations_.add(window_->displacements(state), measure::Grid(state.lattice, fields_.cell));
+  }
+  fluctuation_steps_ += measure::fluctuation_energy(fields) * static_cast<double>(steps);
+  steps_ += steps;
+  window_.emplace(state);
+  window_begin_ = state.step;
+}
+
+void FieldRecord::write_fluctuations(const StageView& now) {
+  const statistics::Bins& bins = fluctuations_.bins();
+  const std::vector<double> shares = fluctuations_.shares();
+  const std::vector<double> local = fluctuations_.local_shares();
+  const std::vector<double> reference = statistics::chi_square_shares(bins, 2);
+  for (std::size_t bin = 0; bin < bins.count(); ++bin) {
+    const bool is_last = bin + 1 == bins.count();
+    fluctuation_table_.add({bins.lower(bin),
+                            is_last ? std::nullopt : std::optional(bins.upper(bin)), shares[bin],
+                            local[bin], reference[bin]});
+  }
+  fluctuation_table_.write(now.files, now.stage.name);
+}
+
+double FieldRecord::fluctuation_energy() const {
+  const double energy = steps_ > 0 ? fluctuation_steps_ / static_cast<double>(steps_) : 0;
+  return energy * speed_ * speed_;
+}
+
+std::vector<store::MeasureValue> FieldRecord::measures() const {
+  const auto distance = [&](const std::vector<double>& shares) {
+    const auto reference = statistics::chi_square_shares(fluctuations_.bins(), 2);
+    return fluctuations_.samples() > 0
+               ? store::MeasureValue(statistics::hellinger_distance(shares, reference))
+               : store::MeasureValue();
+  };
+  return {fluctuation_energy(),
+          distance(fluctuations_.shares()),
+          distance(fluctuations_.local_shares()),
+          static_cast<double>(fluctuations_.samples()),
+          fluctuations_.resting_share(),
+          fluctuations_.sparse_share()};
+}
+
+}  // namespace
+
+ObserverKind fields_observer() {
+  return observer_kind<FieldRecord>(
+      [](const scene::Scene& scene) { return scene.output.fields.has_value(); },
+      {fields_table, fluctuation_table},
+      {{{},
+        "`output.fields`",
+        {{"fluctuation_energy", "Energy of fluctuations", "(spacings/step)²",
+          "½⟨|v - ⟨v⟩|²⟩, mean over cells and windows"},
+         {"fluctuation_hellinger", "Distance from chi-square", "",
+          "of the distribution of the fluctuations (Hellinger), over the mean of the window"},
+         {"fluctuation_hellinger_local", "Distance from chi-square, local", "",
+          "as `fluctuation_hellinger`, over the mean of the cell"},
+         {"fluctuation_samples", "Samples of fluctuations", "", "particles × windows"},
+         {"fluctuation_resting_share", "Left out: resting", "",
+          "in cells that rest or move as one"},
+         {"fluctuation_sparse_share", "Left out: sparse", "",
+          "in cells of fewer than 5 particles"}},
+        [](const StageView& stage) {
+          const auto* fields = stage.observers.find<FieldRecord>();
+          return fields != nullptr ? fields->measures() : std::vector<store::MeasureValue>();
+        }}});
+}
+
+}  // namespace clca::record

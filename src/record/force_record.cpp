@@ -1,0 +1,204 @@
+// Measures of forces between grains, and of walls that push grains and are stalled.
+
+#include "record/internal/force_record.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+#include <optional>
+
+#include "record/internal/contact_record.hpp"
+#include "record/internal/quantities.hpp"
+
+namespace clca::record {
+
+bool has_overlaps(const scene::Scene& scene) {
+  return std::any_of(scene.walls.begin(), scene.walls.end(), [](const scene::Wall& wall) {
+    return wall.motion && wall.passive == grains::Passive::overlap;
+  });
+}
+
+void ForceRecord::after_step(const StageView& now) {
+  if (sampling_ && now.history.steps % sampling_->every == 0) {
+    average_.add(measure::contacts(now.model.state(), now.model.grains().occupancy()));
+  }
+}
+
+std::optional<measure::ForceDistribution> ForceRecord::distribution(
+    const std::vector<measure::OverlapContact>& contacts) const {
+  if (sampling_) {
+    return measure::force_distribution(measure::strengths(average_.means()),
+                                       measure::Strength::averaged);
+  }
+  return measure::force_distribution(measure::strengths(contacts), measure::Strength::whole_sites);
+}
+
+ObserverKind overlaps_observer() {
+  return observer_kind<ForceRecord>(has_overlaps);
+}
+
+namespace {
+
+using Values = std::vector<store::MeasureValue>;
+
+/// Whether a wall is stalled: it is due to move and blocked.
+bool is_stalled(const grains::Wall& wall) {
+  return wall.present && wall.travel.active && wall.travel.stalled_since &&
+         !grains::is_over(*wall.motion, wall.travel);
+}
+
+/// Combined results of several walls; none if there are none.
+struct CombinedWalls {
+  std::optional<double> depth;          // of the deepest, lattice spacings
+  std::optional<double> stalled_since;  // of the first to stall, step
+};
+
+CombinedWalls combined(const grains::State& state, const measure::ForceSummary& summary,
+                       const std::vector<double>& surface_at_start) {
+  CombinedWalls result;
+  for (const measure::WallForce& force : summary.walls) {
+    const grains::Wall& wall = state.walls[force.wall];
+    if (!wall.present) {
+      continue;
+    }
+    const auto depth = measure::penetration(state, wall, surface_at_start);
+    if (depth && wall.lets_overlap()) {
+      result.depth = std::max(result.depth.value_or(*depth), *depth);
+    }
+    if (is_stalled(wall)) {
+      const auto step = static_cast<double>(*force.stalled_since);
+      result.stalled_since = std::min(result.stalled_since.value_or(step), step);
+    }
+  }
+  return result;
+}
+
+constexpr Quantity kShareAboveMean = {"force_share_above_mean", "Contacts above the mean force", "",
+                                      "their share"};
+constexpr Quantity kTailBeta = {"force_tail_beta", "Tail of the forces, β", "",
+                                "of exp(-β f/⟨f⟩), which the forces above the mean f follow"};
+
+template <class Distribution>
+Values values_of(const std::optional<Distribution>& distribution) {
+  return distribution
+             ? Values{distribution->share_above_mean, store::value_or_null(distribution->beta)}
+             : Values(2);
+}
+
+/// Of grains that touch.
+Values contact_forces(const StageView& stage) {
+  const auto* contacts = stage.observers.find<ContactRecord>();
+  if (contacts == nullptr) {
+    return {};
+  }
+  const std::vector<contact::Force> forces = contacts->at_end(stage.model);
+  const grains::State& state = stage.model.state();
+  const auto grains = static_cast<double>(grains::present_count(state));
+  double touching = 0;  // bodies of contacts that are grains
+  double floor = 0;
+  for (const contact::Force& force : forces) {
+    touching += grains::is_particle(force.other) ? 2 : 1;
+    floor += force.other == contact::kFloor ? force.on_upper().y() : 0;
+  }
+  const std::vector<double> residuals =
+      contact::residuals(state, forces, gravity_direction(stage.model.vessel()));
+  const double residual = std::accumulate(residuals.begin(), residuals.end(), 0.0);
+  const auto per_grain = [&](double sum) {
+    return grains > 0 ? store::MeasureValue(sum / grains) : store::MeasureValue();
+  };
+  const Values shape = values_of(distribution(forces));
+  return {per_grain(touching), shape[0], shape[1], per_grain(residual), per_grain(floor)};
+}
+
+/// Of walls that overlap grains.
+Values overlap_forces(const StageView& stage) {
+  const auto* overlaps = stage.observers.find<ForceRecord>();
+  if (overlaps == nullptr) {
+    return {};
+  }
+  const grains::State& state = stage.model.state();
+  const grains::Occupancy& occupancy = stage.model.grains().occupancy();
+  const auto contacts = measure::contacts(state, occupancy);
+  const auto summary = measure::force_summary(state, occupancy, contacts);
+  const Values shape = values_of(overlaps->distribution(contacts));
+  const CombinedWalls walls = combined(state, summary, stage.history.profile_at_start);
+  return {static_cast<double>(summary.depth_max),
+          static_cast<double>(summary.sites),
+          static_cast<double>(summary.contacts),
+          store::value_or_null(summary.cone_share),
+          static_cast<double>(summary.jammed),
+          shape[0],
+          shape[1],
+          store::value_or_null(walls.depth),
+          store::value_or_null(walls.stalled_since)};
+}
+
+}  // namespace
+
+std::optional<measure::ForceDistribution> distribution(const std::vector<contact::Force>& forces) {
+  std::vector<double> strengths;
+  for (const contact::Force& force : forces) {
+    if (grains::is_particle(force.other) && force.along_normal > 0) {
+      strengths.push_back(force.along_normal);
+    }
+  }
+  return measure::force_distribution(strengths, measure::Strength::averaged);
+}
+
+std::vector<QuantityGroup> force_quantities() {
+  using scene::Measure;
+  return {
+      {Measure::force,
+       "model `contact`",
+       {{"contacts_per_grain", "Contacts of a grain", "", "with grains and walls, mean"},
+        kShareAboveMean,
+        kTailBeta,
+        {"balance_residual", "Balance of forces", "",
+         "what forces and weight do not balance, over the weight; mean over grains"},
+        {"load_floor", "Load on the floor", "",
+         "force on the floor of the box over the weight of all grains", true}},
+       contact_forces},
+      {Measure::force,
+       "with a plate or piston",
+       {{"overlap_depth_max", "Deepest overlap", "moves",
+         "moves that the deepest overlap would take back"},
+        {"overlap_sites", "Overlap", "sites", "shared by all pairs that overlap"},
+        {"overlap_contacts", "Pairs that overlap", "", ""},
+        {"overlap_cone_share", "Overlap in the cone", "",
+         "share of the sites within 45° ahead of the wall that pushed"},
+        {"jammed", "Jammed", "particles", "pushed and at rest"},
+        kShareAboveMean,
+        kTailBeta,
+        {"plate_depth", "Depth of the plate", "spacings",
+         "of the deepest plate under the surface at the start of the stage"},
+        {"stalled_since", "Stalled since", "step", "since when a wall wants to go on and cannot"}},
+       overlap_forces}};
+}
+
+std::vector<std::string> stall_lines(const scene::Scene& scene, const model::SceneModel& model,
+                                     const std::vector<double>& surface_at_start) {
+  const grains::State& state = model.state();
+  const auto contacts = measure::contacts(state, model.grains().occupancy());
+  std::vector<std::string> lines;
+  for (const measure::WallForce& force :
+       measure::force_summary(state, model.grains().occupancy(), contacts).walls) {
+    const grains::Wall& wall = state.walls[force.wall];
+    if (!is_stalled(wall)) {
+      continue;
+    }
+    std::string line =
+        fmt::format("wall {} stalls since step {} after {} sites", scene.walls[force.wall].name,
+                    *force.stalled_since, force.travel);
+    if (wall.lets_overlap()) {
+      const auto depth = measure::penetration(state, wall, surface_at_start);
+      line += depth && *depth > 0 ? fmt::format(", {:.1f} spacings deep", *depth) : "";
+      line += fmt::format(": {} sites overlap, {} particles are jammed", force.chain_sites,
+                          force.jammed);
+    }
+    lines.push_back(line);
+  }
+  return lines;
+}
+
+}  // namespace clca::record

@@ -1,0 +1,99 @@
+#pragma once
+// Mean forces of the contact model over the last steps.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "clca/contact/force.hpp"
+#include "clca/store/trajectory.hpp"
+#include "record/internal/observer.hpp"
+
+namespace clca::record {
+
+/// A window over the last steps, kept as two blocks: the current and the previous one.
+class ForceWindow {
+ public:
+  void clear() { *this = {}; }
+  /// Adds a step. The window holds at most `most` steps, and at least half of that once there were
+  /// so many.
+  void add(const std::vector<contact::Force>& forces, std::uint64_t most);
+  bool is_empty() const { return block_.steps == 0; }
+  std::vector<contact::Force> means() const;
+
+  /// False if a contact is not between two bodies of `state`, or a number is not finite.
+  bool belongs_to(const grains::State& state) const;
+  static constexpr auto fields() {
+    using reflection::field;
+    return std::make_tuple(field("before", &ForceWindow::before_),
+                           field("block", &ForceWindow::block_));
+  }
+
+ private:
+  contact::ForceSums before_;
+  contact::ForceSums block_;
+};
+
+/// Mean forces before the end of a stage, each picture and each trajectory frame that shows forces.
+/// Costs nothing in steps that none of them needs.
+class ContactRecord : public SavedObserver<ContactRecord> {
+ public:
+  explicit ContactRecord(const scene::Scene& scene);
+  static double bytes(const scene::Scene& scene, double particles);
+
+  void after_step(const StageView& now) override;
+
+  /// Means over the last steps of the stage as of now; the forces of the last step if there are
+  /// none.
+  std::vector<contact::Force> at_end(const model::SceneModel& model) const;
+  /// Of a picture and a trajectory frame: means before the picture with forces that is due now, or
+  /// before the frame; else as at_end(). Of contacts that are there now.
+  std::vector<contact::Force> shown(const model::SceneModel& model) const;
+
+  /// False if this cannot have been recorded in a run that reached `now`.
+  bool precedes(const grains::State& now) const {
+    return stage_.belongs_to(now) && pictures_.window.belongs_to(now) &&
+           frames_.window.belongs_to(now);
+  }
+  static constexpr const char* kPath = "records/contacts";
+  static constexpr auto fields() {
+    using reflection::field;
+    return std::make_tuple(field("stage", &ContactRecord::stage_),
+                           field("pictures", &ContactRecord::pictures_),
+                           field("frames", &ContactRecord::frames_));
+  }
+
+ private:
+  /// An event every so many steps of a stage, and the window of steps before it.
+  struct Recurring {
+    std::uint64_t every = 0;  // 0: never
+    ForceWindow window = {};
+    bool due = false;
+
+    void begin_step(std::uint64_t steps_in_stage);
+    bool is_due_within(std::uint64_t steps, std::uint64_t steps_in_stage) const;
+    static constexpr auto fields() {
+      return std::make_tuple(reflection::field("window", &Recurring::window),
+                             reflection::field("due", &Recurring::due));
+    }
+  };
+
+  void prepare(const StageView& now) override;
+
+  scene::Contacts sampling_;
+  std::uint64_t most_;  // samples in a window
+  bool has_tables_;
+  ForceWindow stage_;
+  Recurring pictures_;
+  Recurring frames_;
+};
+
+/// Bytes of a frame of the contact model, with forces or without; 0 for other models.
+double frame_bytes(const scene::Scene& scene, bool has_forces, double particles);
+
+/// What a picture shows of the contact model; none for other models.
+std::optional<store::ContactFrame> shown_contact(const scene::Scene& scene,
+                                                 const model::SceneModel& model,
+                                                 const Observers& observers);
+
+}  // namespace clca::record

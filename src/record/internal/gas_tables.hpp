@@ -1,0 +1,42 @@
+#pragma once
+// Tables of a Boltzmann run: means over the ensemble, with standard errors where there is one.
+
+#include <vector>
+
+#include "clca/boltzmann/law.hpp"
+#include "clca/scene/boltzmann.hpp"
+#include "clca/store/summary.hpp"
+#include "model/internal/gas_member.hpp"
+#include "record/internal/table.hpp"
+
+namespace clca::record {
+
+/// The ensemble for one restitution. After an interruption, means are over the members that got so
+/// far.
+struct GasCase {
+  double restitution = 1;
+  std::vector<model::GasMember> members;
+
+  /// Number of observations of the most advanced member.
+  std::size_t observations() const;
+  /// The members that have this observation.
+  std::vector<const model::GasMember*> at(std::size_t number) const;
+
+  static constexpr auto fields() {
+    using reflection::field;
+    return std::make_tuple(field("restitution", &GasCase::restitution),
+                           field("members", &GasCase::members));
+  }
+};
+
+/// Writes series.csv, histogram-TIME.csv and, if closed forms exist, closure.csv. Throws
+/// store::StoreError.
+void write_tables(const scene::BoltzmannScene& scene, const std::vector<GasCase>& cases,
+                  const store::OutputFolder& folder);
+std::vector<store::TableSummary> gas_summary(const scene::BoltzmannScene& scene);
+
+/// The last row of the series and further results of a case.
+std::vector<store::NamedMeasure> gas_measures(const scene::BoltzmannScene& scene,
+                                              const GasCase& gas_case);
+
+}  // namespace clca::record

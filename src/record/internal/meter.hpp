@@ -1,0 +1,73 @@
+#pragma once
+// Speed and remaining time of a run. Does not affect results.
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+
+namespace clca::record {
+
+/// Seconds since construction.
+class WallClock {
+ public:
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// Accumulates the time between start() and stop().
+class Stopwatch {
+ public:
+  void start() { since_ = Clock::now(); }
+  void stop() { total_ += Clock::now() - since_; }
+  double seconds() const { return std::chrono::duration<double>(total_).count(); }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  Clock::time_point since_{};
+  Clock::duration total_{};
+};
+
+/// Timer that is due at most once per `interval`.
+class IntervalTimer {
+ public:
+  explicit IntervalTimer(std::chrono::milliseconds interval) : interval_(interval) {}
+
+  bool due() {
+    const auto now = std::chrono::steady_clock::now();
+    if (now < next_) {
+      return false;
+    }
+    next_ = now + interval_;
+    return true;
+  }
+
+ private:
+  std::chrono::milliseconds interval_;
+  std::chrono::steady_clock::time_point next_ = std::chrono::steady_clock::now() + interval_;
+};
+
+/// Estimates the remaining time of a stage from its progress.
+class TimeEstimate {
+ public:
+  /// `done`: share of the stage, in [0, 1].
+  void update(double done) { done_ = done; }
+  /// None at the very start of a stage.
+  std::optional<double> seconds_left() const {
+    constexpr double kMinDone = 1e-3;
+    if (done_ < kMinDone) {
+      return std::nullopt;
+    }
+    return clock_.seconds() * (1 - done_) / done_;
+  }
+
+ private:
+  WallClock clock_;
+  double done_ = 0;
+};
+
+}  // namespace clca::record

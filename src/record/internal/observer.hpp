@@ -1,0 +1,225 @@
+#pragma once
+// What watches a run: each observer gathers what it needs and writes tables, pictures or a
+// trajectory.
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "clca/grains/model.hpp"
+#include "clca/measure/outflow.hpp"
+#include "clca/record/quantity.hpp"
+#include "clca/reflection/columns.hpp"
+#include "clca/scene/scene.hpp"
+#include "clca/store/run_folder.hpp"
+#include "clca/store/summary.hpp"
+#include "model/internal/scene_model.hpp"
+#include "record/internal/table.hpp"
+
+namespace clca::record {
+
+/// What is known of a stage besides its final state.
+struct StageHistory {
+  StageHistory() = default;
+  /// Of a stage before which so much has left as in `state`.
+  StageHistory(const scene::Scene& scene, const grains::State& state);
+  /// When the stage is prepared: its fill may be in outlets.
+  void begin(const grains::State& state);
+  /// After a step; cycles are counted elsewhere.
+  void add_step(const grains::StepReport& report, const grains::State& state);
+
+  std::vector<double> profile_at_start;  ///< measure::surface_profile
+  std::size_t particles_at_start = 0;
+  std::uint64_t steps = 0;
+  std::uint64_t cycles = 0;  ///< of the walls that go to and fro
+  std::size_t emitted = 0;
+  measure::Outflow outflow = {};
+  std::vector<measure::Outflow> outlets = {};           ///< the same of each
+  std::vector<std::uint64_t> discharged_at_start = {};  ///< measure::discharged_particles
+  bool resting = false;                                 ///< the last step has settled
+  bool settled = false;                                 ///< or stalled: how the stage ended
+
+  /// Share of the particles that were or came in during the stage that have left.
+  double discharged_share() const;
+  static constexpr auto fields() {
+    using reflection::field;
+    return std::make_tuple(
+        field("profile_at_start", &StageHistory::profile_at_start),
+        field("particles_at_start", &StageHistory::particles_at_start),
+        field("steps", &StageHistory::steps), field("cycles", &StageHistory::cycles),
+        field("emitted", &StageHistory::emitted), field("outflow", &StageHistory::outflow),
+        field("outlets", &StageHistory::outlets),
+        field("discharged_at_start", &StageHistory::discharged_at_start),
+        field("resting", &StageHistory::resting));
+  }
+};
+
+class Observers;
+
+/// A run at the begin or the end of a stage, or after a step.
+struct StageView {
+  const scene::Scene& scene;
+  const scene::Stage& stage;
+  const model::SceneModel& model;
+  const StageHistory& history;
+  const Observers& observers;
+  std::size_t moving;                ///< particles, in the last step
+  std::size_t stepped;               ///< of so many, those removed at its end included
+  const store::OutputFolder* files;  ///< null: nothing is written
+  /// Tells what a person can act on.
+  std::function<void(const std::string& line)> warn;
+};
+
+/// The columns of a checkpoint.
+struct SavedColumns {
+  const reflection::Columns& columns;
+  double max_bytes;
+
+  /// Throws reflection::Mismatch, also for what no run that reached `now` can have recorded.
+  template <class T>
+  void read(const std::string& path, T& value, const grains::State& now) const {
+    reflection::decode(path, columns, max_bytes, value);
+    bool fits = true;
+    if constexpr (requires { value.precedes(now); }) {
+      fits = value.precedes(now);
+    } else if constexpr (requires { value->precedes(now); }) {
+      fits = !value || value->precedes(now);
+    }
+    if (!fits) {
+      throw reflection::Mismatch(path + " is not of this run");
+    }
+  }
+};
+
+/// Sees what those before it in the list have seen of the same moment.
+class Observer {
+ public:
+  Observer() = default;
+  virtual ~Observer() = default;
+  Observer(const Observer&) = delete;
+  Observer& operator=(const Observer&) = delete;
+
+  virtual void begin_stage(const StageView& /*now*/) {}
+  virtual void after_step(const StageView& /*now*/) {}
+  virtual void end_stage(const StageView& /*now*/) {}
+
+  /// Saves what load() needs, with all that was written on the disk.
+  virtual void save(reflection::Columns& /*columns*/) {}
+  /// Goes on with a stage. Throws reflection::Mismatch for what no run can have saved.
+  virtual void load(const SavedColumns& /*saved*/, const StageView& /*now*/) {}
+
+  /// Tables that it adds rows to; their rows are saved and loaded.
+  virtual std::vector<RunTable*> tables() { return {}; }
+  /// Before the first stage, or after load(): removes what was written later.
+  virtual void open(const store::RunFolder& /*folder*/, const grains::State& /*now*/) {}
+  /// Waits until everything is written.
+  virtual void finish() {}
+};
+
+/// An observer that saves its fields() at kPath. precedes(state), if it has that, is false for what
+/// no run that reached the state can have recorded.
+template <class T>
+class SavedObserver : public Observer {
+ public:
+  void begin_stage(const StageView& now) override { prepare(now); }
+  void save(reflection::Columns& columns) override {
+    reflection::encode(T::kPath, static_cast<const T&>(*this), columns);
+  }
+  void load(const SavedColumns& saved, const StageView& now) override {
+    prepare(now);
+    saved.read(T::kPath, static_cast<T&>(*this), now.model.state());
+  }
+
+ protected:
+  /// Of a stage that begins or goes on.
+  virtual void prepare(const StageView& now) = 0;
+};
+
+class Observers {
+ public:
+  explicit Observers(std::vector<std::unique_ptr<Observer>> all);
+
+  /// The observer of a type; null if the scene has none.
+  template <class T>
+  const T* find() const {
+    for (const auto& observer : all_) {
+      if (const auto* found = dynamic_cast<const T*>(observer.get())) {
+        return found;
+      }
+    }
+    return nullptr;
+  }
+
+  std::vector<store::TableSummary> summary() const;
+  void open(const store::RunFolder& folder, const grains::State& now);
+  void begin_stage(const StageView& now) { call(&Observer::begin_stage, now); }
+  void after_step(const StageView& now);
+  void end_stage(const StageView& now);
+  void save(reflection::Columns& columns);
+  void load(const SavedColumns& saved, const StageView& now);
+  void finish() { call(&Observer::finish); }
+
+ private:
+  template <class... Parameters, class... Arguments>
+  void call(void (Observer::*function)(Parameters...), Arguments&... arguments) {
+    for (const auto& observer : all_) {
+      (observer.get()->*function)(arguments...);
+    }
+  }
+  void write_rows(std::size_t least);
+
+  std::vector<std::unique_ptr<Observer>> all_;
+  std::vector<RunTable*> tables_;
+};
+
+/// Quantities that are taken together at the end of a stage.
+struct QuantityGroup {
+  std::optional<scene::Measure> measure;  ///< that asks for it; none: always taken
+  std::string_view condition;             ///< Markdown: when there are values; empty: always
+  std::vector<Quantity> quantities;
+  /// In the order of the quantities; none where the condition does not hold.
+  std::vector<store::MeasureValue> (*values)(const StageView& stage);
+  /// The same, or a part of it, of each outlet or species; may be null.
+  std::vector<store::NamedMeasure> (*apart)(const StageView& stage) = nullptr;
+};
+
+struct ObserverKind {
+  /// Null if the scene does not need it.
+  std::function<std::unique_ptr<Observer>(const scene::Scene& scene)> make;
+  /// Of a scene.
+  std::vector<std::function<TableInfo(const scene::Scene&)>> tables = {};
+  std::vector<QuantityGroup> quantities = {};
+  /// Memory that it takes at most, with its share of a checkpoint; null: nothing that counts.
+  std::function<double(const scene::Scene& scene, double particles)> bytes = {};
+};
+
+/// One that is made of the scene alone, if it is `wanted`; it may have a function `bytes`.
+template <class T>
+ObserverKind observer_kind(bool (*wanted)(const scene::Scene& scene),
+                           std::vector<std::function<TableInfo(const scene::Scene&)>> tables = {},
+                           std::vector<QuantityGroup> quantities = {}) {
+  ObserverKind kind = {[wanted](const scene::Scene& scene) -> std::unique_ptr<Observer> {
+                         return wanted(scene) ? std::make_unique<T>(scene) : nullptr;
+                       },
+                       std::move(tables), std::move(quantities)};
+  if constexpr (requires(const scene::Scene& scene) { T::bytes(scene, 0.0); }) {
+    kind.bytes = [wanted](const scene::Scene& scene, double particles) {
+      return wanted(scene) ? T::bytes(scene, particles) : 0;
+    };
+  }
+  return kind;
+}
+
+/// All but pictures, in the order in which they observe.
+const std::vector<ObserverKind>& observer_kinds();
+
+/// Those that the scene needs.
+std::vector<std::unique_ptr<Observer>> observers_of(const scene::Scene& scene);
+/// Memory that they take at most, with their share of a checkpoint.
+double observer_bytes(const scene::Scene& scene, double particles);
+
+bool requests(const scene::Scene& scene, scene::Measure measure);
+
+}  // namespace clca::record

@@ -1,0 +1,66 @@
+#pragma once
+// The measures of a stage: what each is, beside what takes its value.
+
+#include <optional>
+#include <vector>
+
+#include "clca/measure/profile.hpp"
+#include "clca/record/quantity.hpp"
+#include "record/internal/observer.hpp"
+
+namespace clca::record {
+
+// Measures of a stage that are also columns of tables.
+inline constexpr Quantity kVesselAngle = {"vessel_angle_deg", "Angle of the vessel", "degrees",
+                                          "anticlockwise from upright"};
+inline constexpr Quantity kHeightMean = {"height_mean", "Mean height", "spacings",
+                                         "of the surface, over the columns with particles", true};
+inline constexpr Quantity kReposeAngle = {"repose_angle_deg", "Slope", "degrees",
+                                          "mean of the flanks that are there", true};
+inline constexpr Quantity kReposeGravity = {
+    "repose_gravity_deg", "Slope against gravity", "degrees",
+    "mean of the flanks that are there, where gravity points down; all others are in the frame of "
+    "the vessel"};
+inline constexpr Quantity kIntruderHeight = {"intruder_height_rel", "Height of the intruder", "",
+                                             "0 on the floor, 1 just buried at the top", true};
+inline constexpr Quantity kSegregationIndex = {
+    "segregation_index", "Segregation index", "",
+    "height of the large ones over the small ones, over half the bed", true};
+inline constexpr Quantity kLaceyIndex = {"lacey_index", "Lacey’s index of mixing", "",
+                                         "0 separated, 1 as random"};
+
+/// Value of kHeightMean; none without particles.
+inline std::optional<double> height_of(const std::vector<double>& profile) {
+  const double height = measure::mean_height(profile);
+  return height > 0 ? std::optional(height) : std::nullopt;
+}
+
+/// All of a stage, in the order of the documents; those of one measure in that of run.json.
+const std::vector<QuantityGroup>& stage_quantities();
+
+std::vector<store::NamedMeasure> stage_measures(const StageView& stage);
+/// Of one measure alone, which the scene asks for.
+std::vector<store::NamedMeasure> stage_measures(scene::Measure wanted, const StageView& stage);
+
+/// Why slopes among the measures have no value where it is not plain, one line for each flank, and
+/// that the box has ended the run-out.
+std::vector<std::string> measure_notes(const scene::Scene& scene, const model::SceneModel& model);
+
+/// `discharged.OUTLET` where there are several outlets, each followed by
+/// `discharged.OUTLET.SPECIES` where there are several species. None if they are so many that
+/// run.json would have too many measures.
+std::vector<std::string> discharge_names(const scene::Scene& scene);
+
+/// The values of these names, from those of measure::discharged_particles.
+std::vector<std::uint64_t> discharge_values(const scene::Scene& scene,
+                                            const std::vector<std::uint64_t>& particles);
+
+// Of gases.
+const std::vector<Quantity>& gas_quantities();
+const std::vector<TableInfo>& gas_tables();
+
+// Of sweeps: measures, and tables with names in capitals where they have several columns.
+const std::vector<Quantity>& sweep_quantities();
+const std::vector<TableInfo>& sweep_tables();
+
+}  // namespace clca::record

@@ -1,0 +1,136 @@
+// lines-STAGE.csv: means over a stage on the lines of a scene.
+
+#include <algorithm>
+#include <optional>
+#include <string>
+
+#include "clca/measure/line.hpp"
+#include "record/internal/observer.hpp"
+
+namespace clca::record {
+
+namespace {
+
+struct LineRow {
+  const scene::Line& line;
+  const measure::LinePart& part;
+  double speed;  // unit of velocity
+};
+
+statistics::Sample mean(const measure::LineMean& mean, double unit) {
+  return {.mean = mean.value * unit, .standard_error = mean.error * unit};
+}
+
+TableOf<LineRow> lines_table(const scene::Scene& /*scene*/) {
+  return {
+      {.name = "lines", .kind = TableInfo::Kind::parts},
+      {{{"line", "Line", "", "its name"}, [](auto& row) { return row.line.name; }},
+       {{"position", "Position on the line", "spacings",
+         "of the middle of the part, from the start of the line"},
+        [](auto& row) { return row.part.position; }},
+       {{"", "Position", "spacings", "of the middle of the part"},
+        [](auto& row) { return row.part.middle; }},
+       {{"flux", "Flux", "sites/(step·spacing)", "sites that pass"},
+        [](auto& row) { return mean(row.part.flux, 1); }},
+       {{"v_across", "Velocity across the line", "spacings/step", "mean of what lies on the line"},
+        [](auto& row) { return mean(row.part.across, row.speed); }},
+       {{"v_along", "Velocity along the line", "spacings/step", "mean of what lies on the line"},
+        [](auto& row) { return mean(row.part.along, row.speed); }},
+       {{"filling", "Filling", "",
+         "share of the part that particles cover, of what no wall covers; 0 if walls cover all"},
+        [](auto& row) { return row.part.filling; }},
+       {{"particles", "Particles", "particles",
+         "whose centre has passed, either way; on the edge of two parts half in each"},
+        [](auto& row) { return row.part.particles; }}}};
+}
+
+/// Observes the lines at the steps that have rows in series.csv.
+class LineRecord : public SavedObserver<LineRecord> {
+ public:
+  explicit LineRecord(const scene::Scene& scene) : table_(table_scope(scene), lines_table(scene)) {}
+
+  static double bytes(const scene::Scene& scene, double particles) {
+    double bytes = 3 * measure::Snapshot::bytes_for(particles) +
+                   particles * (sizeof(Eigen::Vector2d) + sizeof(std::optional<Eigen::Vector2d>));
+    for (const scene::Line& line : scene.lines) {
+      bytes += measure::Line::bytes_for(line.parts) + 2 * measure::LineSums::bytes_for(line.parts);
+    }
+    return bytes;
+  }
+
+  void after_step(const StageView& now) override {
+    if (now.model.state().step % now.scene.output.series->every == 0) {
+      observe(now);
+    }
+  }
+  void end_stage(const StageView& now) override {
+    if (now.model.state().step > last_.step()) {
+      observe(now);
+    }
+    const double speed = velocity_unit(now.scene);
+    for (std::size_t line = 0; line < lines_.size(); ++line) {
+      for (const measure::LinePart& part : lines_[line].means(sums_[line])) {
+        table_.add({now.scene.lines[line], part, speed});
+      }
+    }
+    table_.write(now.files, now.stage.name);
+  }
+  std::vector<RunTable*> tables() override { return {&table_}; }
+
+  bool precedes(const grains::State& now) const {
+    return last_.precedes(now) &&
+           std::equal(lines_.begin(), lines_.end(), sums_.begin(), sums_.end(),
+                      [](const measure::Line& line, const measure::LineSums& sums) {
+                        return sums.fit(line.parts());
+                      });
+  }
+  static constexpr const char* kPath = "records/lines";
+  static constexpr auto fields() {
+    using reflection::field;
+    return std::make_tuple(field("last", &LineRecord::last_), field("sums", &LineRecord::sums_));
+  }
+
+ private:
+  void prepare(const StageView& now) override {
+    last_ = measure::Snapshot(now.model.state());
+    lines_.clear();
+    sums_.clear();
+    for (const scene::Line& line : now.scene.lines) {
+      const auto parts = static_cast<std::size_t>(line.parts);
+      lines_.emplace_back(now.model.state(), line.from, line.to, parts);
+      sums_.emplace_back(parts);
+    }
+  }
+  void observe(const StageView& now);
+
+  std::vector<measure::Line> lines_;  // of this stage
+  measure::Snapshot last_;            // at the last row
+  std::vector<measure::LineSums> sums_;
+  TableWriter<LineRow> table_;
+};
+
+void LineRecord::observe(const StageView& now) {
+  const model::SceneModel& model = now.model;
+  const grains::State& state = model.state();
+  std::vector<std::optional<Eigen::Vector2d>> velocities;
+  if (is_contact(now.scene)) {
+    const std::vector<Eigen::Vector2d> at_row = model.velocities();
+    velocities.assign(at_row.begin(), at_row.end());
+  } else {
+    velocities = last_.velocities(state);
+  }
+  for (std::size_t line = 0; line < lines_.size(); ++line) {
+    lines_[line].observe(last_, state, model.grains().occupancy(), velocities, sums_[line]);
+  }
+  last_ = measure::Snapshot(state);
+}
+
+}  // namespace
+
+ObserverKind lines_observer() {
+  return observer_kind<LineRecord>(
+      [](const scene::Scene& scene) { return !scene.lines.empty() && scene.output.series; },
+      {lines_table});
+}
+
+}  // namespace clca::record

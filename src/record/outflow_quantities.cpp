@@ -1,0 +1,212 @@
+// What leaves in a stage, as a whole and by outlet and species.
+
+#include <algorithm>
+#include <functional>
+#include <iterator>
+#include <numeric>
+
+#include "clca/measure/outflow.hpp"
+#include "clca/scene/units.hpp"
+#include "record/internal/quantities.hpp"
+
+namespace clca::record {
+
+namespace {
+
+using Values = std::vector<store::MeasureValue>;
+using Named = std::vector<store::NamedMeasure>;
+
+/// False with so many outlets and species that run.json would have too many measures.
+bool counts_apart(const scene::Scene& scene) {
+  constexpr std::size_t kMostMeasures = 800;
+  // Besides those of its species.
+  const std::size_t of_outlet = scene.units && scene.units->density ? 6 : 4;
+  return scene.outlets.size() * (scene.species.size() + of_outlet) <= kMostMeasures;
+}
+
+constexpr Quantity kPerStep = {"outflow_sites_per_step", "Outflow", "sites/step",
+                               "steady part: while 20 % to 70 % of what left the box left"};
+constexpr std::string_view kSteady = "steady part, as `outflow_sites_per_step`";
+constexpr Quantity kPerTime = {"outflow_sites_per_time", "Outflow over time", "sites/time",
+                               kSteady};
+constexpr Quantity kMassPerTime = {"outflow_mass_per_time", "Mass outflow", "kg/s", kSteady};
+constexpr Quantity kParticlesPerTime = {
+    "outflow_particles_per_time", "Particle outflow", "particles/s",
+    "`outflow_mass_per_time` over the mean mass of a particle that left"};
+constexpr Quantity kClogged = {"clogged", "Clogged", "",
+                               "at rest, particles hang over an outlet that they could have "
+                               "passed; some outlet, if there are several"};
+
+Values per_step(const StageView& stage) {
+  return {stage.history.outflow.sites_per_step()};
+}
+
+std::optional<double> rate_over_time(const scene::Scene& scene, const measure::Outflow& outflow) {
+  const auto conversion = scene::conversion(scene);
+  return conversion ? std::optional(outflow.sites_per_step() / conversion->time_step)
+                    : std::nullopt;
+}
+
+Values per_time(const StageView& stage) {
+  const auto rate = rate_over_time(stage.scene, stage.history.outflow);
+  return rate ? Values{*rate} : Values{};
+}
+
+/// Kilograms and particles a second; empty without `units.density`.
+Values in_si(const scene::Scene& scene, const measure::Outflow& outflow) {
+  const auto conversion = scene::conversion(scene);
+  if (!conversion || !conversion->site) {
+    return {};
+  }
+  const measure::Discharge left = outflow.during_stage();
+  const double rate = outflow.sites_per_step() / conversion->time_step;
+  const double sites = left.particles > 0
+                           ? static_cast<double>(left.sites) / static_cast<double>(left.particles)
+                           : 1;
+  return {rate * conversion->site->mass, rate / sites};
+}
+
+Values all_in_si(const StageView& stage) {
+  return in_si(stage.scene, stage.history.outflow);
+}
+
+/// Of each outlet.
+std::vector<bool> clogged(const StageView& stage) {
+  const model::SceneModel& model = stage.model;
+  std::vector<bool> clogged;
+  for (std::size_t outlet = 0; outlet < model.state().outlets.size(); ++outlet) {
+    clogged.push_back(
+        stage.history.settled &&
+        measure::clogged(model.state(), model.grains().occupancy(), outlet, model.grains().down()));
+  }
+  return clogged;
+}
+
+Values discharged(const StageView& stage) {
+  if (stage.model.state().outlets.empty()) {
+    return {};
+  }
+  const std::vector<bool> outlets = clogged(stage);
+  return {static_cast<double>(stage.history.outflow.during_stage().particles),
+          stage.history.discharged_share(),
+          std::find(outlets.begin(), outlets.end(), true) != outlets.end()};
+}
+
+/// What each outlet has of its own.
+std::vector<Quantity> own_quantities(const scene::Scene& scene) {
+  std::vector<Quantity> quantities = {kPerStep};
+  const auto conversion = scene::conversion(scene);
+  if (conversion) {
+    quantities.push_back(kPerTime);
+  }
+  if (conversion && conversion->site) {
+    quantities.insert(quantities.end(), {kMassPerTime, kParticlesPerTime});
+  }
+  quantities.push_back(kClogged);
+  return quantities;
+}
+
+std::string name_of(const Quantity& quantity, const scene::Outlet& outlet) {
+  return std::string(quantity.key) + "." + outlet.name;
+}
+
+Named discharged_apart(const StageView& stage) {
+  const grains::State& state = stage.model.state();
+  const scene::Scene& scene = stage.scene;
+  Named results;
+  if (state.outlets.empty() || !counts_apart(scene)) {
+    return results;
+  }
+  std::vector<std::uint64_t> particles = measure::discharged_particles(state, scene.species.size());
+  std::transform(particles.begin(), particles.end(), stage.history.discharged_at_start.begin(),
+                 particles.begin(), std::minus<>());
+  const std::vector<std::string> names = discharge_names(scene);
+  const std::vector<std::uint64_t> values = discharge_values(scene, particles);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    results.emplace_back(names[i], static_cast<double>(values[i]));
+  }
+  const std::vector<bool> outlets = clogged(stage);
+  const std::vector<Quantity> own = own_quantities(scene);
+  for (std::size_t outlet = 0; outlets.size() > 1 && outlet < outlets.size(); ++outlet) {
+    const measure::Outflow& outflow = stage.history.outlets[outlet];
+    Values of_outlet = {outflow.sites_per_step()};
+    if (const auto rate = rate_over_time(scene, outflow)) {
+      of_outlet.emplace_back(*rate);
+    }
+    std::ranges::copy(in_si(scene, outflow), std::back_inserter(of_outlet));
+    of_outlet.emplace_back(bool{outlets[outlet]});
+    for (std::size_t i = 0; i < own.size(); ++i) {
+      results.emplace_back(name_of(own[i], scene.outlets[outlet]), of_outlet[i]);
+    }
+  }
+  return results;
+}
+
+}  // namespace
+
+/// Names of the measures of single outlets, also where there is only one.
+std::vector<std::string> names_by_outlet(const scene::Scene& scene) {
+  std::vector<std::string> names = discharge_names(scene);
+  if (scene.outlets.size() == 1) {
+    names.push_back("discharged." + scene.outlets.front().name);
+  }
+  if (counts_apart(scene)) {
+    for (const scene::Outlet& outlet : scene.outlets) {
+      for (const Quantity& quantity : own_quantities(scene)) {
+        names.push_back(name_of(quantity, outlet));
+      }
+    }
+  }
+  return names;
+}
+
+std::vector<std::string> discharge_names(const scene::Scene& scene) {
+  std::vector<std::string> names;
+  if (!counts_apart(scene)) {
+    return names;
+  }
+  for (const scene::Outlet& outlet : scene.outlets) {
+    const std::string name = "discharged." + outlet.name;
+    if (scene.outlets.size() > 1) {
+      names.push_back(name);
+    }
+    for (const scene::Species& species : scene.species) {
+      if (scene.species.size() > 1) {
+        names.push_back(name + "." + species.name);
+      }
+    }
+  }
+  return names;
+}
+
+std::vector<std::uint64_t> discharge_values(const scene::Scene& scene,
+                                            const std::vector<std::uint64_t>& particles) {
+  std::vector<std::uint64_t> values;
+  const auto species = static_cast<std::ptrdiff_t>(scene.species.size());
+  for (auto first = particles.begin(); first != particles.end(); first += species) {
+    if (scene.outlets.size() > 1) {
+      values.push_back(std::accumulate(first, first + species, std::uint64_t{0}));
+    }
+    if (species > 1) {
+      values.insert(values.end(), first, first + species);
+    }
+  }
+  return values;
+}
+
+std::vector<QuantityGroup> outflow_quantities() {
+  using scene::Measure;
+  return {{Measure::outflow, "", {kPerStep}, per_step},
+          {Measure::outflow, "model `contact`", {kPerTime}, per_time},
+          {Measure::outflow, "with `units.density`", {kMassPerTime, kParticlesPerTime}, all_in_si},
+          {Measure::outflow,
+           "with outlets",
+           {{"discharged", "Discharged", "particles", "through an outlet, in the stage"},
+            {"discharged_share", "Share discharged", "",
+             "of the particles, through outlets, in the stage"},
+            kClogged},
+           discharged,
+           discharged_apart}};
+}
+
+}  // namespace clca::record

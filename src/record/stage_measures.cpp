@@ -1,0 +1,345 @@
+// The measures that a scene asks for, taken at the end of a stage.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <map>
+#include <stdexcept>
+
+#include "clca/measure/coordination.hpp"
+#include "clca/measure/displacement.hpp"
+#include "clca/measure/profile.hpp"
+#include "clca/measure/segregation.hpp"
+#include "clca/scene/output.hpp"
+#include "clca/scene/parse.hpp"
+#include "clca/text/message.hpp"
+#include "record/internal/cycle_record.hpp"
+#include "record/internal/quantities.hpp"
+
+namespace clca::record {
+
+std::vector<QuantityGroup> outflow_quantities();
+std::vector<std::string> names_by_outlet(const scene::Scene& scene);
+std::vector<QuantityGroup> force_quantities();
+
+namespace {
+
+using Values = std::vector<store::MeasureValue>;
+
+constexpr std::string_view kFlank =
+    "straight line through the surface between 15 % and 80 % of its height";
+
+Values values_of(const measure::ReposeAngle& angle) {
+  return {store::value_or_null(angle.mean()), store::value_or_null(angle.left),
+          store::value_or_null(angle.right)};
+}
+
+Values repose(const StageView& stage) {
+  return values_of(measure::repose_angle(measure::surface_profile(stage.model.state())));
+}
+
+Values vessel_angle(const StageView& stage) {
+  return model::has_vessel(stage.scene) ? Values{contact::degrees(stage.model.vessel().angle)}
+                                        : Values{};
+}
+
+/// Empty in a periodic box.
+measure::ReposeAngle repose_in_gravity(const model::SceneModel& model) {
+  if (model.state().lattice.periodic()) {
+    return {};
+  }
+  return measure::repose_angle(
+      measure::surface_profile(model.state(), contact::gravity_direction(model.vessel())));
+}
+
+Values repose_gravity(const StageView& stage) {
+  return model::has_vessel(stage.scene) && !stage.model.state().lattice.periodic()
+             ? values_of(repose_in_gravity(stage.model))
+             : Values{};
+}
+
+Values runout(const StageView& stage) {
+  const auto runout = measure::runout(stage.model.state());
+  return runout ? Values{runout->percent_99, runout->front} : Values(2);
+}
+
+Values packing(const StageView& stage) {
+  const grains::State& state = stage.model.state();
+  return {store::value_or_null(measure::packing_fraction(state)),
+          store::value_or_null(height_of(measure::surface_profile(state)))};
+}
+
+Values moved(const StageView& stage) {
+  const grains::State& state = stage.model.state();
+  return {store::value_or_null(measure::moved_share(state, measure::smallest_diameter(state))),
+          store::value_or_null(measure::moved_share(state, 2))};
+}
+
+Values segregation(const StageView& stage) {
+  if (stage.scene.species.size() < 2) {
+    return {};
+  }
+  const grains::State& state = stage.model.state();
+  return {store::value_or_null(measure::segregation_index(state)),
+          store::value_or_null(
+              measure::lacey_index(state, stage.observers.find<CycleRecord>()->cell()))};
+}
+
+Values intruder(const StageView& stage) {
+  const auto height = measure::intruder_height(stage.model.state());
+  return height ? Values{*height} : Values{};
+}
+
+Values axis_order(const StageView& stage) {
+  if (stage.scene.model != scene::Model::baxter) {
+    return {};
+  }
+  return {store::value_or_null(measure::axis_order(stage.model.state()))};
+}
+
+std::vector<QuantityGroup> made_groups() {
+  using scene::Measure;
+  std::vector<QuantityGroup> groups = {
+      {Measure::repose,
+       "",
+       {kReposeAngle,
+        {"repose_left_deg", "Slope, left flank", "degrees", kFlank, true},
+        {"repose_right_deg", "Slope, right flank", "degrees", "as `repose_left_deg`", true}},
+       repose},
+      {Measure::repose,
+       "with a [vessel](#vessel), not in a periodic box",
+       {kReposeGravity,
+        {"repose_gravity_left_deg", "Slope against gravity, left flank", "degrees", kFlank},
+        {"repose_gravity_right_deg", "Slope against gravity, right flank", "degrees",
+         "as `repose_gravity_left_deg`"}},
+       repose_gravity},
+      {Measure::runout,
+       "",
+       {{"runout_99", "Run-out of 99 %", "spacings",
+         "how far the 99th percentile of its sites lies beyond its origins", true},
+        {"runout_front", "Run-out of the front", "spacings",
+         "how far the outermost site lies beyond the origins", true}},
+       runout},
+      {Measure::packing,
+       "",
+       {{"packing_fraction", "Packing fraction", "",
+         "sites of particles over the sites that the bed could fill"},
+        kHeightMean},
+       packing},
+      {Measure::moved,
+       "",
+       {{"moved_share", "Share moved", "",
+         "of the particles, by more than the smallest diameter from where the stage began"},
+        {"moved_share_2", "Share moved, 2 spacings", "", "by more than 2 spacings"}},
+       moved}};
+  const auto add = [&groups](std::vector<QuantityGroup> more) {
+    groups.insert(groups.end(), more.begin(), more.end());
+  };
+  add(outflow_quantities());
+  add(force_quantities());
+  add({{Measure::segregation, "several species", {kSegregationIndex, kLaceyIndex}, segregation},
+       {Measure::intruder, "a single particle of a species", {kIntruderHeight}, intruder},
+       {Measure::axis_order,
+        "with `model: baxter`",
+        {{"axis_order", "Order of axes", "",
+          "share of the pairs of neighbouring grains with the same axis; a third at random"}},
+        axis_order},
+       {{}, "with a [vessel](#vessel)", {kVesselAngle}, vessel_angle}});
+  for (const ObserverKind& kind : observer_kinds()) {
+    add(kind.quantities);
+  }
+  return groups;
+}
+
+/// Adds those of one measure, or those that no measure asks for.
+void add(std::vector<store::NamedMeasure>& results, const std::optional<scene::Measure>& measure,
+         const StageView& stage) {
+  for (const QuantityGroup& group : stage_quantities()) {
+    if (group.measure != measure) {
+      continue;
+    }
+    const Values values = group.values(stage);
+    if (!values.empty() && values.size() != group.quantities.size()) {
+      throw std::logic_error(fmt::format("the group of {} has {} values for {} quantities",
+                                         group.quantities.front().key, values.size(),
+                                         group.quantities.size()));
+    }
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      results.emplace_back(group.quantities[i].key, values[i]);
+    }
+    if (group.apart != nullptr) {
+      const auto apart = group.apart(stage);
+      results.insert(results.end(), apart.begin(), apart.end());
+    }
+  }
+}
+
+/// What tables of sweeps have of each stage besides the measures.
+constexpr std::string_view kSteps = "steps";
+constexpr std::string_view kTime = "time";
+
+/// The measures that expressions of the scene may name.
+std::vector<std::string> named_measures(const scene::Scene& scene) {
+  std::vector<std::string> names = {std::string(kSteps), std::string(kTime)};
+  for (const QuantityGroup& group : stage_quantities()) {
+    if (!group.measure || requests(scene, *group.measure)) {
+      for (const Quantity& quantity : group.quantities) {
+        names.emplace_back(quantity.key);
+      }
+    }
+  }
+  if (requests(scene, scene::Measure::outflow)) {
+    std::ranges::move(names_by_outlet(scene), std::back_inserter(names));
+  }
+  return names;
+}
+
+/// Adds what the scene derives from them.
+void add_derived(std::vector<store::NamedMeasure>& results, const StageView& stage) {
+  std::map<std::string, double, std::less<>> numbers;
+  const auto note = [&numbers](const store::NamedMeasure& measure) {
+    if (const auto* number = std::get_if<double>(&measure.second)) {
+      numbers.emplace(measure.first, *number);
+    } else if (const auto* answer = std::get_if<bool>(&measure.second)) {
+      numbers.emplace(measure.first, *answer ? 1 : 0);
+    }
+  };
+  note({std::string(kSteps), static_cast<double>(stage.history.steps)});
+  if (const auto conversion = scene::conversion(stage.scene)) {
+    note({std::string(kTime), conversion->time(stage.history.steps)});
+  }
+  std::ranges::for_each(results, note);
+  const auto number_of = [&](std::string_view name) -> std::optional<double> {
+    auto found = numbers.find(name);
+    if (found == numbers.end() && stage.scene.outlets.size() == 1) {
+      const std::string of = "." + stage.scene.outlets.front().name;  // as all outlets together
+      found = name.ends_with(of) ? numbers.find(name.substr(0, name.size() - of.size())) : found;
+    }
+    return found != numbers.end() && std::isfinite(found->second) ? std::optional(found->second)
+                                                                  : std::nullopt;
+  };
+  for (const scene::DerivedMeasure& derived : stage.scene.derived) {
+    results.emplace_back(derived.name,
+                         store::value_or_null(scene::value_of(derived.value, number_of)));
+    note(results.back());
+  }
+}
+
+/// Adds what has left to the outflow of all outlets and of each.
+void add_discharge(StageHistory& history, const grains::State& state,
+                   void (measure::Outflow::*add)(measure::Discharge)) {
+  (history.outflow.*add)(measure::discharge(state));
+  for (std::size_t outlet = 0; outlet < history.outlets.size(); ++outlet) {
+    (history.outlets[outlet].*add)(measure::discharge(state.outlets[outlet]));
+  }
+}
+
+}  // namespace
+
+const std::vector<QuantityGroup>& stage_quantities() {
+  static const std::vector<QuantityGroup> kGroups = made_groups();
+  return kGroups;
+}
+
+StageHistory::StageHistory(const scene::Scene& scene, const grains::State& state)
+    : outflow(measure::discharge(state)),
+      discharged_at_start(measure::discharged_particles(state, scene.species.size())) {
+  for (const grains::Outlet& outlet : state.outlets) {
+    outlets.emplace_back(measure::discharge(outlet));
+  }
+}
+
+void StageHistory::begin(const grains::State& state) {
+  add_discharge(*this, state, &measure::Outflow::add_at_start);
+  profile_at_start = measure::surface_profile(state);
+  particles_at_start = grains::present_count(state) + outflow.during_stage().particles;
+}
+
+void StageHistory::add_step(const grains::StepReport& report, const grains::State& state) {
+  ++steps;
+  resting = report.settled;
+  emitted += report.emitted;
+  add_discharge(*this, state, &measure::Outflow::add);
+}
+
+double StageHistory::discharged_share() const {
+  const auto all = static_cast<double>(particles_at_start + emitted);
+  return all > 0 ? static_cast<double>(outflow.during_stage().particles) / all : 0;
+}
+
+std::vector<store::NamedMeasure> stage_measures(const StageView& stage) {
+  std::vector<std::optional<scene::Measure>> wanted(stage.scene.measures.begin(),
+                                                    stage.scene.measures.end());
+  wanted.emplace_back();  // those that no measure asks for
+  std::vector<store::NamedMeasure> results;
+  for (const auto& measure : wanted) {
+    add(results, measure, stage);
+  }
+  if (!stage.scene.derived.empty()) {
+    add_derived(results, stage);
+  }
+  return results;
+}
+
+void check_derived(const scene::Scene& scene) {
+  std::vector<std::string> known = named_measures(scene);
+  const auto is_known = [&known](std::string_view name) {
+    return std::ranges::count(known, name) > 0;
+  };
+  for (const scene::DerivedMeasure& derived : scene.derived) {
+    const auto refuse = [&derived](const std::string& why) {
+      throw scene::SceneError(
+          fmt::format("{}: error: measure.{}: {}", derived.location, derived.name, why));
+    };
+    if (find_quantity(derived.name) != nullptr) {
+      refuse("there is a quantity of this name; give it another one");
+    }
+    for (const std::string& name : scene::names_in(derived.value, is_known)) {
+      if (!is_known(name)) {
+        const std::vector<std::string_view> names(known.begin(), known.end());
+        refuse(fmt::format("unknown measure {} in {}{}", text::shown(name),
+                           text::shown(derived.value), text::suggestion(name, names)));
+      }
+    }
+    known.push_back(derived.name);
+  }
+}
+
+std::vector<store::NamedMeasure> stage_measures(scene::Measure wanted, const StageView& stage) {
+  std::vector<store::NamedMeasure> results;
+  add(results, wanted, stage);
+  return results;
+}
+
+std::vector<std::string> measure_notes(const scene::Scene& scene, const model::SceneModel& model) {
+  std::vector<std::string> notes;
+  if (requests(scene, scene::Measure::runout)) {
+    const auto runout = measure::runout(model.state());
+    if (runout && runout->at_side) {
+      notes.emplace_back(
+          "runout_99 and runout_front: grains have come to a side of the box, which ends the "
+          "run-out; a wider box lets them go on");
+    }
+  }
+  const auto add = [&](const std::string& name, bool uneven) {
+    if (uneven) {
+      notes.push_back(name + " is null: the surface there has no single slope");
+    }
+  };
+  if (!requests(scene, scene::Measure::repose)) {
+    return notes;
+  }
+  const auto angle = measure::repose_angle(measure::surface_profile(model.state()));
+  add("repose_left_deg", angle.left_uneven);
+  add("repose_right_deg", angle.right_uneven);
+  if (model::has_vessel(scene)) {
+    const auto in_gravity = repose_in_gravity(model);
+    add("repose_gravity_left_deg", in_gravity.left_uneven);
+    add("repose_gravity_right_deg", in_gravity.right_uneven);
+  }
+  return notes;
+}
+
+}  // namespace clca::record

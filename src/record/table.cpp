@@ -1,0 +1,79 @@
+#include "record/internal/table.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "clca/store/run_folder.hpp"
+
+namespace clca::record {
+
+bool is_contact(const scene::Scene& scene) {
+  return scene.model == scene::Model::contact;
+}
+
+double velocity_unit(const scene::Scene& scene) {
+  const auto conversion = scene::conversion(scene);
+  return conversion ? conversion->velocity(1) : 1;
+}
+
+void add_cell(std::vector<store::Cell>& cells, const std::optional<double>& value) {
+  cells.emplace_back(value.value_or(std::numeric_limits<double>::quiet_NaN()));
+}
+
+void add_cell(std::vector<store::Cell>& cells, const std::string& text) {
+  cells.emplace_back(text);
+}
+
+void add_cell(std::vector<store::Cell>& cells, const statistics::Sample& mean) {
+  cells.emplace_back(mean.mean);
+  cells.emplace_back(mean.standard_error);
+}
+
+void add_cell(std::vector<store::Cell>& cells, const std::optional<Eigen::Vector2d>& vector) {
+  for (const Eigen::Index axis : {0, 1}) {
+    add_cell(cells, vector ? std::optional((*vector)[axis]) : std::nullopt);
+  }
+}
+
+std::vector<std::string> ColumnInfo::names() const {
+  std::vector<std::string> names;
+  for (const std::string_view ending : endings) {
+    names.push_back(std::string(quantity.key).append(ending));
+  }
+  return names;
+}
+
+TableScope table_scope(const scene::Scene& scene) {
+  TableScope scope = {.parts = {}, .conversion = scene::conversion(scene)};
+  for (const scene::Stage& stage : scene.stages) {
+    scope.parts.push_back(stage.name);
+  }
+  return scope;
+}
+
+void RunTable::open(const store::OutputFolder& folder) {
+  if (info_.kind == TableInfo::Kind::growing) {
+    file_.emplace(folder, store::table_name(std::string(info_.name)), bytes_);
+  }
+}
+
+void RunTable::write_rows(std::size_t least) {
+  if (!file_) {
+    table_.take();
+  } else if (table_.waiting() > 0 && table_.waiting() >= least) {
+    const std::string header = bytes_ == 0 ? table_.header() : "";
+    file_->append(header + table_.take());
+    bytes_ = file_->bytes();
+  }
+}
+
+void RunTable::write(const store::OutputFolder* folder, const std::string& part) {
+  const std::string name(info_.name);
+  const std::string rows = table_.take();
+  if (folder != nullptr) {
+    folder->write(part.empty() ? store::table_name(name) : store::table_name(name, part),
+                  table_.header() + rows);
+  }
+}
+
+}  // namespace clca::record

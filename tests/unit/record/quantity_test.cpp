@@ -1,0 +1,86 @@
+#include "clca/record/quantity.hpp"
+
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include "clca/text/input_error.hpp"
+
+namespace clca::record::quantity_test {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+std::string page(const char* name) {
+  const std::ifstream file(std::filesystem::path(CLCA_SOURCE_DIR) / "docs" / name);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+TEST(Quantity, TheTableOfTheDocumentationIsThatOfTheDeclarations) {
+  EXPECT_THAT(page("scene-format.md"), HasSubstr("<!-- quantities -->\n" + quantities_table() +
+                                                 "<!-- end of quantities -->\n"))
+      << "call scripts/update-format";
+}
+
+TEST(Quantity, TheDocumentsHaveTheColumnsOfEachTable) {
+  const std::string documents =
+      page("scene-format.md") + page("boltzmann.md") + page("sweep.md") + page("trajectory.md");
+  for (const std::string& table : table_names()) {
+    EXPECT_THAT(documents, HasSubstr("<!-- columns: " + table + " -->\n" + columns_table(table) +
+                                     "<!-- end of columns -->\n"))
+        << "call scripts/update-format; a new table needs a place in one of them first";
+  }
+}
+
+TEST(Quantity, ATableThatThereIsNotIsRefusedWithTheNamesOfAll) {
+  EXPECT_THAT([] { columns_table("serie"); },
+              ::testing::ThrowsMessage<text::InputError>(AllOf(
+                  HasSubstr("no table 'serie'"), HasSubstr("series, "), HasSubstr("profile"))));
+}
+
+TEST(Quantity, OfAVectorOrAMeanHasTwoColumns) {
+  EXPECT_EQ(find_quantity("vx"), find_quantity("vy"));
+  EXPECT_EQ(find_quantity("flux_se")->unit, "sites/(step·spacing)");
+  EXPECT_THAT(columns_table("lines"), HasSubstr("| `flux` (`_se`) |"));
+}
+
+TEST(Quantity, IsFoundByItsKeyAlsoOfOneOutlet) {
+  ASSERT_NE(find_quantity("runout_99"), nullptr);
+  EXPECT_EQ(find_quantity("runout_99")->unit, "spacings");
+  EXPECT_EQ(find_quantity("clogged.drain"), find_quantity("clogged"));
+  EXPECT_EQ(find_quantity("travel.plate")->unit, "sites");
+  EXPECT_EQ(find_quantity("force_x.floor")->unit, "weights of a site");
+  EXPECT_EQ(find_quantity("force_x")->unit, "grain weights") << "of walls-STAGE.csv";
+  EXPECT_EQ(find_quantity("runout_9"), nullptr);
+}
+
+TEST(Quantity, OfAGasMayHaveTheKeyOfOneOfGrains) {
+  EXPECT_EQ(find_gas_quantity("t_tr")->name, "Translational temperature");
+  EXPECT_EQ(find_quantity("t_tr"), nullptr);
+  EXPECT_NE(find_quantity("time")->unit, find_gas_quantity("time")->unit);
+}
+
+TEST(Quantity, OfASweepHasTheMeasuresOfStagesAndColumnsOfItsOwn) {
+  EXPECT_EQ(find_sweep_quantity("time")->meaning, "of the stage");
+  EXPECT_EQ(find_quantity("time")->meaning, "of the whole run");
+  EXPECT_EQ(find_sweep_quantity("discharged_until_clog.drain")->unit, "particles");
+  EXPECT_EQ(find_sweep_quantity("standard_error")->name, "Standard error");
+  EXPECT_EQ(find_quantity("standard_error"), nullptr);
+  EXPECT_EQ(find_sweep_quantity("runout_99"), find_quantity("runout_99"));
+}
+
+TEST(Quantity, HasTheUnitsOfARun) {
+  const scene::Conversion units = {.length_unit = "m", .time_unit = "s", .velocity_unit = "m/s"};
+  EXPECT_EQ(shown_unit("sites/time", units), "sites/s");
+  EXPECT_EQ(shown_unit("(spacings/step)²", units), "(m/s)²");
+  EXPECT_EQ(shown_unit("sites/time", {}), "sites/time");
+}
+
+}  // namespace
+}  // namespace clca::record::quantity_test
