@@ -2,7 +2,6 @@
 
 #include "clca/boltzmann/gas.hpp"
 
-#include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
 #include <exception>
@@ -14,6 +13,7 @@
 #include "clca/parallel/team.hpp"
 #include "clca/run/setup.hpp"
 #include "clca/scene/boltzmann.hpp"
+#include "python/arrays.hpp"
 #include "python/interrupt.hpp"
 #include "python/scene.hpp"
 
@@ -64,15 +64,10 @@ class Gas {
 
   /// Rows `first` and the two after it of the motions, one particle a row; no copy.
   py::array part(int first) const {
-    now();
-    const py::capsule base(new std::shared_ptr<boltzmann::Gas>(gas_), [](void* pointer) {
-      delete static_cast<std::shared_ptr<boltzmann::Gas>*>(pointer);
-    });
+    const boltzmann::Gas& gas = now();
     constexpr auto kNumber = static_cast<py::ssize_t>(sizeof(double));
-    py::array array(py::dtype::of<double>(), {gas_->particles(), py::ssize_t{3}},
-                    {gas_->motions.rows() * kNumber, kNumber}, gas_->motions.data() + first, base);
-    array.attr("setflags")(py::arg("write") = false);
-    return array;
+    return view(gas_, gas.motions.data() + first, py::dtype::of<double>(),
+                {gas.particles(), py::ssize_t{3}}, {gas.motions.rows() * kNumber, kNumber});
   }
 
  private:
@@ -113,10 +108,7 @@ void add_gas(py::module_& module) {
   bound
       .def(py::init<const LoadedScene&, std::optional<int>>(), py::arg("scene"),
            py::arg("threads") = py::none())
-      .def("advance", &Gas::advance, py::arg("time"),
-           "Goes on to this time. The bits are those of a run where that also stops at it: its "
-           "times "
-           "of observation.")
+      .def("_advance", &Gas::advance)
       .def_property_readonly(
           "time", [](const Gas& gas) { return gas.now().time; }, "Of the gas.")
       .def_property_readonly(

@@ -1,4 +1,4 @@
-#include "python/picture.hpp"
+// Pictures and movies of run folders.
 
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
@@ -10,7 +10,7 @@
 #include "clca/drawing/redraw.hpp"
 #include "clca/image/png.hpp"
 #include "clca/run/setup.hpp"
-#include "clca/scene/resolve.hpp"
+#include "python/arrays.hpp"
 #include "python/interrupt.hpp"
 #include "python/scene.hpp"
 
@@ -68,18 +68,6 @@ py::bytes png(const py::array_t<std::uint8_t, py::array::c_style>& pixels) {
 }
 
 }  // namespace
-
-scene::Frames frames_of(const scene::Scene& scene, std::vector<scene::Override> overrides) {
-  if (!scene.output.frames) {
-    overrides.insert(overrides.begin(), "output.frames={}");
-  }
-  return *scene::parse(scene::to_yaml(scene), scene.name, overrides).output.frames;
-}
-
-py::array pixels(const image::Image& image) {
-  static_assert(sizeof(image::Rgb) == 3);
-  return py::array_t<std::uint8_t>({image.height, image.width, 3}, &image.pixels.data()->red);
-}
 
 void add_pictures(py::module_& module) {
   module.def("picture", picture);

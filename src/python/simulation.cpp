@@ -8,14 +8,17 @@
 
 #include <algorithm>
 #include <memory>
+#include <type_traits>
 
 #include "clca/measure/profile.hpp"
+#include "clca/record/quantity.hpp"
 #include "clca/scene/format.hpp"
+#include "clca/scene/resolve.hpp"
 #include "clca/scene/units.hpp"
+#include "clca/store/datasets.hpp"
 #include "clca/text/input_error.hpp"
 #include "python/arrays.hpp"
 #include "python/interrupt.hpp"
-#include "python/picture.hpp"
 #include "python/scene.hpp"
 
 namespace clca::python {
@@ -56,23 +59,6 @@ void next_stage(Simulation& simulation) {
   simulation.interrupt->during([&] { simulation.next_stage(); });
 }
 
-/// Columns as of a table: positions and heights of the free surface, by lattice column.
-py::list profile(const grains::State& state) {
-  const std::vector<double> heights = measure::surface_profile(state);
-  std::vector<double> positions;
-  for (std::size_t column = 0; column < heights.size(); ++column) {
-    positions.push_back(lattice::kColumnPitch * static_cast<double>(column));
-  }
-  const auto array = [](const std::vector<double>& values) {
-    return py::array(static_cast<py::ssize_t>(values.size()), values.data());
-  };
-  py::list columns;
-  columns.append(py::make_tuple("x", array(positions), py::make_tuple("Position", "spacings", "")));
-  columns.append(py::make_tuple("height", array(heights),
-                                py::make_tuple("Height of the surface", "spacings", "")));
-  return columns;
-}
-
 py::list measures_now(const Simulation& simulation, const std::optional<std::string>& name) {
   const std::vector<scene::Measure>& asked = simulation.scene().measures;
   std::optional<scene::Measure> wanted;
@@ -86,18 +72,71 @@ py::list measures_now(const Simulation& simulation, const std::optional<std::str
     }
     wanted = *found;
   }
-  return python::measures(
-      simulation.measures(wanted),
-      {.units = scene::conversion(simulation.scene()), .derived = simulation.scene().derived});
+  const record::KnownQuantities known = {.units = scene::conversion(simulation.scene()),
+                                      .derived = simulation.scene().derived};
+  py::list result;
+  for (const auto& [key, value] : simulation.measures(wanted)) {
+    const record::ShownQuantity what = known.find(key).value_or(record::ShownQuantity());
+    result.append(py::make_tuple(key, value, what.name, what.unit, what.meaning));
+  }
+  return result;
 }
 
-py::tuple frame_now(const Simulation& simulation) {
-  std::optional<FrameData> data;
+/// Texts in UTF-8, or rows of numbers.
+py::object values_of(store::Dataset dataset) {
+  const auto to_python = [&]<class Item>(std::vector<Item>& items) -> py::object {
+    if constexpr (std::is_same_v<Item, std::string>) {
+      py::list texts;
+      for (const std::string& text : items) {
+        texts.append(py::bytes(text));
+      }
+      return texts;
+    } else {
+      const py::object numbers = array_of(std::move(items));
+      return dataset.columns == 1 ? numbers : numbers.attr("reshape")(-1, dataset.columns);
+    }
+  };
+  return std::visit(to_python, dataset.values);
+}
+
+/// What a trajectory with the state as it is now would have, by path.
+py::dict datasets_now(const Simulation& simulation) {
+  std::vector<store::Dataset> datasets;
   {
     const Released free;
-    data.emplace(simulation.scene(), simulation.grains(), simulation.contact_frame());
+    datasets = store::datasets(simulation.scene(), simulation.grains(), simulation.stage(),
+                               simulation.contact_frame());
   }
-  return std::move(*data).to_python();
+  py::dict result;
+  for (store::Dataset& dataset : datasets) {
+    const py::str path(dataset.path);
+    result[path] = values_of(std::move(dataset));
+  }
+  return result;
+}
+
+/// As run.json has it: what frames need of it.
+py::dict summary(const Simulation& simulation) {
+  using namespace py::literals;
+  py::list kinds;
+  for (const int degrees : scene::degrees_of(simulation.scene(), simulation.grains().kinds)) {
+    kinds.append(py::dict("degrees"_a = degrees));
+  }
+  py::dict result("kinds"_a = kinds);
+  if (const auto units = scene::conversion(simulation.scene())) {
+    result["units"] = py::dict("time"_a = units->time_unit, "time_step"_a = units->time_step,
+                               "velocity"_a = units->velocity_unit, "spacing"_a = units->spacing);
+  }
+  return result;
+}
+
+/// `output.frames` of the scene with these overrides; defaults where it has none. Throws
+/// scene::SceneError.
+scene::Frames frames_of(const scene::Scene& scene, std::vector<scene::Override> overrides) {
+  if (!scene.output.frames) {
+    overrides.insert(overrides.begin(), "output.frames={}");
+  }
+  return *scene::parse(scene::to_yaml(scene), scene.name, overrides).output.frames;
 }
 
 py::array picture_now(Simulation& simulation, const std::vector<scene::Override>& overrides) {
@@ -110,11 +149,11 @@ py::array picture_now(Simulation& simulation, const std::vector<scene::Override>
   return pixels(image);
 }
 
+/// All of them as the model has them.
 py::array particles(const Simulation& simulation) {
-  static const py::handle kType = particle_type().release();
-  auto state = simulation.held_grains();
-  const std::vector<grains::Particle>& all = state->particles;
-  return view(std::move(state), all, py::reinterpret_borrow<py::dtype>(kType));
+  const auto state = simulation.held_grains();
+  return view(state, state->particles.data(), py::dtype::of<grains::Particle>(),
+              {static_cast<py::ssize_t>(state->particles.size())});
 }
 
 }  // namespace
@@ -128,6 +167,8 @@ class pybind11::detail::type_caster<clca::python::Simulation>
 namespace clca::python {
 
 void add_simulation(py::module_& module) {
+  PYBIND11_NUMPY_DTYPE_EX(grains::Particle, column, "column", row, "row", kind, "kind", previous,
+                          "move", present, "present");
   const auto make = [](const LoadedScene& loaded, int threads) {
     const scene::Scene& scene = loaded.of_grains();
     const auto interrupt = std::make_shared<Interrupt>();
@@ -170,20 +211,13 @@ void add_simulation(py::module_& module) {
           "up, 6 none) and present.\n\nCannot be written, is no copy and follows the steps, up to "
           "the end of the stage; while a source is open it is a copy.")
       .def("_measures", measures_now)
-      .def("_profile", [](const Simulation& simulation) { return profile(simulation.grains()); })
-      .def("_frame", frame_now)
-      .def("_picture", picture_now)
-      .def("_kinds",
+      .def("_heights",
            [](const Simulation& simulation) {
-             return kinds(simulation.scene(), simulation.grains().kinds);
+             return array_of(measure::surface_profile(simulation.grains()));
            })
-      .def("_walls",
-           [](const Simulation& simulation) {
-             return walls(simulation.scene(), simulation.grains());
-           })
-      .def("_body_names",
-           [](const Simulation& simulation) { return body_names(simulation.scene()); })
-      .def("_units", [](const Simulation& simulation) { return units(simulation.scene()); });
+      .def("_datasets", datasets_now)
+      .def("_summary", summary)
+      .def("_picture", picture_now);
 }
 
 }  // namespace clca::python

@@ -7,6 +7,7 @@
 #include <concepts>
 
 #include "clca/scene/units.hpp"
+#include "clca/store/datasets.hpp"
 #include "clca/store/trajectory.hpp"
 #include "clca/text/message.hpp"
 #include "store/trajectory_part.hpp"
@@ -155,6 +156,26 @@ std::string SceneTables::difference(const SceneTables& other) const {
     return "other walls";
   }
   return stages != other.stages ? "other stages" : "";
+}
+
+std::vector<Dataset> datasets(const scene::Scene& scene, const grains::State& state,
+                              std::size_t stage, const ContactFrame& contact) {
+  std::vector<Dataset> list;
+  SceneTables tables(scene, state);
+  for_each_table(tables,
+                 [&list](const char* path, auto& values, std::size_t columns, const Meaning&) {
+                   list.push_back({path, columns, std::move(values)});
+                 });
+  list.push_back({"scene/kinds/centre", 2, std::move(tables.kind_centre)});
+  TrajectoryPart part;
+  part.add(state, stage, 0, {}, contact);
+  for_each_column(
+      part,
+      {.walls = state.walls.size(), .velocities = !contact.velocities.empty(), .contacts = true},
+      [&list](const Column& column, auto& values) {
+        list.push_back({column.path, column.width(), std::move(values)});
+      });
+  return list;
 }
 
 std::string datasets_table() {

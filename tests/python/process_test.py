@@ -14,7 +14,7 @@ import unittest
 
 import clca
 import numpy
-from support import GAS, SCENE, ScratchTest, needs
+from support import CONTACT, GAS, SCENE, ScratchTest, needs
 
 ENDLESS = SCENE | {"stages": [SCENE["stages"][0] | {"until": {"steps": 10**9}}]}
 LARGE_GAS = GAS | {"boltzmann": GAS["boltzmann"] | {"particles": 100_000}}
@@ -169,6 +169,13 @@ class PickleTest(ScratchTest):
             numpy.testing.assert_array_equal(copy, table)
             self.assertEqual((copy.units, copy.descriptions), (table.units, table.descriptions))
             self.assertTrue(copy.units)
+        simulation = clca.Simulation(CONTACT)
+        simulation.step(150)
+        for frame in (run.frames[-1], clca.run(CONTACT, output="contact").frames.at(100), simulation.frame):
+            copy = pickle.loads(pickle.dumps(frame))
+            self.assertEqual((copy.step, copy.time, copy.stage, copy.walls), (frame.step, frame.time, frame.stage, frame.walls))
+            for name in ("particles", "contacts", "contact_names", "species"):
+                numpy.testing.assert_array_equal(getattr(copy, name), getattr(frame, name))
         scene = clca.Scene(SCENE, seed=4)
         self.assertEqual(pickle.loads(pickle.dumps(scene)).to_yaml(), scene.to_yaml())
 

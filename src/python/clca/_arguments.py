@@ -48,6 +48,17 @@ def whole(name: str, value: Any, least: int, most: int) -> int:
     return number
 
 
+def place_of(what: str, number: Any, count: int, more: str = "") -> int:
+    """In a list of so many, also counted from its end. IndexError if it is not there."""
+    try:
+        place = operator.index(number)
+    except TypeError:
+        raise refused(what, "a whole number", number) from None
+    if not -count <= place < count:
+        raise IndexError(f"no {what} {number}; there are {count}{more}")
+    return place % count
+
+
 def number(name: str, value: Any, least: float = -FINITE, most: float = FINITE, expected: str = "a number") -> float:
     """One in this range."""
     try:
@@ -80,12 +91,9 @@ def mapping(name: str, value: Mapping[K, T] | None) -> dict[K, T]:
     return dict(value or {})
 
 
-def threads(value: int | None) -> int | None:
-    return None if value is None else whole("threads", value, 1, 1024)
-
-
-def jobs(value: int | None) -> int | None:
-    return None if value is None else whole("jobs", value, 1, 1024)
+def workers(name: str, value: int | None) -> int | None:
+    """Threads or jobs."""
+    return None if value is None else whole(name, value, 1, 1024)
 
 
 def progress(value: Any) -> Any:
@@ -115,7 +123,8 @@ def absolute(value: str | os.PathLike[str]) -> Path:
 
 def at_most_runs(name: str, values: Iterable[T]) -> list[T]:
     """A list of the values, no more than a sweep can have runs."""
-    if isinstance(values, (str, bytes, bytearray)) or not isinstance(values, Iterable):
+    is_one = isinstance(values, (str, bytes, bytearray)) or getattr(values, "ndim", 1) == 0  # also an array without dimensions
+    if is_one or not isinstance(values, Iterable):
         raise refused(name, "a list of values", values)
     taken = list(islice(values, MOST_RUNS + 1))
     if len(taken) > MOST_RUNS:

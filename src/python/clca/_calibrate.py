@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 import numpy
 
 from . import _answer
-from ._arguments import absolute, jobs as checked_jobs, plain, progress as checked_progress, to_yaml
+from ._arguments import absolute, plain, progress as checked_progress, to_yaml, workers
 from ._error import ArgumentError, Error
 from ._folder import Folder, make_own, write_file
 from ._notebook import Progress
@@ -250,7 +250,7 @@ def calibrate(
         return ArgumentError(": ".join(filter(None, (".".join(map(str, shown)), text))))
 
     study = study_of(said, refuse)
-    checked_jobs(jobs), checked_progress(progress)
+    workers("jobs", jobs), checked_progress(progress)
     folder = absolute(output if output is not None else Path("renders") / f"{study.tests[0].name}-calibration")
     make_own(folder)
     number = 0

@@ -26,6 +26,7 @@ MOST_COLORS = 7  # of the palette; more take steps of a scale
 # Okabe & Ito 2008: told apart by colour-blind people too.
 PALETTE = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000"]
 THEORY = "#404040"
+SCALE = LinearSegmentedColormap.from_list("clca", cm.viridis(numpy.linspace(0, 0.92, 256)))  # from dark to light
 
 Limits = Sequence[float | None]
 
@@ -123,27 +124,18 @@ def broken(text: str, most: int) -> list[str]:
     return lines
 
 
-def on_scale(share: Any) -> Any:
-    """From dark to light."""
-    return cm.viridis(0.92 * share)
-
-
 def colors(count: int) -> list[Any]:
     """Of curves: those of the style, or, of many, steps from dark to light."""
-    cycle = [entry["color"] for entry in rcParams["axes.prop_cycle"] if "color" in entry] or PALETTE
-    return cycle[:count] if count <= len(cycle) else [on_scale(i / (count - 1)) for i in range(count)]
+    cycle = rcParams["axes.prop_cycle"].by_key().get("color", PALETTE)
+    return [*cycle[:count]] if count <= len(cycle) else [*SCALE(numpy.linspace(0, 1, count))]
 
 
 def running_mean(values: NDArray[Any], rows: int) -> NDArray[Any]:
     """Over so many rows around each, fewer at the ends; without those that have no value."""
-    there = numpy.isfinite(values)
-    sums = numpy.concatenate([[0], numpy.cumsum(numpy.where(there, values, 0))])
-    counts = numpy.concatenate([[0], numpy.cumsum(there)])
-    place = numpy.arange(len(values))
-    first, last = numpy.maximum(place - (rows - 1) // 2, 0), numpy.minimum(place + rows // 2 + 1, len(values))
-    with numpy.errstate(invalid="ignore", divide="ignore"):
-        means = (sums[last] - sums[first]) / (counts[last] - counts[first])
-    return numpy.where(there, means, numpy.nan)
+    there, window = numpy.isfinite(values), numpy.ones(min(rows, 2 * len(values) + 2 - rows % 2))
+    padded = (numpy.append(cells, 0) for cells in (numpy.where(there, values, 0), there))  # convolve() refuses nothing
+    sums, counts = (numpy.convolve(cells, window)[len(window) // 2 :][: len(values)] for cells in padded)
+    return numpy.where(there, sums / counts.clip(1), numpy.nan)
 
 
 def draw_curve(ax: Any, curve: Curve, color: Any, log: bool) -> None:
@@ -177,8 +169,7 @@ def draw_axis(ax: Any, which: str, axis: Axis, values: list[NDArray[Any]], given
     flat = numpy.concatenate([numpy.asarray(part, float).ravel() for part in values]) if values else numpy.empty(0)
     flat = flat[numpy.isfinite(flat)]
     if axis.words:
-        of.set_major_locator(ticker.FixedLocator(range(len(axis.words))))
-        of.set_major_formatter(ticker.FixedFormatter([plain(word) for word in axis.words]))
+        of.set_ticks(range(len(axis.words)), labels=[plain(word) for word in axis.words])
         set_limits(-0.5, len(axis.words) - 0.5)
     elif axis.log and (flat > 0).any():
         getattr(ax, f"set_{which}scale")("log")
@@ -215,7 +206,7 @@ def draw_panel(ax: Any, panel: Panel, look: Look = Look(), beside: Sequence[Pane
     shown = [*panel.curves, *panel.on_y2]
     palette = colors(sum(curve.color is None for curve in shown))
     if panel.scale is not None:
-        palette = list(map(on_scale, map(Normalize(min(panel.scale[1]), max(panel.scale[1])), panel.scale[1])))
+        palette = list(SCALE(Normalize()(panel.scale[1])))
     free, numbered = iter(palette), palette or colors(MOST_COLORS)
     for one, curves, axis in zip(axes, (panel.curves, panel.on_y2), (panel.y, panel.y2 or panel.y)):
         for curve in curves:
@@ -317,8 +308,7 @@ def page(chart: Chart, look: Look, width: float, height: float | None, letter: f
         tidy_ticks(those[0], panel, wide, letter)
     bar = next((panel.scale for panel in panels if panel.scale is not None), None)
     if bar is not None:
-        shown = LinearSegmentedColormap.from_list("clca", [on_scale(i / 255) for i in range(256)])
-        bar_of = cm.ScalarMappable(Normalize(min(bar[1]), max(bar[1])), shown)
+        bar_of = cm.ScalarMappable(Normalize(min(bar[1]), max(bar[1])), SCALE)
         figure.colorbar(bar_of, ax=[those[0] for those in axes], label=plain(bar[0]), aspect=30)
     margin = 0.3 * line  # equal scales are not quite what the layout has reckoned with
     left, bottom = margin / width, margin / total
@@ -339,12 +329,11 @@ def aspect_of(panel: Panel) -> float | None:
 
 
 def legend_of(axes: Sequence[Sequence[Any]], panels: Sequence[Panel]) -> tuple[list[Any], list[str]]:
-    """Each name once, over all panels."""
+    """Each name once, over all panels; none beside a colour bar."""
     found: dict[str, Any] = {}
-    for handle, name in (pair for those in axes for ax in those for pair in zip(*ax.get_legend_handles_labels())):
-        found.setdefault(plain(name), handle)
-    if any(panel.scale is not None for panel in panels):
-        found = {}
+    if all(panel.scale is None for panel in panels):
+        for handle, name in (pair for those in axes for ax in those for pair in zip(*ax.get_legend_handles_labels())):
+            found.setdefault(plain(name), handle)
     return list(found.values()), list(found)
 
 

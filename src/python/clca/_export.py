@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from . import _answer
 from ._error import ArgumentError, Error, WriteError
 from ._frames import Frame, Frames
-from ._trajectory import PITCH, Trajectory, axial, slices, trapezoids
+from ._trajectory import PITCH, axial, slices, trajectory_in, trapezoids
 
 if TYPE_CHECKING:
     from ._folder import Run
@@ -61,7 +61,7 @@ class Source:
 
     def __init__(self, run: Run, first: int | None, last: int | None, every: int) -> None:
         self.version = run.version
-        self.trajectory = Trajectory(run.folder, run.summary)
+        self.trajectory = trajectory_in(run.folder, run.summary)
         self.chosen = chosen(self.trajectory.list, first, last, every)
         units = run.summary.get("units", {})
         self.spacing = float(units.get("spacing", 1))
@@ -367,18 +367,11 @@ def bodies(source: Source, frame: Frame) -> tuple[int, Iterator[Any]]:
 def walls(source: Source, frame: Frame) -> tuple[int, Iterator[Any]]:
     """The walls that are there, cut into trapezoids."""
     corners, counts, numbers = [numpy.empty((0, 2))], [numpy.empty(0, "i4")], [numpy.empty(0, "u4")]
-    columns, rows, periodic = source.trajectory.lattice
-    for number, (name, home) in enumerate(source.trajectory.look.walls.items()):
-        if name in frame.walls:
-            places = home + frame.walls[name]
-            column = numpy.rint(places[:, 0] / PITCH).astype(int)
-            row = numpy.floor(places[:, 1] + 0.25).astype(int)  # half a row higher in odd columns
-            inside = (row >= 0) & (row < rows) & (bool(periodic) | (column >= 0) & (column < columns))
-            sites = numpy.stack([column % columns if periodic else column, row], 1)[inside]
-            points, of_each = trapezoids(axial(sites))
-            corners.append(source.spacing * points)
-            counts.append(of_each.astype("i4"))
-            numbers.append(numpy.full(len(of_each), number, "u4"))
+    for number, sites in source.trajectory.walls_in_box(frame._data[1]):
+        points, of_each = trapezoids(axial(sites))
+        corners.append(source.spacing * points)
+        counts.append(of_each.astype("i4"))
+        numbers.append(numpy.full(len(of_each), number, "u4"))
     flat = array("Points", numpy.pad(numpy.concatenate(corners), ((0, 0), (0, 1))).astype("f4"))
     names = ("wall_names", list(source.trajectory.look.walls))
     cells = [array("wall", numpy.concatenate(numbers))]

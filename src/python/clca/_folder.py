@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy
 from numpy.typing import NDArray
 
-from ._arguments import MOST, absolute, at_most_runs, flag, number, path, text, whole
+from ._arguments import MOST, absolute, at_most_runs, flag, number, path, place_of, text, whole
 from ._error import ArgumentError, CompiledPartError, Error, WriteError
 from ._frames import Frames, Kind
 from ._notebook import Movie, Picture, overrides, shown
@@ -238,9 +238,9 @@ class Run(Result):
         """The trajectory, where the scene has `output.trajectory`: `frames[-1]` is the last frame, `frames.at(step)`
         that of a step. Throws Error without one.
         """
-        from ._trajectory import Trajectory
+        from ._trajectory import trajectory_in
 
-        return Frames(Trajectory(self.folder, self.summary))
+        return Frames(trajectory_in(self.folder, self.summary))
 
     @property
     def kinds(self) -> list[Kind]:
@@ -370,7 +370,7 @@ class Sweep(Result):
 
     def __getitem__(self, number: int) -> Run:
         """The run of a row of `runs`."""
-        return Run(self.folder / str(self.runs["folder"][number]))
+        return Run(self.folder / str(self.runs["folder"][place_of("run", number, len(self))]))
 
     def __iter__(self) -> Iterator[Run]:
         return (self[number] for number in range(len(self)))

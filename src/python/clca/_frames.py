@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
-from functools import cached_property, partial
+from collections.abc import Iterator, Sequence
+from functools import cached_property
 from itertools import count
 from typing import TYPE_CHECKING, Any, NamedTuple, overload
 
 import numpy
 from numpy.typing import NDArray
+
+from ._arguments import number as checked_number, place_of
 
 if TYPE_CHECKING:
     from ._trajectory import Trajectory
@@ -16,8 +18,6 @@ if TYPE_CHECKING:
 MANY = 1 << 16  # rows that are read together
 #: Particles, shifts of walls (None: not there).
 FrameData = tuple[NDArray[numpy.void], list[tuple[float, float] | None]]
-#: Rows and columns of contacts.
-ContactReader = Callable[[slice, Sequence[str]], NDArray[numpy.void]]
 BODY = numpy.dtype(
     [("id", "u4"), ("kind", "u2"), ("position", "f8", 2), ("velocity", "f8", 2), ("displacement", "f8", 2)]
     + [("angular_velocity", "f8"), ("image", "i4"), ("force", "f4")]
@@ -37,8 +37,9 @@ class Kind(NamedTuple):
 
 
 def read_only(array: NDArray[Any]) -> NDArray[Any]:
+    """A view of it, which setflags() does not make writable."""
     array.flags.writeable = False
-    return array
+    return array.view()
 
 
 class Look(NamedTuple):
@@ -56,17 +57,19 @@ class Frame:
     Lengths are in lattice spacings from the lower left site; x goes right, y goes up.
     """
 
-    def __init__(self, look: Look, step: int, stage: str, load: Callable[[], FrameData], contacts: ContactReader) -> None:
-        self._look, self._load, self._read_contacts = look, load, contacts
-        self.step = step
-        self.stage = stage
+    def __init__(self, source: Trajectory, number: int) -> None:
+        self._source, self._number, self._look = source, number, source.look
+        self.step, self.stage = source.list[number]
 
     def __repr__(self) -> str:
         return f"<frame of step {self.step}, stage {self.stage}>"
 
     @cached_property
     def _data(self) -> FrameData:
-        return self._load()
+        return self._source.frame(self._number)
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {**self.__dict__, "_data": self._data, "contacts": self.contacts, "_source": None}  # all, without the file
 
     @property
     def time(self) -> float:
@@ -143,12 +146,12 @@ class Frame:
         `normal` (to the upper particle) and `branch` (from the other centre to the upper one) are x and y; `force` is
         along the normal and along the normal turned anticlockwise, in weights of a grain of mean mass.
         """
-        return read_only(self._read_contacts(slice(None), CONTACT.names or ()))
+        return read_only(self._source.contacts(self._number, slice(None), CONTACT.names or ()))
 
     def _contact_blocks(self, *columns: str) -> Iterator[NDArray[numpy.void]]:
         """Some of their columns, some rows at a time."""
         for start in count(0, MANY):
-            block = self._read_contacts(slice(start, start + MANY), columns)
+            block = self._source.contacts(self._number, slice(start, start + MANY), columns)
             yield block
             if len(block) < MANY:
                 return
@@ -166,12 +169,12 @@ class Frames(Sequence[Frame]):
     """The frames of a trajectory, each step once; what a frame has is read when it is asked for."""
 
     def __init__(self, source: Trajectory) -> None:
-        self._source, self._list, self._look = source, source.list, source.look
+        self._source, self._look = source, source.look
         #: F: of each frame
-        self.steps = read_only(numpy.array([step for step, _ in self._list], dtype=numpy.uint64))
+        self.steps = read_only(numpy.array([step for step, _ in source.list], dtype=numpy.uint64))
 
     def __len__(self) -> int:
-        return len(self._list)
+        return len(self.steps)
 
     @overload
     def __getitem__(self, number: int) -> Frame: ...
@@ -181,16 +184,11 @@ class Frames(Sequence[Frame]):
     def __getitem__(self, number: int | slice) -> Frame | list[Frame]:
         if isinstance(number, slice):
             return [self[i] for i in range(*number.indices(len(self)))]
-        if not -len(self) <= number < len(self):
-            raise IndexError(f"no frame {number}; there are {len(self)}, at() takes steps")
-        position = number % len(self)
-        step, stage = self._list[position]
-        load, contacts = partial(self._source.frame, position), partial(self._source.contacts, position)
-        return Frame(self._look, step, stage, load, contacts)
+        return Frame(self._source, place_of("frame", number, len(self), ", at() takes steps"))
 
     def at(self, step: int) -> Frame:
         """The frame of a step; KeyError if there is none."""
-        found = numpy.flatnonzero(self.steps == step)
+        found = numpy.flatnonzero(self.steps == checked_number("step", step))
         if not len(found):
             raise KeyError(f"no frame of step {step}; there are {len(self)} from 0 to {self.steps[-1]}")
         return self[int(found[0])]

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from . import _answer, _figures
+from ._arguments import refused
 from ._chart import Look, draw_panel, legend_of, rendered
 from ._error import Error
 from ._figures import Choice
@@ -15,6 +16,8 @@ def plot(folder: Run | Sweep, name: str, ax: Any, choice: Choice) -> Any:
     """One figure into axes: those given, or new ones of pyplot in the style of the user. Returns Axes."""
     from matplotlib import pyplot  # type: ignore[import]
 
+    if not isinstance(ax, (pyplot.Axes, type(None))):
+        raise refused("ax", "Axes of matplotlib", ax)
     if isinstance(folder, Sweep):
         of_runs = [one.partition(".") for one in choice.y if "." in one and one in folder.runs.names]
         if of_runs:
@@ -24,7 +27,7 @@ def plot(folder: Run | Sweep, name: str, ax: Any, choice: Choice) -> Any:
     panels = chart.panels()
     if ax is not None and len(panels) > 1:
         raise Error(f"{chart.name} has {len(panels)} panels: call without ax, or choose by over")
-    axes = [ax]
+    axes: Any = [ax]
     if ax is None:
         wide, high = pyplot.rcParams["figure.figsize"]
         size = (wide * min(len(panels), 3), high)

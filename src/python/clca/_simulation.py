@@ -3,19 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from functools import cached_property
+from contextlib import nullcontext
+from functools import cached_property, partial
 from typing import Any
 
 import numpy
 from numpy.typing import NDArray
 
 from . import _clca
-from ._arguments import MOST, number, text, threads as checked_threads, whole
+from ._arguments import MOST, number, refused, text, whole, workers
 from ._error import Error
 from ._frames import Frame, Kind, Look
 from ._notebook import Picture, overrides
 from ._scene import AnyScene, Scene
 from ._table import Quantity, Table, Value
+from ._trajectory import PITCH, Trajectory
 
 
 class Simulation(_clca.Simulation):
@@ -40,9 +42,13 @@ class Simulation(_clca.Simulation):
         """
         return self._step(steps) if type(steps) is int and 0 <= steps <= MOST else self._step(whole("steps", steps, 0, MOST))
 
+    def _now(self) -> Trajectory:
+        """Of one frame: what is there now."""
+        return Trajectory([partial(nullcontext, self._datasets())], self._summary())
+
     @cached_property
     def _look(self) -> Look:
-        return Look([Kind(*kind) for kind in self._kinds()], dict(self._walls()), self._units(), self._body_names())
+        return self._now().look
 
     @property
     def kinds(self) -> list[Kind]:
@@ -57,21 +63,22 @@ class Simulation(_clca.Simulation):
     @property
     def frame(self) -> Frame:
         """The particles in the box as they are now, as of a run; a copy."""
-        step, particles, walls, contacts = self._frame()
-        return Frame(self._look, step, self.stage, lambda: (particles, walls), lambda rows, _: contacts[rows])
+        return Frame(self._now(), 0)
 
     @property
     def measures(self) -> dict[str, Value]:
         """What a run has of its stage, taken as of now."""
-        return {key: Value(number, *what) for key, number, what in self._measures(None)}
+        return {key: Value(number, *what) for key, number, *what in self._measures(None)}
 
     def measure(self, name: str) -> dict[str, Value] | Table:
         """One of the measures of the scene's key `measure`: its values by name; of `profile` a table of the free
         surface, with `x` and `height` in lattice spacings. Throws Error if the scene does not have it.
         """
         if name == "profile":
-            return Table((key, cells, Quantity(*what)) for key, cells, what in self._profile())
-        return {key: Value(number, *what) for key, number, what in self._measures(text("name", name))}
+            heights = self._heights()
+            x = "x", PITCH * numpy.arange(len(heights)), Quantity("Position", "spacings")
+            return Table([x, ("height", heights, Quantity("Height of the surface", "spacings"))])
+        return {key: Value(number, *what) for key, number, *what in self._measures(text("name", name))}
 
     def picture(self, **frames: Any) -> Picture:
         """The box as it is now. `frames` are keys of `output.frames` in place of the scene's, such as
@@ -90,10 +97,16 @@ class Gas(_clca.Gas):
     def __init__(
         self, scene: AnyScene, seed: int | None = None, set: Mapping[str, Any] | None = None, threads: int | None = None
     ) -> None:
-        super().__init__(Scene.of(scene, seed, set), checked_threads(threads))
+        super().__init__(Scene.of(scene, seed, set), workers("threads", threads))
 
     def advance(self, time: float) -> None:
-        super().advance(number("time", time))
+        """Goes on to this time, which is not before that of the gas. The bits are those of a run where that also stops at it: its
+        times of observation.
+        """
+        until, now = number("time", time), self.time
+        if until < now:
+            raise refused("time", f"{now:g} or later", time)
+        self._advance(until)
 
     def __repr__(self) -> str:
         try:

@@ -6,9 +6,8 @@ import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
-from . import _arguments as arguments
 from . import _clca
-from ._arguments import MOST, at_most_runs, flag, mapping, path, text, to_yaml, whole
+from ._arguments import MOST, at_most_runs, flag, mapping, path, text, to_yaml, whole, workers
 from ._error import ArgumentError
 from ._folder import Run, Sweep
 from ._notebook import Progress, reporting
@@ -34,7 +33,7 @@ def run(
         raise ArgumentError("keep excludes overwrite")
     folder = None if output is None else path(output)
     with reporting(progress) as report:
-        return Run(_clca.run(Scene.of(scene, seed, set), folder, arguments.threads(threads), keep, overwrite, report))
+        return Run(_clca.run(Scene.of(scene, seed, set), folder, workers("threads", threads), keep, overwrite, report))
 
 
 def resume(
@@ -43,7 +42,7 @@ def resume(
 ) -> Run:
     """Goes on with a run that was stopped, or prolongs one to `until`, as in a scene. As `clca resume`; `progress` as of `run`."""
     with reporting(progress) as report:
-        _clca.resume(path(folder), None if until is None else to_yaml("until", until), arguments.threads(threads), report)
+        _clca.resume(path(folder), None if until is None else to_yaml("until", until), workers("threads", threads), report)
     return Run(folder)
 
 
@@ -77,4 +76,4 @@ def sweep(
     numbers = [whole("seeds", seed, 0, MOST) for seed in at_most_runs("seeds", seeds)]
     folder = None if output is None else path(output)
     with reporting(progress) as report:
-        return Sweep(_clca.sweep(*scene._origin, scene._as_options(), varied, numbers, folder, arguments.jobs(jobs), report))
+        return Sweep(_clca.sweep(*scene._origin, scene._as_options(), varied, numbers, folder, workers("jobs", jobs), report))

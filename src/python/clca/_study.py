@@ -134,19 +134,17 @@ def read_study(file: Path) -> Study:
     def wrong(mark: Any, text: str) -> Error:
         return Error(f"{file}:{mark.line + 1}:{mark.column + 1}: error: {text}")
 
-    def refuse(place: Place, text: str) -> Error:
-        mark, at = root.start_mark, root
-        for step in place:
-            pairs = at.value if isinstance(at, yaml.MappingNode) else [(one, one) for one in at.value]
-            found = [pair for number, pair in enumerate(pairs) if step in (number, pair[0].value)]
-            if not found:
-                break
-            mark, at = found[0][0].start_mark, found[0][1]
-        return wrong(mark, text)
+    marks: dict[Place, Any] = {}  # of keys and items
 
-    def value_of(node: Any) -> Any:
+    def refuse(place: Place, text: str) -> Error:
+        while place not in marks:  # it is missing
+            place = place[:-1]
+        return wrong(marks[place], text)
+
+    def value_of(node: Any, place: Place = ()) -> Any:
+        marks.setdefault(place, node.start_mark)
         if isinstance(node, yaml.SequenceNode):
-            return [value_of(one) for one in node.value]
+            return [value_of(one, (*place, number)) for number, one in enumerate(node.value)]
         if not isinstance(node, yaml.MappingNode):
             return scalar_of(node.value) if node.style is None else node.value
         found: dict[str, Any] = {}
@@ -154,7 +152,8 @@ def read_study(file: Path) -> Study:
             key = value_of(key_node)
             if not isinstance(key, str) or key in found:
                 raise wrong(key_node.start_mark, f"'{key}' stands twice" if isinstance(key, str) else "a key is no text")
-            found[key] = value_of(one)
+            marks[*place, key] = key_node.start_mark
+            found[key] = value_of(one, (*place, key))
         return found
 
     try:

@@ -26,23 +26,23 @@ class Surrogate:
 
         # All points have the same seeds, whose common deviation no number of points averages out.
         self.common = float(variances.mean())
-        self._centre, self._scale = means.mean(), means.std()
+        self._mean = means.mean()
         self.is_constant = bool(numpy.ptp(means) <= 1e-12 * numpy.abs(means).max())  #: it depends on no parameter
         if self.is_constant:
             return
         kernel = ConstantKernel(1, (0.01, 100)) * RBF(numpy.full(points.shape[1], 0.5), (0.05, 20))
-        alpha = numpy.maximum(variances / self._scale / self._scale, 1e-8)
-        process = GaussianProcessRegressor(kernel, alpha=alpha, n_restarts_optimizer=2, random_state=0)
+        alpha = numpy.maximum(variances / means.std() / means.std(), 1e-8)  # in the scale to which it brings the means
+        process = GaussianProcessRegressor(kernel, alpha=alpha, normalize_y=True, n_restarts_optimizer=2, random_state=0)
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", ConvergenceWarning)  # a measure may not depend on a parameter at all
-            self._process: Any = process.fit(points, (means - self._centre) / self._scale)
+            self._process: Any = process.fit(points, means)
 
     def __call__(self, points: Numbers) -> tuple[Numbers, Numbers]:
         """Means and their standard errors."""
         if self.is_constant:
-            return numpy.full(len(points), self._centre), numpy.zeros(len(points))
-        mean, error = self._process.predict(points, return_std=True)
-        return self._centre + self._scale * mean, self._scale * error
+            return numpy.full(len(points), self._mean), numpy.zeros(len(points))
+        found: tuple[Numbers, Numbers] = self._process.predict(points, return_std=True)
+        return found
 
 
 def sobol(dimensions: int, count: int, seed: int) -> Numbers:

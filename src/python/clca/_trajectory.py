@@ -6,13 +6,12 @@ import atexit
 import os
 import re
 import threading
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
-from functools import partial
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import AbstractContextManager, contextmanager
+from functools import lru_cache, partial
 from pathlib import Path
 from typing import Any
 
-import h5py  # type: ignore[import]
 import numpy
 from numpy.typing import NDArray
 
@@ -31,6 +30,7 @@ atexit.register(reading.acquire)
 os.register_at_fork(before=reading.acquire, after_in_parent=reading.release, after_in_child=reading.release)
 # Where the rows of a frame begin in its lists.
 FIRST = {"particles": "first", "origins": "first_origin", "pushes": "first_push", "contacts": "first_contact"}
+OF_FRAMES = ("step", "stage", "entered", *FIRST, *FIRST.values())
 
 
 def axial(sites: NDArray[Any]) -> NDArray[numpy.int64]:
@@ -44,13 +44,13 @@ def positions(points: NDArray[Any]) -> NDArray[numpy.float64]:
     return numpy.stack([PITCH * points[..., 0], points[..., 1] + 0.5 * points[..., 0]], -1)
 
 
-def outline(sites: NDArray[Any], centre: NDArray[Any]) -> NDArray[numpy.float64]:
+@lru_cache(maxsize=256)
+def outline(sites: tuple[tuple[int, int], ...], centre: tuple[float, float]) -> NDArray[numpy.float64]:
     """The body of a particle as pictures show it: on the lattice of half the spacing the six small triangles around
     each site and around each middle of two neighbours. Corners from the centre, anticlockwise.
     """
-    there = {(int(x), int(q)) for x, q in sites}
     steps = ((0, 0), (1, 0), (0, 1), (1, -1))
-    points = {(2 * x + i, 2 * q + j) for x, q in there for i, j in steps if (x + i, q + j) in there}
+    points = {(2 * x + i, 2 * q + j) for x, q in sites for i, j in steps if (x + i, q + j) in sites}
     edges = set()
     for x, q in points:
         around = [(x + 1, q), (x, q + 1), (x - 1, q + 1), (x - 1, q), (x, q - 1), (x + 1, q - 1)]
@@ -93,24 +93,51 @@ def slices(count: int, many: int = MANY) -> Iterator[slice]:
     return (slice(start, min(start + many, count)) for start in range(0, max(count, 1), many))
 
 
-class Trajectory:
-    """Frames are read one at a time, from several threads if need be."""
+@contextmanager
+def opened(file: Path) -> Iterator[Any]:
+    """A part."""
+    import h5py  # type: ignore[import]
 
-    def __init__(self, folder: Path, summary: dict[str, Any]) -> None:
-        self._files = sorted((folder / "trajectory").glob("part-*.h5"))
-        if not self._files:
-            is_gas = summary["kind"] == "boltzmann"
-            how = "one of the Boltzmann equation has none" if is_gas else "run the scene again with output.trajectory in it"
-            raise Error(f"{folder}: the run has left no trajectory; {how}")
-        for number, file in enumerate(self._files):
-            if file.stem != f"part-{number:06}":
-                raise Error(f"cannot read {folder / 'trajectory.h5'}: the part before {file.name} is missing")
-        self._lock = threading.Lock()
+    check_regular(file)
+    try:
+        with file.open("rb") as stream:
+            header = HEADER.match(stream.read(HEADER_BYTES))
+        if header is None:
+            raise ValueError("it is no part of a trajectory of this version")
+        if file.stat().st_size != HEADER_BYTES + int(header[1]):
+            raise ValueError("it is cut off")
+        with reading, h5py.File(file, "r") as part:
+            yield part
+    except (OSError, KeyError, ValueError, IndexError, RuntimeError) as error:
+        reason = error.strerror if isinstance(error, FileNotFoundError) else error
+        raise Error(f"cannot read {file}: {reason}") from None
+
+
+def trajectory_in(folder: Path, summary: dict[str, Any]) -> Trajectory:
+    """That of a run. Throws Error."""
+    files = sorted((folder / "trajectory").glob("part-*.h5"))
+    if not files:
+        is_gas = summary["kind"] == "boltzmann"
+        how = "one of the Boltzmann equation has none" if is_gas else "run the scene again with output.trajectory in it"
+        raise Error(f"{folder}: the run has left no trajectory; {how}")
+    for number, file in enumerate(files):
+        if file.stem != f"part-{number:06}":
+            raise Error(f"cannot read {folder / 'trajectory.h5'}: the part before {file.name} is missing")
+    return Trajectory([partial(opened, file) for file in files], summary)
+
+
+class Trajectory:
+    """Frames are read one at a time, from several threads if need be. `parts` open what has the datasets of a part by their
+    paths; `summary` has `kinds` and `units` of run.json.
+    """
+
+    def __init__(self, parts: Sequence[Callable[[], AbstractContextManager[Any]]], summary: dict[str, Any]) -> None:
+        self._parts, self._lock = parts, threading.Lock()
         self._origins: tuple[int, int, NDArray[Any]] = (0, 0, numpy.empty((0, 2), int))
         columns: list[dict[str, NDArray[Any]]] = []
-        for number, file in enumerate(self._files):
-            with self._opened(file) as part:
-                frames = {name: column[:] for name, column in part["frames"].items()}
+        for number, opened_part in enumerate(parts):
+            with opened_part() as part:
+                frames = {name: part[f"frames/{name}"][:] for name in OF_FRAMES if f"frames/{name}" in part}
                 frames["part"] = numpy.full(len(frames["step"]), number)
                 frames["row"] = numpy.arange(len(frames["step"]))  # in the part
                 columns.append(frames)
@@ -129,42 +156,33 @@ class Trajectory:
         self._numbers = numpy.flatnonzero(numpy.append(True, steps[1:] != steps[:-1]))
         self.list: list[tuple[int, str]] = [(int(steps[i]), stages[stage[i]]) for i in self._numbers]
 
-    @contextmanager
-    def _opened(self, file: Path) -> Iterator[Any]:
-        check_regular(file)
-        try:
-            with file.open("rb") as stream:
-                header = HEADER.match(stream.read(HEADER_BYTES))
-            if header is None:
-                raise ValueError("it is no part of a trajectory of this version")
-            if file.stat().st_size != HEADER_BYTES + int(header[1]):
-                raise ValueError("it is cut off")
-            with reading, h5py.File(file, "r") as part:
-                yield part
-        except (OSError, KeyError, ValueError, IndexError, RuntimeError) as error:
-            reason = error.strerror if isinstance(error, FileNotFoundError) else error
-            raise Error(f"cannot read {file}: {reason}") from None
+    def _opened(self, frame: int) -> AbstractContextManager[Any]:
+        number: int = self._frames["part"][frame]
+        return self._parts[number]()
 
     def _look(self, part: Any, summary: dict[str, Any]) -> Look:
-        scene = part["scene"]
-        self.species = species = [name.decode() for name in scene["species"]]
-        self.lattice = tuple(int(number) for number in scene["lattice"])  # columns, rows, 1 if periodic
-        self.sizes = scene["kinds/size"][:]
+        self.species = species = [name.decode() for name in part["scene/species"]]
+        self.lattice = tuple(int(number) for number in part["scene/lattice"])  # columns, rows, 1 if periodic
+        self.sizes = part["scene/kinds/size"][:]
         self.radii = numpy.sqrt(PITCH * self.sizes / numpy.pi)  # of discs of the same area
-        self._centres = scene["kinds/centre"][:].reshape(-1, 2)
-        sites = scene["kinds/sites"][:].reshape(-1, 2)
-        firsts, of = scene["kinds/first"][:], scene["kinds/species"][:]
-        self._kind_sites = [sites[first : first + size] for first, size in zip(firsts, self.sizes)]
+        self._centres = part["scene/kinds/centre"][:].reshape(-1, 2)
+
+        def sets(what: str) -> list[NDArray[Any]]:
+            """Of sites, two numbers each."""
+            sites = part[f"scene/{what}/sites"][:].reshape(-1, 2)
+            ends = zip(part[f"scene/{what}/first"], part[f"scene/{what}/size"])
+            return [sites[int(first) : int(first) + int(size)] for first, size in ends]
+
+        of, self._kind_sites = part["scene/kinds/species"][:], sets("kinds")
         degrees = [kind["degrees"] for kind in summary.get("kinds", [])] or len(of) * [0]
         several = numpy.bincount(of, minlength=len(species)) > 1
         kinds = []
         for i, name in enumerate(species[number] for number in of):
             full_name = f"{name}@{degrees[i]}" if several[of[i]] else name
-            kinds.append(Kind(full_name, name, degrees[i], outline(self._kind_sites[i], self._centres[i])))
-        names = [name.decode() for name in scene["walls/name"]]
-        of_walls = axial(scene["walls/sites"][:].reshape(-1, 2))
-        ends = zip(scene["walls/first"], scene["walls/size"])
-        self._wall_sites = [of_walls[first : first + size] for first, size in ends]
+            body = outline(tuple(map(tuple, self._kind_sites[i].tolist())), tuple(self._centres[i].tolist()))
+            kinds.append(Kind(full_name, name, degrees[i], body))
+        names = [name.decode() for name in part["scene/walls/name"]]
+        self._wall_sites = list(map(axial, sets("walls")))
         unit = {"time": ("steps", 1.0), "velocity": ("spacings/step", 1.0)}
         if units := summary.get("units"):
             unit["time"] = units["time"], units["time_step"]
@@ -190,7 +208,7 @@ class Trajectory:
                 if entered > len(origins):
                     origins = numpy.concatenate([origins, numpy.zeros((entered - len(origins), 2), "i4")])
                 if self._frames["origins"][number]:
-                    with self._opened(self._files[self._frames["part"][number]]) as part:
+                    with self._opened(number) as part:
                         ids, sites = self._rows(part, number, "origins", ["id", "site"])
                     origins[ids] = sites
             self._origins = (begin, frame + 1, origins)
@@ -199,19 +217,18 @@ class Trajectory:
     def frame(self, number: int) -> FrameData:
         """By its place in `list`. Throws Error."""
         frame = int(self._numbers[number])
-        origins, sites = self._origins_of(frame), None
-        with self._opened(self._files[self._frames["part"][frame]]) as part:
+        origins = self._origins_of(frame)
+        with self._opened(frame) as part:
             bodies = self._bodies(part, frame, origins)
             row, walls = int(self._frames["row"][frame]), len(self.look.walls)
             present = numpy.asarray(part["walls/present"][:]).reshape(-1, walls)[row] if walls else []
             shifts = numpy.asarray(part["walls/position"][:]).reshape(-1, walls, 2)[row] if walls else []
+            there = [(float(x), float(y)) if is_there else None for is_there, (x, y) in zip(present, shifts)]
             if self._frames["pushes"][frame] and len(bodies):
-                sites = self._rows(part, frame, "particles", ["site"])[0]
-        there = [(float(x), float(y)) if is_there else None for is_there, (x, y) in zip(present, shifts)]
+                sites = axial(self._rows(part, frame, "particles", ["site"])[0])
+                bodies["force"] = self._shared_sites(bodies["kind"], sites, there)
         if self.has_contacts and self._frames["contacts"][frame]:
             bodies["force"] = self._loads(number)[bodies["id"]]
-        elif sites is not None:
-            bodies["force"] = self._shared_sites(bodies["kind"], axial(sites), there)
         return read_only(bodies), there
 
     def contacts(self, number: int, rows: slice, columns: Sequence[str]) -> NDArray[numpy.void]:
@@ -220,7 +237,7 @@ class Trajectory:
         kind = [(name, CONTACT[name]) for name in columns]
         if not self.has_contacts:
             return numpy.empty(0, kind)
-        with self._opened(self._files[self._frames["part"][frame]]) as part:
+        with self._opened(frame) as part:
             cells = self._rows(part, frame, "contacts", columns, rows)
         found = numpy.empty(len(cells[0]), kind)
         for name, values in zip(columns, cells):
@@ -249,38 +266,38 @@ class Trajectory:
             some["displacement"] = positions(axials - axial(origins[ids]))
             beyond = positions(axials)[:, 0] + self._centres[kinds, 0] - place[:, 0]
             some["image"] = numpy.rint(beyond / (PITCH * self.lattice[0]))
-            if "velocity" in part["particles"]:
+            if "particles/velocity" in part:
                 some["velocity"] = of(["velocity"])[0] * self.look.units["velocity"][1]
-                spins = of(["spin"])[0] if "spin" in part["particles"] else numpy.nan
+                spins = of(["spin"])[0] if "particles/spin" in part else numpy.nan
                 some["angular_velocity"] = spins / (self.radii[kinds] * self.look.units["time"][1])
             else:
                 moves = numpy.array([(0, 1), (1, 0), (1, -1), (0, -1), (-1, 0), (-1, 1), (0, 0)])  # clockwise from up
                 some["velocity"] = positions(moves)[numpy.minimum(move, NO_MOVE)]
         return bodies
 
+    def _column_and_row(self, sites: NDArray[numpy.int64]) -> NDArray[numpy.int64]:
+        """Of axial vectors; the column as it is in the box."""
+        column, q = sites.T
+        return numpy.stack([column % self.lattice[0] if self.lattice[2] else column, q + column // 2])
+
+    def walls_in_box(self, shifts: Sequence[tuple[float, float] | None]) -> Iterator[tuple[int, NDArray[numpy.int64]]]:
+        """Number, and columns and rows, of each wall that is there, as far as it is in the box. `shifts`: as of a frame."""
+        for number, (home, shift) in enumerate(zip(self._wall_sites, shifts)):
+            if shift is not None:
+                x = round(shift[0] / PITCH)
+                places = self._column_and_row(home + numpy.array([x, round(shift[1] - 0.5 * x)])).T
+                yield number, places[((places >= 0) & (places < self.lattice[:2])).all(1)]
+
     def _shared_sites(
         self, kinds: NDArray[Any], axials: NDArray[numpy.int64], walls: list[tuple[float, float] | None]
     ) -> NDArray[numpy.float64]:
         """Of each particle how many sites it has in common with others and with walls, by each of them."""
-
-        def rows_and_columns(places: NDArray[numpy.int64]) -> NDArray[numpy.int64]:
-            column, q = places.T
-            return numpy.stack([q + column // 2, column % self.lattice[0] if self.lattice[2] else column])
-
-        reach = 2 * max(int(numpy.abs(sites).max()) for sites in self._kind_sites) + 1
-        there = rows_and_columns(axials)
-        first, last = there.min(1) - reach, there.max(1) + reach  # where a particle may have a site
-        owners = numpy.zeros(last - first + 1, "i4")
-        for home, shift in zip(self._wall_sites, walls):
-            if shift is not None:
-                x = round(shift[0] / PITCH)
-                places = rows_and_columns(home + numpy.array([x, round(shift[1] - 0.5 * x)])).T
-                places = places[((places >= first) & (places <= last)).all(1)] - first
-                numpy.add.at(owners, tuple(places.T), 1)
+        owners, shared = numpy.zeros(self.lattice[:2], "i4"), numpy.zeros(len(kinds))
+        for _, places in self.walls_in_box(walls):
+            numpy.add.at(owners, tuple(places.T), 1)
         parts = [(numpy.flatnonzero(kinds == kind), site) for kind in numpy.unique(kinds) for site in self._kind_sites[kind]]
         for those, site in parts:
-            numpy.add.at(owners, tuple(rows_and_columns(axials[those] + site) - first[:, None]), 1)
-        shared = numpy.zeros(len(kinds))
+            numpy.add.at(owners, tuple(self._column_and_row(axials[those] + site)), 1)
         for those, site in parts:
-            shared[those] += owners[tuple(rows_and_columns(axials[those] + site) - first[:, None])] - 1
+            shared[those] += owners[tuple(self._column_and_row(axials[those] + site))] - 1
         return shared
