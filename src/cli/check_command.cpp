@@ -71,15 +71,15 @@ void print(const scene::BoltzmannScene& scene, bool /*draws*/) {
 
 }  // namespace
 
-void add_check_command(CommandLine& command_line) {
-  Command command =
-      command_line.command("check", "Read a scene, print it with all defaults, sizes and memory");
+void add_check_command(CLI::App& program) {
+  CLI::App* command =
+      program.add_subcommand("check", "Read a scene, print it with all defaults, sizes and memory");
   auto options = std::make_shared<SceneOptions>();
   add_scene_options(command, *options);
-  command.action([options] {
+  set_action(command, [options] {
     const bool draws = options->frames_every != std::uint64_t{0};
     std::visit([&](const auto& scene) { print(scene, draws); }, load_any_scene(*options));
-    return static_cast<int>(ExitCode::done);
+    return kDone;
   });
 }
 

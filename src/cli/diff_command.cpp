@@ -9,7 +9,6 @@
 #include "clca/render/difference.hpp"
 #include "clca/store/file.hpp"
 #include "cli/command.hpp"
-#include "cli/input.hpp"
 #include "cli/option_values.hpp"
 #include "cli/terminal.hpp"
 
@@ -34,13 +33,13 @@ render::Image read_picture(const std::string& file) {
   }
 }
 
-ExitCode diff(const DiffOptions& options) {
+int diff(const DiffOptions& options) {
   const render::Image first = read_picture(options.first);
   const render::Image second = read_picture(options.second);
   if (first.width != second.width || first.height != second.height) {
     print_out("sizes differ: {} x {} and {} x {}\n", first.width, first.height, second.width,
               second.height);
-    return ExitCode::failed;
+    return kFailed;
   }
   const render::Difference difference = render::difference_of(first, second, options.tolerance);
   if (!options.out.empty()) {
@@ -48,32 +47,32 @@ ExitCode diff(const DiffOptions& options) {
   }
   if (difference.pixels == 0) {
     print_out("alike (largest channel difference {})\n", difference.largest);
-    return ExitCode::done;
+    return kDone;
   }
   print_out("{} pixels differ by up to {} in x {} to {}, y {} to {}\n", difference.pixels,
             difference.largest, difference.left, difference.right, difference.top,
             difference.bottom);
-  return difference.pixels <= options.pixels ? ExitCode::done : ExitCode::failed;
+  return difference.pixels <= options.pixels ? kDone : kFailed;
 }
 
 }  // namespace
 
-void add_diff_command(CommandLine& command_line) {
-  Command command = command_line.command(
+void add_diff_command(CLI::App& program) {
+  CLI::App* command = program.add_subcommand(
       "diff", "Compare two pictures; exit code 0 when they are alike, 1 when they differ");
   auto options = std::make_shared<DiffOptions>();
-  command.option("A", &options->first, "First PNG file").required();
-  command.option("B", &options->second, "Second PNG file").required();
+  command->add_option("A", options->first, "First PNG file")->required();
+  command->add_option("B", options->second, "Second PNG file")->required();
   command
-      .option("--tolerance", &options->tolerance,
-              "Channel difference up to which two pixels count as alike")
-      .values(whole_number(0, 255))
-      .show_default();
-  command.option("--pixels", &options->pixels, "Number of pixels that may differ by more")
-      .values(whole_number())
-      .show_default();
-  command.option("-o,--output", &options->out, "Write a picture of the differences");
-  command.action([options] { return static_cast<int>(diff(*options)); });
+      ->add_option("--tolerance", options->tolerance,
+                   "Channel difference up to which two pixels count as alike")
+      ->transform(whole_number(0, 255))
+      ->capture_default_str();
+  command->add_option("--pixels", options->pixels, "Number of pixels that may differ by more")
+      ->transform(whole_number())
+      ->capture_default_str();
+  command->add_option("-o,--output", options->out, "Write a picture of the differences");
+  set_action(command, [options] { return diff(*options); });
 }
 
 }  // namespace clca::cli

@@ -132,34 +132,33 @@ std::string text_of(const ExplainOptions& options) {
 
 }  // namespace
 
-void add_explain_command(CommandLine& command_line) {
-  Command command =
-      command_line.command("explain", "Explain the keys of a scene and the quantities of a run");
+void add_explain_command(CLI::App& program) {
+  CLI::App* command =
+      program.add_subcommand("explain", "Explain the keys of a scene and the quantities of a run");
   auto options = std::make_shared<ExplainOptions>();
   command
-      .option(
-          "KEY", &options->keys,
+      ->add_option(
+          "KEY", options->keys,
           "Keys as for --set, such as rules.inertia or walls.motion, the last part of a key, or "
           "quantities of run.json and tables [the top]")
-      .type("NAME")
-      .values(key_of_scene());
+      ->type_name("NAME");
   command
-      .option("--scene", &options->scene,
-              "A scene in whose units quantities are, and whose derived measures may be among the "
-              "names; without KEY all of these")
-      .values(scene_names());
+      ->add_option(
+          "--scene", options->scene,
+          "A scene in whose units quantities are, and whose derived measures may be among the "
+          "names; without KEY all of these")
+      ->transform(scene_names());
   command
-      .option("--format", &options->format,
-              "text, markdown (a table), schema (JSON Schema), quantities (a table of the "
-              "measures), or "
-              "columns (of a table of a run: KEY is its name, such as series, gas.series or "
-              "sweep.runs; of the trajectory its datasets)")
-      .type("FORMAT")
-      .values(one_of({"text", "markdown", "schema", "quantities", "columns"}))
-      .show_default();
-  command.action([options] {
+      ->add_option("--format", options->format,
+                   "text, markdown (a table), schema (JSON Schema), quantities (a table of the "
+                   "measures), or columns (of a table of a run: KEY is its name, such as series, "
+                   "gas.series or sweep.runs; of the trajectory its datasets)")
+      ->type_name("FORMAT")
+      ->transform(CLI::IsMember({"text", "markdown", "schema", "quantities", "columns"}))
+      ->capture_default_str();
+  set_action(command, [options] {
     print_out("{}", text_of(*options));
-    return static_cast<int>(ExitCode::done);
+    return kDone;
   });
 }
 

@@ -23,16 +23,14 @@
 
 namespace {
 
-using clca::cli::ExitCode;
-
 /// How the program ends: its exit code and, if it has failed, a line about it.
 struct Ending {
   int code = 0;
   std::string line = {};
 };
 
-Ending failure(ExitCode code, std::string_view message) {
-  return {static_cast<int>(code), clca::text::printable(message)};
+Ending failure(int code, std::string_view message) {
+  return {code, clca::text::printable(message)};
 }
 
 int tell(const Ending& ending) {
@@ -53,59 +51,58 @@ std::vector<const char*> arguments_of(int argc, char** argv) {
 }
 
 int run_program(int argc, char** argv, clca::tasks::Ranks* ranks) {
-  clca::cli::CommandLine command_line(
+  CLI::App program(
       "Granular flow on a triangular lattice, by the Connected Lattice Cellular Automaton or by\n"
       "contact dynamics, and the Boltzmann equation of inelastic, frictional spheres.",
-      "clca " + clca::record::version(),
+      "clca");
+  program.set_version_flag("-V,--version", "clca " + clca::record::version());
+  program.require_subcommand(1);
+  program.footer(
       "Exit codes: 0 done; 1 a run or a figure failed, or pictures differ; 2 wrong input;\n"
       "124 (--time-limit), 129, 130 or 143 (SIGHUP, SIGINT, SIGTERM) interrupted; clca resume\n"
       "continues the run.");
-  clca::cli::add_run_command(command_line);
-  clca::cli::add_resume_command(command_line, ranks);
-  clca::cli::add_boltzmann_command(command_line, ranks);
-  clca::cli::add_sweep_command(command_line, ranks);
-  clca::cli::add_calibrate_command(command_line);
-  clca::cli::add_check_command(command_line);
-  clca::cli::add_compare_command(command_line);
-  clca::cli::add_diff_command(command_line);
-  clca::cli::add_explain_command(command_line);
-  clca::cli::add_export_command(command_line);
-  clca::cli::add_plot_command(command_line);
-  clca::cli::add_render_command(command_line);
-  clca::cli::add_report_command(command_line);
-  clca::cli::add_scenes_command(command_line);
-  command_line.command("help", "Print the help of a command: clca help run");
+  clca::cli::add_run_commands(program, ranks);
+  clca::cli::add_sweep_commands(program, ranks);
+  clca::cli::add_check_command(program);
+  clca::cli::add_compare_command(program);
+  clca::cli::add_diff_command(program);
+  clca::cli::add_explain_command(program);
+  clca::cli::add_export_command(program);
+  clca::cli::add_plot_command(program);
+  clca::cli::add_render_command(program);
+  clca::cli::add_report_command(program);
+  clca::cli::add_scenes_command(program);
+  program.add_subcommand("help", "Print the help of a command: clca help run");
   const std::string_view name = argc > 1 ? argv[1] : "";
   if (name == "__complete") {
-    clca::cli::write_out(command_line.completions({argv + 2, argv + argc}));
-    return static_cast<int>(ExitCode::done);
+    clca::cli::write_out(clca::cli::completions(program, {argv + 2, argv + argc}));
+    return clca::cli::kDone;
   }
   if (name == "__man" && argc == 3) {
-    for (const auto& [file, text] : command_line.man_pages()) {
+    for (const auto& [file, text] : clca::cli::man_pages(program)) {
       clca::store::write_whole(std::filesystem::path(argv[2]) / file, {text.begin(), text.end()});
     }
-    return static_cast<int>(ExitCode::done);
+    return clca::cli::kDone;
   }
-  return command_line.run(arguments_of(argc, argv));
+  return clca::cli::run(program, arguments_of(argc, argv));
 }
 
 Ending ending_of(int argc, char** argv, clca::tasks::Ranks* ranks) {
   try {
     return {run_program(argc, argv, ranks)};
   } catch (const clca::scene::SceneError& error) {
-    return failure(ExitCode::wrong_input, error.what());
+    return failure(clca::cli::kWrongInput, error.what());
   } catch (const clca::tasks::StartError& error) {
-    return failure(ExitCode::wrong_input, error.what());
+    return failure(clca::cli::kWrongInput, error.what());
   } catch (const clca::text::InputError& error) {
-    return failure(ExitCode::wrong_input, fmt::format("clca: error: {}", error.what()));
+    return failure(clca::cli::kWrongInput, fmt::format("clca: error: {}", error.what()));
   } catch (const clca::process::StoppedError& error) {
-    return failure(
-        static_cast<ExitCode>(static_cast<int>(ExitCode::signal_base) + clca::cli::stop_signal()),
-        fmt::format("clca: error: {}", error.what()));
+    return failure(clca::cli::kSignalBase + clca::cli::stop_signal(),
+                   fmt::format("clca: error: {}", error.what()));
   } catch (const std::bad_alloc&) {
-    return failure(ExitCode::failed, "clca: error: out of memory");
+    return failure(clca::cli::kFailed, "clca: error: out of memory");
   } catch (const std::exception& error) {
-    return failure(ExitCode::failed, fmt::format("clca: error: {}", error.what()));
+    return failure(clca::cli::kFailed, fmt::format("clca: error: {}", error.what()));
   }
 }
 
@@ -117,7 +114,7 @@ int run_as_rank(int argc, char** argv, clca::tasks::Ranks& ranks) {
     clca::cli::be_silent();
   }
   if (argc < 2 || !clca::cli::is_shared(argv[1])) {
-    return is_first ? tell(ending_of(argc, argv, nullptr)) : static_cast<int>(ExitCode::done);
+    return is_first ? tell(ending_of(argc, argv, nullptr)) : clca::cli::kDone;
   }
   const Ending ending = ending_of(argc, argv, &ranks);
   if (ranks.is_at_work() && !ending.line.empty()) {
@@ -131,7 +128,7 @@ int run_as_rank(int argc, char** argv, clca::tasks::Ranks& ranks) {
   } else if (ranks.is_at_work() && is_first) {
     ranks.dismiss();
   }
-  return is_first ? ending.code : static_cast<int>(ExitCode::done);
+  return is_first ? ending.code : clca::cli::kDone;
 }
 
 int run(int argc, char** argv, std::unique_ptr<clca::tasks::Ranks>& ranks) {
@@ -139,9 +136,9 @@ int run(int argc, char** argv, std::unique_ptr<clca::tasks::Ranks>& ranks) {
     ranks = clca::cli::started_ranks(argv);
   } catch (const clca::text::InputError& error) {
     const bool is_told = *error.what() == '\0';  // by another process
-    return is_told
-               ? static_cast<int>(ExitCode::wrong_input)
-               : tell(failure(ExitCode::wrong_input, fmt::format("clca: error: {}", error.what())));
+    return is_told ? clca::cli::kWrongInput
+                   : tell(failure(clca::cli::kWrongInput,
+                                  fmt::format("clca: error: {}", error.what())));
   }
   return ranks && ranks->size() > 1 ? run_as_rank(argc, argv, *ranks)
                                     : tell(ending_of(argc, argv, nullptr));
@@ -153,7 +150,7 @@ int main(int argc, char** argv) {
   clca::cli::occupy_closed_streams();
   clca::cli::set_up_signals();
   clca::store::end_without_hdf5();
-  int code = static_cast<int>(ExitCode::failed);
+  int code = clca::cli::kFailed;
   std::unique_ptr<clca::tasks::Ranks> ranks;
   try {
     code = run(argc, argv, ranks);

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <array>
 #include <cstdlib>
 #include <filesystem>
+#include <initializer_list>
 #include <optional>
 #include <string_view>
 #include <system_error>
@@ -18,8 +18,7 @@ namespace clca::cli {
 namespace {
 
 /// The first of these variables that is there.
-template <std::size_t kCount>
-std::optional<std::string> variable(const std::array<const char*, kCount>& names) {
+std::optional<std::string> variable(std::initializer_list<const char*> names) {
   for (const char* name : names) {
     if (const char* text = std::getenv(name)) {  // NOLINT(concurrency-mt-unsafe): nobody sets them
       return text;
@@ -42,8 +41,8 @@ bool has_part(char** arguments) {
 
 std::unique_ptr<tasks::Ranks> started_ranks(char** arguments) {
   // Open MPI, Slurm with PMIx, MPICH and Intel MPI.
-  const auto rank = variable<4>({"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK", "SLURM_PROCID"});
-  const auto size = variable<3>({"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "SLURM_STEP_NUM_TASKS"});
+  const auto rank = variable({"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK", "SLURM_PROCID"});
+  const auto size = variable({"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "SLURM_STEP_NUM_TASKS"});
   if (arguments[0] == nullptr || arguments[1] == nullptr || !is_shared(arguments[1]) || !rank ||
       !size || *size == "1" || has_part(arguments)) {
     return nullptr;

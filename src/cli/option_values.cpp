@@ -3,11 +3,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <functional>
 #include <optional>
-#include <string>
 #include <string_view>
 #include <system_error>
 
@@ -37,11 +36,16 @@ std::optional<Quantity<T>> quantity(std::string_view text) {
   return result;
 }
 
-std::string lowered(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](char letter) {
-    return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
-  });
-  return text;
+/// One without a sign or leading zeros, in this range.
+bool is_whole(std::string_view text, std::uint64_t least, std::uint64_t most) {
+  const auto found = quantity<std::uint64_t>(text);
+  return found && found->unit.empty() && (text.size() == 1 || text.front() != '0') &&
+         found->number >= least && found->number <= most;
+}
+
+bool is_finite(std::string_view text) {
+  const auto found = quantity<double>(text.substr(text.starts_with('-') ? 1 : 0));
+  return found && found->unit.empty();
 }
 
 /// Seconds.
@@ -53,8 +57,8 @@ std::optional<double> time_unit(std::string_view unit) {
 }
 
 /// Bytes of `k`, `KB`, `KiB` and so on, all of 1024.
-std::optional<double> size_unit(std::string unit) {
-  unit = lowered(unit);
+std::optional<double> size_unit(std::string_view text) {
+  const std::string unit = CLI::ignore_case(std::string(text));
   if (unit.empty() || unit == "b") {
     return 1;
   }
@@ -66,175 +70,104 @@ std::optional<double> size_unit(std::string unit) {
              : std::nullopt;
 }
 
-std::string expected(std::string_view what, const std::string& text) {
-  return fmt::format("expected {}, found {}", what, text::shown(text));
-}
-
-std::string accept(std::string& /*text*/) {
-  return {};
-}
-
-std::vector<Candidate> candidates_of(const std::vector<std::string>& words,
-                                     const std::string& before = "") {
-  std::vector<Candidate> candidates;
-  for (const std::string& word : words) {
-    candidates.push_back({before + word});
-  }
-  return candidates;
-}
-
-std::string in_braces(const std::vector<std::string>& words) {
-  return fmt::format("{{{}}}", fmt::join(words, ","));
-}
-
-std::vector<Candidate> keys(const std::string& begun, const std::string& after_last) {
-  std::vector<Candidate> candidates;
-  for (const scene::KeyName& key : scene::keys_beginning(begun)) {
-    if (key.has_keys) {
-      candidates.push_back({key.path + ".", key.about});
+/// Takes what `converted` turns into another text. `shown`: in the help, after the type.
+CLI::Validator conversion(
+    const std::string& what, const std::string& shown,
+    const std::function<std::optional<std::string>(const std::string&)>& converted) {
+  const auto convert = [=](std::string& text) -> std::string {
+    const auto result = converted(text);
+    if (!result) {
+      return fmt::format("expected {}, found {}", what, text::shown(text));
     }
-    if (!key.has_keys || !scene::words_of(key.path).empty()) {
-      candidates.push_back({key.path + after_last, key.about});
-    }
-  }
-  return candidates;
+    text = *result;
+    return {};
+  };
+  return {convert, shown};
 }
 
-/// `KEY=`, and after it the words that the key may have; several are separated by commas.
-std::vector<Candidate> assignments(const std::string& begun) {
-  const std::size_t equals = begun.find('=');
-  if (equals == std::string::npos) {
-    return keys(begun, "=");
-  }
-  const std::size_t last = begun.find_last_of("=,");
-  return candidates_of(scene::words_of(begun.substr(0, equals)), begun.substr(0, last + 1));
+CLI::Validator check(const std::string& what, const std::string& shown,
+                     const std::function<bool(const std::string&)>& is_right) {
+  return conversion(what, shown, [=](const std::string& text) {
+    return is_right(text) ? std::optional(text) : std::nullopt;
+  });
 }
 
 }  // namespace
 
-OptionValues whole_number(std::uint64_t least, std::uint64_t most) {
-  const auto check = [least, most](std::string& text) -> std::string {
-    const auto found = quantity<std::uint64_t>(text);
-    const bool is_plain = found && found->unit.empty() && (text.size() == 1 || text.front() != '0');
-    return is_plain && found->number >= least && found->number <= most
-               ? std::string()
-               : expected(fmt::format("a whole number from {} to {}", least, most), text);
-  };
+CLI::Validator whole_number(std::uint64_t least, std::uint64_t most) {
   const bool is_any = least == 0 && most == std::numeric_limits<std::uint64_t>::max();
-  return {check, is_any ? std::string() : fmt::format("in [{} - {}]", least, most)};
+  return check(fmt::format("a whole number from {} to {}", least, most),
+               is_any ? "" : fmt::format("in [{} - {}]", least, most),
+               [=](const std::string& text) { return is_whole(text, least, most); });
 }
 
-OptionValues length_of_figure() {
-  const auto check = [](std::string& text) -> std::string {
-    const auto found = quantity<std::uint64_t>(text);
-    const bool is_mm = found && found->unit == "mm";
-    const bool is_length = found && (is_mm || found->unit.empty()) && text.front() != '0' &&
-                           found->number >= (is_mm ? 20 : 100) &&
-                           found->number <= (is_mm ? 1000 : 10'000);
-    return is_length
-               ? std::string()
-               : expected("a whole number of pixels from 100 to 10000, or 20mm to 1000mm", text);
-  };
-  return {check, "in [100 - 10000] or [20mm - 1000mm]"};
+CLI::Validator length_of_figure() {
+  return check("a whole number of pixels from 100 to 10000, or 20mm to 1000mm",
+               "in [100 - 10000] or [20mm - 1000mm]", [](const std::string& text) {
+                 const bool is_mm = text.ends_with("mm");
+                 return is_mm ? is_whole(text.substr(0, text.size() - 2), 20, 1000)
+                              : is_whole(text, 100, 10'000);
+               });
 }
 
-OptionValues finite_number() {
-  const auto check = [](std::string& text) -> std::string {
-    const bool is_negative = text.starts_with('-');
-    const auto found = quantity<double>(std::string_view(text).substr(is_negative ? 1 : 0));
-    return found && found->unit.empty() ? std::string() : expected("a number", text);
-  };
-  return {check, ""};
+CLI::Validator finite_number() {
+  return check("a number", "", is_finite);
 }
 
-OptionValues limits_of_axis() {
-  const auto check = [](std::string& text) -> std::string {
+CLI::Validator limits_of_axis() {
+  return check("two numbers, as 0:5 or :5", "", [](const std::string& text) {
     const std::size_t colon = text.find(':');
-    std::string low = text.substr(0, colon);
-    std::string high = colon < text.size() ? text.substr(colon + 1) : "";
-    const OptionValues number = finite_number();
-    const bool is_right = colon < text.size() && text.size() > 1 &&
-                          (low.empty() || number.read(low).empty()) &&
-                          (high.empty() || number.read(high).empty());
-    return is_right ? std::string() : expected("two numbers, as 0:5 or :5", text);
-  };
-  return {check, ""};
+    const auto is_limit = [](const std::string& part) { return part.empty() || is_finite(part); };
+    return colon < text.size() && text.size() > 1 && is_limit(text.substr(0, colon)) &&
+           is_limit(text.substr(colon + 1));
+  });
 }
 
-OptionValues part_of_whole(std::uint64_t most) {
-  const auto check = [most](std::string& text) -> std::string {
-    const std::size_t slash = text.find('/');
-    const auto number = quantity<std::uint64_t>(text.substr(0, slash));
-    const auto of = quantity<std::uint64_t>(slash < text.size() ? text.substr(slash + 1) : "");
-    const bool is_plain = number && of && number->unit.empty() && of->unit.empty() &&
-                          text == fmt::format("{}/{}", number->number, of->number);
-    return is_plain && number->number >= 1 && number->number <= of->number && of->number <= most
-               ? std::string()
-               : expected(fmt::format("K/N with K from 1 to N and N up to {}", most), text);
-  };
-  return {check, ""};
+CLI::Validator part_of_whole(std::uint64_t most) {
+  return check(fmt::format("K/N with K from 1 to N and N up to {}", most), "",
+               [most](const std::string& text) {
+                 const std::size_t slash = text.find('/');
+                 const auto of = slash < text.size() ? text.substr(slash + 1) : "";
+                 return is_whole(of, 1, most) &&
+                        is_whole(text.substr(0, slash), 1, quantity<std::uint64_t>(of)->number);
+               });
 }
 
-OptionValues key_of_scene() {
-  return {accept, "", [](const std::string& begun) { return keys(begun, ""); }};
-}
-
-OptionValues value_of_key(const std::string& key) {
+CLI::Validator value_of_key(const std::string& key) {
   const std::vector<std::string> words = scene::words_of(key);
-  return {accept, words.empty() ? "" : in_braces(words),
-          [words](const std::string& /*begun*/) { return candidates_of(words); }};
+  return CLI::Validator(words.empty() ? "" : fmt::format("{{{}}}", fmt::join(words, ",")));
 }
 
-OptionValues assignment(const std::string& form) {
-  const auto check = [form](std::string& text) -> std::string {
-    return text.find('=') == std::string::npos ? expected(form + ", as in rules.inertia=0.5", text)
-                                               : std::string();
-  };
-  return {check, "", assignments};
+CLI::Validator assignment(const std::string& form) {
+  return check(form + ", as in rules.inertia=0.5", "",
+               [](const std::string& text) { return text.find('=') != std::string::npos; });
 }
 
-OptionValues time_span() {
-  const auto convert = [](std::string& text) -> std::string {
-    constexpr double kMaxSeconds = 1e9;
-    const auto found = quantity<double>(text);
-    const auto unit = found ? time_unit(found->unit) : std::nullopt;
-    if (!unit || found->number * *unit > kMaxSeconds) {
-      return expected("a time up to 1e9 seconds, as in 90, 30min or 2h", text);
-    }
-    text = fmt::format("{}", found->number * *unit);
-    return {};
-  };
-  return {convert, ""};
+CLI::Validator time_span() {
+  return conversion("a time up to 1e9 seconds, as in 90, 30min or 2h", "",
+                    [](const std::string& text) -> std::optional<std::string> {
+                      constexpr double kMaxSeconds = 1e9;
+                      const auto found = quantity<double>(text);
+                      const auto unit = found ? time_unit(found->unit) : std::nullopt;
+                      if (!unit || found->number * *unit > kMaxSeconds) {
+                        return std::nullopt;
+                      }
+                      return fmt::format("{}", found->number * *unit);
+                    });
 }
 
-OptionValues byte_size() {
-  const auto convert = [](std::string& text) -> std::string {
-    constexpr double kMaxBytes = 0x1p62;
-    const auto found = quantity<std::uint64_t>(text);
-    const auto unit = found ? size_unit(std::string(found->unit)) : std::nullopt;
-    const double bytes = unit ? static_cast<double>(found->number) * *unit : 0;
-    if (bytes < 1 || bytes > kMaxBytes) {
-      return expected("a size from 1 to 4EiB, as in 512MiB or 4GiB", text);
-    }
-    text = fmt::format("{}", static_cast<std::uint64_t>(bytes));
-    return {};
-  };
-  return {convert, ""};
-}
-
-OptionValues one_of(const std::vector<std::string>& words, LetterCase letter_case) {
-  const std::string shown = in_braces(words);
-  const auto convert = [words, letter_case, shown](std::string& text) -> std::string {
-    const auto word = std::find_if(words.begin(), words.end(), [&](const std::string& known) {
-      return letter_case == LetterCase::matters ? known == text : lowered(known) == lowered(text);
-    });
-    if (word == words.end()) {
-      return fmt::format("{} not in {}", text, shown);
-    }
-    text = *word;
-    return {};
-  };
-  return {convert, shown, [words](const std::string& /*begun*/) { return candidates_of(words); }};
+CLI::Validator byte_size() {
+  return conversion("a size from 1 to 4EiB, as in 512MiB or 4GiB", "",
+                    [](const std::string& text) -> std::optional<std::string> {
+                      constexpr double kMaxBytes = 0x1p62;
+                      const auto found = quantity<std::uint64_t>(text);
+                      const auto unit = found ? size_unit(found->unit) : std::nullopt;
+                      const double bytes = unit ? static_cast<double>(found->number) * *unit : 0;
+                      if (bytes < 1 || bytes > kMaxBytes) {
+                        return std::nullopt;
+                      }
+                      return fmt::format("{}", static_cast<std::uint64_t>(bytes));
+                    });
 }
 
 }  // namespace clca::cli

@@ -36,6 +36,8 @@ std::size_t terminal_width() {
   return known ? size.ws_col : 80;
 }
 
+}  // namespace
+
 // The time left stands before what a narrow terminal has no room for.
 std::string to_text(const run::Progress& progress) {
   return fmt::format("{} ({}/{}): step {}{}{}, {:.1f} % moving, {:.1f} million updates/s",
@@ -43,12 +45,6 @@ std::string to_text(const run::Progress& progress) {
                      progress.until_rest ? ", not at rest yet" : left_text_of_stage(progress),
                      progress.time.empty() ? "" : ", t = " + progress.time,
                      100 * progress.moving_share, progress.updates_per_second / 1e6);
-}
-
-std::string to_text(const sweep::RunUnderWay& run) {
-  return fmt::format("; {}: {} ({}/{}), step {}, {:.1f} % moving", run.name, run.progress.stage,
-                     run.progress.stage_number, run.progress.stage_count, run.progress.step,
-                     100 * run.progress.moving_share);
 }
 
 std::string to_text(const run::GasProgress& progress) {
@@ -69,12 +65,12 @@ std::string to_text(const sweep::Progress& progress) {
                                  progress.done + progress.failed, progress.runs, progress.failed,
                                  progress.runs_per_second, left_text(progress.seconds_left));
   for (const sweep::RunUnderWay& run : progress.under_way) {
-    text += to_text(run);
+    text += fmt::format("; {}: {} ({}/{}), step {}, {:.1f} % moving", run.name, run.progress.stage,
+                        run.progress.stage_number, run.progress.stage_count, run.progress.step,
+                        100 * run.progress.moving_share);
   }
   return text;
 }
-
-}  // namespace
 
 std::string duration(double seconds) {
   constexpr double kMaxRate = 1e9;
@@ -91,22 +87,6 @@ std::string duration(double seconds) {
 ProgressLine::ProgressLine()
     : terminal_(::isatty(STDERR_FILENO) != 0),
       next_plain_(std::chrono::steady_clock::now() + kPlainInterval) {}
-
-void ProgressLine::show(const run::Progress& progress) {
-  show(to_text(progress));
-}
-
-void ProgressLine::show(const run::GasProgress& progress) {
-  show(to_text(progress));
-}
-
-void ProgressLine::show(const drawing::RedrawProgress& progress) {
-  show(to_text(progress));
-}
-
-void ProgressLine::show(const sweep::Progress& progress) {
-  show(to_text(progress));
-}
 
 void ProgressLine::show(const std::string& text) {
   if (terminal_) {

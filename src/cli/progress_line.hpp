@@ -18,21 +18,22 @@ class ProgressLine {
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  void show(const run::Progress& progress);
-  void show(const run::GasProgress& progress);
-  void show(const drawing::RedrawProgress& progress);
-  void show(const sweep::Progress& progress);
+  void show(const std::string& text);
   /// A permanent line on standard error.
   void print(const std::string& line);
 
  private:
-  void show(const std::string& text);
   void clear();
 
   bool terminal_;
   bool line_shown_ = false;  // a line, on the terminal
   std::chrono::steady_clock::time_point next_plain_;
 };
+
+std::string to_text(const run::Progress& progress);
+std::string to_text(const run::GasProgress& progress);
+std::string to_text(const drawing::RedrawProgress& progress);
+std::string to_text(const sweep::Progress& progress);
 
 /// "12 s", "3 min 20 s", "5 h 10 min".
 std::string duration(double seconds);

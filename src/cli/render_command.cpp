@@ -15,13 +15,11 @@
 #include "clca/store/file.hpp"
 #include "clca/store/run_folder.hpp"
 #include "cli/command.hpp"
-#include "cli/input.hpp"
 #include "cli/option_values.hpp"
 #include "cli/package.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/scene_options.hpp"
 #include "cli/terminal.hpp"
-#include "render/internal/legend_json.hpp"
 
 namespace clca::cli {
 
@@ -154,7 +152,7 @@ nlohmann::json to_json(const drawing::TimePicture& picture) {
                          {"time", to_json(picture.time)},
                          {"position", to_json(picture.position)},
                          {"stages", nlohmann::json::array()},
-                         {"legend", picture.legend},
+                         {"legend", nlohmann::json::parse(render::to_text(picture.legend))},
                          {"text", picture.text}};
   for (const auto& stage : picture.stages) {
     json["stages"].push_back({{"name", stage.name}, {"begin", stage.begin}});
@@ -163,7 +161,8 @@ nlohmann::json to_json(const drawing::TimePicture& picture) {
   for (const auto& bar : picture.legend.bars) {
     nlohmann::json colors = nlohmann::json::array();
     for (int i = 0; i < kColors; ++i) {
-      colors.push_back(render::bar_color(bar, i / (kColors - 1.0)));
+      const render::Rgb color = render::bar_color(bar, i / (kColors - 1.0));
+      colors.push_back({{"red", color.red}, {"green", color.green}, {"blue", color.blue}});
     }
     json["colors"].push_back(std::move(colors));
   }
@@ -212,7 +211,7 @@ int render_run(RenderOptions options) {
   drawing::RedrawEvents events;
   events.warning = [&](const std::string& text) { line.print("warning: " + text); };
   if (!options.quiet) {
-    events.progress = [&](const drawing::RedrawProgress& progress) { line.show(progress); };
+    events.progress = [&](const drawing::RedrawProgress& progress) { line.show(to_text(progress)); };
   }
   const std::size_t drawn = drawing->draw(events);
   if (redraw.space_time && drawn > 0) {
@@ -223,25 +222,25 @@ int render_run(RenderOptions options) {
   if (!options.quiet) {
     print_totals(runs, redraw, drawn, drawing->moments());
   }
-  return drawn == drawing->moments() ? static_cast<int>(ExitCode::done)
-                                     : static_cast<int>(ExitCode::signal_base) + stop;
+  return drawn == drawing->moments() ? kDone : kSignalBase + stop;
 }
 
 /// An option that stands for `--set output.frames.KEY=VALUE`.
-void add_frames_option(Command& command, RenderOptions& options, const char* name, const char* key,
-                       const char* type, const char* what) {
+void add_frames_option(CLI::App* command, RenderOptions& options, const char* name,
+                       const std::string& key, const char* type, const char* what) {
+  const std::string path = "output.frames." + key;
   command
-      .option(
+      ->add_option_function<std::string>(
           name,
-          [&options, key](const std::string& value) {
-            options.look.push_back(fmt::format("output.frames.{}={}", key, value));
+          [&options, path](const std::string& value) {
+            options.look.push_back(path + "=" + value);
           },
           what)
-      .type(type)
-      .values(value_of_key(fmt::format("output.frames.{}", key)));
+      ->type_name(type)
+      ->transform(value_of_key(path));
 }
 
-void add_look_options(Command& command, RenderOptions& options) {
+void add_look_options(CLI::App* command, RenderOptions& options) {
   add_frames_option(command, options, "--color-by", "color_by", "WHAT",
                     "What the colours of particles show");
   add_frames_option(command, options, "--overlay", "overlay", "WHAT",
@@ -250,99 +249,96 @@ void add_look_options(Command& command, RenderOptions& options) {
                     "print is without title, stage and step or time");
   add_frames_option(command, options, "--width", "width", "PIXELS", "Width of the pictures");
   add_frames_option(command, options, "--height", "height", "PIXELS", "Height of the pictures");
-  command
-      .option("--set", &options.scene.overrides,
-              "Set a key of the pictures to VALUE (YAML), such as "
-              "output.frames.view=[0,0,60,40] or species.small.color='#d55e00'; may be "
-              "repeated")
-      .type("KEY=VALUE")
-      .values(assignment("KEY=VALUE"))
-      .one_value();
+  add_set(command, options.scene,
+          "Set a key of the pictures to VALUE (YAML), such as "
+          "output.frames.view=[0,0,60,40] or species.small.color='#d55e00'; may be repeated");
 }
 
-void add_choice_options(Command& command, RenderOptions& options) {
-  command.option("--stage", &options.redraw.stage, "Draw only this stage").type("NAME");
-  command.option("--from", &options.redraw.from, "First step to draw")
-      .type("STEP")
-      .values(whole_number());
-  command.option("--to", &options.redraw.to, "Last step to draw")
-      .type("STEP")
-      .values(whole_number());
+void add_choice_options(CLI::App* command, RenderOptions& options) {
+  command->add_option("--stage", options.redraw.stage, "Draw only this stage")->type_name("NAME");
+  command->add_option("--from", options.redraw.from, "First step to draw")
+      ->type_name("STEP")
+      ->transform(whole_number());
+  command->add_option("--to", options.redraw.to, "Last step to draw")
+      ->type_name("STEP")
+      ->transform(whole_number());
   add_frames_option(command, options, "--every", "every", "STEPS",
                     "Fewest steps between two pictures of a stage [as the scene says]");
 }
 
-void add_space_time_options(Command& command, RenderOptions& options) {
+void add_space_time_options(CLI::App* command, SpaceTimeChoice& choice) {
   command
-      .option("--space-time", &options.space_time.file,
-              "Write one picture over time of a column or the free surface: FILE.png")
-      .type("FILE");
+      ->add_option("--space-time", choice.file,
+                   "Write one picture over time of a column or the free surface: FILE.png")
+      ->type_name("FILE");
   command
-      .option("--column", &options.space_time.column,
-              "Over time: the column of the box at this x, in lattice spacings")
-      .type("X")
-      .values(finite_number());
+      ->add_option("--column", choice.column,
+                   "Over time: the column of the box at this x, in lattice spacings")
+      ->type_name("X")
+      ->transform(finite_number());
   command
-      .option("--slit", &options.space_time.slit,
-              "Over time: width of that column in lattice spacings; colours are means over it "
-              "[1]")
-      .type("WIDTH")
-      .values(finite_number());
-  command.flag("--surface", &options.space_time.surface,
-               "Over time: the height of the free surface");
+      ->add_option(
+          "--slit", choice.slit,
+          "Over time: width of that column in lattice spacings; colours are means over it [1]")
+      ->type_name("WIDTH")
+      ->transform(finite_number());
+  command->add_flag("--surface", choice.surface, "Over time: the height of the free surface");
 }
 
-void add_target_options(Command& command, RenderOptions& options) {
-  command.option("-o,--output", &options.folder,
-                 "Folder for the pictures [DIR/render; none with --movie, --sheet or "
-                 "--space-time]");
+void add_target_options(CLI::App* command, RenderOptions& options) {
+  drawing::RedrawOptions& redraw = options.redraw;
+  command->add_option("-o,--output", options.folder,
+                      "Folder for the pictures [DIR/render; none with --movie, --sheet or "
+                      "--space-time]");
   command
-      .choice("--format", &options.redraw.pdf, {{"png", false}, {"pdf", true}},
-              "Of these pictures: png, or pdf (vector graphics) [png]")
-      .type("FORMAT");
+      ->add_option_function<std::string>(
+          "--format", [&redraw](const std::string& format) { redraw.pdf = format == "pdf"; },
+          "Of these pictures: png, or pdf (vector graphics) [png]")
+      ->type_name("FORMAT")
+      ->transform(CLI::IsMember({"png", "pdf"}));
   command
-      .option("--movie", &options.redraw.movie,
-              "Write a movie, with ffmpeg: FILE.mp4, FILE.webm, FILE.webp, FILE.gif or FILE.png "
-              "(animated)")
-      .type("FILE");
+      ->add_option("--movie", redraw.movie,
+                   "Write a movie, with ffmpeg: FILE.mp4, FILE.webm, FILE.webp, FILE.gif or "
+                   "FILE.png (animated)")
+      ->type_name("FILE");
   command
-      .option("--duration", &options.redraw.duration,
-              "Length of the movie: with more pictures some are chosen evenly, with less they "
-              "last longer; --every is 1 unless given")
-      .type("SECONDS")
-      .values(finite_number());
+      ->add_option("--duration", redraw.duration,
+                   "Length of the movie: with more pictures some are chosen evenly, with less they "
+                   "last longer; --every is 1 unless given")
+      ->type_name("SECONDS")
+      ->transform(finite_number());
   command
-      .option("--fps", &options.redraw.frames_per_second,
-              "Pictures per second of the movie; of a GIF at most 50")
-      .values(whole_number(1, 240))
-      .show_default();
+      ->add_option("--fps", redraw.frames_per_second,
+                   "Pictures per second of the movie; of a GIF at most 50")
+      ->transform(whole_number(1, 240))
+      ->capture_default_str();
   command
-      .option("--sheet", &options.redraw.sheet,
-              "Write a contact sheet of pictures evenly chosen: FILE.png")
-      .type("FILE");
-  command.option("--columns", &options.redraw.columns, "Pictures in a row of the contact sheet")
-      .values(whole_number(1, 16))
-      .show_default();
-  add_space_time_options(command, options);
+      ->add_option("--sheet", redraw.sheet,
+                   "Write a contact sheet of pictures evenly chosen: FILE.png")
+      ->type_name("FILE");
+  command->add_option("--columns", redraw.columns, "Pictures in a row of the contact sheet")
+      ->transform(whole_number(1, 16))
+      ->capture_default_str();
 }
 
 }  // namespace
 
-void add_render_command(CommandLine& command_line) {
-  Command command =
-      command_line.command("render", "Draw runs again from their trajectories: pictures, a movie");
+void add_render_command(CLI::App& program) {
+  CLI::App* command = program.add_subcommand(
+      "render", "Draw runs again from their trajectories: pictures, a movie");
   auto options = std::make_shared<RenderOptions>();
   command
-      .option("DIR", &options->runs,
-              "Folder that a run with output.trajectory left. Several have the same colour "
-              "bar, and stand side by side in --movie and --sheet")
-      .required();
+      ->add_option("DIR", options->runs,
+                   "Folder that a run with output.trajectory left. Several have the same colour "
+                   "bar, and stand side by side in --movie and --sheet")
+      ->required();
   add_target_options(command, *options);
+  add_space_time_options(command, options->space_time);
   add_look_options(command, *options);
   add_choice_options(command, *options);
   add_memory_limit(command, options->scene);
-  command.flag("--quiet", &options->quiet, "Print warnings and errors only");
-  command.action([options] { return render_run(*options); });
+  command->add_flag("--quiet", options->quiet, "Print warnings and errors only");
+  set_action(command, [options] { return render_run(*options); });
 }
 
 }  // namespace clca::cli

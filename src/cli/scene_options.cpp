@@ -6,7 +6,6 @@
 #include <iostream>
 
 #include "clca/process/data_folder.hpp"
-#include "cli/command.hpp"
 #include "cli/option_values.hpp"
 
 namespace clca::cli {
@@ -71,50 +70,55 @@ std::vector<Candidate> scenes_of_program() {
   return scenes;
 }
 
-OptionValues scene_names() {
+CLI::Validator scene_names() {
   return {[](std::string& name) {
             name = run::scene_file(name);
             return std::string();
           },
-          "", [](const std::string& /*begun*/) { return scenes_of_program(); }};
+          ""};
 }
 
-void add_scene_and_set(Command& command, SceneOptions& options) {
-  command
-      .option("SCENE", &options.file,
-              "Scene file (YAML), - for standard input, or the name of a scene of this program")
-      .required()
-      .values(scene_names());
-  command
-      .option("--set", &options.overrides,
-              "Set KEY of the scene to VALUE (YAML), such as rules.inertia=0 or "
-              "stages.flow.max_steps=500; may be repeated")
-      .type("KEY=VALUE")
-      .values(assignment("KEY=VALUE"))
-      .one_value();
-  command
-      .option("--begin", &options.begin,
-              "Begin with the last state of the run in this folder, in place of the scene's begin")
-      .type("FOLDER");
+void add_set(CLI::App* command, SceneOptions& options, const std::string& what) {
+  command->add_option("--set", options.overrides, what)
+      ->type_name("KEY=VALUE")
+      ->transform(assignment("KEY=VALUE"))
+      ->allow_extra_args(false);
 }
 
-void add_memory_limit(Command& command, SceneOptions& options) {
+void add_memory_limit(CLI::App* command, SceneOptions& options, const std::string& what) {
   command
-      .option("--memory-limit", &options.memory_limit,
-              "Refuse scenes that need more memory, such as 4GiB [80 % of the free memory]")
-      .type("SIZE")
-      .values(byte_size());
+      ->add_option("--memory-limit", options.memory_limit,
+                   what + ", such as 4GiB [80 % of the free memory]")
+      ->type_name("SIZE")
+      ->transform(byte_size());
 }
 
-void add_scene_options(Command& command, SceneOptions& options) {
+void add_scene_and_set(CLI::App* command, SceneOptions& options) {
+  command
+      ->add_option(
+          "SCENE", options.file,
+          "Scene file (YAML), - for standard input, or the name of a scene of this program")
+      ->required()
+      ->transform(scene_names());
+  add_set(command, options,
+          "Set KEY of the scene to VALUE (YAML), such as rules.inertia=0 or "
+          "stages.flow.max_steps=500; may be repeated");
+  command
+      ->add_option(
+          "--begin", options.begin,
+          "Begin with the last state of the run in this folder, in place of the scene's begin")
+      ->type_name("FOLDER");
+}
+
+void add_scene_options(CLI::App* command, SceneOptions& options) {
   add_scene_and_set(command, options);
-  command.option("--seed", &options.seed, "Seed of the random draws, in place of the scene's")
-      .values(whole_number());
+  command->add_option("--seed", options.seed, "Seed of the random draws, in place of the scene's")
+      ->transform(whole_number());
   command
-      .option("--frames-every", &options.frames_every,
-              "A picture every N steps; 0: no pictures for now, with their settings kept for clca "
-              "render")
-      .values(whole_number());
+      ->add_option("--frames-every", options.frames_every,
+                   "A picture every N steps; 0: no pictures for now, with their settings kept for "
+                   "clca render")
+      ->transform(whole_number());
   add_memory_limit(command, options);
 }
 

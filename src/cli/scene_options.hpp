@@ -1,6 +1,7 @@
 #pragma once
-// Options of the commands that take a scene.
+// Options that several commands have.
 
+#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -8,11 +9,8 @@
 
 #include "clca/run/setup.hpp"
 #include "clca/scene/parse.hpp"
-#include "cli/option_values.hpp"
 
 namespace clca::cli {
-
-class Command;
 
 using run::check_memory;
 using run::kMebibyte;
@@ -27,18 +25,24 @@ struct SceneOptions {
   std::optional<std::uint64_t> memory_limit;  ///< bytes
 };
 
+/// What may stand in place of a word that has been begun.
+struct Candidate {
+  std::string text;
+  std::string about = {};
+};
+
 /// Name and title of each scene that comes with the program. Throws scene::SceneError.
 std::vector<Candidate> scenes_of_program();
 
 /// A file, or the name of one of them in place of its file.
-OptionValues scene_names();
+CLI::Validator scene_names();
 
-void add_scene_options(Command& command, SceneOptions& options);
-
+void add_scene_options(CLI::App* command, SceneOptions& options);
 /// SCENE, --set and --begin only.
-void add_scene_and_set(Command& command, SceneOptions& options);
-/// --memory-limit only.
-void add_memory_limit(Command& command, SceneOptions& options);
+void add_scene_and_set(CLI::App* command, SceneOptions& options);
+void add_set(CLI::App* command, SceneOptions& options, const std::string& what);
+void add_memory_limit(CLI::App* command, SceneOptions& options,
+                      const std::string& what = "Refuse scenes that need more memory");
 
 /// --begin, --set and its short forms.
 std::vector<scene::Override> overrides_of(const SceneOptions& options);

@@ -27,17 +27,17 @@ int list_scenes(bool as_json) {
       print_out("{:{}}  {}\n", name, width, title);
     }
   }
-  return static_cast<int>(ExitCode::done);
+  return kDone;
 }
 
 }  // namespace
 
-void add_scenes_command(CommandLine& command_line) {
-  Command command =
-      command_line.command("scenes", "List the scenes that come with the program, for clca run");
+void add_scenes_command(CLI::App& program) {
+  CLI::App* command =
+      program.add_subcommand("scenes", "List the scenes that come with the program, for clca run");
   auto as_json = std::make_shared<bool>(false);
-  command.flag("--json", as_json.get(), "Print names and titles as JSON");
-  command.action([as_json] { return list_scenes(*as_json); });
+  command->add_flag("--json", *as_json, "Print names and titles as JSON");
+  set_action(command, [as_json] { return list_scenes(*as_json); });
 }
 
 }  // namespace clca::cli

@@ -2,25 +2,20 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <string_view>
 
+#include "clca/scene/format.hpp"
 #include "cli/command.hpp"
+#include "cli/scene_options.hpp"
 
 namespace clca::cli {
 
 namespace {
 
-constexpr std::string_view kHelp = "help";  // a command whose argument is a command
+using Candidates = std::vector<Candidate>;
 
-const CLI::App* find_command(const CLI::App& program, const std::string& name) {
-  const auto commands = program.get_subcommands({});
-  const auto found = std::find_if(commands.begin(), commands.end(), [&](const CLI::App* command) {
-    return command->get_name() == name;
-  });
-  return found != commands.end() ? *found : nullptr;
-}
+constexpr std::string_view kHelp = "help";  // a command whose argument is a command
 
 std::vector<const CLI::Option*> arguments_of(const CLI::App& command) {
   return command.get_options([](const CLI::Option* option) { return option->get_positional(); });
@@ -28,10 +23,6 @@ std::vector<const CLI::Option*> arguments_of(const CLI::App& command) {
 
 std::vector<const CLI::Option*> options_of(const CLI::App& command) {
   return command.get_options([](const CLI::Option* option) { return option->nonpositional(); });
-}
-
-bool takes_value(const CLI::Option* option) {
-  return option != nullptr && option->get_items_expected_max() > 0;
 }
 
 bool is_option(std::string_view word) {
@@ -47,7 +38,7 @@ const CLI::Option* open_option(const CLI::App& command, const std::vector<std::s
       open = nullptr;
     } else if (is_option(word)) {
       const CLI::Option* option = command.get_option_no_throw(word);
-      open = takes_value(option) ? option : nullptr;
+      open = option != nullptr && option->get_items_expected_max() > 0 ? option : nullptr;
     } else {
       ++position;
     }
@@ -63,13 +54,62 @@ const CLI::Option* open_option(const CLI::App& command, const std::vector<std::s
 }
 
 /// TEXT is the type of options and arguments that do not say one.
-bool names_file(const CLI::Option& option) {
-  const std::string type = option.get_type_name();
+bool names_file(const std::string& type) {
   return type == "TEXT" || type == "FILE" || type == "FOLDER";
 }
 
-std::vector<Candidate> names_of_options(const CLI::App& command) {
-  std::vector<Candidate> names;
+Candidates keys(const std::string& begun, const std::string& after_last) {
+  Candidates candidates;
+  for (const scene::KeyName& key : scene::keys_beginning(begun)) {
+    if (key.has_keys) {
+      candidates.push_back({key.path + ".", key.about});
+    }
+    if (!key.has_keys || !scene::words_of(key.path).empty()) {
+      candidates.push_back({key.path + after_last, key.about});
+    }
+  }
+  return candidates;
+}
+
+/// `KEY=`, and after it the words that the key may have; several are separated by commas.
+Candidates assignments(const std::string& begun) {
+  const std::size_t equals = begun.find('=');
+  if (equals == std::string::npos) {
+    return keys(begun, "=");
+  }
+  Candidates candidates;
+  for (const std::string& word : scene::words_of(begun.substr(0, equals))) {
+    candidates.push_back({begun.substr(0, begun.find_last_of("=,") + 1) + word});
+  }
+  return candidates;
+}
+
+/// The values of an option by its name or type: of `{png,pdf}` these words.
+Candidates values_of(const CLI::Option& option, const std::string& begun) {
+  const std::string type = option.get_type_name();
+  const std::string name = option.get_single_name();
+  if (type.starts_with("KEY=")) {
+    return assignments(begun);
+  }
+  if (name == "KEY") {
+    return keys(begun, "");
+  }
+  if (name == "SCENE" || name == "scene") {
+    return scenes_of_program();
+  }
+  Candidates words;
+  const std::size_t open = type.find('{');
+  if (open != std::string::npos) {
+    for (const auto& word :
+         CLI::detail::split(type.substr(open + 1, type.size() - open - 2), ',')) {
+      words.push_back({word});
+    }
+  }
+  return words;
+}
+
+Candidates names_of_options(const CLI::App& command) {
+  Candidates names;
   for (const CLI::Option* option : options_of(command)) {
     const auto& longs = option->get_lnames();
     names.push_back({longs.empty() ? "-" + option->get_snames().front() : "--" + longs.front(),
@@ -78,8 +118,8 @@ std::vector<Candidate> names_of_options(const CLI::App& command) {
   return names;
 }
 
-std::vector<Candidate> names_of_commands(const CLI::App& program) {
-  std::vector<Candidate> names;
+Candidates names_of_commands(const CLI::App& program) {
+  Candidates names;
   for (const CLI::App* command : program.get_subcommands({})) {
     names.push_back({command->get_name(), command->get_description()});
   }
@@ -87,13 +127,14 @@ std::vector<Candidate> names_of_commands(const CLI::App& program) {
 }
 
 /// Those that begin so, one a line; of what they mean as much as a line of a terminal has.
-std::string lines_of(const std::vector<Candidate>& candidates, const std::string& begun) {
+std::string lines_of(const Candidates& candidates, const std::string& begun,
+                     const std::string& before = "") {
   constexpr std::size_t kWidth = 80;
   std::string lines;
   for (const auto& [text, about] : candidates) {
     if (text.starts_with(begun)) {
       const std::size_t end = about.size() <= kWidth ? about.size() : about.rfind(' ', kWidth);
-      lines += fmt::format("{}\t{}\n", text, about.substr(0, end));
+      lines += fmt::format("{}{}\t{}\n", before, text, about.substr(0, end));
     }
   }
   return lines;
@@ -144,21 +185,20 @@ std::string see_also(const CLI::App& program, const std::string& but) {
 }
 
 /// `name` as in `man NAME`.
-std::string man_page(const CLI::App& program, const CLI::App& command, const std::string& name,
-                     const std::string& version) {
+std::string man_page(const CLI::App& program, const CLI::App& command, const std::string& name) {
   constexpr std::string_view kUsage = "Usage: ";
   const bool is_program = &program == &command;
   std::string call = is_program ? "clca" : "clca " + command.get_name();
   call = CLI::Formatter().make_usage(&command, call).substr(kUsage.size());
   std::string about = command.get_description();
-  std::replace(about.begin(), about.end(), '\n', ' ');  // apropos reads one line
+  std::ranges::replace(about, '\n', ' ');  // apropos reads one line
   std::string commands;
   if (is_program) {
     for (const auto& [text, what] : names_of_commands(program)) {
       commands += entry(text, what);
     }
   }
-  return fmt::format(".TH {} 1 \"\" \"{}\" \"User Commands\"\n", escaped(name), version) +
+  return fmt::format(".TH {} 1 \"\" \"{}\" \"User Commands\"\n", escaped(name), program.version()) +
          section("NAME", fmt::format("{} \\- {}\n", escaped(name), escaped(about))) +
          section("SYNOPSIS", escaped(call)) +
          section("ARGUMENTS", entries(arguments_of(command), true)) +
@@ -169,46 +209,42 @@ std::string man_page(const CLI::App& program, const CLI::App& command, const std
 
 }  // namespace
 
-std::string CommandLine::completions(const std::vector<std::string>& words) const {
+std::string completions(const CLI::App& program, const std::vector<std::string>& words) {
   const std::string begun = words.empty() ? "" : words.back();
   const bool is_help = words.size() == 2 && words.front() == kHelp;
   if ((words.size() < 2 || is_help) && !is_option(begun)) {
-    return "words\n" + lines_of(names_of_commands(*app_), begun);
+    return "words\n" + lines_of(names_of_commands(program), begun);
   }
-  const CLI::App* command = words.size() < 2 ? app_.get() : find_command(*app_, words.front());
-  if (command == nullptr) {
+  const auto commands = program.get_subcommands(
+      [&](const CLI::App* command) { return command->get_name() == words.front(); });
+  if (words.size() > 1 && commands.empty()) {
     return "words\n";
   }
-  std::size_t value = 0;  // where it begins in `begun`
+  const CLI::App& command = words.size() < 2 ? program : *commands.front();
   const CLI::Option* option =
-      words.size() < 2 ? nullptr : open_option(*command, {words.begin() + 1, words.end() - 1});
+      words.size() < 2 ? nullptr : open_option(command, {words.begin() + 1, words.end() - 1});
+  std::size_t value = 0;  // where it begins in `begun`
   if (is_option(begun) && (option == nullptr || option->get_positional())) {
     value = begun.find('=') + 1;
     if (value == 0) {
-      return "words\n" + lines_of(names_of_options(*command), begun);
+      return "words\n" + lines_of(names_of_options(command), begun);
     }
-    option = command->get_option_no_throw(begun.substr(0, value - 1));
+    option = command.get_option_no_throw(begun.substr(0, value - 1));
   }
   if (option == nullptr) {
     return "words\n";
   }
-  std::vector<Candidate> candidates;
-  const auto known = state_.values.find(option);
-  if (known != state_.values.end() && known->second.candidates) {
-    candidates = known->second.candidates(begun.substr(value));
-  }
-  for (Candidate& candidate : candidates) {
-    candidate.text = begun.substr(0, value) + candidate.text;
-  }
-  return (names_file(*option) ? "files\n" : "words\n") + lines_of(candidates, begun);
+  const std::string text = begun.substr(value);
+  return (names_file(option->get_type_name()) ? "files\n" : "words\n") +
+         lines_of(values_of(*option, text), text, begun.substr(0, value));
 }
 
-std::map<std::string, std::string> CommandLine::man_pages() const {
-  std::map<std::string, std::string> pages = {{"clca.1", man_page(*app_, *app_, "clca", version_)}};
-  for (const CLI::App* command : app_->get_subcommands({})) {
+std::map<std::string, std::string> man_pages(const CLI::App& program) {
+  std::map<std::string, std::string> pages = {{"clca.1", man_page(program, program, "clca")}};
+  for (const CLI::App* command : program.get_subcommands({})) {
     if (command->get_name() != kHelp) {
       const std::string name = "clca-" + command->get_name();
-      pages[name + ".1"] = man_page(*app_, *command, name, version_);
+      pages[name + ".1"] = man_page(program, *command, name);
     }
   }
   return pages;

@@ -19,6 +19,14 @@ int output_error = 0;  // errno of the first failure
 // NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): likewise
 bool is_silent = false;
 
+// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): all a handler can reach
+std::atomic<int> caught = 0;
+static_assert(std::atomic<int>::is_always_lock_free, "a signal handler may only do so much");
+
+extern "C" void remember(int signal) {
+  caught = signal;
+}
+
 /// 0, or errno.
 int write_all(int stream, std::string_view text) noexcept {
   while (!text.empty()) {
@@ -73,26 +81,14 @@ int end_output(int code) noexcept {
     return code;
   }
   if (output_error == EPIPE) {
-    return code == 0 ? static_cast<int>(ExitCode::signal_base) + SIGPIPE : code;
+    return code == 0 ? kSignalBase + SIGPIPE : code;
   }
   write_error("clca: error: cannot write to standard output: ");
   // NOLINTNEXTLINE(concurrency-mt-unsafe): the other threads have ended
   write_error(std::strerror(output_error));
   write_error("\n");
-  return code == 0 ? static_cast<int>(ExitCode::failed) : code;
+  return code == 0 ? kFailed : code;
 }
-
-namespace {
-
-// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): all a handler can reach
-std::atomic<int> caught = 0;
-static_assert(std::atomic<int>::is_always_lock_free, "a signal handler may only do so much");
-
-extern "C" void remember(int signal) {
-  caught = signal;
-}
-
-}  // namespace
 
 const std::atomic<int>& catch_stop_signals() {
   struct sigaction action {};

@@ -177,7 +177,9 @@ def compare(
 
 def command(options: dict[str, Any], of_automaton: str, of_boltzmann: str, output: str) -> None:
     """Answers the files and the figure of them, and a line for each distance."""
-    files, said = compared(run_of(of_automaton, MODELS), run_of(of_boltzmann, GAS), Path(output), **options)
+    time, restitution = (float(options[key]) if key in options else None for key in ("time", "restitution"))
+    runs = run_of(of_automaton, MODELS), run_of(of_boltzmann, GAS)
+    files, said = compared(*runs, Path(output), options.get("stage"), time, restitution)
     with TemporaryDirectory() as folder:
         for name, content in files.items():
             (Path(folder) / name).write_bytes(content)

@@ -473,6 +473,7 @@ def command(options: dict[str, Any], folder: str, path: str) -> None:
     """Writes what the command asks for; the program has made the file, and gives it its name."""
     from ._folder import Run
 
-    source = Source(Run(folder), options["first"], options["last"], options["every"])
-    write(source, options["format"], Target(Path(path), Path(options["file"]), _answer.parts))
+    first, last, every = (int(options[key]) if key in options else None for key in ("from", "to", "every"))
+    source = Source(Run(folder), first, last, every or 1)
+    write(source, options["format"], Target(Path(path), Path(options["output"]), _answer.parts))
     _answer.line(f"{len(source.chosen)} frames")

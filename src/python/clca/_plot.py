@@ -39,8 +39,32 @@ def plot(folder: Run | Sweep, name: str, ax: Any, choice: Choice) -> Any:
     return axes[0] if len(axes) == 1 else list(axes)
 
 
+def limits(text: str) -> tuple[float | None, float | None]:
+    """Of an axis, from `LOW:HIGH`."""
+    low, _, high = text.partition(":")
+    return number(low), number(high)
+
+
+def number(text: str | None) -> float | None:
+    return float(text) if text else None
+
+
 def command(options: dict[str, Any], folder: str) -> None:
     """Draws what the command asks for."""
-    look = Look(**options["look"])
-    for chart in _figures.chosen(open(folder), options["only"], Choice(**options["choice"])):
+    choice = Choice(
+        **{key: options[key] for key in ("x", "y", "over", "y2", "log") if key in options},
+        stages=options.get("stage", ()),
+        first=number(options.get("from")),
+        last=number(options.get("to")),
+        filling="no-filling" not in options,
+        mean=int(options.get("running-mean", 1)),
+    )
+    sizes = [options.get("width", "960"), options.get("height")]
+    in_mm = [size.endswith("mm") for size in sizes if size]
+    if len(set(in_mm)) > 1:
+        raise Error("--width and --height: both in pixels, or both in mm")
+    width, height = (number(size and size.removesuffix("mm")) for size in sizes)
+    ranges = (limits(options.get(f"{axis}-range", "")) for axis in "xy")
+    look = Look(options.get("format", "png"), in_mm[0], width or 0, height, *ranges)
+    for chart in _figures.chosen(open(folder), options.get("only", []), choice):
         _answer.file(f"{chart.name}.{look.format}", rendered(chart, look))

@@ -436,9 +436,9 @@ def write(folder: Run | Sweep, path: Path | None, max_frames: int | None) -> Pat
 
 
 def command(options: dict[str, Any], folder_name: str) -> None:
-    if "file" in options:
-        check_free(Path(options["file"]))
-    page, left_out = report(open(folder_name), options.get("max_frames"))
+    if "output" in options:
+        check_free(Path(options["output"]))
+    page, left_out = report(open(folder_name), int(options["max-frames"]) if "max-frames" in options else None)
     for text in left_out:
         _answer.warning(text)
     _answer.file("report.html", page)

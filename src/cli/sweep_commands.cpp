@@ -1,0 +1,257 @@
+// clca sweep: runs a scene for many seeds and values and leaves tables over all runs.
+// clca calibrate: values of keys with which scenes give what was measured. The Python package says
+// which sweeps are needed and what follows from them; they run here.
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "clca/store/output_folder.hpp"
+#include "clca/sweep/sweep.hpp"
+#include "cli/command.hpp"
+#include "cli/option_values.hpp"
+#include "cli/package.hpp"
+#include "cli/progress_line.hpp"
+#include "cli/ranks.hpp"
+#include "cli/scene_options.hpp"
+#include "cli/terminal.hpp"
+
+namespace clca::cli {
+
+namespace {
+
+struct SweepCommandOptions {
+  SceneOptions scene;
+  std::string seeds = "1..8";
+  std::vector<std::string> variations;
+  std::string folder;
+  std::optional<sweep::Part> part;
+  int jobs = machine_threads();
+  bool collect_only = false;
+  bool all_pictures = false;
+  bool quiet = false;
+  tasks::Ranks* ranks = nullptr;
+};
+
+/// Of this process, in bytes: ranks on one machine share its memory.
+double memory_of_rank(const SweepCommandOptions& options) {
+  const double limit = memory_limit(options.scene);
+  const bool is_shared = options.ranks != nullptr && !options.scene.memory_limit;
+  return is_shared ? limit / options.ranks->on_this_machine() : limit;
+}
+
+sweep::Plan plan_of(const SweepCommandOptions& options) {
+  sweep::Request request = {.scene = options.scene.file,
+                            .overrides = overrides_of(options.scene),
+                            .variations = {},
+                            .seeds = sweep::parse_seeds(options.seeds)};
+  for (const std::string& text : options.variations) {
+    request.variations.push_back(sweep::parse_variation(text));
+  }
+  return sweep::plan(std::move(request), memory_of_rank(options));
+}
+
+void print_totals(const sweep::Progress& totals, double seconds, const std::string& folder) {
+  const std::size_t left = totals.runs - totals.done - totals.failed - totals.elsewhere;
+  const auto some = [](std::size_t count, const char* text) {
+    return count > 0 ? fmt::format(fmt::runtime(text), count) : "";
+  };
+  print_out("{} runs: {} done{}, {} failed{}{}, in {:.3g} s\n{}\n", totals.runs, totals.done,
+            some(totals.reused, " ({} from before)"), totals.failed,
+            some(totals.elsewhere, ", {} under way elsewhere"),
+            some(left, ", {} interrupted or not begun"), seconds, folder);
+}
+
+/// Returns the exit code.
+int end_of(const sweep::Progress& totals, tasks::Ranks* ranks) {
+  const std::size_t missing = totals.runs - totals.done - totals.failed;
+  if (const int signal = stop_signal_of(ranks); signal != 0 && missing > 0) {
+    return kSignalBase + signal;
+  }
+  if (totals.failed > 0) {
+    print_error("clca: error: {} of {} runs failed\n", totals.failed, totals.runs);
+    return kFailed;
+  }
+  if (missing > 0) {
+    const std::string elsewhere =
+        totals.elsewhere > 0
+            ? fmt::format(
+                  "; {} under way in other processes: call the same command again when "
+                  "these have ended",
+                  totals.elsewhere)
+            : "";
+    print_error("clca: error: {} of {} runs are missing{}\n", missing, totals.runs, elsewhere);
+    return kFailed;
+  }
+  return kDone;
+}
+
+sweep::Progress carry_out(const sweep::Plan& plan, const sweep::Options& wanted, int asked_jobs,
+                          bool quiet) {
+  ProgressLine line;
+  sweep::Events events;
+  events.warning = [&line](const std::string& text) { line.print("warning: " + text); };
+  if (!quiet) {
+    events.progress = [&line](const sweep::Progress& progress) { line.show(to_text(progress)); };
+    events.message = [&line](const std::string& text) { line.print(text); };
+  }
+  if (wanted.jobs < asked_jobs && static_cast<std::size_t>(wanted.jobs) < plan.run_count()) {
+    events.warning(fmt::format("{} runs at a time, as more do not fit into memory", wanted.jobs));
+  }
+  return sweep::execute(plan, wanted, events);
+}
+
+int run_sweep(const SweepCommandOptions& options) {
+  const sweep::Plan plan = plan_of(options);
+  const std::string folder = options.folder.empty()
+                                 ? "renders/" + plan.variants.front().scene.name + "-sweep"
+                                 : options.folder;
+  const double memory = memory_of_rank(options);
+  const int jobs = sweep::fitting_jobs(plan, options.jobs, memory);
+  const sweep::Options wanted = {.folder = folder,
+                                 .part = options.part,
+                                 .collect_only = options.collect_only,
+                                 .jobs = jobs,
+                                 .all_pictures = options.all_pictures,
+                                 .max_bytes = memory / jobs,
+                                 .ranks = options.ranks,
+                                 .stop = &catch_stop_signals()};
+  if (options.ranks != nullptr && options.ranks->rank() > 0) {
+    sweep::serve(plan, wanted);
+    return kDone;
+  }
+  const auto start = std::chrono::steady_clock::now();
+  const sweep::Progress totals = carry_out(plan, wanted, options.jobs, options.quiet);
+  if (!options.quiet) {
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    print_totals(totals, seconds.count(), folder);
+  }
+  return end_of(totals, options.ranks);
+}
+
+int calibrate(const std::string& study, const SweepCommandOptions& options) {
+  const std::string path =
+      options.folder.empty()
+          ? "renders/" + std::filesystem::path(study).stem().string() + "-calibration"
+          : options.folder;
+  const store::OutputFolder folder(path);
+  folder.require_own();
+  for (int step = 0;; ++step) {
+    auto sweeps = nlohmann::json::array();
+    int code = run_package("calibrate", {{"step", step}, {"study", study}}, {path},
+                           [&](const std::string& name, std::span<const std::uint8_t> bytes) {
+                             if (name == "sweeps.json") {
+                               sweeps = nlohmann::json::parse(bytes);
+                             } else {
+                               folder.write(name, bytes);
+                             }
+                           });
+    if (code == kDone && sweeps.empty()) {
+      print_out("{}\n", path);
+    }
+    if (code != kDone || sweeps.empty()) {
+      return code;
+    }
+    folder.make_own();
+    for (const nlohmann::json& sweep : sweeps) {
+      SweepCommandOptions wanted = options;
+      wanted.scene.file = run::scene_file(sweep.at("scene"));
+      wanted.scene.overrides = sweep.at("set");
+      wanted.variations = {sweep.at("vary")};
+      wanted.seeds = sweep.at("seeds");
+      wanted.folder = sweep.at("folder");
+      code = run_sweep(wanted);
+      if (code != kDone) {
+        return code;
+      }
+    }
+  }
+}
+
+void add_jobs(CLI::App* command, int& jobs, const std::string& what) {
+  command->add_option("--jobs", jobs, what)
+      ->transform(whole_number(1, 1024))
+      ->capture_default_str();
+}
+
+void add_sweep_command(CLI::App& program, tasks::Ranks* ranks) {
+  CLI::App* command = program.add_subcommand(
+      "sweep", "Run a scene for many seeds and values: tables and an overview into a folder");
+  auto options = std::make_shared<SweepCommandOptions>();
+  if (ranks != nullptr) {
+    options->ranks = ranks;
+    options->jobs = 1;
+  }
+  add_scene_and_set(command, options->scene);
+  command
+      ->add_option(
+          "--seeds", options->seeds,
+          "Seeds of the random draws, such as 1..16 or 1,4,9..12; each value runs with each seed")
+      ->type_name("SEEDS")
+      ->capture_default_str();
+  command
+      ->add_option("--vary", options->variations,
+                   "Run with KEY set to each of these values (YAML), such as rules.inertia=0,0.9 "
+                   "or a range FIRST:LAST:STEP; K1,K2=V1,V2; W1,W2 varies keys together; repeated: "
+                   "all combinations")
+      ->type_name("KEY=V1,V2,...")
+      ->transform(assignment("KEY=V1,V2,..."))
+      ->allow_extra_args(false);
+  command->add_option("-o,--output", options->folder,
+                      "Folder to write to, and to continue in [renders/SCENE-NAME-sweep]");
+  add_jobs(command, options->jobs,
+           "Runs at a time, each with one thread; with mpirun on each rank; the result does "
+           "not depend on it");
+  const auto set_part = [part = &options->part](const std::string& text) {
+    const std::size_t slash = text.find('/');
+    *part = {.number = std::stoul(text.substr(0, slash)), .of = std::stoul(text.substr(slash + 1))};
+  };
+  CLI::Option* part =
+      command
+          ->add_option_function<std::string>(
+              "--part", set_part,
+              "Do part K of N of the runs only, without tables; the same command without --part "
+              "collects them and does what is missing")
+          ->type_name("K/N")
+          ->transform(part_of_whole(100'000));
+  command
+      ->add_flag("--collect", options->collect_only,
+                 "Run nothing: tables over the runs that are there, and how many are missing")
+      ->excludes(part);
+  command->add_flag("--frames", options->all_pictures,
+                    "All pictures that the scene asks for, not only the last of each run that the "
+                    "overview shows");
+  add_memory_limit(command, options->scene);
+  command->add_flag("--quiet", options->quiet, "Print warnings and errors only");
+  set_action(command, [options] { return run_sweep(*options); });
+}
+
+void add_calibrate_command(CLI::App& program) {
+  CLI::App* command = program.add_subcommand(
+      "calibrate", "Find values of keys with which scenes give what was measured");
+  auto options = std::make_shared<SweepCommandOptions>();
+  auto study = std::make_shared<std::string>();
+  command
+      ->add_option(
+          "STUDY", *study,
+          "File (YAML) with the tests, each a scene with its targets, and the keys to vary")
+      ->required();
+  command->add_option("-o,--output", options->folder,
+                      "Folder to write to, and to continue in [renders/STUDY-NAME-calibration]");
+  add_jobs(command, options->jobs,
+           "Runs at a time, each with one thread; the result does not depend on it");
+  add_memory_limit(command, options->scene, "Memory of all runs at a time");
+  command->add_flag("--quiet", options->quiet, "Print the answer, warnings and errors only");
+  set_action(command, [options, study] { return calibrate(*study, *options); });
+}
+
+}  // namespace
+
+void add_sweep_commands(CLI::App& program, tasks::Ranks* ranks) {
+  add_sweep_command(program, ranks);
+  add_calibrate_command(program);
+}
+
+}  // namespace clca::cli
