@@ -211,7 +211,9 @@ int render_run(RenderOptions options) {
   drawing::RedrawEvents events;
   events.warning = [&](const std::string& text) { line.print("warning: " + text); };
   if (!options.quiet) {
-    events.progress = [&](const drawing::RedrawProgress& progress) { line.show(to_text(progress)); };
+    events.progress = [&](const drawing::RedrawProgress& progress) {
+      line.show(to_text(progress));
+    };
   }
   const std::size_t drawn = drawing->draw(events);
   if (redraw.space_time && drawn > 0) {

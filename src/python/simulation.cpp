@@ -73,7 +73,7 @@ py::list measures_now(const Simulation& simulation, const std::optional<std::str
     wanted = *found;
   }
   const record::KnownQuantities known = {.units = scene::conversion(simulation.scene()),
-                                      .derived = simulation.scene().derived};
+                                         .derived = simulation.scene().derived};
   py::list result;
   for (const auto& [key, value] : simulation.measures(wanted)) {
     const record::ShownQuantity what = known.find(key).value_or(record::ShownQuantity());

@@ -1,7 +1,6 @@
-#include "grains/internal/box.hpp"
-
 #include <gtest/gtest.h>
 
+#include "grains/internal/box.hpp"
 #include "support/states.hpp"
 
 namespace clca::grains::outlet_test {
