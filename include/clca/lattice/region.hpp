@@ -19,8 +19,7 @@ struct RowRange {
 class SweptRegion {
  public:
   /// The sites of the box.
-  // NOLINTNEXTLINE(google-explicit-constructor): a box is the region that nothing sweeps
-  SweptRegion(const Lattice& lattice) : SweptRegion(lattice, Direction::up, 0, 0) {}
+  explicit SweptRegion(const Lattice& lattice) : SweptRegion(lattice, Direction::up, 0, 0) {}
   SweptRegion(const Lattice& lattice, Direction direction, int low, int high);
 
   int first_column() const { return first_column_; }
@@ -80,12 +79,18 @@ Rectangle around(const Segment& segment);
 /// The sites of the region inside `rectangle`, column by column from the left, upwards. Throws as
 /// check().
 std::vector<Site> sites_in(const SweptRegion& swept_region, const Rectangle& rectangle);
+inline std::vector<Site> sites_in(const Lattice& lattice, const Rectangle& rectangle) {
+  return sites_in(SweptRegion(lattice), rectangle);
+}
 
 /// The sites within half the thickness of the segment, and always a connected chain along it, so
 /// that nothing passes through. Sorted.
 /// Throws std::invalid_argument unless the ends are valid for nearest_site and the thickness is not
 /// negative.
 std::vector<Site> sites_along(const SweptRegion& swept_region, const Segment& segment);
+inline std::vector<Site> sites_along(const Lattice& lattice, const Segment& segment) {
+  return sites_along(SweptRegion(lattice), segment);
+}
 
 /// The site nearest to a point given in lattice spacings. Throws std::invalid_argument unless both
 /// coordinates are less than 10^8.
