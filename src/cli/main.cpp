@@ -21,6 +21,8 @@
 #include "cli/ranks.hpp"
 #include "cli/terminal.hpp"
 
+namespace clca::cli {
+
 namespace {
 
 /// How the program ends: its exit code and, if it has failed, a line about it.
@@ -30,12 +32,12 @@ struct Ending {
 };
 
 Ending failure(int code, std::string_view message) {
-  return {code, clca::text::printable(message)};
+  return {code, text::printable(message)};
 }
 
 int tell(const Ending& ending) {
   if (!ending.line.empty()) {
-    clca::cli::print_error("{}\n", ending.line);
+    print_error("{}\n", ending.line);
   }
   return ending.code;
 }
@@ -50,77 +52,76 @@ std::vector<const char*> arguments_of(int argc, char** argv) {
   return arguments;
 }
 
-int run_program(int argc, char** argv, clca::tasks::Ranks* ranks) {
+int run_program(int argc, char** argv, tasks::Ranks* ranks) {
   CLI::App program(
       "Granular flow on a triangular lattice, by the Connected Lattice Cellular Automaton or by\n"
       "contact dynamics, and the Boltzmann equation of inelastic, frictional spheres.",
       "clca");
-  program.set_version_flag("-V,--version", "clca " + clca::record::version());
+  program.set_version_flag("-V,--version", "clca " + record::version());
   program.require_subcommand(1);
   program.footer(
       "Exit codes: 0 done; 1 a run or a figure failed, or pictures differ; 2 wrong input;\n"
       "124 (--time-limit), 129, 130 or 143 (SIGHUP, SIGINT, SIGTERM) interrupted; clca resume\n"
       "continues the run.");
-  clca::cli::add_run_commands(program, ranks);
-  clca::cli::add_sweep_commands(program, ranks);
-  clca::cli::add_check_command(program);
-  clca::cli::add_compare_command(program);
-  clca::cli::add_diff_command(program);
-  clca::cli::add_explain_command(program);
-  clca::cli::add_export_command(program);
-  clca::cli::add_plot_command(program);
-  clca::cli::add_render_command(program);
-  clca::cli::add_report_command(program);
-  clca::cli::add_scenes_command(program);
+  add_run_commands(program, ranks);
+  add_sweep_commands(program, ranks);
+  add_check_command(program);
+  add_compare_command(program);
+  add_diff_command(program);
+  add_explain_command(program);
+  add_export_command(program);
+  add_plot_command(program);
+  add_render_command(program);
+  add_report_command(program);
+  add_scenes_command(program);
   program.add_subcommand("help", "Print the help of a command: clca help run");
   const std::string_view name = argc > 1 ? argv[1] : "";
   if (name == "__complete") {
-    clca::cli::write_out(clca::cli::completions(program, {argv + 2, argv + argc}));
-    return clca::cli::kDone;
+    write_out(completions(program, {argv + 2, argv + argc}));
+    return kDone;
   }
   if (name == "__man" && argc == 3) {
-    for (const auto& [file, text] : clca::cli::man_pages(program)) {
-      clca::store::write_whole(std::filesystem::path(argv[2]) / file, {text.begin(), text.end()});
+    for (const auto& [file, text] : man_pages(program)) {
+      store::write_whole(std::filesystem::path(argv[2]) / file, {text.begin(), text.end()});
     }
-    return clca::cli::kDone;
+    return kDone;
   }
-  return clca::cli::run(program, arguments_of(argc, argv));
+  return run(program, arguments_of(argc, argv));
 }
 
-Ending ending_of(int argc, char** argv, clca::tasks::Ranks* ranks) {
+Ending ending_of(int argc, char** argv, tasks::Ranks* ranks) {
   try {
     return {run_program(argc, argv, ranks)};
-  } catch (const clca::scene::SceneError& error) {
-    return failure(clca::cli::kWrongInput, error.what());
-  } catch (const clca::tasks::StartError& error) {
-    return failure(clca::cli::kWrongInput, error.what());
-  } catch (const clca::text::InputError& error) {
-    return failure(clca::cli::kWrongInput, fmt::format("clca: error: {}", error.what()));
-  } catch (const clca::process::StoppedError& error) {
-    return failure(clca::cli::kSignalBase + clca::cli::stop_signal(),
-                   fmt::format("clca: error: {}", error.what()));
+  } catch (const scene::SceneError& error) {
+    return failure(kWrongInput, error.what());
+  } catch (const tasks::StartError& error) {
+    return failure(kWrongInput, error.what());
+  } catch (const text::InputError& error) {
+    return failure(kWrongInput, fmt::format("clca: error: {}", error.what()));
+  } catch (const process::StoppedError& error) {
+    return failure(kSignalBase + stop_signal(), fmt::format("clca: error: {}", error.what()));
   } catch (const std::bad_alloc&) {
-    return failure(clca::cli::kFailed, "clca: error: out of memory");
+    return failure(kFailed, "clca: error: out of memory");
   } catch (const std::exception& error) {
-    return failure(clca::cli::kFailed, fmt::format("clca: error: {}", error.what()));
+    return failure(kFailed, fmt::format("clca: error: {}", error.what()));
   }
 }
 
 /// As one of several ranks. Rank 0 tells what all begin with; a rank that fails while they work
 /// tells that itself and ends all.
-int run_as_rank(int argc, char** argv, clca::tasks::Ranks& ranks) {
+int run_as_rank(int argc, char** argv, tasks::Ranks& ranks) {
   const bool is_first = ranks.rank() == 0;
   if (!is_first) {
-    clca::cli::be_silent();
+    be_silent();
   }
-  if (argc < 2 || !clca::cli::is_shared(argv[1])) {
-    return is_first ? tell(ending_of(argc, argv, nullptr)) : clca::cli::kDone;
+  if (argc < 2 || !is_shared(argv[1])) {
+    return is_first ? tell(ending_of(argc, argv, nullptr)) : kDone;
   }
   const Ending ending = ending_of(argc, argv, &ranks);
   if (ranks.is_at_work() && !ending.line.empty()) {
-    clca::cli::write_always(is_first ? ending.line + "\n"
-                                     : fmt::format("rank {}: {}\n", ranks.rank(), ending.line));
-    clca::cli::end_all_ranks(ending.code);
+    write_always(is_first ? ending.line + "\n"
+                          : fmt::format("rank {}: {}\n", ranks.rank(), ending.line));
+    end_all_ranks(ending.code);
   }
   tell(ending);
   if (!ranks.has_begun()) {
@@ -128,23 +129,25 @@ int run_as_rank(int argc, char** argv, clca::tasks::Ranks& ranks) {
   } else if (ranks.is_at_work() && is_first) {
     ranks.dismiss();
   }
-  return is_first ? ending.code : clca::cli::kDone;
+  return is_first ? ending.code : kDone;
 }
 
-int run(int argc, char** argv, std::unique_ptr<clca::tasks::Ranks>& ranks) {
+/// Returns the exit code. `ranks`: that have been started, until the end.
+int run_main(int argc, char** argv, std::unique_ptr<tasks::Ranks>& ranks) {
   try {
-    ranks = clca::cli::started_ranks(argv);
-  } catch (const clca::text::InputError& error) {
+    ranks = started_ranks(argv);
+  } catch (const text::InputError& error) {
     const bool is_told = *error.what() == '\0';  // by another process
-    return is_told ? clca::cli::kWrongInput
-                   : tell(failure(clca::cli::kWrongInput,
-                                  fmt::format("clca: error: {}", error.what())));
+    return is_told ? kWrongInput
+                   : tell(failure(kWrongInput, fmt::format("clca: error: {}", error.what())));
   }
   return ranks && ranks->size() > 1 ? run_as_rank(argc, argv, *ranks)
                                     : tell(ending_of(argc, argv, nullptr));
 }
 
 }  // namespace
+
+}  // namespace clca::cli
 
 int main(int argc, char** argv) {
   clca::cli::occupy_closed_streams();
@@ -153,7 +156,7 @@ int main(int argc, char** argv) {
   int code = clca::cli::kFailed;
   std::unique_ptr<clca::tasks::Ranks> ranks;
   try {
-    code = run(argc, argv, ranks);
+    code = clca::cli::run_main(argc, argv, ranks);
   } catch (...) {  // no memory for a message either
     clca::cli::write_always("clca: error: out of memory\n");
     if (ranks) {

@@ -1,4 +1,3 @@
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -25,7 +24,6 @@ namespace fs = std::filesystem;
 using Names = std::vector<std::string>;
 
 constexpr double kNoMean = std::numeric_limits<double>::quiet_NaN();
-constexpr std::string_view kErrorEnding = "_se";
 
 /// A table of runs that is averaged. Rows are the same where groups and positions are.
 struct Averaged {
@@ -49,48 +47,28 @@ bool has_name(const Names& names, const std::string& name) {
   return std::ranges::find(names, name) != names.end();
 }
 
+using Position = std::vector<double>;
+
 /// The rows of one group, by position. Of steps: those since the stage began.
 struct Curve {
-  std::vector<std::vector<double>> positions;  ///< by row
-  std::vector<std::vector<double>> values;     ///< by column, then row
+  std::vector<Position> positions;
+  std::vector<std::vector<double>> values;  ///< by row, then column
 };
 
 /// A table of one run.
 struct ReadCurves {
-  Names columns = {};  ///< with means
-  std::vector<std::pair<Names, Curve>> curves = {};
-
-  const Curve* find(const Names& group) const {
-    const auto found = std::ranges::find(curves, group, &std::pair<Names, Curve>::first);
-    return found == curves.end() ? nullptr : &found->second;
-  }
-  /// A new one, with so many columns, if there is none.
-  Curve& of(const Names& group, std::size_t width) {
-    const auto found = std::ranges::find(curves, group, &std::pair<Names, Curve>::first);
-    return found != curves.end()
-               ? found->second
-               : curves.emplace_back(group, Curve{{}, std::vector<std::vector<double>>(width)})
-                     .second;
-  }
-  /// The values of a column of a curve; null if the run has none.
-  const std::vector<double>* values(const Curve& curve, const std::string& column) const {
-    const auto found = std::ranges::find(columns, column);
-    return found == columns.end()
-               ? nullptr
-               : &curve.values[static_cast<std::size_t>(found - columns.begin())];
-  }
+  Names columns = {};              ///< with means
+  std::vector<Names> groups = {};  ///< in their order
+  std::map<Names, Curve> curves = {};
 };
 
 /// Steps of the whole run before a stage.
-std::map<std::string, double> stage_starts(const store::RunSummary& summary) {
-  std::map<std::string, double> starts;
-  auto step = static_cast<double>(summary.steps);
-  for (const auto& stage : summary.stages) {
-    step -= static_cast<double>(stage.steps);
-  }
-  for (const auto& stage : summary.stages) {
-    starts[stage.name] = step;
-    step += static_cast<double>(stage.steps);
+std::map<std::string, std::uint64_t> stage_starts(const store::RunSummary& summary) {
+  std::map<std::string, std::uint64_t> starts;
+  std::uint64_t step = summary.steps;
+  for (auto stage = summary.stages.rbegin(); stage != summary.stages.rend(); ++stage) {
+    step -= stage->steps;
+    starts[stage->name] = step;
   }
   return starts;
 }
@@ -105,86 +83,91 @@ ReadCurves read_curves(const Averaged& what, const fs::path& file,
   std::vector<std::vector<double>> values;
   for (const std::string& name : table.names) {
     const bool is_time = by_step && name == "time";
-    if (has_name(what.groups, name) || has_name(positions, name) || has_name(what.others, name) ||
-        is_time || name.ends_with(kErrorEnding)) {
-      continue;
+    if (!has_name(what.groups, name) && !has_name(positions, name) &&
+        !has_name(what.others, name) && !is_time && !name.ends_with(run::kErrorEnding)) {
+      result.columns.push_back(name);
+      values.push_back(table.numbers(name));
     }
-    result.columns.push_back(name);
-    values.push_back(table.numbers(name));
   }
   std::vector<std::vector<double>> at;
   std::ranges::transform(positions, std::back_inserter(at),
                          [&](const std::string& name) { return table.numbers(name); });
-  const std::map<std::string, double> starts = stage_starts(summary);
+  const auto starts = stage_starts(summary);
+  const auto row_of = [](const std::vector<std::vector<double>>& columns, std::size_t row) {
+    std::vector<double> numbers;
+    std::ranges::transform(columns, std::back_inserter(numbers),
+                           [row](const std::vector<double>& column) { return column[row]; });
+    return numbers;
+  };
   for (std::size_t row = 0; row < table.rows(); ++row) {
     Names group;
     for (const std::string& name : what.groups) {
       const std::vector<std::string>* cells = table.find(name);
       group.push_back(cells != nullptr ? (*cells)[row] : "");
     }
-    Curve& curve = result.of(group, values.size());
-    std::vector<double> position;
-    for (const std::vector<double>& numbers : at) {
-      const auto start = by_step ? starts.find(group.front()) : starts.end();
-      position.push_back(numbers[row] - (start == starts.end() ? 0 : start->second));
+    Position position = row_of(at, row);
+    if (const auto start = by_step ? starts.find(group.front()) : starts.end();
+        start != starts.end()) {
+      position.front() -= static_cast<double>(start->second);
     }
-    const bool is_behind = curve.positions.empty() || curve.positions.back() < position;
-    if (!is_behind || !std::isfinite(position.front())) {
+    Curve& curve = result.curves[group];
+    const bool is_first = curve.positions.empty();
+    if (!std::isfinite(position.front()) || !(is_first || curve.positions.back() < position)) {
       throw store::StoreError(fmt::format("cannot read {}: line {}: not behind the one before",
                                           file.string(), row + 2));
     }
-    curve.positions.push_back(std::move(position));
-    for (std::size_t column = 0; column < values.size(); ++column) {
-      curve.values[column].push_back(values[column][row]);
+    if (is_first) {
+      result.groups.push_back(group);
     }
+    curve.positions.push_back(std::move(position));
+    curve.values.push_back(row_of(values, row));
   }
   return result;
 }
 
-/// The value at a position; of steps between two rows by a straight line.
-double value_at(const Curve& curve, const std::vector<double>& values,
-                const std::vector<double>& position) {
+/// The value of a column at a position; of steps between two rows by a straight line.
+double value_at(const Curve& curve, std::size_t column, const Position& position) {
   const auto after = std::ranges::lower_bound(curve.positions, position);
   const auto row = static_cast<std::size_t>(after - curve.positions.begin());
+  const double value = curve.values[row][column];
   if (*after == position) {
-    return values[row];
+    return value;
   }
   const double before = curve.positions[row - 1].front();
   const double share = (position.front() - before) / (after->front() - before);
-  return values[row - 1] + share * (values[row] - values[row - 1]);
+  const double value_before = curve.values[row - 1][column];
+  return value_before + share * (value - value_before);
 }
 
 /// The steps since the stage began that all of the curves reach, at the interval of the series.
-std::vector<std::vector<double>> common_steps(const std::vector<const Curve*>& curves,
-                                              double every) {
+std::vector<Position> common_steps(const std::vector<const Curve*>& curves, double every) {
   double from = 0;
   double to = std::numeric_limits<double>::infinity();
   for (const Curve* curve : curves) {
     from = std::max(from, curve->positions.front().front());
     to = std::min(to, curve->positions.back().front());
   }
-  std::vector<std::vector<double>> steps;
-  const auto first = static_cast<std::uint64_t>(std::ceil(from / every));
-  for (std::uint64_t row = first; static_cast<double>(row) * every <= to; ++row) {
-    steps.push_back({static_cast<double>(row) * every});
+  std::vector<Position> steps;
+  for (double row = std::ceil(from / every); row * every <= to; ++row) {
+    steps.push_back({row * every});
   }
   return steps;
 }
 
 /// The positions that all of the curves have.
-std::vector<std::vector<double>> common_positions(const std::vector<const Curve*>& curves) {
-  std::vector<std::vector<double>> positions = curves.front()->positions;
+std::vector<Position> common_positions(const std::vector<const Curve*>& curves) {
+  std::vector<Position> common = curves.front()->positions;
   for (const Curve* curve : curves) {
-    const std::set<std::vector<double>> known(curve->positions.begin(), curve->positions.end());
-    std::erase_if(positions,
-                  [&](const std::vector<double>& position) { return !known.contains(position); });
+    std::erase_if(common, [&](const Position& position) {
+      return !std::ranges::binary_search(curve->positions, position);
+    });
   }
-  return positions;
+  return common;
 }
 
 struct MeanRow {
   Names group;
-  std::vector<double> position;
+  Position position;
   std::uint64_t runs;
   std::vector<std::pair<double, double>> means;  ///< by column, with its standard error
 };
@@ -197,21 +180,15 @@ struct Means {
   std::vector<MeanRow> rows = {};
 };
 
-/// Over the finite values of all runs; none if one has none.
-std::pair<double, double> mean_of(const std::vector<double>& values) {
-  const statistics::Sample found = statistics::sample(values);
-  return found.count == values.size() ? std::pair(found.mean, found.standard_error)
-                                      : std::pair(kNoMean, kNoMean);
-}
-
 void add_rows(Means& means, const Averaged& what, const std::vector<ReadCurves>& runs,
               const Names& group) {
   std::vector<const Curve*> curves;
   for (const ReadCurves& run : runs) {
-    curves.push_back(run.find(group));
-  }
-  if (std::ranges::count(curves, nullptr) > 0) {
-    return;  // not all runs have come so far
+    const auto curve = run.curves.find(group);
+    if (curve == run.curves.end()) {
+      return;  // not all runs have come so far
+    }
+    curves.push_back(&curve->second);
   }
   const auto& series = means.variant->scene.output.series;
   const auto every = static_cast<double>(series ? series->every : 1);
@@ -221,10 +198,14 @@ void add_rows(Means& means, const Averaged& what, const std::vector<ReadCurves>&
     for (const std::string& column : means.columns) {
       std::vector<double> values;
       for (std::size_t run = 0; run < curves.size(); ++run) {
-        const std::vector<double>* all = runs[run].values(*curves[run], column);
-        values.push_back(all != nullptr ? value_at(*curves[run], *all, position) : kNoMean);
+        const Names& known = runs[run].columns;
+        const auto at = static_cast<std::size_t>(std::ranges::find(known, column) - known.begin());
+        values.push_back(at < known.size() ? value_at(*curves[run], at, position) : kNoMean);
       }
-      row.means.push_back(mean_of(values));
+      const statistics::Sample found = statistics::sample(values);
+      row.means.push_back(found.count == values.size()  // all runs have a number
+                              ? std::pair(found.mean, found.standard_error)
+                              : std::pair(kNoMean, kNoMean));
     }
     means.rows.push_back(std::move(row));
   }
@@ -264,10 +245,10 @@ std::optional<store::Table> mean_table(const Averaged& what, const Names& keys,
       }
       cells.emplace_back(row.runs);
       for (const std::string& column : columns) {
-        const auto at = std::ranges::find(means.columns, column) - means.columns.begin();
-        const bool is_there = static_cast<std::size_t>(at) < means.columns.size();
+        const auto at = static_cast<std::size_t>(std::ranges::find(means.columns, column) -
+                                                 means.columns.begin());
         const auto [mean, error] =
-            is_there ? row.means[static_cast<std::size_t>(at)] : std::pair(kNoMean, kNoMean);
+            at < row.means.size() ? row.means[at] : std::pair(kNoMean, kNoMean);
         cells.insert(cells.end(), {mean, error});
       }
       table.add_row(std::move(cells));
@@ -316,7 +297,7 @@ std::vector<NamedTable> mean_tables(
       }
     }
     if (!runs.empty()) {
-      for (const auto& [group, curve] : runs.front().curves) {
+      for (const Names& group : runs.front().groups) {
         add_rows(means, what, runs, group);
       }
     }

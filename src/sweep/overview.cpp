@@ -10,6 +10,7 @@
 #include "clca/render/contact_sheet.hpp"
 #include "clca/store/file.hpp"
 #include "clca/store/run_folder.hpp"
+#include "sweep/run_task.hpp"
 
 namespace clca::sweep {
 
@@ -98,7 +99,7 @@ Selection selection(const Plan& plan) {
 }
 
 std::optional<render::Image> overview(const Plan& plan, const std::vector<Result>& results,
-                                      const SweepFolder& folder) {
+                                      const std::filesystem::path& folder) {
   const Selection shown = selection(plan);
   const bool any = std::any_of(shown.runs.begin(), shown.runs.end(), [&](std::size_t run) {
     return plan.variant(run).scene.output.frames.has_value();
@@ -112,9 +113,9 @@ std::optional<render::Image> overview(const Plan& plan, const std::vector<Result
     const Result& result = results[run];
     const scene::Scene& scene = plan.variant(run).scene;
     const bool drawn = result.status == Status::done && scene.output.frames;
-    tiles.push_back(
-        drawn ? final_picture(folder.run(plan.name(run)), scene, result.summary.steps, width)
-              : render::Tile());
+    tiles.push_back(drawn ? final_picture(run_folder(folder, plan.name(run)), scene,
+                                          result.summary.steps, width)
+                          : render::Tile());
     tiles.back().label = label(plan, run, result.status);
   }
   return render::contact_sheet(tiles, shown.columns, width, plan.title());

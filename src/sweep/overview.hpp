@@ -1,13 +1,13 @@
 #pragma once
 // The final pictures of a sweep side by side.
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "clca/render/image.hpp"
 #include "clca/sweep/plan.hpp"
-#include "sweep/folder.hpp"
 #include "sweep/tables.hpp"
 
 namespace clca::sweep {
@@ -22,9 +22,9 @@ struct Selection {
 /// the rows; with one seed, the combinations.
 Selection selection(const Plan& plan);
 
-/// Reads the pictures from the run folders; missing ones are empty boxes. None if the scenes
-/// request no pictures.
+/// Reads the pictures from the run folders of the sweep in `folder`; missing ones are empty boxes.
+/// None if the scenes request no pictures.
 std::optional<render::Image> overview(const Plan& plan, const std::vector<Result>& results,
-                                      const SweepFolder& folder);
+                                      const std::filesystem::path& folder);
 
 }  // namespace clca::sweep

@@ -55,15 +55,17 @@ void check_keys(const Request& request) {
   }
 }
 
-void check_count(const Request& request) {
-  std::size_t runs = request.seeds.size();
+/// How many combinations there are.
+std::size_t combinations(const Request& request) {
+  std::size_t count = 1;
   for (const Variation& variation : request.variations) {
-    runs *= variation.rows.size();
-    if (runs > kMaxRuns) {
+    count *= variation.rows.size();
+    if (const std::size_t runs = count * request.seeds.size(); runs > kMaxRuns) {
       throw scene::SceneError(fmt::format("{},...: error: {} runs and more; a sweep has at most {}",
                                           shown(variation), runs, kMaxRuns));
     }
   }
+  return count;
 }
 
 /// The values of combination `number`, the last variation changing fastest.
@@ -167,14 +169,10 @@ std::string file_name(const std::string& text) {
 
 Plan plan(Request request, double max_bytes) {
   check_keys(request);
-  check_count(request);
-  std::size_t combinations = 1;
-  for (const Variation& variation : request.variations) {
-    combinations *= variation.rows.size();
-  }
+  const std::size_t count = combinations(request);
   Plan result = {std::move(request), {}};
   const std::vector<std::string> keys = result.keys();
-  for (std::size_t number = 0; number < combinations; ++number) {
+  for (std::size_t number = 0; number < count; ++number) {
     result.variants.push_back(
         parsed(result.request, keys, combination(result.request.variations, number)));
   }

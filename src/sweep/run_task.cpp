@@ -2,11 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <limits>
 #include <new>
 #include <optional>
-#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -23,13 +21,6 @@ namespace clca::sweep {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool has_text(const fs::path& file, std::string_view text) {
-  const auto bytes = store::read_whole(file, scene::kMaxSceneBytes);
-  return std::equal(
-      bytes.begin(), bytes.end(), text.begin(), text.end(),
-      [](std::uint8_t byte, char letter) { return static_cast<char>(byte) == letter; });
-}
 
 bool has_pictures(const fs::path& folder, const scene::Scene& scene, std::uint64_t last_step,
                   run::WantedPictures wanted) {
@@ -58,30 +49,16 @@ std::optional<store::RunSummary> summary_in(const fs::path& folder) {
 /// Whether a run is of this scene and program version.
 bool is_same(const fs::path& folder, const store::RunSummary& summary, const scene::Scene& scene) {
   try {
+    const auto text = store::read_whole(folder / store::kSceneFile, scene::kMaxSceneBytes);
     return summary.version == record::version() &&
-           has_text(folder / store::kSceneFile, scene::to_yaml(scene));
+           std::string(text.begin(), text.end()) == scene::to_yaml(scene);
   } catch (const store::StoreError&) {
     return false;
   }
 }
 
-}  // namespace
-
-std::optional<EarlierRun> earlier_run(const fs::path& folder, const scene::Scene& scene,
-                                      run::WantedPictures pictures) {
-  std::optional<store::RunSummary> summary = summary_in(folder);
-  if (!summary || summary->status != "done") {
-    return std::nullopt;
-  }
-  EarlierRun earlier = {*std::move(summary)};
-  try {
-    earlier.is_whole = is_same(folder, earlier.summary, scene) &&
-                       has_pictures(folder, scene, earlier.summary.steps, pictures);
-  } catch (const fs::filesystem_error&) {  // not to be read: the run is done anew
-  }
-  return earlier;
-}
-
+/// Whether a run of exactly this scene and program version was stopped or killed, or has failed, in
+/// `folder`.
 bool can_go_on(const fs::path& folder, const scene::Scene& scene) {
   const std::optional<store::RunSummary> summary = summary_in(folder);
   std::error_code unknown;
@@ -89,10 +66,6 @@ bool can_go_on(const fs::path& folder, const scene::Scene& scene) {
   return summary && summary->status != "done" &&
          fs::exists(folder / store::kCheckpointFile, unknown) && is_same(folder, *summary, scene);
 }
-
-namespace {
-
-namespace fs = std::filesystem;
 
 /// The run in a folder, where it was stopped or killed. None if there is no such run, if its
 /// checkpoint cannot be used, or if it has not drawn what is wanted now.
@@ -124,14 +97,29 @@ store::RunSummary executed(const scene::Scene& scene, const fs::path& folder, do
       return run::resume(*std::move(saved), run, events);
     } catch (const store::UnusableCheckpointError& error) {
       events.warning(fmt::format("{}: begins anew", error.what()));
-    } catch (
-        const scene::SceneError&) {  // told from the start, with the location in the user's scene
+    } catch (const scene::SceneError&) {
+      // Told from the start, with the location in the user's scene.
     }
   }
   return run::run(scene, run, events);
 }
 
 }  // namespace
+
+std::optional<EarlierRun> earlier_run(const fs::path& folder, const scene::Scene& scene,
+                                      run::WantedPictures pictures) {
+  std::optional<store::RunSummary> summary = summary_in(folder);
+  if (!summary || summary->status != "done") {
+    return std::nullopt;
+  }
+  EarlierRun earlier = {*std::move(summary)};
+  try {
+    earlier.is_whole = is_same(folder, earlier.summary, scene) &&
+                       has_pictures(folder, scene, earlier.summary.steps, pictures);
+  } catch (const fs::filesystem_error&) {  // not to be read: the run is done anew
+  }
+  return earlier;
+}
 
 FinishedRun execute_run(const scene::Scene& scene, const std::filesystem::path& folder,
                         const Options& options, run::WantedPictures pictures,

@@ -17,6 +17,14 @@
 
 namespace clca::sweep {
 
+inline constexpr const char* kRunsFolder = "runs";
+
+/// The folder of a run in the folder of a sweep.
+inline std::filesystem::path run_folder(const std::filesystem::path& sweep,
+                                        const std::string& name) {
+  return sweep / kRunsFolder / name;
+}
+
 /// A run that was once done.
 struct EarlierRun {
   store::RunSummary summary;
@@ -27,10 +35,6 @@ struct EarlierRun {
 /// The run in `folder`, if one was done there.
 std::optional<EarlierRun> earlier_run(const std::filesystem::path& folder,
                                       const scene::Scene& scene, run::WantedPictures pictures);
-
-/// Whether a run of exactly this scene and program version was stopped or killed, or has failed, in
-/// `folder`.
-bool can_go_on(const std::filesystem::path& folder, const scene::Scene& scene);
 
 /// A run that has ended.
 struct FinishedRun {

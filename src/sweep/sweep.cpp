@@ -8,8 +8,8 @@
 #include <limits>
 #include <map>
 #include <mutex>
+#include <nlohmann/json.hpp>
 #include <numeric>
-#include <set>
 
 #include "clca/image/png.hpp"
 #include "clca/record/provenance.hpp"
@@ -18,8 +18,9 @@
 #include "clca/run/run.hpp"
 #include "clca/store/file.hpp"
 #include "clca/store/folder_lock.hpp"
+#include "clca/store/output_folder.hpp"
+#include "clca/store/run_folder.hpp"
 #include "clca/tasks/pool.hpp"
-#include "sweep/folder.hpp"
 #include "sweep/overview.hpp"
 #include "sweep/run_task.hpp"
 #include "sweep/tables.hpp"
@@ -79,48 +80,38 @@ std::vector<std::size_t> runs_of(const tasks::Bytes& bytes) {
   return runs;
 }
 
-/// Which pictures each run draws: those of runs that the overview does not show are not asked for.
-class Pictures {
- public:
-  Pictures(const Plan& plan, const Options& options) : all_(options.all_pictures) {
-    const Selection shown = selection(plan);
-    shown_.insert(shown.runs.begin(), shown.runs.end());
-  }
-  run::WantedPictures of(std::size_t run) const {
-    return all_                   ? run::WantedPictures::all
-           : shown_.contains(run) ? run::WantedPictures::last
-                                  : run::WantedPictures::none;
-  }
+/// Which pictures a run draws: those that the overview does not show are not asked for.
+run::WantedPictures pictures_of(const Plan& plan, const Options& options, std::size_t run) {
+  const std::vector<std::size_t> shown = selection(plan).runs;
+  return options.all_pictures                           ? run::WantedPictures::all
+         : std::ranges::find(shown, run) != shown.end() ? run::WantedPictures::last
+                                                        : run::WantedPictures::none;
+}
 
- private:
-  bool all_;
-  std::set<std::size_t> shown_;
-};
+constexpr const char* kRequestFile = "sweep.json";
+constexpr const char* kOverview = "overview.png";
 
-/// How far the runs are that threads of this process carry out.
-class UnderWay {
- public:
-  void set(std::size_t run, const run::Progress& progress) {
-    const std::lock_guard lock(mutex_);
-    runs_[run] = progress;
+/// The request, with what the columns of the tables are, and the measures that no run has.
+std::string to_json(const Plan& plan, const std::vector<store::TableSummary>& tables,
+                    const std::vector<store::ColumnSummary>& measures) {
+  using Json = nlohmann::ordered_json;
+  Json variations = Json::array();
+  for (const Variation& variation : plan.request.variations) {
+    variations.push_back({{"keys", variation.keys}, {"rows", variation.rows}});
   }
-  void erase(std::size_t run) {
-    const std::lock_guard lock(mutex_);
-    runs_.erase(run);
-  }
-  std::vector<RunUnderWay> all(const Plan& plan) const {
-    const std::lock_guard lock(mutex_);
-    std::vector<RunUnderWay> result;
-    for (const auto& [run, progress] : runs_) {
-      result.push_back({plan.name(run), progress});
-    }
-    return result;
-  }
-
- private:
-  mutable std::mutex mutex_;
-  std::map<std::size_t, run::Progress> runs_;
-};
+  const Json object = {{"clca", record::version()},
+                       {"scene", plan.request.scene.string()},
+                       {"title", plan.title()},
+                       {"set", plan.request.overrides},
+                       {"vary", std::move(variations)},
+                       {"seeds", to_text(plan.request.seeds)},
+                       {"runs", plan.run_count()},
+                       {"measures", store::to_list(measures)},
+                       {"tables", store::to_object(tables)}};
+  constexpr int kIndent = 2;
+  // Names of files need not be UTF-8.
+  return object.dump(kIndent, ' ', false, Json::error_handler_t::replace) + '\n';
+}
 
 class Sweep {
  public:
@@ -129,18 +120,24 @@ class Sweep {
         options_(options),
         events_(events),
         ranks_(options.ranks != nullptr ? *options.ranks : alone_),
-        pictures_(plan, options),
-        folder_(options.folder),
+        files_(options.folder),
         results_(plan.run_count()) {
+    if (files_.owns(store::kSummaryFile)) {
+      throw store::StoreError(
+          fmt::format("cannot sweep in {}: it is the folder of a run; write elsewhere",
+                      files_.path().string()));
+    }
     const Part part = options.part.value_or(Part());
     for (std::size_t run = part.number - 1; run < plan.run_count(); run += part.of) {
       runs_.push_back(run);
     }
     progress_.runs = runs_.size();
-    folder_.make();
+    files_.make_own(kRunsFolder);  // of parts of it, brought together from other machines
     if (!options.part) {
       lock_.emplace(options.folder);
-      folder_.begin(plan);
+      files_.write(kRequestFile, to_json(plan, {}, {}));
+      files_.remove(kOverview);
+      files_.make_folder(kRunsFolder);
     }
   }
 
@@ -149,21 +146,26 @@ class Sweep {
  private:
   using Pool = tasks::Pool<FinishedRun>;
 
+  /// The run that was once done; takes over its result if it is whole.
+  std::optional<EarlierRun> take_earlier(std::size_t run);
   /// Takes over what earlier sweeps have left; returns the runs that remain, the longest first as
   /// far as earlier runs tell.
   std::vector<std::size_t> remaining_runs();
   void carry_out(const std::vector<std::size_t>& runs);
-  Pool::Work work();
+  FinishedRun carry_out(std::size_t run, const std::atomic<int>& stop);
   void take(std::size_t run, FinishedRun finished);
   /// Takes over what other processes have done meanwhile.
   void look_elsewhere();
   void tell_shares(const std::vector<std::size_t>& runs) const;
   void show_progress();
-  /// `means`: those that are there already.
+  void remove_means_but(const std::vector<NamedTable>& means) const;
   void write_tables(const std::vector<NamedTable>& means = {});
   void refresh_tables();
   void write_overview();
 
+  std::filesystem::path folder_of(std::size_t run) const {
+    return run_folder(files_.path(), plan_.name(run));
+  }
   bool stop_asked() const { return options_.stop != nullptr && options_.stop->load() != 0; }
 
   const Plan& plan_;
@@ -171,8 +173,7 @@ class Sweep {
   const Events& events_;
   tasks::OneRank alone_;
   tasks::Ranks& ranks_;
-  Pictures pictures_;
-  SweepFolder folder_;
+  store::OutputFolder files_;
   std::optional<store::FolderLock> lock_;
   std::vector<std::size_t> runs_;       // to be done, of the plan
   std::vector<Result> results_;         // in the order of the plan
@@ -180,8 +181,9 @@ class Sweep {
   bool tries_again_ = false;            // those
   std::vector<std::size_t> elsewhere_;  // under way in other processes
   Progress progress_;
-  UnderWay under_way_;
-  std::string store_error_;  // the first
+  std::mutex mutex_;                                // of the next
+  std::map<std::size_t, run::Progress> under_way_;  // in threads of this process
+  std::string store_error_;                         // the first
   Clock::time_point start_ = Clock::now();
   Clock::time_point tables_due_ = Clock::now();
   bool tables_stale_ = true;
@@ -205,13 +207,22 @@ Progress Sweep::execute() {
   }
   if (!options_.part) {
     const auto means = mean_tables(
-        plan_, results_, [this](std::size_t run) { return folder_.run(plan_.name(run)); },
+        plan_, results_, [this](std::size_t run) { return folder_of(run); },
         [this](const std::string& line) { tell(events_.warning, line); });
-    folder_.write_means(means);
+    remove_means_but(means);
     write_tables(means);
     write_overview();
   }
   return progress_;
+}
+
+std::optional<EarlierRun> Sweep::take_earlier(std::size_t run) {
+  auto earlier = earlier_run(folder_of(run), plan_.scene(run), pictures_of(plan_, options_, run));
+  if (earlier && earlier->is_whole) {
+    results_[run] = {Status::done, earlier->summary, {}};
+    ++progress_.done;
+  }
+  return earlier;
 }
 
 std::vector<std::size_t> Sweep::remaining_runs() {
@@ -220,21 +231,16 @@ std::vector<std::size_t> Sweep::remaining_runs() {
   std::vector<std::vector<double>> seconds_of_variants(plan_.variants.size());
   const auto variant = [&](std::size_t run) { return run / plan_.request.seeds.size(); };
   for (const std::size_t run : runs_) {
-    auto earlier = stop_asked() ? std::nullopt
-                                : earlier_run(folder_.run(plan_.name(run)), plan_.scene(run),
-                                              pictures_.of(run));
+    const auto earlier = stop_asked() ? std::nullopt : take_earlier(run);
     if (earlier) {
       seconds[run] = earlier->summary.wall_seconds;
       seconds_of_variants[variant(run)].push_back(seconds[run]);
     }
-    if (earlier && earlier->is_whole) {
-      results_[run] = {Status::done, std::move(earlier->summary), {}};
-      ++progress_.reused;
-    } else {
+    if (!earlier || !earlier->is_whole) {
       remaining.push_back(run);
     }
   }
-  progress_.done = progress_.reused;
+  progress_.reused = progress_.done;
   for (const std::size_t run : remaining) {
     const std::vector<double>& known = seconds_of_variants[variant(run)];
     if (!known.empty()) {
@@ -248,24 +254,28 @@ std::vector<std::size_t> Sweep::remaining_runs() {
   return remaining;
 }
 
-Sweep::Pool::Work Sweep::work() {
-  return {.carry_out =
-              [this](std::size_t run, const std::atomic<int>& stop) {
-                FinishedRun finished = execute_run(
-                    plan_.scene(run), folder_.run(plan_.name(run)), options_, pictures_.of(run),
-                    &stop, [&](const run::Progress& progress) { under_way_.set(run, progress); });
-                under_way_.erase(run);
-                return finished;
-              },
-          .result = [](std::size_t /*run*/,
-                       const tasks::Bytes& answer) { return finished_run(answer); }};
+FinishedRun Sweep::carry_out(std::size_t run, const std::atomic<int>& stop) {
+  FinishedRun finished =
+      execute_run(plan_.scene(run), folder_of(run), options_, pictures_of(plan_, options_, run),
+                  &stop, [&](const run::Progress& progress) {
+                    const std::lock_guard lock(mutex_);
+                    under_way_[run] = progress;
+                  });
+  const std::lock_guard lock(mutex_);
+  under_way_.erase(run);
+  return finished;
 }
 
 void Sweep::carry_out(const std::vector<std::size_t>& runs) {
   ranks_.hand_out([&](int /*rank*/) { return bytes_of(runs); });
   constexpr std::chrono::milliseconds kPause(100);
   const std::size_t wanted = std::min(runs.size(), static_cast<std::size_t>(options_.jobs));
-  Pool pool(wanted, ranks_, runs, work(), options_.stop);
+  Pool pool(
+      wanted, ranks_, runs,
+      {.carry_out = [this](std::size_t run, const auto& stop) { return carry_out(run, stop); },
+       .result = [](std::size_t /*run*/,
+                    const tasks::Bytes& answer) { return finished_run(answer); }},
+      options_.stop);
   if (pool.at_a_time() < wanted) {
     tell(events_.warning, fmt::format("only {} of {} runs at a time, as no more threads can be "
                                       "started",
@@ -312,13 +322,8 @@ void Sweep::take(std::size_t run, FinishedRun finished) {
 
 void Sweep::look_elsewhere() {
   std::erase_if(elsewhere_, [this](std::size_t run) {
-    auto earlier = earlier_run(folder_.run(plan_.name(run)), plan_.scene(run), pictures_.of(run));
-    if (!earlier || !earlier->is_whole) {
-      return false;
-    }
-    results_[run] = {Status::done, std::move(earlier->summary), {}};
-    ++progress_.done;
-    return true;
+    const auto earlier = take_earlier(run);
+    return earlier && earlier->is_whole;
   });
   progress_.elsewhere = elsewhere_.size();
 }
@@ -340,26 +345,43 @@ void Sweep::show_progress() {
         static_cast<double>(progress_.runs - ended) / progress_.runs_per_second;
   }
   if (events_.progress) {
-    progress_.under_way = under_way_.all(plan_);
+    progress_.under_way.clear();
+    {
+      const std::lock_guard lock(mutex_);
+      for (const auto& [run, progress] : under_way_) {
+        progress_.under_way.push_back({plan_.name(run), progress});
+      }
+    }
     events_.progress(progress_);
+  }
+}
+
+void Sweep::remove_means_but(const std::vector<NamedTable>& means) const {
+  for (const std::string& name : files_.files()) {
+    const bool is_new = std::ranges::any_of(
+        means, [&name](const NamedTable& table) { return store::table_name(table.name) == name; });
+    if (name.starts_with("mean-") && !is_new) {
+      files_.remove(name);
+    }
   }
 }
 
 void Sweep::write_tables(const std::vector<NamedTable>& means) {
   const std::vector<NamedTable> tables = {runs_table(plan_, results_),
                                           measures_table(plan_, results_)};
-  folder_.write_tables(tables);
   const auto done = std::ranges::find(results_, Status::done, &Result::status);
   auto known =
       record::known_quantities(done != results_.end() ? done->summary : store::RunSummary());
   known.of = record::KnownQuantities::Of::sweep;
   std::vector<store::TableSummary> summaries;
   for (const auto* list : {&tables, &means}) {
-    for (const NamedTable& table : *list) {
-      summaries.emplace_back(table.name, record::sweep_summary(table.table.columns(), known));
+    for (const auto& [name, table] : *list) {
+      files_.write(store::table_name(name), table.to_csv());
+      summaries.emplace_back(name, record::sweep_summary(table.columns(), known));
     }
   }
-  folder_.write_request(plan_, summaries, record::sweep_summary(record::sweep_measures(), known));
+  files_.write(kRequestFile,
+               to_json(plan_, summaries, record::sweep_summary(record::sweep_measures(), known)));
 }
 
 /// Every so often, and never for more than a small part of the time.
@@ -376,12 +398,13 @@ void Sweep::refresh_tables() {
 }
 
 void Sweep::write_overview() {
-  const auto image = overview(plan_, results_, folder_);
+  const auto image = overview(plan_, results_, files_.path());
   if (!image) {
     return;
   }
-  folder_.write_overview(image::encode_png(
-      *image, {{"Title", plan_.title()}, {"Software", fmt::format("clca {}", record::version())}}));
+  files_.write(kOverview,
+               image::encode_png(*image, {{"Title", plan_.title()},
+                                          {"Software", fmt::format("clca {}", record::version())}}));
   const std::size_t shown = selection(plan_).runs.size();
   if (shown < progress_.runs) {
     tell(events_.message, fmt::format("the overview shows {} of {} runs", shown, progress_.runs));
@@ -397,14 +420,13 @@ Progress execute(const Plan& plan, const Options& options, const Events& events)
 
 void serve(const Plan& plan, const Options& options) {
   prepare_drawing(plan);
-  const Pictures pictures(plan, options);
   options.ranks->begin(command(plan, options));
   while (const auto work = options.ranks->wait_for_work(options.stop)) {
     const std::vector<std::size_t> runs = runs_of(*work);
     const std::size_t jobs = std::min(runs.size(), static_cast<std::size_t>(options.jobs));
     const auto execute_one = [&](std::size_t run, const std::atomic<int>& stop) {
       return to_bytes(execute_run(plan.scene(run), run_folder(options.folder, plan.name(run)),
-                                  options, pictures.of(run), &stop, {}));
+                                  options, pictures_of(plan, options, run), &stop, {}));
     };
     tasks::Pool<tasks::Bytes> pool(jobs, *options.ranks, runs, {.carry_out = execute_one},
                                    options.stop);

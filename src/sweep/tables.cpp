@@ -2,11 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <numeric>
+#include <set>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -22,6 +25,7 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 /// Stage and name of a measure.
 using Key = std::pair<std::string, std::string>;
+using Measures = std::map<Key, store::MeasureValue>;
 
 /// Yes is 1, no is 0; NaN where there is no number.
 double number(const store::MeasureValue& value) {
@@ -32,79 +36,47 @@ double number(const store::MeasureValue& value) {
   return answer != nullptr ? static_cast<double>(*answer) : kNone;
 }
 
-/// Calls `use(key, value)` for each measure of a run, the number of steps of a stage among them.
-template <class Use>
-void for_each_measure(const Result& result, Use use) {
+/// The measures of a run, the number of steps of a stage among them; none unless it is done.
+/// Appends to `order` those that are not in `known` yet.
+Measures measures_of(const Result& result, std::vector<Key>& order, std::set<Key>& known) {
+  Measures measures;
+  if (result.status != Status::done) {
+    return measures;
+  }
+  const auto add = [&](const Key& key, const store::MeasureValue& value) {
+    measures[key] = value;
+    if (known.insert(key).second) {
+      order.push_back(key);
+    }
+  };
   for (const store::StageSummary& stage : result.summary.stages) {
-    use(Key(stage.name, "steps"), store::MeasureValue(static_cast<double>(stage.steps)));
+    add(Key(stage.name, "steps"), static_cast<double>(stage.steps));
     if (const auto& units = result.summary.units) {
-      use(Key(stage.name, "time"), store::MeasureValue(units->time(stage.steps)));
+      add(Key(stage.name, "time"), units->time(stage.steps));
     }
     for (const auto& [name, value] : stage.measures) {
-      use(Key(stage.name, name), value);
+      add(Key(stage.name, name), value);
     }
   }
+  return measures;
 }
 
-/// The measures that occur in runs [first, last), in the order in which they first do.
-class Measures {
- public:
-  Measures(const std::vector<Result>& results, std::size_t first, std::size_t last) {
-    for (std::size_t run = first; run < last; ++run) {
-      if (results[run].status == Status::done) {
-        for_each_measure(results[run], [this](const Key& key, const auto& /*value*/) { add(key); });
-      }
-    }
-  }
-  const std::vector<Key>& keys() const { return keys_; }
-  std::size_t position(const Key& key) const { return positions_.at(key); }
-  /// Null if there is no such measure.
-  const std::size_t* find(const Key& key) const {
-    const auto at = positions_.find(key);
-    return at == positions_.end() ? nullptr : &at->second;
-  }
-
- private:
-  void add(const Key& key) {
-    if (positions_.emplace(key, keys_.size()).second) {
-      keys_.push_back(key);
+/// Of several runs.
+struct AllMeasures {
+  explicit AllMeasures(std::span<const Result> results) {
+    std::set<Key> known;
+    for (const Result& result : results) {
+      of_runs.push_back(measures_of(result, keys, known));
     }
   }
 
-  std::vector<Key> keys_;
-  std::map<Key, std::size_t> positions_;
+  std::vector<Key> keys;  ///< in the order in which they first occur
+  std::vector<Measures> of_runs;
 };
 
-std::string to_text(Status status) {
-  switch (status) {
-    case Status::done:
-      return "done";
-    case Status::failed:
-      return "failed";
-    case Status::interrupted:
-      return "interrupted";
-    case Status::waiting:
-      break;
-  }
-  return "waiting";
-}
-
-std::vector<store::Cell> run_row(const Plan& plan, std::size_t run, const Result& result,
-                                 const Measures& measures) {
-  std::vector<store::Cell> row = value_cells(plan.variant(run).values);
-  const bool done = result.status == Status::done;
-  row.insert(row.end(), {plan.seed(run), to_text(result.status),
-                         done ? store::Cell(result.summary.steps) : store::Cell(kNone),
-                         done ? fmt::format("{:016x}", result.summary.state_hash) : std::string()});
-  const std::size_t first = row.size();
-  row.resize(first + measures.keys().size(), kNone);
-  if (done) {
-    for_each_measure(result, [&](const Key& key, const store::MeasureValue& value) {
-      row[first + measures.position(key)] = number(value);
-    });
-  }
-  row.insert(row.end(), {"runs/" + plan.name(run), result.error});
-  return row;
+const char* to_text(Status status) {
+  constexpr std::array kNames = {"waiting", "done", "failed", "interrupted"};
+  return kNames.at(static_cast<std::size_t>(status));
 }
 
 /// A measure over the completed runs of a combination.
@@ -131,26 +103,23 @@ void add_until_clog(store::Table& table, std::vector<store::Cell> row, const std
 }
 
 void add_statistics(store::Table& table, const std::vector<std::string>& values,
-                    const std::vector<Result>& results, std::size_t first, std::size_t last) {
-  const Measures measures(results, first, last);
-  std::vector<Column> columns(measures.keys().size());
-  for (std::size_t run = first; run < last; ++run) {
-    if (results[run].status == Status::done) {
-      for_each_measure(results[run], [&](const Key& key, const store::MeasureValue& value) {
-        Column& column = columns[measures.position(key)];
-        column.values.push_back(number(value));
-        column.answers = column.answers || std::holds_alternative<bool>(value);
-      });
+                    std::span<const Result> results) {
+  const AllMeasures measures(results);
+  std::map<Key, Column> columns;
+  for (const Measures& of_run : measures.of_runs) {
+    for (const auto& [key, value] : of_run) {
+      Column& column = columns[key];
+      column.values.push_back(number(value));
+      column.answers = column.answers || std::holds_alternative<bool>(value);
     }
   }
   constexpr std::string_view kClogged = "clogged";
-  for (std::size_t i = 0; i < columns.size(); ++i) {
-    const auto& [stage, measure] = measures.keys()[i];
-    const statistics::Sample found = statistics::sample(columns[i].values);
-    const auto [low, high] =
-        columns[i].answers
-            ? statistics::share_interval(found.mean, found.count)
-            : std::pair(found.mean - found.standard_error, found.mean + found.standard_error);
+  for (const auto& [stage, measure] : measures.keys) {
+    const Column& column = columns[{stage, measure}];
+    const statistics::Sample found = statistics::sample(column.values);
+    const auto [low, high] = column.answers ? statistics::share_interval(found.mean, found.count)
+                                            : std::pair(found.mean - found.standard_error,
+                                                        found.mean + found.standard_error);
     std::vector<store::Cell> beginning = value_cells(values);
     beginning.emplace_back(stage);
     std::vector<store::Cell> row = beginning;
@@ -159,9 +128,9 @@ void add_statistics(store::Table& table, const std::vector<std::string>& values,
     table.add_row(std::move(row));
     if (measure.starts_with(kClogged)) {
       const std::string of = measure.substr(kClogged.size());
-      if (const auto* discharged = measures.find({stage, "discharged" + of})) {
-        add_until_clog(table, std::move(beginning), "discharged_until_clog" + of, columns[i],
-                       columns[*discharged]);
+      if (const auto left = columns.find({stage, "discharged" + of}); left != columns.end()) {
+        add_until_clog(table, std::move(beginning), "discharged_until_clog" + of, column,
+                       left->second);
       }
     }
   }
@@ -182,15 +151,27 @@ std::vector<store::Cell> value_cells(const std::vector<std::string>& values) {
 }
 
 NamedTable runs_table(const Plan& plan, const std::vector<Result>& results) {
-  const Measures measures(results, 0, results.size());
+  const AllMeasures measures(results);
   std::vector<std::string> names;
-  for (const auto& [stage, measure] : measures.keys()) {
+  for (const auto& [stage, measure] : measures.keys) {
     names.push_back(fmt::format("{}.{}", stage, measure));
   }
   store::Table table(
       record::sweep_columns("runs", {{"KEY", plan.keys()}, {"STAGE.MEASURE", names}}));
   for (std::size_t run = 0; run < results.size(); ++run) {
-    table.add_row(run_row(plan, run, results[run], measures));
+    const auto& [status, summary, error] = results[run];
+    const bool done = status == Status::done;
+    std::vector<store::Cell> row = value_cells(plan.variant(run).values);
+    row.insert(row.end(), {plan.seed(run), to_text(status),
+                           done ? store::Cell(summary.steps) : store::Cell(kNone),
+                           done ? fmt::format("{:016x}", summary.state_hash) : std::string()});
+    const Measures& of_run = measures.of_runs[run];
+    for (const Key& key : measures.keys) {
+      const auto found = of_run.find(key);
+      row.emplace_back(found != of_run.end() ? number(found->second) : kNone);
+    }
+    row.insert(row.end(), {"runs/" + plan.name(run), error});
+    table.add_row(std::move(row));
   }
   return {"runs", std::move(table)};
 }
@@ -199,7 +180,7 @@ NamedTable measures_table(const Plan& plan, const std::vector<Result>& results) 
   store::Table table(record::sweep_columns("measures", {{"KEY", plan.keys()}}));
   const std::size_t seeds = plan.request.seeds.size();
   for (std::size_t i = 0; i < plan.variants.size(); ++i) {
-    add_statistics(table, plan.variants[i].values, results, i * seeds, (i + 1) * seeds);
+    add_statistics(table, plan.variants[i].values, std::span(results).subspan(i * seeds, seeds));
   }
   return {"measures", std::move(table)};
 }

@@ -23,6 +23,9 @@ struct Quantity {
   bool of_floor = false;  ///< along or above the floor of the vessel: says little if it is turned
 };
 
+/// Of the columns with standard errors of means, in the units of these.
+inline constexpr std::string_view kErrorEnding = "_se";
+
 /// Of a run of grains or a sweep, also of one outlet or wall, KEY.OUTLET, and of a part of a
 /// vector, KEYx; null if there is none of this key.
 const Quantity* find_quantity(std::string_view key);

@@ -26,8 +26,6 @@ namespace clca::record {
 
 bool is_contact(const scene::Scene& scene);
 inline constexpr std::string_view kContactModel = "with `model: contact`";
-/// Of the columns with standard errors of means, in the units of these.
-inline constexpr std::string_view kErrorEnding = "_se";
 
 // In several tables. Behind the step, each table has the time where steps have a length.
 inline constexpr Quantity kStep = {"step", "Step", "", "of the whole run"};

@@ -1,0 +1,254 @@
+#include "clca/sweep/request.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <iterator>
+#include <set>
+#include <system_error>
+
+#include "clca/text/message.hpp"
+
+namespace clca::sweep {
+
+namespace {
+
+constexpr std::string_view kTo = "..";
+
+[[noreturn]] void fail(std::string_view option, std::string_view text, std::string_view message) {
+  throw scene::SceneError(fmt::format("{} {}: error: {}", option, text::shortened(text), message));
+}
+
+[[noreturn]] void fail_seeds(std::string_view text, std::string_view message) {
+  fail("--seeds", text, message);
+}
+
+[[noreturn]] void fail_variation(std::string_view text, std::string_view message) {
+  fail("--vary", text, message);
+}
+
+/// All of the text.
+template <class T>
+std::optional<T> number(std::string_view text) {
+  T value = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  return stop == end && error == std::errc() ? std::optional(value) : std::nullopt;
+}
+
+/// First and last of `3` or `1..16`.
+std::pair<std::uint64_t, std::uint64_t> seed_range(std::string_view part, std::string_view text) {
+  const std::size_t to = part.find(kTo);
+  const auto first = number<std::uint64_t>(part.substr(0, to));
+  const auto last =
+      to == std::string_view::npos ? first : number<std::uint64_t>(part.substr(to + kTo.size()));
+  if (!first || !last) {
+    fail_seeds(text,
+               fmt::format("expected whole numbers from 0 to 18446744073709551615, as in 1..16 or "
+                           "1,4,9..12, found {}",
+                           text::shown(part)));
+  }
+  if (*last < *first) {
+    fail_seeds(text, fmt::format("{} descends; the smaller seed comes first", part));
+  }
+  return {*first, *last};
+}
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = std::min(text.find_first_not_of(' '), text.size());
+  return text.substr(first, text.find_last_not_of(' ') + 1 - first);
+}
+
+/// Walks over YAML text and knows which separators stand between values. Whether brackets and
+/// quotes are closed is left to the YAML parser, which has the better message.
+class Splitter {
+ public:
+  explicit Splitter(char separator) : separator_(separator) {}
+
+  /// True when `letter`, the next one, ends a value.
+  bool ends_value(char letter) {
+    if (quote_ != '\0') {
+      inside_quotes(letter);
+      return false;
+    }
+    // A quote begins quoted text only where a value begins: not in `it's`.
+    const bool at_start = previous_ == separator_ ||
+                          std::string_view(" [{,:").find(previous_) != std::string_view::npos;
+    if ((letter == '"' || letter == '\'') && at_start) {
+      quote_ = letter;
+    } else if (letter == '[' || letter == '{') {
+      ++depth_;
+    } else if (letter == ']' || letter == '}') {
+      depth_ = std::max(0, depth_ - 1);
+    }
+    previous_ = letter;
+    return letter == separator_ && depth_ == 0;
+  }
+
+ private:
+  void inside_quotes(char letter) {
+    const bool escaped = quote_ == '"' && previous_ == '\\';
+    // In single quotes '' is a quote; it closes and opens at once.
+    previous_ = escaped ? ' ' : letter;
+    if (letter == quote_ && !escaped) {
+      previous_ = quote_ == '\'' ? ' ' : letter;
+      quote_ = '\0';
+    }
+  }
+
+  char separator_;
+  char quote_ = '\0';
+  char previous_ = ' ';
+  int depth_ = 0;
+};
+
+std::vector<std::string> split(std::string_view text, char separator) {
+  std::vector<std::string> values;
+  Splitter splitter(separator);
+  std::size_t start = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (splitter.ends_value(text[i])) {
+      values.emplace_back(trimmed(text.substr(start, i - start)));
+      start = i + 1;
+    }
+  }
+  values.emplace_back(trimmed(text.substr(start)));
+  return values;
+}
+
+/// Decimals of the number.
+int decimals(double number) {
+  std::array<char, 32> buffer = {};  // as 1.25e-03
+  const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number,
+                                          std::chars_format::scientific);
+  const std::string text(buffer.data(), end);
+  const std::size_t exponent = text.find('e');
+  const std::size_t point = std::min(text.find('.') + 1, exponent);
+  const auto behind = static_cast<int>(point > 0 ? exponent - point : 0);
+  return std::max(0, behind - std::stoi(text.substr(exponent + 1)));
+}
+
+/// Without zeros at the end, and without an exponent.
+std::string rounded(double number, int digits) {
+  std::string text = fmt::format("{:.{}f}", number, digits);
+  if (digits > 0) {
+    text.erase(text.find_last_not_of('0') + 1);
+    text.erase(text.find_last_not_of('.') + 1);
+  }
+  return text == "-0" ? "0" : text;
+}
+
+/// The numbers of a range FIRST:LAST:STEP; nothing of other values.
+std::vector<std::string> range_values(std::string_view text, std::string_view value) {
+  const std::size_t before_last = value.find(':');
+  const std::size_t before_step = value.rfind(':');
+  if (before_last == before_step) {
+    return {};
+  }
+  const auto first = number<double>(value.substr(0, before_last));
+  const auto last = number<double>(value.substr(before_last + 1, before_step - before_last - 1));
+  const auto step = number<double>(value.substr(before_step + 1));
+  if (!first || !last || !step) {
+    return {};
+  }
+  constexpr double kRounding = 1e-9;  // steps like 0.1 have no exact number of steps
+  const double steps = std::floor((*last - *first) / *step + kRounding);
+  if (!std::isfinite(steps) || steps < 0 || steps >= kMaxRuns) {
+    fail_variation(
+        text,
+        fmt::format("{}: expected FIRST:LAST:STEP with a step from the first towards the last, "
+                    "and at most {} values",
+                    text::shortened(value), kMaxRuns));
+  }
+  const int digits = std::max(decimals(*first), decimals(*step));
+  std::vector<std::string> values;
+  for (int i = 0; i <= static_cast<int>(steps); ++i) {
+    values.push_back(rounded(*first + i * *step, digits));
+  }
+  return values;
+}
+
+/// Checks that each row has a value per key, and that no two rows are the same.
+void check_rows(std::string_view text, const Variation& variation) {
+  std::set<std::vector<std::string>> known;
+  for (const std::vector<std::string>& row : variation.rows) {
+    if (std::ranges::count(row, std::string()) > 0) {
+      fail_variation(text, "a value is missing; write null for an empty value");
+    }
+    if (row.size() != variation.keys.size()) {
+      fail_variation(
+          text, fmt::format("expected {} values with commas between, found {}; a ';' ends them",
+                            variation.keys.size(), fmt::join(row, ",")));
+    }
+  }
+  for (const std::vector<std::string>& row : variation.rows) {
+    std::vector<std::string> values;
+    std::ranges::transform(row, std::back_inserter(values), scene::canonical_value);
+    if (!known.insert(values).second) {
+      fail_variation(text, fmt::format("the value {} is named twice",
+                                       text::shortened(fmt::format("{}", fmt::join(row, ",")))));
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<std::uint64_t> parse_seeds(std::string_view text) {
+  std::vector<std::uint64_t> seeds;
+  for (std::size_t start = 0; start <= text.size();) {
+    const std::size_t comma = std::min(text.find(',', start), text.size());
+    const auto [first, last] = seed_range(text.substr(start, comma - start), text);
+    if (!seeds.empty() && first <= seeds.back()) {
+      fail_seeds(text,
+                 fmt::format("{} comes after {}; seeds ascend, each once", first, seeds.back()));
+    }
+    if (last - first >= kMaxRuns - seeds.size()) {
+      fail_seeds(text, fmt::format("more than {} runs", kMaxRuns));
+    }
+    for (std::uint64_t i = 0; i <= last - first; ++i) {
+      seeds.push_back(first + i);
+    }
+    start = comma + 1;
+  }
+  return seeds;
+}
+
+std::string to_text(const std::vector<std::uint64_t>& seeds) {
+  std::string text;
+  for (std::size_t i = 0; i < seeds.size();) {
+    std::size_t end = i + 1;
+    while (end < seeds.size() && seeds[end] == seeds[end - 1] + 1) {
+      ++end;
+    }
+    text += fmt::format("{}{}", text.empty() ? "" : ",", seeds[i]);
+    text += end - i > 1 ? fmt::format("{}{}", kTo, seeds[end - 1]) : "";
+    i = end;
+  }
+  return text;
+}
+
+Variation parse_variation(std::string_view text) {
+  const std::size_t equals = text.find('=');
+  Variation variation = {split(text.substr(0, equals), ','), {}};
+  if (equals == std::string_view::npos || std::ranges::count(variation.keys, std::string()) > 0) {
+    fail_variation(text, "expected KEY=V1,V2,... with a key like rules.inertia");
+  }
+  const bool has_one_key = variation.keys.size() == 1;
+  for (const std::string& part : split(text.substr(equals + 1), has_one_key ? ',' : ';')) {
+    const auto numbers = has_one_key ? range_values(text, part) : std::vector<std::string>();
+    for (const std::string& number : numbers) {
+      variation.rows.push_back({number});
+    }
+    if (numbers.empty()) {
+      variation.rows.push_back(has_one_key ? std::vector{part} : split(part, ','));
+    }
+  }
+  check_rows(text, variation);
+  return variation;
+}
+
+}  // namespace clca::sweep
