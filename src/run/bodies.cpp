@@ -19,7 +19,7 @@ Eigen::Vector2d downwards(const Eigen::Vector2d& line) {
   return unit.y() > 0 || (unit.y() == 0 && unit.x() < 0) ? -unit : unit;
 }
 
-std::optional<Eigen::Vector2d> direction_of(const scene::WallPart& part) {
+std::optional<Eigen::Vector2d> part_direction(const scene::WallPart& part) {
   const auto* line = std::get_if<lattice::Segment>(&part);
   if (line != nullptr && line->from != line->to) {
     return downwards(line->to - line->from);
@@ -41,7 +41,7 @@ std::optional<Eigen::Vector2d> direction_of(const scene::Scene& scene, grains::O
   }
   std::optional<Eigen::Vector2d> all;
   for (const scene::WallPart& part : scene.walls[grains::wall_number(body)].parts) {
-    const auto direction = direction_of(part);
+    const auto direction = part_direction(part);
     if (!direction || (all && (*all - *direction).norm() > kParallel)) {
       return std::nullopt;
     }
