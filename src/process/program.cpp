@@ -2,8 +2,10 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <linux/close_range.h>
 #include <poll.h>
 #include <sys/mman.h>
+#include <sys/prctl.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -17,8 +19,6 @@
 #include <system_error>
 #include <utility>
 
-#include "process/start_child.hpp"
-
 namespace clca::process {
 
 namespace {
@@ -28,18 +28,30 @@ namespace fs = std::filesystem;
 constexpr std::chrono::milliseconds kPause(5);
 constexpr int kUnknown = -1;  // exit code
 
-void pause() {
+void rest() {
   ::poll(nullptr, 0, static_cast<int>(kPause.count()));
 }
 
-/// Unlike a pipe, a socket raises no signal when the reader is gone. The first end is ours.
-std::array<int, 2> socket_pair() {
-  std::array<int, 2> ends = {-1, -1};
-  if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
-    throw ProcessError(fmt::format("cannot make a pipe: {}", std::strerror(errno)));
-  }
-  return ends;
+[[noreturn]] void fail(const std::string& what, int error = errno) {
+  throw ProcessError(fmt::format("cannot {}: {}", what, std::strerror(error)));
 }
+
+/// Two file descriptors; those that are left are closed.
+class Ends {
+ public:
+  Ends() = default;
+  ~Ends() {
+    for (const int end : numbers) {
+      if (end >= 0) {
+        ::close(end);
+      }
+    }
+  }
+  Ends(const Ends&) = delete;
+  Ends& operator=(const Ends&) = delete;
+
+  std::array<int, 2> numbers = {-1, -1};
+};
 
 /// A file that is gone once it is closed.
 int nameless_file(const fs::path& folder) {
@@ -49,6 +61,85 @@ int nameless_file(const fs::path& folder) {
     ::unlink(path.c_str());
   }
   return file;
+}
+
+/// What the child needs between fork and exec, prepared before: no allocation is allowed there.
+struct Plan {
+  char* const* arguments;
+  int folder;                  ///< file descriptor
+  std::array<int, 3> streams;  ///< file descriptors for 0, 1 and 2
+  pid_t parent;
+  int report;  ///< pipe for the error number
+};
+
+/// Calls only async-signal-safe functions, since other threads may have held locks.
+[[noreturn]] void become(const Plan& plan) {
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (::getppid() != plan.parent) {
+    ::_exit(127);  // too late for that signal
+  }
+  ::setpgid(0, 0);  // signals from the terminal are for the parent
+  ::signal(SIGPIPE, SIG_DFL);
+  // Moves them out of the way first: one may have the number that another needs.
+  const int report = ::fcntl(plan.report, F_DUPFD_CLOEXEC, 3);
+  std::array<int, 3> streams = plan.streams;
+  for (int& stream : streams) {
+    stream = ::fcntl(stream, F_DUPFD_CLOEXEC, 3);
+  }
+  if (::fchdir(plan.folder) == 0) {
+    for (int number = 0; number < 3; ++number) {
+      ::dup2(streams[static_cast<std::size_t>(number)], number);
+    }
+    ::close_range(3, ~0U, CLOSE_RANGE_CLOEXEC);
+    ::execv(plan.arguments[0], plan.arguments);
+  }
+  const int error = errno;
+  [[maybe_unused]] const ssize_t written = ::write(report, &error, sizeof error);
+  ::_exit(127);
+}
+
+/// Starts the file `arguments[0]` with standard input `input`.
+/// It inherits no other files than its standard streams, and ends when the calling thread ends.
+pid_t start(const std::vector<std::string>& arguments, const ProgramOptions& options, int input) {
+  std::vector<char*> argv;
+  for (const std::string& argument : arguments) {
+    argv.push_back(const_cast<char*>(argument.c_str()));
+  }
+  argv.push_back(nullptr);
+  Ends report;
+  Ends folder;
+  folder.numbers[0] = ::open(options.folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC);
+  if (folder.numbers[0] < 0) {
+    fail(fmt::format("enter the folder {}", options.folder.string()));
+  }
+  if (::pipe2(report.numbers.data(), O_CLOEXEC) != 0) {
+    fail("run " + arguments[0]);
+  }
+  const Plan plan = {
+      .arguments = argv.data(),
+      .folder = folder.numbers[0],
+      .streams = {input, options.out != nullptr ? options.out->number() : STDOUT_FILENO,
+                  options.err != nullptr ? options.err->number() : STDERR_FILENO},
+      .parent = ::getpid(),
+      .report = report.numbers[1]};
+  const pid_t child = ::fork();
+  if (child == 0) {
+    become(plan);
+  }
+  if (child < 0) {
+    fail("run " + arguments[0]);
+  }
+  ::close(std::exchange(report.numbers[1], -1));
+  int error = 0;
+  ssize_t count = 0;
+  do {  // until exec has closed the pipe
+    count = ::read(report.numbers[0], &error, sizeof error);
+  } while (count < 0 && errno == EINTR);
+  if (count == sizeof error) {
+    ::waitpid(child, nullptr, 0);
+    fail("run " + arguments[0], error);
+  }
+  return child;
 }
 
 }  // namespace
@@ -74,7 +165,7 @@ OutputCapture::OutputCapture(const fs::path& folder)
                 "w+"),
             &std::fclose) {
   if (!file_) {
-    throw ProcessError(fmt::format("cannot make a temporary file: {}", std::strerror(errno)));
+    fail("make a temporary file");
   }
 }
 
@@ -101,21 +192,14 @@ Program::Program(const std::vector<std::string>& arguments, const ProgramOptions
     : name_(fs::path(arguments[0]).filename().string()),
       stop_(options.stop),
       grace_(options.grace) {
-  std::array<int, 2> ends = {-1, -1};  // ours and its
-  if (options.fed) {
-    ends = socket_pair();
-  } else if (ends[1] = ::open("/dev/null", O_RDONLY | O_CLOEXEC); ends[1] < 0) {
-    throw ProcessError(fmt::format("cannot open /dev/null: {}", std::strerror(errno)));
+  Ends input;  // ours and its
+  if (!options.fed) {
+    input.numbers[1] = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
+  } else if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, input.numbers.data()) != 0) {
+    fail("make a pipe");  // a socket: unlike a pipe, it raises no signal when the reader is gone
   }
-  input_ = ends[0];
-  try {
-    child_ = start_child(arguments, options, ends[1]);
-  } catch (...) {
-    ::close(ends[1]);
-    close_input();
-    throw;
-  }
-  ::close(ends[1]);
+  child_ = start(arguments, options, input.numbers[1]);
+  input_ = std::exchange(input.numbers[0], -1);
 }
 
 Program::~Program() {
@@ -145,7 +229,7 @@ int Program::wait() {
   close_input();
   while (child_ > 0 && !has_ended(WNOHANG)) {
     end_when_stopped();
-    pause();
+    rest();
   }
   if (code_ == kUnknown) {
     throw ProcessError(fmt::format(

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "clca/run/run.hpp"
-#include "clca/store/growing_file.hpp"
+#include "clca/store/output_folder.hpp"
 
 namespace clca::run {
 

@@ -9,14 +9,17 @@
 //     u64     length of the data
 //     name
 //     data    compressed by zlib: blocks of up to 65,536 numbers, of each block the lowest bytes of
-//             all its numbers first, then the second bytes, and so on
+//             all its numbers first, then the second bytes, and so on: similar numbers share high
+//             bytes
 //
 // All numbers are little-endian, f64 as IEEE 754 has it.
 
-#include <fmt/format.h>
+#include <zlib.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
+#include <cstring>
 #include <set>
 #include <stdexcept>
 #include <string_view>
@@ -24,19 +27,16 @@
 
 #include "clca/store/checkpoint.hpp"
 #include "store/checksum_header.hpp"
-#include "store/column_compression.hpp"
 
 namespace clca::store {
 
 namespace {
 
+using Bytes = std::span<const std::uint8_t>;
+
+static_assert(std::endian::native == std::endian::little, "numbers are copied as they are");
+
 constexpr FileKind kCheckpointKind = {"checkpoint", 2};
-
-/// Type of text entries; other types are their index in reflection::Column plus one.
-constexpr std::uint8_t kText = 0;
-constexpr std::size_t kEntryBytes = 1 + 2 + 8 + 8;  // without name and data
-constexpr double kBytesBeside = 160;                // in memory: name, node of the map, vector
-
 constexpr std::array<std::string_view, 4> kTexts = {"kind", "scene_name", "scene", "summary"};
 
 template <class AnyCheckpoint>
@@ -47,167 +47,218 @@ auto& text_of(AnyCheckpoint& checkpoint, std::string_view name) {
                              : checkpoint.summary;
 }
 
-template <class Unsigned>
-void put(std::vector<std::uint8_t>& bytes, Unsigned number) {
-  for (std::size_t i = 0; i < sizeof number; ++i) {
-    bytes.push_back(static_cast<std::uint8_t>(number >> (8 * i)));
-  }
-}
-
-template <class T>
-void put_entry(std::vector<std::uint8_t>& file, Compressor& compressor, std::uint8_t type,
-               std::string_view name, std::span<const T> values) {
-  put(file, type);
-  put(file, static_cast<std::uint16_t>(name.size()));
-  put(file, static_cast<std::uint64_t>(values.size()));
-  const std::size_t length_at = file.size();
-  put(file, std::uint64_t{0});
-  file.insert(file.end(), name.begin(), name.end());
-  const std::size_t data_at = file.size();
-  compressor.add(values, file);
-  std::vector<std::uint8_t> length;
-  put(length, static_cast<std::uint64_t>(file.size() - data_at));
-  std::copy(length.begin(), length.end(), file.begin() + static_cast<std::ptrdiff_t>(length_at));
-}
-
-/// An entry whose sizes have been checked.
-struct Entry {
-  std::uint8_t type = 0;
-  std::string_view name;
-  std::uint64_t count = 0;
-  std::span<const std::uint8_t> data;
-};
-
 void require(bool holds, const char* reason) {
   if (!holds) {
     throw std::runtime_error(reason);
   }
 }
 
-/// Reads entries from the start of a file.
-class Entries {
- public:
-  explicit Entries(std::span<const std::uint8_t> rest) : rest_(rest) {}
-  bool at_end() const { return rest_.empty(); }
+/// The bytes of a vector or text, and of a number of it.
+template <class Values>
+auto memory_of(Values& values) {
+  using Byte = std::conditional_t<std::is_const_v<Values>, const std::uint8_t, std::uint8_t>;
+  constexpr std::size_t kSize = sizeof(typename Values::value_type);
+  return std::pair(std::span(reinterpret_cast<Byte*>(values.data()), values.size() * kSize), kSize);
+}
 
-  Entry next() {
-    require(rest_.size() >= kEntryBytes, kCut);
-    Entry entry;
-    entry.type = number<std::uint8_t>();
-    const auto name_length = number<std::uint16_t>();
-    entry.count = number<std::uint64_t>();
-    const auto data_length = number<std::uint64_t>();
-    const auto name = bytes(name_length);
-    entry.name = {reinterpret_cast<const char*>(name.data()), name.size()};
-    entry.data = bytes(data_length);
-    return entry;
+/// Calls use(block) for each block of these bytes of numbers.
+template <class Byte, class Use>
+void for_each_block(std::span<Byte> bytes, std::size_t number_bytes, Use use) {
+  const std::size_t block = number_bytes << 16U;
+  for (std::size_t at = 0; at < bytes.size(); at += block) {
+    use(bytes.subspan(at, std::min(block, bytes.size() - at)));
+  }
+}
+
+/// Calls move(place in the order of a file, place in memory) for each byte of a block.
+template <class Move>
+void for_each_byte(std::size_t block_bytes, std::size_t number_bytes, Move move) {
+  const std::size_t numbers = block_bytes / number_bytes;
+  for (std::size_t byte = 0; byte < number_bytes; ++byte) {
+    for (std::size_t number = 0; number < numbers; ++number) {
+      move(byte * numbers + number, number * number_bytes + byte);
+    }
+  }
+}
+
+class Writer {
+ public:
+  Writer() {
+    constexpr int kLevel = 1;  // more costs time and gains little on sorted bytes
+    if (::deflateInit(&stream_, kLevel) != Z_OK) {
+      throw std::bad_alloc();
+    }
+  }
+  ~Writer() { ::deflateEnd(&stream_); }
+  Writer(const Writer&) = delete;
+  Writer& operator=(const Writer&) = delete;
+
+  const std::vector<std::uint8_t>& content() const { return content_; }
+
+  template <class Values>
+  void add(std::size_t type, std::string_view name, const Values& values) {
+    put(static_cast<std::uint8_t>(type));
+    put(static_cast<std::uint16_t>(name.size()));
+    put(static_cast<std::uint64_t>(values.size()));
+    const std::size_t length_at = content_.size();
+    put(std::uint64_t{0});
+    content_.insert(content_.end(), name.begin(), name.end());
+    const std::size_t data_at = content_.size();
+    const auto [bytes, number_bytes] = memory_of(values);
+    add_data(bytes, number_bytes);
+    const std::uint64_t length = content_.size() - data_at;
+    std::memcpy(&content_[length_at], &length, sizeof length);
   }
 
  private:
-  static constexpr const char* kCut = "an entry goes beyond its end";
+  template <class Number>
+  void put(Number number) {
+    const auto* bytes = reinterpret_cast<const std::uint8_t*>(&number);
+    content_.insert(content_.end(), bytes, bytes + sizeof number);
+  }
 
-  template <class Unsigned>
-  Unsigned number() {
-    Unsigned value = 0;
-    std::size_t shift = 0;
-    for (const std::uint8_t byte : bytes(sizeof(Unsigned))) {
-      value = static_cast<Unsigned>(value | (static_cast<Unsigned>(byte) << shift));
-      shift += 8;
+  /// Nothing for no bytes.
+  void add_data(Bytes bytes, std::size_t number_bytes) {
+    for_each_block(bytes, number_bytes, [&](Bytes block) {
+      sorted_.resize(block.size());
+      for_each_byte(block.size(), number_bytes,
+                    [&](std::size_t to, std::size_t from) { sorted_[to] = block[from]; });
+      compress(&block.back() == &bytes.back());
+    });
+  }
+
+  void compress(bool last) {
+    std::array<std::uint8_t, 1U << 16U> piece;  // NOLINT(*-member-init): written, then read
+    stream_.next_in = sorted_.data();
+    stream_.avail_in = static_cast<uInt>(sorted_.size());
+    do {
+      stream_.next_out = piece.data();
+      stream_.avail_out = static_cast<uInt>(piece.size());
+      ::deflate(&stream_, last ? Z_FINISH : Z_NO_FLUSH);
+      content_.insert(content_.end(), piece.data(), stream_.next_out);
+    } while (stream_.avail_out == 0);
+    if (last) {
+      ::deflateReset(&stream_);
     }
-    return value;
-  }
-  std::span<const std::uint8_t> bytes(std::uint64_t count) {
-    require(count <= rest_.size(), kCut);
-    return std::exchange(rest_, rest_.subspan(count)).first(count);
   }
 
-  std::span<const std::uint8_t> rest_;
+  z_stream stream_{};
+  std::vector<std::uint8_t> sorted_;  // a block
+  std::vector<std::uint8_t> content_;
 };
 
-/// Size of a number of this type; 0 for an unknown type.
-double item_bytes(std::uint8_t type) {
-  constexpr std::array<double, 8> kBytes = {1, 1, 2, 4, 8, 4, 8, 8};
-  return type < kBytes.size() ? kBytes.at(type) : 0;
+/// An entry whose sizes have been checked.
+struct Entry {
+  std::uint8_t type = 0;
+  std::string_view name;
+  std::uint64_t count = 0;
+  Bytes data;
+
+  template <class Values>
+  void read_into(Values& values) const {
+    values.resize(count);
+    const auto [bytes, number_bytes] = memory_of(values);
+    auto length = static_cast<uLongf>(bytes.size());
+    auto used = static_cast<uLong>(data.size());
+    const bool whole = bytes.empty()
+                           ? data.empty()
+                           : ::uncompress2(bytes.data(), &length, data.data(), &used) == Z_OK &&
+                                 length == bytes.size() && used == data.size();
+    require(whole, "its compressed data is damaged");
+    std::vector<std::uint8_t> sorted;
+    for_each_block(bytes, number_bytes, [&, size = number_bytes](std::span<std::uint8_t> block) {
+      sorted.assign(block.begin(), block.end());
+      for_each_byte(block.size(), size,
+                    [&](std::size_t from, std::size_t to) { block[to] = sorted[from]; });
+    });
+  }
+};
+
+Bytes take(Bytes& rest, std::uint64_t count) {
+  require(count <= rest.size(), "an entry goes beyond its end");
+  return std::exchange(rest, rest.subspan(count)).first(count);
+}
+
+template <class Number>
+Number take_number(Bytes& rest) {
+  Number number = 0;
+  std::memcpy(&number, take(rest, sizeof number).data(), sizeof number);
+  return number;
+}
+
+Entry take_entry(Bytes& rest) {
+  Entry entry;
+  entry.type = take_number<std::uint8_t>(rest);
+  const auto name_length = take_number<std::uint16_t>(rest);
+  entry.count = take_number<std::uint64_t>(rest);
+  const auto data_length = take_number<std::uint64_t>(rest);
+  const Bytes name = take(rest, name_length);
+  entry.name = {reinterpret_cast<const char*>(name.data()), name.size()};
+  entry.data = take(rest, data_length);
+  return entry;
 }
 
 /// Reads all entries and checks that they fit into memory.
-std::vector<Entry> entries_of(std::span<const std::uint8_t> content, double max_bytes) {
+std::vector<Entry> entries_of(Bytes rest, double max_bytes) {
+  constexpr std::array<double, 8> kNumberBytes = {1, 1, 2, 4, 8, 4, 8, 8};  // by type
+  constexpr double kBytesBeside = 160;    // in memory: name, node of the map, vector
+  constexpr double kMaxExpansion = 1032;  // bytes that one compressed byte can expand to
   std::vector<Entry> entries;
   std::set<std::pair<bool, std::string_view>> names;
   double sum = 0;
-  for (Entries rest(content); !rest.at_end();) {
-    const Entry entry = rest.next();
-    const double bytes = static_cast<double>(entry.count) * item_bytes(entry.type);
-    require(item_bytes(entry.type) > 0, "an entry of an unknown type");
+  while (!rest.empty()) {
+    const Entry entry = take_entry(rest);
+    require(entry.type < kNumberBytes.size(), "an entry of an unknown type");
+    const double bytes = static_cast<double>(entry.count) * kNumberBytes.at(entry.type);
     require(bytes <= kMaxExpansion * static_cast<double>(entry.data.size()),
             "an entry that is longer than its data can be");
     sum += bytes + kBytesBeside + 2 * static_cast<double>(entry.name.size() + sizeof(Entry));
     require(sum <= max_bytes, "it needs more memory than the limit");
-    require(names.emplace(entry.type == kText, entry.name).second, "an entry that is there twice");
+    require(names.emplace(entry.type == 0, entry.name).second, "an entry that is there twice");
     entries.push_back(entry);
   }
   return entries;
 }
 
-template <class T>
-std::vector<T> expanded(const Entry& entry, Decompressor& expander) {
-  std::vector<T> values(entry.count);
-  expander.expand(entry.data, std::span(values));
-  return values;
-}
-
+/// An empty column of the type of an entry.
 template <std::size_t... kIndex>
-reflection::Column column_of(const Entry& entry, Decompressor& expander,
-                             std::index_sequence<kIndex...> /*types*/) {
-  reflection::Column column;
-  static_cast<void>(
-      ((entry.type == kIndex + 1 &&
-        (column =
-             expanded<typename std::variant_alternative_t<kIndex, reflection::Column>::value_type>(
-                 entry, expander),
-         true)) ||
-       ...));
-  return column;
+reflection::Column column_of(std::size_t type, std::index_sequence<kIndex...> /*types*/) {
+  const std::array<reflection::Column, sizeof...(kIndex)> columns = {
+      std::variant_alternative_t<kIndex, reflection::Column>()...};
+  return columns.at(type - 1);
 }
 
 }  // namespace
 
 std::vector<std::uint8_t> checkpoint_bytes(const Checkpoint& checkpoint) {
-  Compressor compressor;
-  std::vector<std::uint8_t> content;
+  Writer writer;
   for (const std::string_view name : kTexts) {
-    put_entry<char>(content, compressor, kText, name, text_of(checkpoint, name));
+    writer.add(0, name, text_of(checkpoint, name));
   }
   for (const auto& [name, column] : checkpoint.fields) {
-    std::visit(
-        [&, type = static_cast<std::uint8_t>(column.index() + 1),
-         path = std::string_view(name)]<class T>(const std::vector<T>& values) {
-          put_entry<T>(content, compressor, type, path, values);
-        },
-        column);
+    std::visit([&, type = column.index() + 1, path = std::string_view(name)](
+                   const auto& values) { writer.add(type, path, values); },
+               column);
   }
-  return with_header(kCheckpointKind, content);
+  return with_header(kCheckpointKind, writer.content());
 }
 
-Checkpoint parse_checkpoint(std::span<const std::uint8_t> file, double max_bytes) {
-  const auto content = content_of(kCheckpointKind, file);
-  const std::vector<Entry> entries =
-      entries_of(content, max_bytes - static_cast<double>(file.size()));
+Checkpoint parse_checkpoint(Bytes file, double max_bytes) {
+  constexpr auto kTypes = std::make_index_sequence<std::variant_size_v<reflection::Column>>();
   Checkpoint checkpoint;
-  Decompressor expander;
   std::size_t texts = 0;
-  for (const Entry& entry : entries) {
-    if (entry.type != kText) {
-      constexpr auto kTypes = std::make_index_sequence<std::variant_size_v<reflection::Column>>();
-      checkpoint.fields[std::string(entry.name)] = column_of(entry, expander, kTypes);
-      continue;
+  for (const Entry& entry : entries_of(content_of(kCheckpointKind, file),
+                                       max_bytes - static_cast<double>(file.size()))) {
+    if (entry.type == 0) {
+      require(std::find(kTexts.begin(), kTexts.end(), entry.name) != kTexts.end(),
+              "a text of an unknown name");
+      entry.read_into(text_of(checkpoint, entry.name));
+      ++texts;
+    } else {
+      reflection::Column& column = checkpoint.fields[std::string(entry.name)];
+      column = column_of(entry.type, kTypes);
+      std::visit([&entry](auto& values) { entry.read_into(values); }, column);
     }
-    require(std::find(kTexts.begin(), kTexts.end(), entry.name) != kTexts.end(),
-            "a text of an unknown name");
-    std::string& text = text_of(checkpoint, entry.name);
-    text.resize(entry.count);
-    expander.expand(entry.data, std::span(text));
-    ++texts;
   }
   require(texts == kTexts.size(), "a text is missing");
   return checkpoint;

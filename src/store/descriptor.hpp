@@ -1,18 +1,30 @@
 #pragma once
-// File descriptors.
+// File descriptors, and what system calls on them need.
 
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <span>
+#include <string_view>
 #include <utility>
-
-#include "process/internal/write_all.hpp"
 
 namespace clca::store {
 
 inline constexpr mode_t kReadableByAll = 0666;  // less what the umask takes away
+
+/// Throws StoreError: `cannot WHAT PATH: REASON`.
+[[noreturn]] void fail(std::string_view what, const std::filesystem::path& path,
+                       std::string_view reason = std::strerror(errno));
+
+inline std::span<const std::uint8_t> as_bytes(std::string_view text) {
+  return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
+}
 
 /// Closes a file descriptor at the end of a scope.
 class Descriptor {
@@ -46,6 +58,16 @@ class Descriptor {
   int number_;
 };
 
-using process::write_all;
+/// Writes all bytes to a file descriptor; false after an error, which is in errno.
+inline bool write_all(int descriptor, std::span<const std::uint8_t> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
+    if (written < 0 && errno != EINTR) {
+      return false;
+    }
+    bytes = bytes.subspan(static_cast<std::size_t>(std::max<ssize_t>(written, 0)));
+  }
+  return true;
+}
 
 }  // namespace clca::store

@@ -1,55 +1,187 @@
 #include "clca/store/file.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
 
-#include <cstring>
+#include <cstdio>
+#include <random>
 #include <string>
 #include <system_error>
+#include <utility>
 
-#include "clca/store/atomic_file.hpp"
 #include "clca/text/read.hpp"
 #include "store/descriptor.hpp"
 
 namespace clca::store {
 
+namespace fs = std::filesystem;
+
 namespace {
 
-[[noreturn]] void fail(std::string_view what, const std::filesystem::path& path, int error) {
-  throw StoreError(fmt::format("cannot {} {}: {}", what, path.string(), std::strerror(error)));
+constexpr std::string_view kTemporaryBegin = ".clca-";
+constexpr std::string_view kTemporaryEnd = ".part";
+
+fs::path new_temporary_name() {
+  static std::random_device device;
+  return fmt::format("{}{:08x}{:08x}{}", kTemporaryBegin, device(), device(), kTemporaryEnd);
+}
+
+/// `flags`: LOCK_NB, or 0 to wait.
+bool lock(const Descriptor& file, int flags) {
+  int result = 0;
+  do {
+    result = ::flock(file.number(), LOCK_EX | flags);
+  } while (result != 0 && errno == EINTR);
+  return result == 0;
 }
 
 }  // namespace
 
-void write_whole(const std::filesystem::path& path, std::span<const std::uint8_t> bytes) {
+void fail(std::string_view what, const fs::path& path, std::string_view reason) {
+  throw StoreError(fmt::format("cannot {} {}: {}", what, path.string(), reason));
+}
+
+struct AtomicFile::State {
+  State() = default;
+  ~State() {
+    if (!temporary.empty()) {
+      ::unlink(temporary.c_str());
+    }
+  }
+  State(const State&) = delete;
+  State& operator=(const State&) = delete;
+
+  fs::path path;
+  fs::path temporary;  ///< empty when there is nothing to remove
+  Descriptor file;
+  std::function<void()> flush_later;
+  bool flushed = false;
+  std::uint64_t size = 0;
+};
+
+AtomicFile::AtomicFile(const fs::path& path) : AtomicFile(path, nullptr) {
+  remove_abandoned_files(path.parent_path());
+}
+
+AtomicFile::AtomicFile(const fs::path& path, std::function<void()> flush_later)
+    : state_(std::make_unique<State>()) {
+  std::error_code error;
+  state_->path = fs::absolute(path, error);
+  const fs::file_status status = fs::symlink_status(state_->path, error);
+  if (fs::exists(status) && !fs::is_regular_file(status)) {
+    fail("write", path, "it is not a regular file");
+  }
+  state_->flush_later = std::move(flush_later);
+  struct stat made {};
+  do {  // before it is locked, another process may lock it as abandoned, and remove it
+    const fs::path temporary = state_->path.parent_path() / new_temporary_name();
+    constexpr int kFlags = O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC;
+    state_->file = Descriptor(::open(temporary.c_str(), kFlags, kReadableByAll));
+    if (!state_->file.is_open()) {
+      fail("write", path);
+    }
+    state_->temporary = temporary;
+    if (!lock(state_->file, 0) || ::fstat(state_->file.number(), &made) != 0) {
+      fail("write", path);
+    }
+  } while (made.st_nlink == 0);
+}
+
+AtomicFile::~AtomicFile() = default;
+AtomicFile::AtomicFile(AtomicFile&& other) noexcept = default;
+
+fs::path AtomicFile::temporary_path() const {
+  return state_->temporary;
+}
+
+std::uint64_t AtomicFile::size() const {
+  return state_->size;
+}
+
+void AtomicFile::write(std::span<const std::uint8_t> bytes) {
+  if (!write_all(state_->file.number(), bytes)) {
+    fail("write", state_->path);
+  }
+  state_->size += bytes.size();
+  state_->flushed = false;
+}
+
+void AtomicFile::write(std::string_view text) {
+  write(as_bytes(text));
+}
+
+void AtomicFile::flush() {
+  if (::fsync(state_->file.number()) != 0) {
+    fail("write", state_->path);
+  }
+  state_->flushed = true;
+}
+
+void AtomicFile::finish() {
+  State& state = *state_;
+  const bool later = !state.flushed && state.flush_later;
+  if (!state.flushed && !later) {
+    flush();
+  }
+  if (::rename(state.temporary.c_str(), state.path.c_str()) != 0) {
+    fail("write", state.path);
+  }
+  state.temporary.clear();
+  if (!state.file.close()) {
+    fail("write", state.path);
+  }
+  if (later) {
+    state.flush_later();
+  }
+}
+
+void remove_abandoned_files(const fs::path& folder) {
+  std::error_code error;
+  const fs::path place = folder.empty() ? "." : folder;
+  for (fs::directory_iterator it(place, error), end; !error && it != end; it.increment(error)) {
+    const std::string name = it->path().filename().string();
+    if (name.starts_with(kTemporaryBegin) && name.ends_with(kTemporaryEnd)) {
+      const Descriptor file(
+          ::open(it->path().c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+      if (file.is_open() && file.is_regular() && lock(file, LOCK_NB)) {
+        ::unlink(it->path().c_str());
+      }
+    }
+  }
+}
+
+void write_whole(const fs::path& path, std::span<const std::uint8_t> bytes) {
   AtomicFile file(path);
   file.write(bytes);
   file.finish();
 }
 
-void write_whole(const std::filesystem::path& path, std::string_view text) {
-  write_whole(path, std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+void write_whole(const fs::path& path, std::string_view text) {
+  write_whole(path, as_bytes(text));
 }
 
-void make_folder(const std::filesystem::path& folder) {
+void make_folder(const fs::path& folder) {
   std::error_code error;
-  std::filesystem::create_directories(folder, error);
+  fs::create_directories(folder, error);
   if (error) {
-    fail("make the folder", folder, error.value());
+    fail("make the folder", folder, error.message());
   }
 }
 
-void look_anew(const std::filesystem::path& folder) {
-  for (const std::filesystem::path& directory : {folder.parent_path(), folder}) {
+void look_anew(const fs::path& folder) {
+  for (const fs::path& directory : {folder.parent_path(), folder}) {
     // To open a folder asks the server.
     const Descriptor opened(::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   }
 }
 
-std::vector<std::uint8_t> read_whole(const std::filesystem::path& path, double max_bytes) {
+std::vector<std::uint8_t> read_whole(const fs::path& path, double max_bytes) {
   try {
     return text::read_file(path, max_bytes);
   } catch (const text::ReadError& error) {
-    throw StoreError(fmt::format("cannot read {}: {}", path.string(), error.what()));
+    fail("read", path, error.what());
   }
 }
 

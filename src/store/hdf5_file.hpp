@@ -1,6 +1,5 @@
 #pragma once
 // HDF5 files with a checksum header, readable by any HDF5 program.
-// Files are read in child processes only, so that damaged ones cannot harm this process.
 
 #include <concepts>
 #include <cstdint>
@@ -15,6 +14,10 @@
 #include "store/checksum_header.hpp"
 
 namespace clca::store {
+
+namespace hdf5 {
+class Handle;
+}
 
 /// Number types of a dataset.
 template <class T>
@@ -32,21 +35,20 @@ struct Meaning {
 /// hdf5::check.
 class Hdf5Writer {
  public:
-  /// `file`: HDF5 identifier.
-  explicit Hdf5Writer(std::int64_t file) : file_(file) {}
+  /// A text, a list of texts, or numbers.
+  using Values = std::variant<std::string_view, std::span<const std::string>,
+                              std::span<const std::uint8_t>, std::span<const std::uint16_t>,
+                              std::span<const std::uint32_t>, std::span<const std::uint64_t>,
+                              std::span<const std::int32_t>, std::span<const double>>;
 
-  /// A chunked, compressed dataset of `values` in rows of `columns` numbers (1: a list).
-  template <Number T>
-  void add(const std::string& path, std::span<const T> values, std::size_t columns = 1,
+  explicit Hdf5Writer(const hdf5::Handle& file) : file_(file) {}
+
+  /// Numbers are in rows of `columns` (1: a list), chunked and compressed if there are many.
+  void add(const std::string& path, const Values& values, std::size_t columns = 1,
            const Meaning& meaning = {}) const;
-  /// A string, as UTF-8.
-  void add_text(const std::string& path, std::string_view text, const Meaning& meaning = {}) const;
-  /// A list of strings.
-  void add_texts(const std::string& path, const std::vector<std::string>& texts,
-                 const Meaning& meaning = {}) const;
 
  private:
-  std::int64_t file_;
+  const hdf5::Handle& file_;
 };
 
 /// The bytes of a file for `path`, filled by `add`. Throws StoreError.
@@ -65,10 +67,12 @@ struct Hdf5Dataset {
   bool may_be_missing = false;  ///< then there are no values
 };
 
-/// Reads these datasets of a file. `max_bytes`: memory limit for the file, the data, and the
-/// largest dataset again.
+inline constexpr double kAnyBytes = 1e18;
+
+/// Reads these datasets of a file whose checksum is right. `max_bytes`: memory limit for three
+/// copies of the file, and the data.
 /// Throws StoreError with the path for a file that is truncated, damaged, or of another kind or
-/// version, and for datasets that are missing, of another type or layout, or too large.
+/// version, and for datasets that are missing, of another type or extent, or too large.
 void read_hdf5(const std::filesystem::path& path, const FileKind& kind,
                const std::vector<Hdf5Dataset>& datasets, double max_bytes);
 

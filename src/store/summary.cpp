@@ -2,8 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <charconv>
+#include <limits>
 #include <new>
 #include <nlohmann/json.hpp>
+#include <optional>
+
+#include "clca/store/file.hpp"
+#include "clca/text/read.hpp"
 
 namespace clca::store {
 
@@ -32,20 +39,6 @@ Json to_object(const scene::Conversion& units) {
     object["site_weight"] = units.site->weight;
   }
   return object;
-}
-
-Json to_object(const BoxSummary& box) {
-  return {{"left", box.left},
-          {"right", box.right},
-          {"floor", box.floor},
-          {"top", box.top},
-          {"periodic", box.periodic}};
-}
-
-Json to_object(const BeginSummary& begin) {
-  return {{"run", begin.run},
-          {"step", begin.step ? Json(*begin.step) : Json("last")},
-          {"state_hash", fmt::format("{:016x}", begin.state_hash)}};
 }
 
 Json to_object(const std::vector<scene::DerivedMeasure>& derived) {
@@ -84,10 +77,6 @@ Json to_object(const StageSummary& stage, const std::optional<scene::Conversion>
   return object;
 }
 
-Json to_object(const KindSummary& kind) {
-  return {{"species", kind.species}, {"degrees", kind.degrees}};
-}
-
 Json to_object(const ColumnSummary& column) {
   Json object = {{"key", column.key}, {"name", column.name}};
   for (const auto& [key, text] :
@@ -102,19 +91,211 @@ Json to_object(const ColumnSummary& column) {
   return object;
 }
 
-template <class Item>
-Json list_of(const std::vector<Item>& items) {
-  Json list = Json::array();
-  for (const Item& item : items) {
-    list.push_back(to_object(item));
+// Reading is strict, since the file may be truncated or foreign.
+
+/// The problem with a run.json.
+class FormatError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+const Json& field(const Json& object, const char* key, bool (Json::*is)() const noexcept) {
+  const auto found = object.is_object() ? object.find(key) : object.end();
+  if (found == object.end() || !((*found).*is)()) {
+    throw FormatError(fmt::format("'{}' is missing or not what it should be", key));
   }
-  return list;
+  return *found;
+}
+
+std::string text(const Json& object, const char* key) {
+  return field(object, key, &Json::is_string).get<std::string>();
+}
+
+std::uint64_t count(const Json& object, const char* key) {
+  return field(object, key, &Json::is_number_unsigned).get<std::uint64_t>();
+}
+
+int small_count(const Json& object, const char* key) {
+  const std::uint64_t number = count(object, key);
+  if (number > std::numeric_limits<int>::max()) {
+    throw FormatError(fmt::format("'{}' is more than there can be", key));
+  }
+  return static_cast<int>(number);
+}
+
+/// NaN and infinities are written as null; mandatory numbers are never null.
+double number(const Json& object, const char* key) {
+  return field(object, key, &Json::is_number).get<double>();
+}
+
+std::uint64_t hash(const Json& object, const char* key) {
+  constexpr int kHexadecimal = 16;
+  const std::string digits = text(object, key);
+  const char* end = digits.data() + digits.size();
+  std::uint64_t value = 0;
+  const auto [stop, error] = std::from_chars(digits.data(), end, value, kHexadecimal);
+  if (stop != end || error != std::errc()) {
+    throw FormatError(fmt::format("'{}' is no hash", key));
+  }
+  return value;
+}
+
+MeasureValue measure(const Json& value) {
+  if (value.is_number()) {
+    return value.get<double>();
+  }
+  if (value.is_boolean()) {
+    return value.get<bool>();
+  }
+  if (value.is_null()) {
+    return {};
+  }
+  throw FormatError("a measure is neither a number nor true, false or null");
+}
+
+/// Names that become file names.
+std::string name(const Json& object, const char* key) {
+  std::string found = text(object, key);
+  if (!clca::text::is_file_name(found)) {
+    throw FormatError(fmt::format("'{}' is '{}', which cannot name a file", key, found));
+  }
+  return found;
+}
+
+StageSummary stage(const Json& object) {
+  StageSummary summary = {.name = name(object, "name"),
+                          .steps = count(object, "steps"),
+                          .ended = text(object, "ended"),
+                          .measures = {}};
+  for (const auto& [name, value] : field(object, "measures", &Json::is_object).items()) {
+    summary.measures.emplace_back(name, measure(value));
+  }
+  summary.fills = object.contains("fills");
+  if (object.contains("notes")) {
+    for (const Json& note : field(object, "notes", &Json::is_array)) {
+      if (!note.is_string()) {
+        throw FormatError("a note is no text");
+      }
+      summary.notes.push_back(note.get<std::string>());
+    }
+  }
+  return summary;
+}
+
+/// Stops the parser if a text would take excessive memory or time.
+class Limits {
+ public:
+  bool operator()(int depth, Json::parse_event_t event, const Json& /*value*/) {
+    const auto level = static_cast<std::size_t>(depth);
+    if (level >= kMaxDepth) {
+      throw FormatError(fmt::format("it is nested deeper than {} levels", kMaxDepth));
+    }
+    if (event == Json::parse_event_t::object_start) {
+      keys_[level + 1] = 0;
+    } else if (event == Json::parse_event_t::key && ++keys_[level] > kMaxKeys) {
+      throw FormatError(fmt::format("it has an object of more than {} keys", kMaxKeys));
+    }
+    return true;
+  }
+
+ private:
+  static constexpr std::size_t kMaxDepth = 16;
+  static constexpr int kMaxKeys = 1000;       // of an object, since looking one up takes that long
+  std::array<int, kMaxDepth + 1> keys_ = {};  // so far, by depth
+};
+
+scene::Conversion units(const Json& found) {
+  scene::Conversion result = {.length_unit = text(found, "length"),
+                              .time_unit = text(found, "time"),
+                              .velocity_unit = text(found, "velocity"),
+                              .spacing = number(found, "spacing"),
+                              .time_step = number(found, "time_step")};
+  if (found.contains("site_mass")) {
+    result.site = {.mass = number(found, "site_mass"), .weight = number(found, "site_weight")};
+  }
+  return result;
+}
+
+BoxSummary box(const Json& found) {
+  return {.left = number(found, "left"),
+          .right = number(found, "right"),
+          .floor = number(found, "floor"),
+          .top = number(found, "top"),
+          .periodic = field(found, "periodic", &Json::is_boolean).get<bool>()};
+}
+
+std::vector<scene::DerivedMeasure> derived(const Json& found) {
+  std::vector<scene::DerivedMeasure> result;
+  for (const auto& [name, entry] : found.items()) {
+    scene::DerivedMeasure& derived = result.emplace_back();
+    derived.name = name;
+    derived.value = text(entry, "value");
+    derived.unit = text(entry, "unit");
+    if (entry.contains("about")) {
+      derived.about = text(entry, "about");
+    }
+  }
+  return result;
+}
+
+BeginSummary begin(const Json& found) {
+  BeginSummary result = {
+      .run = text(found, "run"), .step = {}, .state_hash = hash(found, "state_hash")};
+  if (!found.contains("step") || found["step"] != "last") {
+    result.step = count(found, "step");
+  }
+  return result;
+}
+
+/// Reads what is an object, if it is there.
+template <class Read, class Value>
+void take_if_there(const Json& object, const char* key, Read read, Value& value) {
+  if (object.contains(key)) {
+    value = read(field(object, key, &Json::is_object));
+  }
+}
+
+RunSummary summary_of(const Json& object) {
+  const Json& build = field(object, "build", &Json::is_object);
+  RunSummary summary = {.kind = text(object, "kind"),
+                        .version = text(object, "clca"),
+                        .scene = text(object, "scene"),
+                        // Runs of earlier versions have none.
+                        .title = object.contains("title") ? text(object, "title") : "",
+                        .seed = count(object, "seed"),
+                        .threads = small_count(object, "threads"),
+                        .ranks = object.contains("ranks") ? small_count(object, "ranks") : 1,
+                        .status = text(object, "status"),
+                        .particles = count(object, "particles"),
+                        .steps = count(object, "steps"),
+                        .wall_seconds = number(object, "wall_seconds"),
+                        .step_seconds = number(object, "step_seconds"),
+                        .rate = number(object, rate_key(text(object, "kind"))),
+                        .state_hash = hash(object, "state_hash"),
+                        .compiler = text(build, "compiler"),
+                        .build_type = text(build, "type"),
+                        .stages = {}};
+  take_if_there(object, "begin", begin, summary.begin);
+  take_if_there(object, "units", units, summary.units);
+  take_if_there(object, "box", box, summary.box);
+  take_if_there(object, "derived", derived, summary.derived);
+  if (summary.kind != "comparison") {  // which writes no files of that name
+    name(object, "scene");
+  }
+  for (const Json& entry : field(object, "stages", &Json::is_array)) {
+    summary.stages.push_back(stage(entry));
+  }
+  return summary;
 }
 
 }  // namespace
 
 Json to_list(const std::vector<ColumnSummary>& measures) {
-  return list_of(measures);
+  Json list = Json::array();
+  for (const ColumnSummary& column : measures) {
+    list.push_back(to_object(column));
+  }
+  return list;
 }
 
 Json to_object(const std::vector<TableSummary>& tables) {
@@ -146,13 +327,19 @@ std::string to_json(const RunSummary& summary) {
   }
   add_time(object, summary.steps, summary.units);
   if (summary.begin) {
-    object["begin"] = to_object(*summary.begin);
+    object["begin"] = {{"run", summary.begin->run},
+                       {"step", summary.begin->step ? Json(*summary.begin->step) : Json("last")},
+                       {"state_hash", fmt::format("{:016x}", summary.begin->state_hash)}};
   }
   if (summary.units) {
     object["units"] = to_object(*summary.units);
   }
   if (summary.box) {
-    object["box"] = to_object(*summary.box);
+    object["box"] = {{"left", summary.box->left},
+                     {"right", summary.box->right},
+                     {"floor", summary.box->floor},
+                     {"top", summary.box->top},
+                     {"periodic", summary.box->periodic}};
   }
   if (!summary.derived.empty()) {
     object["derived"] = to_object(summary.derived);
@@ -163,11 +350,37 @@ std::string to_json(const RunSummary& summary) {
   object["state_hash"] = fmt::format("{:016x}", summary.state_hash);
   object["build"] = {{"compiler", summary.compiler}, {"type", summary.build_type}};
   object["stages"] = std::move(stages);
-  object["kinds"] = list_of(summary.kinds);
+  Json& kinds = object["kinds"] = Json::array();
+  for (const KindSummary& kind : summary.kinds) {
+    kinds.push_back({{"species", kind.species}, {"degrees", kind.degrees}});
+  }
   object["measures"] = to_list(summary.measures);
   object["tables"] = to_object(summary.tables);
   constexpr int kIndent = 2;
   return object.dump(kIndent) + '\n';
+}
+
+RunSummary parse_summary(std::string_view json, const std::string& name) {
+  try {
+    return summary_of(Json::parse(json, Limits()));
+  } catch (const Json::exception&) {
+    throw StoreError(fmt::format("cannot read {}: it is cut off or no JSON", name));
+  } catch (const FormatError& error) {
+    throw StoreError(fmt::format("cannot read {}: {}", name, error.what()));
+  }
+}
+
+RunSummary read_summary(const std::filesystem::path& file) {
+  std::error_code unknown;
+  const std::filesystem::path folder = file.parent_path();
+  if (std::filesystem::is_directory(folder, unknown) && !std::filesystem::exists(file, unknown)) {
+    throw StoreError(
+        fmt::format("cannot read {}: No such file or directory; {} is not the folder of a run",
+                    file.string(), folder.string()));
+  }
+  constexpr double kMaxBytes = 16 << 20;
+  const auto bytes = read_whole(file, kMaxBytes);
+  return parse_summary({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, file.string());
 }
 
 }  // namespace clca::store

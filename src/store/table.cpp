@@ -2,8 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <limits>
+#include <set>
 #include <stdexcept>
+#include <string_view>
+
+#include "clca/store/file.hpp"
 
 namespace clca::store {
 
@@ -30,6 +37,73 @@ std::string to_text(const Cell& cell) {
   return fmt::format("{}", std::get<std::uint64_t>(cell));
 }
 
+[[noreturn]] void refuse(const std::filesystem::path& file, std::size_t line,
+                         std::string_view reason) {
+  throw StoreError(fmt::format("cannot read {}: line {}: {}", file.string(), line, reason));
+}
+
+/// Reads the cells of a text one by one: strict, since the file may be truncated or foreign.
+class CellReader {
+ public:
+  CellReader(const std::filesystem::path& file, std::string_view text) : file_(file), text_(text) {}
+
+  bool at_end() const { return text_.empty(); }
+  std::size_t line() const { return line_; }
+
+  /// One row, to the end of its line.
+  std::vector<std::string> row() {
+    std::vector<std::string> cells;
+    do {
+      cells.push_back(text_.starts_with('"') ? quoted() : plain());
+    } while (takes(','));
+    if (!takes('\n')) {
+      refuse(file_, line_,
+             at_end()                           ? "the file is cut off"
+             : text_.find_first_of("\"\r") == 0 ? "a quote or carriage return out of place"
+                                                : "a character after a closing quote");
+    }
+    ++line_;
+    return cells;
+  }
+
+ private:
+  bool takes(char letter) {
+    const bool found = text_.starts_with(letter);
+    text_.remove_prefix(found ? 1 : 0);
+    return found;
+  }
+
+  std::string_view taken(std::size_t count) {
+    const std::string_view front = text_.substr(0, count);
+    text_.remove_prefix(front.size());
+    return front;
+  }
+
+  std::string plain() { return std::string(taken(text_.find_first_of(",\"\r\n"))); }
+
+  std::string quoted() {
+    std::string cell;
+    takes('"');
+    while (true) {
+      const std::size_t end = text_.find('"');
+      if (end == std::string_view::npos) {
+        refuse(file_, line_, "a quote is not closed");
+      }
+      cell += taken(end);
+      takes('"');
+      if (!takes('"')) {
+        line_ += static_cast<std::size_t>(std::count(cell.begin(), cell.end(), '\n'));
+        return cell;
+      }
+      cell += '"';
+    }
+  }
+
+  const std::filesystem::path& file_;
+  std::string_view text_;
+  std::size_t line_ = 1;
+};
+
 }  // namespace
 
 void Table::add_row(std::vector<Cell> cells) {
@@ -53,6 +127,52 @@ std::string Table::header() const {
 
 std::string Table::to_csv() const {
   return header() + rows_;
+}
+
+const std::vector<std::string>* ReadTable::find(const std::string& name) const {
+  const auto found = std::find(names.begin(), names.end(), name);
+  return found == names.end() ? nullptr : &cells[static_cast<std::size_t>(found - names.begin())];
+}
+
+std::vector<double> ReadTable::numbers(const std::string& name) const {
+  const std::vector<std::string>* column = find(name);
+  if (column == nullptr) {
+    throw StoreError(fmt::format("cannot read {}: no column '{}'", file.string(), name));
+  }
+  std::vector<double> values(column->size(), std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t row = 0; row < values.size(); ++row) {
+    const std::string& cell = (*column)[row];
+    const char* end = cell.data() + cell.size();
+    const auto [stop, error] = std::from_chars(cell.data(), end, values[row]);
+    if (!cell.empty() && (stop != end || error != std::errc())) {
+      refuse(file, row + 2, fmt::format("'{}' in column '{}' is no number", cell, name));
+    }
+  }
+  return values;
+}
+
+ReadTable read_table(const std::filesystem::path& file, double max_bytes) {
+  const auto bytes = read_whole(file, max_bytes);
+  CellReader reader(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  ReadTable table = {.file = file, .names = reader.row(), .cells = {}};
+  std::set<std::string_view> known;
+  for (const std::string& name : table.names) {
+    if (name.empty() || !known.insert(name).second) {
+      refuse(file, 1, fmt::format("the name '{}' of a column is empty or there twice", name));
+    }
+  }
+  table.cells.resize(table.names.size());
+  while (!reader.at_end()) {
+    const std::size_t line = reader.line();
+    std::vector<std::string> row = reader.row();
+    if (row.size() != table.names.size()) {
+      refuse(file, line, fmt::format("{} cells in {} columns", row.size(), table.names.size()));
+    }
+    for (std::size_t column = 0; column < row.size(); ++column) {
+      table.cells[column].push_back(std::move(row[column]));
+    }
+  }
+  return table;
 }
 
 }  // namespace clca::store

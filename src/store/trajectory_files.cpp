@@ -2,24 +2,20 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <charconv>
 #include <limits>
 #include <optional>
-#include <string>
+#include <set>
 #include <string_view>
 #include <system_error>
 
 #include "clca/store/file.hpp"
 #include "clca/store/trajectory.hpp"
-#include "store/internal/hdf5.hpp"
-#include "store/number_types.hpp"
+#include "store/hdf5.hpp"
 
 namespace clca::store {
 
 namespace {
-
-constexpr double kAnySize = 1e18;
 
 std::optional<std::uint64_t> part_number(const std::string& name) {
   constexpr std::string_view kStart = "part-";
@@ -31,32 +27,20 @@ std::optional<std::uint64_t> part_number(const std::string& name) {
   return name == part_name(number) ? std::optional(number) : std::nullopt;
 }
 
-/// Names in a folder; none if it does not exist.
-std::vector<std::string> names_in(const std::filesystem::path& folder) {
-  std::vector<std::string> names;
+/// In a folder; none if it does not exist.
+std::set<std::uint64_t> part_numbers(const std::filesystem::path& folder) {
+  std::set<std::uint64_t> numbers;
   std::error_code error;
   std::filesystem::directory_iterator it(folder, error);
-  if (error == std::errc::no_such_file_or_directory) {
-    return names;
-  }
   for (; !error && it != std::filesystem::directory_iterator(); it.increment(error)) {
-    names.push_back(it->path().filename().string());
+    if (const auto number = part_number(it->path().filename())) {
+      numbers.insert(*number);
+    }
   }
-  if (error) {
+  if (error && error != std::errc::no_such_file_or_directory) {
     throw StoreError(
         fmt::format("cannot read the folder {}: {}", folder.string(), error.message()));
   }
-  return names;
-}
-
-std::vector<std::uint64_t> part_numbers(const std::filesystem::path& folder) {
-  std::vector<std::uint64_t> numbers;
-  for (const std::string& name : names_in(folder)) {
-    if (const auto number = part_number(name)) {
-      numbers.push_back(*number);
-    }
-  }
-  std::sort(numbers.begin(), numbers.end());
   return numbers;
 }
 
@@ -86,12 +70,7 @@ std::vector<std::filesystem::path> find_parts(const std::filesystem::path& run_f
 
 void check_parts(const std::filesystem::path& run_folder) {
   for (const std::filesystem::path& part : find_parts(run_folder)) {
-    const std::vector<std::uint8_t> file = read_whole(part, kAnySize);
-    try {
-      content_of(kTrajectoryKind, file);
-    } catch (const std::runtime_error& error) {
-      throw StoreError(fmt::format("cannot read {}: {}", part.string(), error.what()));
-    }
+    read_hdf5(part, kTrajectoryKind, {}, kAnyBytes);
   }
 }
 
@@ -100,7 +79,7 @@ void remove_parts(const OutputFolder& run_folder, std::uint64_t kept) {
     run_folder.remove(kTrajectoryIndex);
   }
   const OutputFolder folder = run_folder.subfolder(kTrajectoryFolder);
-  const std::vector<std::uint64_t> numbers = part_numbers(folder.path());
+  const std::set<std::uint64_t> numbers = part_numbers(folder.path());
   for (auto number = numbers.rbegin(); number != numbers.rend() && *number >= kept; ++number) {
     folder.remove(part_name(*number));
   }
@@ -112,15 +91,6 @@ using hdf5::Handle;
 namespace {
 
 using Dimensions = std::vector<hsize_t>;
-
-Handle space_of(const Dimensions& size) {
-  return {H5Screate_simple(static_cast<int>(size.size()), size.data(), nullptr), H5Sclose,
-          "extent"};
-}
-
-Handle properties(hid_t of) {
-  return {H5Pcreate(of), H5Pclose, "properties"};
-}
 
 /// Relative names, so that a run folder may be moved.
 std::string source_file(std::size_t part) {
@@ -143,7 +113,7 @@ void map_parts(const Handle& creation, const Handle& whole, const Column& column
                const std::vector<Extents>& parts) {
   Dimensions start(1 + column.row.size(), 0);
   for (std::size_t part = 0; part < parts.size(); ++part) {
-    const std::uint64_t rows = parts[part].along(column.axis);
+    const std::uint64_t rows = parts[part][column.axis];
     if (rows == 0) {
       continue;
     }
@@ -152,7 +122,7 @@ void map_parts(const Handle& creation, const Handle& whole, const Column& column
     check(H5Sselect_hyperslab(whole.id(), H5S_SELECT_SET, start.data(), nullptr, once.data(),
                               block.data()),
           "rows of a part");
-    const Handle source = space_of(shape_in_part(column, rows));
+    const Handle source = hdf5::space_of(shape_in_part(column, rows));
     check(H5Pset_virtual(creation.id(), whole.id(), source_file(part).c_str(), column.path,
                          source.id()),
           "virtual dataset");
@@ -172,20 +142,14 @@ template <Number T>
 void add_dataset(const Handle& file, const Column& column, const std::vector<Extents>& parts) {
   std::uint64_t rows = 0;
   for (const Extents& part : parts) {
-    rows += part.along(column.axis);
+    rows += part[column.axis];
   }
-  const Handle whole = space_of(shape_of(column, rows));
-  const Handle creation = properties(H5P_DATASET_CREATE);
+  const Handle whole = hdf5::space_of(shape_of(column, rows));
+  const Handle creation = hdf5::properties(H5P_DATASET_CREATE);
   const T fill = no_value<T>();
-  check(H5Pset_obj_track_times(creation.id(), false), "no times");  // the same bytes again
-  check(H5Pset_fill_value(creation.id(), number_type<T>(), &fill), "fill value");
+  check(H5Pset_fill_value(creation.id(), hdf5::number_type<T>(), &fill), "fill value");
   map_parts(creation, whole, column, parts);
-  const Handle links = properties(H5P_LINK_CREATE);
-  check(H5Pset_create_intermediate_group(links.id(), 1), "groups");
-  const Handle dataset(H5Dcreate2(file.id(), column.path, number_type<T>(), whole.id(), links.id(),
-                                  creation.id(), H5P_DEFAULT),
-                       H5Dclose, "dataset");
-  hdf5::describe(dataset, column.meaning.unit, column.meaning.text);
+  hdf5::make_dataset(file, column.path, hdf5::number_type<T>(), whole, creation, column.meaning);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "store/trajectory_part.hpp"
 
+#include <algorithm>
 #include <functional>
 #include <numeric>
 
@@ -12,13 +13,11 @@ std::uint64_t sum_of(const std::vector<std::uint32_t>& counts) {
 }
 
 void add_site_row(std::vector<std::int32_t>& rows, lattice::Site site) {
-  rows.push_back(site.column);
-  rows.push_back(site.row);
+  rows.insert(rows.end(), {site.column, site.row});
 }
 
 void add_point_row(std::vector<double>& rows, const Eigen::Vector2d& point) {
-  rows.push_back(point.x());
-  rows.push_back(point.y());
+  rows.insert(rows.end(), {point.x(), point.y()});
 }
 
 }  // namespace
@@ -30,38 +29,19 @@ Layout layout_of(const scene::Scene& scene) {
           .contacts = trajectory && trajectory->contacts};
 }
 
-std::uint64_t Extents::along(Axis axis) const {
-  switch (axis) {
-    case Axis::frames:
-      return frames;
-    case Axis::particles:
-      return particles;
-    case Axis::origins:
-      return origins;
-    case Axis::pushes:
-      return pushes;
-    case Axis::contacts:
-      break;
-  }
-  return contacts;
+Extents& Extents::operator+=(const Extents& other) {
+  std::transform(rows_.begin(), rows_.end(), other.rows_.begin(), rows_.begin(), std::plus());
+  return *this;
 }
 
 std::size_t Column::width() const {
   return std::accumulate(row.begin(), row.end(), std::size_t{1}, std::multiplies<>());
 }
 
-Extents& Extents::operator+=(const Extents& other) {
-  frames += other.frames;
-  particles += other.particles;
-  origins += other.origins;
-  pushes += other.pushes;
-  contacts += other.contacts;
-  return *this;
-}
-
-void RowRanges::add(std::uint64_t first_row, std::size_t rows) {
-  first.push_back(first_row);
-  count.push_back(static_cast<std::uint32_t>(rows));
+void RowRanges::end_frame(std::uint64_t before, std::size_t rows) {
+  const std::uint64_t start = first.empty() ? before : first.back() + count.back();
+  first.push_back(start);
+  count.push_back(static_cast<std::uint32_t>(before + rows - start));
 }
 
 RowSpan RowRanges::rows_of(std::size_t frame) const {
@@ -70,17 +50,17 @@ RowSpan RowRanges::rows_of(std::size_t frame) const {
 }
 
 Extents PartFrames::extents() const {
-  return {.frames = step.size(),
-          .particles = sum_of(particles.count),
-          .origins = sum_of(origins.count),
-          .pushes = sum_of(pushes.count),
-          .contacts = sum_of(contacts.count)};
+  Extents extents;
+  extents[Axis::frames] = step.size();
+  extents[Axis::particles] = sum_of(particles.count);
+  extents[Axis::origins] = sum_of(origins.count);
+  extents[Axis::pushes] = sum_of(pushes.count);
+  extents[Axis::contacts] = sum_of(contacts.count);
+  return extents;
 }
 
 void TrajectoryPart::add(const grains::State& state, std::size_t stage, std::size_t first_origin,
                          const Extents& before, const ContactFrame& contact) {
-  Extents first = before;
-  first += extents();
   for (std::size_t id = 0; id < state.particles.size(); ++id) {
     const grains::Particle& particle = state.particles[id];
     if (!particle.present) {
@@ -123,20 +103,10 @@ void TrajectoryPart::add(const grains::State& state, std::size_t stage, std::siz
   frames.step.push_back(state.step);
   frames.stage.push_back(static_cast<std::uint32_t>(stage));
   frames.entered.push_back(static_cast<std::uint32_t>(state.particles.size()));
-  Extents end = before;
-  end += extents();
-  frames.particles.add(first.particles, end.particles - first.particles);
-  frames.origins.add(first.origins, end.origins - first.origins);
-  frames.pushes.add(first.pushes, end.pushes - first.pushes);
-  frames.contacts.add(first.contacts, end.contacts - first.contacts);
-}
-
-Extents TrajectoryPart::extents() const {
-  return {.frames = frames.step.size(),
-          .particles = rows.id.size(),
-          .origins = origins.id.size(),
-          .pushes = rows.pushed.size(),
-          .contacts = rows.upper.size()};
+  frames.particles.end_frame(before[Axis::particles], rows.id.size());
+  frames.origins.end_frame(before[Axis::origins], origins.id.size());
+  frames.pushes.end_frame(before[Axis::pushes], rows.pushed.size());
+  frames.contacts.end_frame(before[Axis::contacts], rows.upper.size());
 }
 
 std::size_t TrajectoryPart::bytes() const {
@@ -146,6 +116,18 @@ std::size_t TrajectoryPart::bytes() const {
       *this, {.walls = 1, .velocities = true, .contacts = true},
       [&sum](const Column&, const auto& values) { sum += values.size() * sizeof(values.front()); });
   return sum;
+}
+
+void add_datasets(TrajectoryPart& part, const Layout& layout, Use use,
+                  std::vector<Hdf5Dataset>& datasets) {
+  for_each_column(part, layout, [&](const Column& column, auto& values) {
+    if (column.use == use) {
+      datasets.push_back({.path = column.path,
+                          .values = &values,
+                          .columns = column.width(),
+                          .may_be_missing = column.may_be_missing});
+    }
+  });
 }
 
 }  // namespace clca::store

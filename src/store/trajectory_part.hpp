@@ -1,6 +1,7 @@
 #pragma once
 // A part of a trajectory in memory: the datasets of docs/trajectory.md.
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -24,17 +25,24 @@ Layout layout_of(const scene::Scene& scene);
 
 /// What the rows of a dataset are.
 enum class Axis : std::uint8_t { frames, particles, origins, pushes, contacts };
+inline constexpr std::array kAxisNames = {"frames", "particles", "origins", "pushes", "contacts"};
 
-struct Extents {
-  std::uint64_t frames = 0;
-  std::uint64_t particles = 0;
-  std::uint64_t origins = 0;
-  std::uint64_t pushes = 0;
-  std::uint64_t contacts = 0;
-
-  std::uint64_t along(Axis axis) const;
+/// Numbers of rows.
+class Extents {
+ public:
+  std::uint64_t& operator[](Axis axis) { return rows_.at(static_cast<std::size_t>(axis)); }
+  std::uint64_t operator[](Axis axis) const { return rows_.at(static_cast<std::size_t>(axis)); }
   Extents& operator+=(const Extents& other);
-  bool operator==(const Extents&) const = default;
+
+ private:
+  std::array<std::uint64_t, kAxisNames.size()> rows_ = {};
+};
+
+/// When a dataset is read.
+enum class Use : std::uint8_t {
+  index,   ///< with the list of frames
+  rows,    ///< with one of the frames
+  derived  ///< never; for the convenience of other readers
 };
 
 /// A dataset: path, meaning of its rows and numbers, shape of a row (none: one number). The numbers
@@ -42,6 +50,7 @@ struct Extents {
 struct Column {
   const char* path;
   Axis axis;
+  Use use;
   Meaning meaning;
   std::vector<std::size_t> row = {};
   bool may_be_missing = false;  ///< earlier versions did not write it
@@ -61,7 +70,8 @@ struct RowRanges {
   std::vector<std::uint64_t> first;
   std::vector<std::uint32_t> count;
 
-  void add(std::uint64_t first_row, std::size_t rows);
+  /// Ends a frame: the part has this many rows now, and the parts before it have `before`.
+  void end_frame(std::uint64_t before, std::size_t rows);
   RowSpan rows_of(std::size_t frame) const;
 };
 
@@ -107,7 +117,6 @@ struct PartRows {
   std::vector<double> force;   ///< along the normal, along the shear
 };
 
-/// Derived data, for the convenience of other readers.
 struct PartDerived {
   std::vector<std::uint16_t> species;
   std::vector<double> position;       ///< x, y of the centre of mass
@@ -124,167 +133,123 @@ struct TrajectoryPart {
   /// ids from `first_origin` on.
   void add(const grains::State& state, std::size_t stage, std::size_t first_origin,
            const Extents& before, const ContactFrame& contact);
-  Extents extents() const;
   std::size_t bytes() const;
 };
 
 /// Calls visit(column, vector) for each dataset.
-template <class Frames, class Visit>
-void for_each_frames_column(Frames& frames, const Layout& layout, Visit visit) {
-  constexpr Axis kAxis = Axis::frames;
-  visit(Column{"frames/step", kAxis, {"steps", "of the whole run"}}, frames.step);
-  visit(Column{"frames/stage", kAxis, {"", "which of `scene/stages`, from 0"}}, frames.stage);
-  visit(Column{"frames/entered", kAxis, {"", "particles that had entered; ids are below this"}},
-        frames.entered);
-  visit(Column{"frames/first", kAxis, {"", "the first row of the frame in `particles`"}},
-        frames.particles.first);
-  visit(Column{"frames/particles", kAxis, {"", "rows of the frame in `particles`"}},
-        frames.particles.count);
-  visit(Column{"frames/first_origin", kAxis, {"", "the first row of the frame in `origins`"}},
-        frames.origins.first);
-  visit(Column{"frames/origins", kAxis, {"", "rows of the frame in `origins`"}},
-        frames.origins.count);
-  visit(Column{"frames/first_push", kAxis, {"", "the first row of the frame in `pushes`"}},
-        frames.pushes.first);
-  visit(Column{"frames/pushes", kAxis, {"", "rows of the frame in `pushes`"}}, frames.pushes.count);
+template <class Part, class Visit>
+void for_each_column(Part& part, const Layout& layout, Visit visit) {
+  const auto columns = [&visit](Axis axis, Use use) {
+    return
+        [&visit, axis, use](const char* path, const Meaning& meaning, auto& values,
+                            const std::vector<std::size_t>& row = {}, bool may_be_missing = false) {
+          visit(Column{path, axis, use, meaning, row, may_be_missing}, values);
+        };
+  };
+  auto& frames = part.frames;
+  auto& rows = part.rows;
+  const auto of_frames = columns(Axis::frames, Use::index);
+  of_frames("frames/step", {"steps", "of the whole run"}, frames.step);
+  of_frames("frames/stage", {"", "which of `scene/stages`, from 0"}, frames.stage);
+  of_frames("frames/entered", {"", "particles that had entered; ids are below this"},
+            frames.entered);
+  of_frames("frames/first", {"", "the first row of the frame in `particles`"},
+            frames.particles.first);
+  of_frames("frames/particles", {"", "rows of the frame in `particles`"}, frames.particles.count);
+  of_frames("frames/first_origin", {"", "the first row of the frame in `origins`"},
+            frames.origins.first);
+  of_frames("frames/origins", {"", "rows of the frame in `origins`"}, frames.origins.count);
+  of_frames("frames/first_push", {"", "the first row of the frame in `pushes`"},
+            frames.pushes.first);
+  of_frames("frames/pushes", {"", "rows of the frame in `pushes`"}, frames.pushes.count);
   if (layout.contacts) {
-    visit(Column{"frames/first_contact", kAxis, {"", "the first row of the frame in `contacts`"}},
-          frames.contacts.first);
-    visit(Column{"frames/contacts", kAxis, {"", "rows of the frame in `contacts`"}},
-          frames.contacts.count);
+    of_frames("frames/first_contact", {"", "the first row of the frame in `contacts`"},
+              frames.contacts.first);
+    of_frames("frames/contacts", {"", "rows of the frame in `contacts`"}, frames.contacts.count);
   }
-}
 
-template <class Origins, class Visit>
-void for_each_origins_column(Origins& origins, Visit visit) {
-  constexpr Axis kAxis = Axis::origins;
-  visit(Column{"origins/id",
-               kAxis,
-               {"", "of the particle; all in the first frame of a stage, later the new ones"}},
-        origins.id);
-  visit(Column{"origins/site",
-               kAxis,
-               {"sites", "column and row where it was when the stage began or it entered"},
-               {2}},
-        origins.site);
-}
+  const auto of_origins = columns(Axis::origins, Use::index);
+  of_origins("origins/id",
+             {"", "of the particle; all in the first frame of a stage, later the new ones"},
+             part.origins.id);
+  of_origins("origins/site",
+             {"sites", "column and row where it was when the stage began or it entered"},
+             part.origins.site, {2});
 
-template <class Rows, class Visit>
-void for_each_particles_column(Rows& rows, const Layout& layout, Visit visit) {
-  constexpr Axis kAxis = Axis::particles;
-  visit(Column{"particles/id", kAxis, {"", "for life; ascending in a frame, without those gone"}},
-        rows.id);
-  visit(Column{"particles/site",
-               kAxis,
+  const auto of_particles = columns(Axis::particles, Use::rows);
+  of_particles("particles/id", {"", "for life; ascending in a frame, without those gone"}, rows.id);
+  of_particles("particles/site",
                {"sites",
                 "column and row of the reference site; the column, as nothing else, counts on "
                 "across a periodic boundary"},
-               {2}},
-        rows.site);
-  visit(Column{"particles/kind", kAxis, {"", "which of `scene/kinds`: species and orientation"}},
-        rows.kind);
-  visit(Column{"particles/move", kAxis, {"", "the last move: 0 to 5 clockwise from up, 6 none"}},
-        rows.move);
+               rows.site, {2});
+  of_particles("particles/kind", {"", "which of `scene/kinds`: species and orientation"},
+               rows.kind);
+  of_particles("particles/move", {"", "the last move: 0 to 5 clockwise from up, 6 none"},
+               rows.move);
   if (layout.velocities) {
-    visit(Column{"particles/velocity", kAxis, {"spacings/step", "x, y; of the contact model"}, {2}},
-          rows.velocity);
-    visit(Column{"particles/spin",
-                 kAxis,
+    of_particles("particles/velocity", {"spacings/step", "x, y; of the contact model"},
+                 rows.velocity, {2});
+    of_particles("particles/spin",
                  {"spacings/step",
                   "angular velocity, anticlockwise, times the radius of a disc of the same area; "
                   "of the contact model"},
-                 {},
-                 true},
-          rows.spin);
+                 rows.spin, {}, true);
   }
-}
 
-template <class Rows, class Visit>
-void for_each_contacts_column(Rows& rows, Visit visit) {
-  constexpr Axis kAxis = Axis::contacts;
-  visit(Column{"contacts/upper", kAxis, {"", "id of a particle"}}, rows.upper);
-  visit(
-      Column{"contacts/other",
-             kAxis,
-             {"",
-              "what it touches: a particle, -2 for the first wall, -3 for the second ..., or "
-              "-2³¹, -2³¹+1, -2³¹+2, -2³¹+3 for `box.floor`, `box.top`, `box.left`, `box.right`"}},
-      rows.other);
-  visit(Column{"contacts/place", kAxis, {"spacings", "x, y of the contact, in the box"}, {2}},
-        rows.point);
-  visit(Column{"contacts/normal", kAxis, {"", "x, y: unit vector to the upper particle"}, {2}},
-        rows.normal);
-  visit(Column{"contacts/branch",
-               kAxis,
-               {"spacings",
-                "x, y from the other centre, or from the point of contact with what is no "
-                "particle, to the upper centre"},
-               {2}},
-        rows.branch);
-  visit(Column{"contacts/force",
-               kAxis,
-               {"weights of a grain of mean mass",
-                "on the upper particle: along the normal, and along the normal turned "
-                "anticlockwise"},
-               {2}},
-        rows.force);
-}
+  const auto of_pushes = columns(Axis::pushes, Use::rows);
+  of_pushes("pushes/pushed", {"", "id of a particle that was pushed"}, rows.pushed);
+  of_pushes("pushes/pusher",
+            {"", "by whom: a particle, or -2 for the first wall, -3 for the second ..."},
+            rows.pusher);
+  of_pushes("pushes/source", {"", "the wall where the push began"}, rows.push_source);
+  of_pushes("pushes/direction", {"", "0 to 5 clockwise from up"}, rows.push_direction);
 
-template <class Rows, class Visit>
-void for_each_rows_column(Rows& rows, const Layout& layout, Visit visit) {
-  for_each_particles_column(rows, layout, visit);
-  constexpr Axis kPushes = Axis::pushes;
-  visit(Column{"pushes/pushed", kPushes, {"", "id of a particle that was pushed"}}, rows.pushed);
-  visit(Column{"pushes/pusher",
-               kPushes,
-               {"", "by whom: a particle, or -2 for the first wall, -3 for the second ..."}},
-        rows.pusher);
-  visit(Column{"pushes/source", kPushes, {"", "the wall where the push began"}}, rows.push_source);
-  visit(Column{"pushes/direction", kPushes, {"", "0 to 5 clockwise from up"}}, rows.push_direction);
   if (layout.walls > 0) {
-    visit(Column{"walls/present", Axis::frames, {"", "1 where the wall is there"}, {layout.walls}},
-          rows.wall_present);
-    visit(
-        Column{
-            "walls/offset", Axis::frames, {"sites", "from home along its motion"}, {layout.walls}},
-        rows.wall_offset);
+    const auto of_walls = columns(Axis::frames, Use::rows);
+    of_walls("walls/present", {"", "1 where the wall is there"}, rows.wall_present, {layout.walls});
+    of_walls("walls/offset", {"sites", "from home along its motion"}, rows.wall_offset,
+             {layout.walls});
   }
+
   if (layout.contacts) {
-    for_each_contacts_column(rows, visit);
+    const auto of_contacts = columns(Axis::contacts, Use::rows);
+    of_contacts("contacts/upper", {"", "id of a particle"}, rows.upper);
+    of_contacts(
+        "contacts/other",
+        {"",
+         "what it touches: a particle, -2 for the first wall, -3 for the second ..., or "
+         "-2³¹, -2³¹+1, -2³¹+2, -2³¹+3 for `box.floor`, `box.top`, `box.left`, `box.right`"},
+        rows.other);
+    of_contacts("contacts/place", {"spacings", "x, y of the contact, in the box"}, rows.point, {2});
+    of_contacts("contacts/normal", {"", "x, y: unit vector to the upper particle"}, rows.normal,
+                {2});
+    of_contacts("contacts/branch",
+                {"spacings",
+                 "x, y from the other centre, or from the point of contact with what is no "
+                 "particle, to the upper centre"},
+                rows.branch, {2});
+    of_contacts("contacts/force",
+                {"weights of a grain of mean mass",
+                 "on the upper particle: along the normal, and along the normal turned "
+                 "anticlockwise"},
+                rows.force, {2});
+  }
+
+  auto& derived = part.derived;
+  const auto more_of_particles = columns(Axis::particles, Use::derived);
+  more_of_particles("particles/species", {"", "which of `scene/species`"}, derived.species);
+  more_of_particles("particles/position", {"spacings", "x, y of the centre of mass, in the box"},
+                    derived.position, {2});
+  if (layout.walls > 0) {
+    columns(Axis::frames, Use::derived)("walls/position", {"spacings", "x, y from home"},
+                                        derived.wall_position, {layout.walls, 2});
   }
 }
 
-template <class Derived, class Visit>
-void for_each_derived_column(Derived& derived, std::size_t walls, Visit visit) {
-  visit(Column{"particles/species", Axis::particles, {"", "which of `scene/species`"}},
-        derived.species);
-  visit(Column{"particles/position",
-               Axis::particles,
-               {"spacings", "x, y of the centre of mass, in the box"},
-               {2}},
-        derived.position);
-  if (walls > 0) {
-    visit(Column{"walls/position", Axis::frames, {"spacings", "x, y from home"}, {walls, 2}},
-          derived.wall_position);
-  }
-}
-
-template <class Part, class Visit>
-void for_each_column(Part& part, const Layout& layout, Visit visit) {
-  for_each_frames_column(part.frames, layout, visit);
-  for_each_origins_column(part.origins, visit);
-  for_each_rows_column(part.rows, layout, visit);
-  for_each_derived_column(part.derived, layout.walls, visit);
-}
-
-/// Records the destination of each column to be read.
-inline auto add_to(std::vector<Hdf5Dataset>& datasets) {
-  return [&datasets](const Column& column, auto& values) {
-    datasets.push_back({.path = column.path,
-                        .values = &values,
-                        .columns = column.width(),
-                        .may_be_missing = column.may_be_missing});
-  };
-}
+/// Adds the datasets of this use to a list of those to be read into `part`, which has to stay
+/// where it is until then.
+void add_datasets(TrajectoryPart& part, const Layout& layout, Use use,
+                  std::vector<Hdf5Dataset>& datasets);
 
 }  // namespace clca::store

@@ -1,4 +1,7 @@
-// Reads parts and reconstructs states.
+// Reads parts and reconstructs states. What could lead out of a list, out of the box or to more
+// memory than the limit is refused.
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <limits>
@@ -6,14 +9,30 @@
 #include <stdexcept>
 #include <utility>
 
+#include "clca/grains/occupancy.hpp"
+#include "clca/store/file.hpp"
 #include "clca/store/trajectory.hpp"
 #include "grains/internal/occupancy_table.hpp"
-#include "store/trajectory_check.hpp"
 #include "store/trajectory_files.hpp"
 #include "store/trajectory_part.hpp"
 #include "store/trajectory_tables.hpp"
 
 namespace clca::store {
+
+/// A part, of which frames and origins are kept: enough to find others.
+struct IndexedPart {
+  std::filesystem::path path;
+  Extents before;  ///< of the parts before
+  TrajectoryPart content;
+
+  double bytes() const {
+    constexpr double kFrameBytes = 5 * sizeof(std::uint64_t) + 6 * sizeof(std::uint32_t);
+    constexpr double kOriginBytes = 3 * sizeof(std::uint32_t);
+    return static_cast<double>(content.frames.step.size()) *
+               (kFrameBytes + sizeof(Trajectory::Frame)) +
+           static_cast<double>(content.origins.id.size()) * kOriginBytes;
+  }
+};
 
 namespace {
 
@@ -37,55 +56,104 @@ std::size_t max_particles(const grains::State& fixed, double bytes) {
   return static_cast<std::size_t>(std::clamp((bytes - occupancy) / kParticleBytes, 0.0, kMaxIds));
 }
 
+[[noreturn]] void refuse(const IndexedPart& part, const std::string& reason) {
+  throw StoreError(fmt::format("cannot read {}: {}", part.path.string(), reason));
+}
+
+void require(bool well, const IndexedPart& part, const char* reason) {
+  if (!well) {
+    refuse(part, reason);
+  }
+}
+
+void require_in_frame(bool well, const IndexedPart& part, std::uint64_t step, const char* reason) {
+  if (!well) {
+    refuse(part, fmt::format("frame of step {}: {}", step, reason));
+  }
+}
+
+/// The datasets of this use have the rows that the frames say.
+void check_rows(const IndexedPart& part, const TrajectoryPart& content, const Layout& layout,
+                Use use) {
+  const Extents extents = part.content.frames.extents();
+  for_each_column(content, layout, [&](const Column& column, const auto& values) {
+    const std::size_t rows = values.size() / column.width();
+    const bool missing = column.may_be_missing && values.empty();
+    if (column.use == use && !missing && rows != extents[column.axis]) {
+      refuse(part, fmt::format("{} has {} rows, not {}", column.path, rows, extents[column.axis]));
+    }
+  });
+}
+
+void check_ranges(const IndexedPart& part, const RowRanges& ranges, Axis axis) {
+  std::uint64_t first = part.before[axis];
+  for (std::size_t frame = 0; frame < ranges.first.size(); ++frame) {
+    require(ranges.first[frame] == first, part, "rows of frames do not follow each other");
+    first += ranges.count[frame];
+  }
+}
+
+void check_ids(const IndexedPart& part, const std::vector<std::uint32_t>& ids,
+               const RowRanges& ranges) {
+  const PartFrames& frames = part.content.frames;
+  for (std::size_t frame = 0; frame < frames.step.size(); ++frame) {
+    const RowSpan rows = ranges.rows_of(frame);
+    for (std::size_t row = rows.first; row < rows.end; ++row) {
+      require_in_frame(
+          ids[row] < frames.entered[frame] && (row == rows.first || ids[row - 1] < ids[row]), part,
+          frames.step[frame], "ids out of order or out of range");
+    }
+  }
+}
+
 }  // namespace
 
 class Trajectory::Impl {
  public:
   Impl(const std::filesystem::path& run_folder, const scene::Scene& scene, grains::State fixed,
        double max_bytes)
-      : fixed_(std::move(fixed)), layout_(layout_of(scene)), bytes_left_(max_bytes) {
+      : fixed_(std::move(fixed)),
+        layout_(layout_of(scene)),
+        most_entered_(max_particles(fixed_, max_bytes)),
+        bytes_left_(max_bytes) {
     const SceneTables tables(scene, fixed_);
-    PartContext context;
-    context.stages = scene.stages.size();
-    context.most_entered = max_particles(fixed_, max_bytes);
+    Extents before;
     for (const std::filesystem::path& path : find_parts(run_folder)) {
-      context.path = path;
-      learn(context, tables);
-      const PartFrames& frames = parts_.back().frames;
-      context.before += frames.extents();
-      context.step = frames.step.back();
-      context.stage = frames.stage.back();
-      context.entered = frames.entered.back();
+      IndexedPart& part = parts_.emplace_back(IndexedPart{path, before, {}});
+      read_index(part, tables);
+      before += part.content.frames.extents();
+      bytes_left_ -= part.bytes();
     }
   }
 
   const std::vector<Frame>& frames() const { return frames_; }
 
   grains::State state(std::size_t frame) {
-    const std::size_t number = part_of(frame);
-    load(number);
+    const auto [part, within] = loaded(frame);
     gather_origins(frame);
-    const IndexedPart& part = parts_[number];
-    const std::size_t within = frame - first_frame(part);
     grains::State state = fixed_;
     state.step = frames_[frame].step;
-    place_particles(state, part, within);
-    place_walls(state, within);
-    place_pushes(state, part, within);
-    check_state(part.context, state);
+    place_particles(state, *part, within);
+    place_walls(state, *part, within);
+    place_pushes(state, *part, within);
+    try {
+      check_valid(state);
+      const grains::Occupancy checked(state);
+    } catch (const std::logic_error& error) {
+      require_in_frame(false, *part, state.step, error.what());
+    }
     return state;
   }
 
   ContactFrame contact_frame(std::size_t frame) {
-    const std::size_t number = part_of(frame);
-    load(number);
-    const IndexedPart& part = parts_[number];
-    const std::size_t within = frame - first_frame(part);
+    const auto [part, within] = loaded(frame);
+    const PartFrames& frames = part->content.frames;
+    const std::size_t entered = frames.entered[within];
     ContactFrame result;
     if (layout_.velocities) {
-      result.velocities.resize(part.frames.entered[within], Eigen::Vector2d::Zero());
-      result.spins.resize(part.frames.entered[within], 0);
-      const RowSpan rows = part.frames.particles.rows_of(within);
+      result.velocities.resize(entered, Eigen::Vector2d::Zero());
+      result.spins.resize(entered, 0);
+      const RowSpan rows = frames.particles.rows_of(within);
       for (std::size_t row = rows.first; row < rows.end; ++row) {
         result.velocities[rows_.id[row]] = point_at(rows_.velocity, row);
         result.spins[rows_.id[row]] =
@@ -93,10 +161,18 @@ class Trajectory::Impl {
       }
     }
     if (layout_.contacts) {
-      const RowSpan rows = part.frames.contacts.rows_of(within);
+      const RowSpan rows = frames.contacts.rows_of(within);
       for (std::size_t row = rows.first; row < rows.end; ++row) {
+        const grains::Owner other = rows_.other[row];
+        const bool is_there =
+            grains::is_particle(other)
+                ? grains::particle_id(other) < entered
+                : contact::is_side(other) ||
+                      (grains::is_wall(other) && grains::wall_number(other) < fixed_.walls.size());
+        require_in_frame(rows_.upper[row] < entered && is_there, *part, frames_[frame].step,
+                         "a contact of bodies that are not there");
         result.forces.push_back({.upper = rows_.upper[row],
-                                 .other = rows_.other[row],
+                                 .other = other,
                                  .point = point_at(rows_.point, row),
                                  .normal = point_at(rows_.normal, row),
                                  .branch = point_at(rows_.branch, row),
@@ -108,68 +184,63 @@ class Trajectory::Impl {
   }
 
  private:
-  /// Kept for every part: enough to find frames and origins.
-  struct IndexedPart {
-    PartContext context;
-    PartFrames frames;
-    PartOrigins origins;
-
-    double bytes() const {
-      return static_cast<double>(frames.step.size()) * (kFrameBytes + sizeof(Trajectory::Frame)) +
-             static_cast<double>(origins.id.size()) * kOriginBytes;
-    }
-
-   private:
-    static constexpr double kFrameBytes = 5 * sizeof(std::uint64_t) + 6 * sizeof(std::uint32_t);
-    static constexpr double kOriginBytes = 3 * sizeof(std::uint32_t);
-  };
-
-  /// Reads and checks the frames and origins of a part.
-  void learn(const PartContext& context, const SceneTables& tables) {
-    IndexedPart part{.context = context, .frames = {}, .origins = {}};
+  void read_index(IndexedPart& part, const SceneTables& tables) {
     SceneTables read;
     std::vector<Hdf5Dataset> datasets = read.datasets();
-    for_each_frames_column(part.frames, layout_, add_to(datasets));
-    for_each_origins_column(part.origins, add_to(datasets));
-    read_hdf5(context.path, kTrajectoryKind, datasets, bytes_left_);
-    check_scene(context.path, tables, read);
-    check_frames(context, part.frames, layout_);
-    check_origins(context, part.frames, part.origins, fixed_.lattice);
-    for (std::size_t frame = 0; frame < part.frames.step.size(); ++frame) {
-      frames_.push_back({.step = part.frames.step[frame],
-                         .stage = part.frames.stage[frame],
-                         .particles = part.frames.particles.count[frame]});
+    add_datasets(part.content, layout_, Use::index, datasets);
+    read_hdf5(part.path, kTrajectoryKind, datasets, bytes_left_);
+    tables.require_same(read, part.path);
+    const PartFrames& frames = part.content.frames;
+    require(!frames.step.empty(), part, "no frames");
+    check_rows(part, part.content, layout_, Use::index);
+    for (std::size_t frame = 0; frame < frames.step.size(); ++frame) {
+      const Frame last = frames_.empty() ? Frame() : frames_.back();
+      const Frame next = {.step = frames.step[frame],
+                          .stage = frames.stage[frame],
+                          .particles = frames.particles.count[frame]};
+      require(next.step >= last.step && next.stage >= last.stage, part, "frames are not in order");
+      require_in_frame(next.stage < tables.stages.size(), part, next.step,
+                       "a stage that the scene does not have");
+      require_in_frame(frames.entered[frame] <= most_entered_, part, next.step,
+                       "needs more memory than the limit");
+      frames_.push_back(next);
     }
-    bytes_left_ -= part.bytes();
-    parts_.push_back(std::move(part));
+    check_ranges(part, frames.particles, Axis::particles);
+    check_ranges(part, frames.origins, Axis::origins);
+    check_ranges(part, frames.pushes, Axis::pushes);
+    check_ranges(part, frames.contacts, Axis::contacts);
+    check_ids(part, part.content.origins.id, frames.origins);
   }
 
-  static std::size_t first_frame(const IndexedPart& part) {
-    return static_cast<std::size_t>(part.context.before.frames);
-  }
-
-  std::size_t part_of(std::size_t frame) const {
+  /// The part of a frame, and the place of the frame in it.
+  std::pair<const IndexedPart*, std::size_t> found(std::size_t frame) const {
     if (frame >= frames_.size()) {
       throw std::out_of_range("a trajectory has no such frame");
     }
     const auto after = std::upper_bound(
         parts_.begin(), parts_.end(), frame,
-        [](std::size_t f, const IndexedPart& part) { return f < part.context.before.frames; });
-    return static_cast<std::size_t>(after - parts_.begin()) - 1;
+        [](std::size_t f, const IndexedPart& part) { return f < part.before[Axis::frames]; });
+    const IndexedPart& part = *std::prev(after);
+    return {&part, frame - static_cast<std::size_t>(part.before[Axis::frames])};
   }
 
-  void load(std::size_t part) {
-    if (loaded_ == part) {
-      return;
+  /// The same, with the rows of the part in rows_.
+  std::pair<const IndexedPart*, std::size_t> loaded(std::size_t frame) {
+    const auto place = found(frame);
+    const IndexedPart& part = *place.first;
+    if (loaded_ != &part) {
+      loaded_ = nullptr;
+      rows_ = {};
+      TrajectoryPart read;
+      std::vector<Hdf5Dataset> datasets;
+      add_datasets(read, layout_, Use::rows, datasets);
+      read_hdf5(part.path, kTrajectoryKind, datasets, bytes_left_);
+      check_rows(part, read, layout_, Use::rows);
+      check_ids(part, read.rows.id, part.content.frames.particles);
+      rows_ = std::move(read.rows);
+      loaded_ = &part;
     }
-    loaded_.reset();
-    rows_ = {};
-    const IndexedPart& known = parts_[part];
-    std::vector<Hdf5Dataset> datasets;
-    for_each_rows_column(rows_, layout_, add_to(datasets));
-    read_hdf5(known.context.path, kTrajectoryKind, datasets, bytes_left_);
-    check_rows(known.context, known.frames, rows_, fixed_, layout_);
-    loaded_ = part;
+    return place;
   }
 
   /// Origins of particles that were present in a frame of the stage so far.
@@ -189,12 +260,12 @@ class Trajectory::Impl {
   }
 
   void take_origins(std::size_t frame) {
-    const IndexedPart& part = parts_[part_of(frame)];
-    const std::size_t within = frame - first_frame(part);
-    origins_.resize(part.frames.entered[within], kUnknown);
-    const RowSpan rows = part.frames.origins.rows_of(within);
+    const auto [part, within] = found(frame);
+    const TrajectoryPart& content = part->content;
+    origins_.resize(content.frames.entered[within], kUnknown);
+    const RowSpan rows = content.frames.origins.rows_of(within);
     for (std::size_t row = rows.first; row < rows.end; ++row) {
-      origins_[part.origins.id[row]] = site_at(part.origins.site, row);
+      origins_[content.origins.id[row]] = site_at(content.origins.site, row);
     }
     origins_frame_ = frame;
   }
@@ -202,7 +273,7 @@ class Trajectory::Impl {
   void place_particles(grains::State& state, const IndexedPart& part, std::size_t frame) const {
     state.particles.assign(origins_.size(), {.present = false});
     state.origins.assign(origins_.size(), {});
-    const RowSpan rows = part.frames.particles.rows_of(frame);
+    const RowSpan rows = part.content.frames.particles.rows_of(frame);
     for (std::size_t row = rows.first; row < rows.end; ++row) {
       const std::uint32_t id = rows_.id[row];
       const lattice::Site site = site_at(rows_.site, row);
@@ -211,22 +282,22 @@ class Trajectory::Impl {
                              .kind = rows_.kind[row],
                              .previous = rows_.move[row]};
       state.origins[id] = origins_[id];
-      if (origins_[id] == kUnknown) {
-        refuse_frame(part.context, state.step, "a particle without an origin");
-      }
+      require_in_frame(origins_[id] != kUnknown, part, state.step, "a particle without an origin");
     }
   }
 
-  void place_walls(grains::State& state, std::size_t frame) const {
+  void place_walls(grains::State& state, const IndexedPart& part, std::size_t frame) const {
     for (std::size_t wall = 0; wall < state.walls.size(); ++wall) {
       const std::size_t at = frame * state.walls.size() + wall;
-      state.walls[wall].present = rows_.wall_present[at] != 0;
+      require_in_frame(rows_.wall_present[at] <= 1, part, state.step,
+                       "a wall neither present nor absent");
+      state.walls[wall].present = rows_.wall_present[at] == 1;
       state.walls[wall].travel.offset = rows_.wall_offset[at];
     }
   }
 
   void place_pushes(grains::State& state, const IndexedPart& part, std::size_t frame) const {
-    const RowSpan rows = part.frames.pushes.rows_of(frame);
+    const RowSpan rows = part.content.frames.pushes.rows_of(frame);
     for (std::size_t row = rows.first; row < rows.end; ++row) {
       state.pushes.push_back(
           {.pushed = rows_.pushed[row],
@@ -238,10 +309,11 @@ class Trajectory::Impl {
 
   grains::State fixed_;
   Layout layout_;
-  double bytes_left_;  // that reading a part may take
+  std::size_t most_entered_;  // particles whose state fits into memory
+  double bytes_left_;         // that reading a part may take
   std::vector<IndexedPart> parts_;
   std::vector<Frame> frames_;
-  std::optional<std::size_t> loaded_;  // the part of rows_
+  const IndexedPart* loaded_ = nullptr;  // the part of rows_
   PartRows rows_;
   std::optional<std::size_t> origins_frame_;  // the frame of origins_
   std::vector<lattice::Site> origins_;        // by id

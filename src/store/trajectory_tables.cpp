@@ -2,12 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <concepts>
+#include <type_traits>
 
 #include "clca/scene/units.hpp"
 #include "clca/store/datasets.hpp"
+#include "clca/store/file.hpp"
 #include "clca/store/trajectory.hpp"
 #include "clca/text/message.hpp"
 #include "store/trajectory_part.hpp"
@@ -50,27 +49,19 @@ void for_each_table(Tables& tables, Visit visit) {
         Meaning{"sites", "column and row at home"});
 }
 
-/// Of a row of the table of datasets.
+/// `u8` to `f64`, or `text`.
 template <class Item>
-constexpr std::string_view type_name() {
-  if constexpr (std::same_as<Item, std::uint8_t>) {
-    return "u8";
-  } else if constexpr (std::same_as<Item, std::uint16_t>) {
-    return "u16";
-  } else if constexpr (std::same_as<Item, std::uint32_t>) {
-    return "u32";
-  } else if constexpr (std::same_as<Item, std::uint64_t>) {
-    return "u64";
-  } else if constexpr (std::same_as<Item, std::int32_t>) {
-    return "i32";
+std::string type_name() {
+  if constexpr (!Number<Item>) {
+    return "text";
   } else {
-    return std::same_as<Item, double> ? "f64" : "text";
+    const char* kind = std::is_floating_point_v<Item> ? "f" : std::is_signed_v<Item> ? "i" : "u";
+    return fmt::format("{}{}", kind, 8 * sizeof(Item));
   }
 }
 
 std::string shape_text(const Column& column) {
-  constexpr std::array kAxes = {"frames", "particles", "origins", "pushes", "contacts"};
-  std::string text = kAxes.at(static_cast<std::size_t>(column.axis));
+  std::string text = kAxisNames.at(static_cast<std::size_t>(column.axis));
   for (std::size_t i = 0; i < column.row.size(); ++i) {
     text +=
         column.axis == Axis::frames && i == 0 ? " x walls" : fmt::format(" x {}", column.row[i]);
@@ -119,17 +110,12 @@ SceneTables::SceneTables(const scene::Scene& scene, const grains::State& state)
 }
 
 void SceneTables::write(const Hdf5Writer& file) const {
-  file.add_text("scene/name", name, kName);
-  file.add_text("scene/units", units, kUnits);
-  file.add<double>("scene/kinds/centre", kind_centre, 2, kCentre);
-  for_each_table(*this, [&file]<class T>(const char* path, const std::vector<T>& list,
-                                         std::size_t columns, const Meaning& meaning) {
-    if constexpr (Number<T>) {
-      file.add<T>(path, list, columns, meaning);
-    } else {
-      file.add_texts(path, list, meaning);
-    }
-  });
+  file.add("scene/name", name, 1, kName);
+  file.add("scene/units", units, 1, kUnits);
+  file.add("scene/kinds/centre", kind_centre, 2, kCentre);
+  for_each_table(*this,
+                 [&file](const char* path, const auto& list, std::size_t columns,
+                         const Meaning& meaning) { file.add(path, list, columns, meaning); });
 }
 
 std::vector<Hdf5Dataset> SceneTables::datasets() {
@@ -141,21 +127,19 @@ std::vector<Hdf5Dataset> SceneTables::datasets() {
   return list;
 }
 
-std::string SceneTables::difference(const SceneTables& other) const {
-  if (lattice != other.lattice) {
-    return "another lattice";
-  }
-  if (seed != other.seed) {
-    return "another seed";
-  }
-  if (species != other.species || kind_species != other.kind_species ||
-      kind_sites != other.kind_sites) {
-    return "other species";
-  }
-  if (walls != other.walls || wall_sites != other.wall_sites) {
-    return "other walls";
-  }
-  return stages != other.stages ? "other stages" : "";
+void SceneTables::require_same(const SceneTables& read, const std::filesystem::path& path) const {
+  const auto require = [&path](bool same, const char* other) {
+    if (!same) {
+      throw StoreError(fmt::format("cannot read {}: of another scene: {}", path.string(), other));
+    }
+  };
+  require(lattice == read.lattice, "another lattice");
+  require(seed == read.seed, "another seed");
+  require(
+      species == read.species && kind_species == read.kind_species && kind_sites == read.kind_sites,
+      "other species");
+  require(walls == read.walls && wall_sites == read.wall_sites, "other walls");
+  require(stages == read.stages, "other stages");
 }
 
 std::vector<Dataset> datasets(const scene::Scene& scene, const grains::State& state,

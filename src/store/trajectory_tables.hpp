@@ -2,6 +2,7 @@
 // Constant data of a trajectory: group `scene` of each part.
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -41,8 +42,8 @@ struct SceneTables {
   void write(const Hdf5Writer& file) const;
   /// All datasets except name and units. This object must outlive the list.
   std::vector<Hdf5Dataset> datasets();
-  /// The difference in words; none if they are of the same scene.
-  std::string difference(const SceneTables& other) const;
+  /// Throws StoreError with the difference unless those read from `path` are of the same scene.
+  void require_same(const SceneTables& read, const std::filesystem::path& path) const;
 };
 
 }  // namespace clca::store

@@ -3,11 +3,9 @@
 #include <fmt/format.h>
 
 #include <stdexcept>
-#include <system_error>
 
 #include "clca/store/file.hpp"
 #include "clca/store/trajectory.hpp"
-#include "store/trajectory_check.hpp"
 #include "store/trajectory_files.hpp"
 #include "store/trajectory_part.hpp"
 #include "store/trajectory_tables.hpp"
@@ -19,16 +17,6 @@ namespace {
 /// Size of a part before compression: large enough for few parts, small enough for memory and for
 /// readers to see new frames soon.
 constexpr std::size_t kPartBytes = std::size_t{16} << 20U;
-
-/// Memory for the file and `max_frames` entries of the columns by frame.
-double bytes_to_look_at(const std::filesystem::path& part, std::uint64_t max_frames) {
-  constexpr double kOthers = 1U << 24U;
-  constexpr double kBytesPerFrame = 256;
-  std::error_code error;
-  const auto size = std::filesystem::file_size(part, error);
-  return (error ? 0 : 4 * static_cast<double>(size)) +
-         kBytesPerFrame * static_cast<double>(max_frames) + kOthers;
-}
 
 }  // namespace
 
@@ -66,18 +54,17 @@ class TrajectoryWriter::Impl {
     const std::string name = part_name(parts_.size());
     const auto add_all = [this](const Hdf5Writer& file) {
       tables_.write(file);
-      for_each_column(unwritten_part_, layout_,
-                      [&file]<class T>(const Column& column, const std::vector<T>& values) {
-                        file.add<T>(column.path, values, column.width(), column.meaning);
-                      });
+      for_each_column(unwritten_part_, layout_, [&file](const Column& column, const auto& values) {
+        file.add(column.path, values, column.width(), column.meaning);
+      });
     };
     folder.write(name, hdf5_file(folder.path(name), kTrajectoryKind, add_all));
-    count(unwritten_part_.extents());
+    count(unwritten_part_.frames.extents());
     unwritten_part_ = {};
     write_index(run_folder_, parts_, layout_);
   }
 
-  Written written() const { return {.parts = parts_.size(), .frames = written_.frames}; }
+  Written written() const { return {.parts = parts_.size(), .frames = written_[Axis::frames]}; }
 
  private:
   void count(const Extents& part) {
@@ -95,21 +82,21 @@ class TrajectoryWriter::Impl {
     }
     for (std::size_t part = 0; part < kept.parts; ++part) {
       SceneTables read;
-      PartFrames frames;
+      TrajectoryPart content;
       std::vector<Hdf5Dataset> datasets = read.datasets();
-      for_each_frames_column(frames, layout_, add_to(datasets));
-      read_hdf5(parts[part], kTrajectoryKind, datasets, bytes_to_look_at(parts[part], kept.frames));
-      check_scene(parts[part], tables_, read);
-      count(frames.extents());
-      if (frames.entered.empty()) {
+      add_datasets(content, layout_, Use::index, datasets);
+      read_hdf5(parts[part], kTrajectoryKind, datasets, kAnyBytes);
+      tables_.require_same(read, parts[part]);
+      count(content.frames.extents());
+      if (content.frames.entered.empty()) {
         throw StoreError(fmt::format("cannot read {}: no frames", parts[part].string()));
       }
-      entered_ = frames.entered.back();
+      entered_ = content.frames.entered.back();
     }
-    if (written_.frames != kept.frames) {
+    if (const std::uint64_t frames = written_[Axis::frames]; frames != kept.frames) {
       throw StoreError(fmt::format("cannot go on with {}: {} frames where the run had written {}",
-                                   (run_folder_.path() / kTrajectoryFolder).string(),
-                                   written_.frames, kept.frames));
+                                   (run_folder_.path() / kTrajectoryFolder).string(), frames,
+                                   kept.frames));
     }
   }
 

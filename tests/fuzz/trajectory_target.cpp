@@ -67,7 +67,7 @@ Parts parts_of(const std::vector<fuzz::SmallFrame>& frames) {
   std::size_t entered = 0;
   for (std::size_t frame = 0; frame < frames.size(); ++frame) {
     const auto& [state, stage, begins] = frames[frame];
-    before = frame < kFramesInFirst ? store::Extents() : parts.front().extents();
+    before = frame < kFramesInFirst ? store::Extents() : parts.front().frames.extents();
     parts.at(frame < kFramesInFirst ? 0 : 1).add(state, stage, begins ? 0 : entered, before, {});
     entered = state.particles.size();
   }
@@ -107,12 +107,12 @@ void make_fit(store::TrajectoryPart& part, const store::Extents& before) {
     ranges.count.resize(ranges.first.size());
     std::exclusive_scan(ranges.count.begin(), ranges.count.end(), ranges.first.begin(), first);
   };
-  follow(part.frames.particles, before.particles);
-  follow(part.frames.origins, before.origins);
-  follow(part.frames.pushes, before.pushes);
+  follow(part.frames.particles, before[store::Axis::particles]);
+  follow(part.frames.origins, before[store::Axis::origins]);
+  follow(part.frames.pushes, before[store::Axis::pushes]);
   const store::Extents extents = part.frames.extents();
   store::for_each_column(part, kLayout, [&](const store::Column& column, auto& values) {
-    values.resize(column.width() * std::min(extents.along(column.axis), kMaxRows));
+    values.resize(column.width() * std::min(extents[column.axis], kMaxRows));
   });
 }
 
@@ -139,12 +139,11 @@ std::vector<std::uint8_t> file_of(store::TrajectoryPart& part, Omitted omitted) 
   return store::hdf5_file("part", store::kTrajectoryKind, [&](const store::Hdf5Writer& file) {
     tables.write(file);
     std::size_t at = 0;
-    store::for_each_column(part, kLayout,
-                           [&]<class T>(const store::Column& column, const std::vector<T>& values) {
-                             if (at++ != omitted) {
-                               file.add<T>(column.path, values, column.width());
-                             }
-                           });
+    store::for_each_column(part, kLayout, [&](const store::Column& column, const auto& values) {
+      if (at++ != omitted) {
+        file.add(column.path, values, column.width());
+      }
+    });
   });
 }
 

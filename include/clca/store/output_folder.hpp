@@ -1,5 +1,5 @@
 #pragma once
-// A folder that clca writes to.
+// A folder that clca writes to, and text files in it that grow during a run.
 
 #include <cstdint>
 #include <filesystem>
@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "clca/store/atomic_file.hpp"
+#include "clca/store/file.hpp"
 
 namespace clca::store {
 
@@ -65,8 +65,10 @@ class OutputFolder {
   void clear(const std::string& first, const std::string& kept) const;
 
  private:
-  class State;
+  struct State;
   OutputFolder(std::shared_ptr<State> state, std::string prefix);
+  /// The path of a file that is listed, and whose folders are there.
+  std::filesystem::path prepared(const std::string& name) const;
 
   std::shared_ptr<State> state_;
   std::string prefix_;  // empty or ends in a slash
@@ -76,5 +78,23 @@ class OutputFolder {
 /// `below` in the run folder `run`. Throws StoreError.
 OutputFolder named_folder(const std::filesystem::path& named, const std::filesystem::path& run,
                           const std::string& below);
+
+/// A file that text is appended to. When a run resumes, text written after its checkpoint is cut
+/// off.
+class GrowingFile {
+ public:
+  /// Keeps the first `kept` bytes of the file, which is made with the first append. Throws
+  /// StoreError if it has fewer.
+  GrowingFile(OutputFolder folder, std::string name, std::uint64_t kept);
+
+  /// Is on the disk after OutputFolder::flush(). Throws StoreError.
+  void append(std::string_view text);
+  std::uint64_t bytes() const { return bytes_; }
+
+ private:
+  OutputFolder folder_;
+  std::string name_;
+  std::uint64_t bytes_;
+};
 
 }  // namespace clca::store

@@ -18,7 +18,7 @@
 #include "clca/scene/scene.hpp"
 #include "clca/scene/units.hpp"
 #include "clca/statistics/sample.hpp"
-#include "clca/store/growing_file.hpp"
+#include "clca/store/output_folder.hpp"
 #include "clca/store/summary.hpp"
 #include "clca/store/table.hpp"
 

@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "clca/store/file.hpp"
+#include "store/hdf5.hpp"
 #include "support/runs.hpp"
 
 namespace clca::store::hdf5_file_test {
@@ -23,12 +24,12 @@ constexpr double kMuch = 1e8;
 
 Bytes example(const FileKind& kind = kKind) {
   return hdf5_file("file.h5", kind, [](const Hdf5Writer& file) {
-    file.add<std::int32_t>("group/inner/numbers", std::vector<std::int32_t>{1, -2, 3, 4, 5, -6}, 3);
-    file.add<double>("reals", std::vector<double>(5000, 0.1));
-    file.add<std::uint8_t>("nothing", {});
-    file.add_text("text", "zwei\nZeilen");
-    file.add_text("no_text", "");
-    file.add_texts("names", {"a", "", "long"});
+    file.add("group/inner/numbers", std::vector<std::int32_t>{1, -2, 3, 4, 5, -6}, 3);
+    file.add("reals", std::vector<double>(5000, 0.1));
+    file.add("nothing", Bytes());
+    file.add("text", "zwei\nZeilen");
+    file.add("no_text", "");
+    file.add("names", std::vector<std::string>{"a", "", "long"});
   });
 }
 
@@ -112,13 +113,13 @@ TEST_F(Hdf5FileTest, WhateverIsNotWholeIsRefused) {
 
 TEST_F(Hdf5FileTest, WhatNeedsMoreMemoryThanAllowedIsRefused) {
   const auto bytes = example();
-  const auto size = static_cast<double>(bytes.size());
+  const double size = 3 * static_cast<double>(bytes.size());
   std::vector<double> reals;
   EXPECT_THAT(reason(bytes, {{"reals", &reals}}, size - 1), HasSubstr("than the limit"));
-  EXPECT_THAT(reason(bytes, {{"reals", &reals}}, size + 79'999),
+  EXPECT_THAT(reason(bytes, {{"reals", &reals}}, size + 39'999),
               EndsWith("reals needs more memory than the limit"));
-  EXPECT_EQ(reason(bytes, {{"reals", &reals}}, size + 80'000), "") << "40,000 bytes, twice";
-  EXPECT_THAT(reason(bytes, {{"reals", &reals}, {"reals", &reals}}, size + 80'000),
+  EXPECT_EQ(reason(bytes, {{"reals", &reals}}, size + 40'000), "");
+  EXPECT_THAT(reason(bytes, {{"reals", &reals}, {"reals", &reals}}, size + 79'999),
               EndsWith("reals needs more memory than the limit"));
 }
 
@@ -137,6 +138,46 @@ TEST_F(Hdf5FileTest, WhatIsAskedForInVainIsNamed) {
   EXPECT_THAT(why({"names", &numbers}), EndsWith("names holds other numbers"));
 }
 
+/// A file with the numbers `rows`, which fill it adds.
+Bytes file_with_rows(hsize_t rows, const std::function<void(const hdf5::Handle& rows)>& fill) {
+  return with_header(kKind, hdf5::image("file.h5", [&](const hdf5::Handle& file) {
+                       const hdf5::Handle creation = hdf5::properties(H5P_DATASET_CREATE);
+                       const hsize_t chunk = 1000;
+                       hdf5::check(H5Pset_chunk(creation.id(), 1, &chunk), "chunk");
+                       hdf5::check(H5Pset_deflate(creation.id(), 1), "compression");
+                       fill(hdf5::make_dataset(file, "rows", H5T_NATIVE_UINT8,
+                                               hdf5::space_of({rows}), creation, {}));
+                     }));
+}
+
+TEST_F(Hdf5FileTest, RowsThatAreNotInTheFileAreNotAllocatedBeyondTheLimit) {
+  Bytes rows;
+  const auto why = [&](hsize_t count) {
+    return reason(file_with_rows(count, [](const hdf5::Handle&) {}), {{"rows", &rows}});
+  };
+  EXPECT_EQ(why(1000), "");
+  EXPECT_EQ(rows, Bytes(1000, 0));
+  EXPECT_THAT(why(hsize_t{1} << 40U), EndsWith("rows needs more memory than the limit"));
+  EXPECT_THAT(why(hsize_t{1} << 62U), EndsWith("rows needs more memory than the limit"));
+}
+
+TEST_F(Hdf5FileTest, WhatTheLibraryCannotReadIsOneLineAndNothingOnTheTerminal) {
+  ::testing::internal::CaptureStderr();
+  EXPECT_THAT(reason(with_header(kKind, Bytes()), {}), EndsWith("file.h5: it is no HDF5 file"));
+  EXPECT_THAT(reason(with_header(kKind, Bytes(5000, 0xFF)), {}),
+              EndsWith("file.h5: it is no HDF5 file"));
+  const Bytes damaged = file_with_rows(1000, [](const hdf5::Handle& rows) {
+    const Bytes no_stream(5000, 0x78);
+    const hsize_t first = 0;
+    hdf5::check(
+        H5Dwrite_chunk(rows.id(), H5P_DEFAULT, 0, &first, no_stream.size(), no_stream.data()),
+        "chunk");
+  });
+  Bytes rows;
+  EXPECT_THAT(reason(damaged, {{"rows", &rows}}), EndsWith("file.h5: rows cannot be read"));
+  EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
+}
+
 TEST_F(Hdf5FileTest, WhatGoesWrongWhileItIsMadeIsOneLine) {
   const auto why = [](const std::function<void(const Hdf5Writer& file)>& add) {
     try {
@@ -147,8 +188,8 @@ TEST_F(Hdf5FileTest, WhatGoesWrongWhileItIsMadeIsOneLine) {
     return std::string();
   };
   EXPECT_EQ(why([](const Hdf5Writer& file) {
-              file.add_text("text", "");
-              file.add_text("text", "");
+              file.add("text", "");
+              file.add("text", "");
             }),
             "cannot write file.h5: the HDF5 library: dataset");
   EXPECT_THROW(why([](const Hdf5Writer&) { throw std::bad_alloc(); }), std::bad_alloc);

@@ -18,7 +18,6 @@
 
 #include "clca/store/file.hpp"
 #include "clca/store/folder_lock.hpp"
-#include "clca/store/growing_file.hpp"
 #include "support/runs.hpp"
 
 namespace clca::store::output_folder_test {

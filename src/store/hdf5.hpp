@@ -7,10 +7,13 @@
 #include <filesystem>
 #include <functional>
 #include <mutex>
+#include <span>
 #include <stdexcept>
-#include <string_view>
+#include <string>
 #include <utility>
 #include <vector>
+
+#include "store/hdf5_file.hpp"
 
 namespace clca::store::hdf5 {
 
@@ -58,11 +61,34 @@ class Handle {
   Close close_;
 };
 
-/// Adds the attributes `units` and `description` to a dataset, as UTF-8. No unit is written as "1".
-void describe(const Handle& dataset, std::string_view unit, std::string_view meaning);
+inline Handle properties(hid_t of) {
+  return {H5Pcreate(of), H5Pclose, "properties"};
+}
+
+/// In the byte order of the machine, which HDF5 records.
+template <Number T>
+hid_t number_type() {
+  struct Types {
+    static hid_t of(std::uint8_t) { return H5T_NATIVE_UINT8; }
+    static hid_t of(std::uint16_t) { return H5T_NATIVE_UINT16; }
+    static hid_t of(std::uint32_t) { return H5T_NATIVE_UINT32; }
+    static hid_t of(std::uint64_t) { return H5T_NATIVE_UINT64; }
+    static hid_t of(std::int32_t) { return H5T_NATIVE_INT32; }
+    static hid_t of(double) { return H5T_NATIVE_DOUBLE; }
+  };
+  return Types::of(T());
+}
+
+/// Rows and columns, and more dimensions, of a dataset; none: a single value.
+Handle space_of(const std::vector<hsize_t>& extent);
+
+/// Adds a dataset, and the groups of its path, with the attributes `units` (of a pure number "1")
+/// and `description`, as UTF-8. `creation`: its properties.
+Handle make_dataset(const Handle& file, const std::string& path, hid_t type, const Handle& space,
+                    const Handle& creation, const Meaning& meaning);
 
 /// The library, for one thread at a time, without error output. Others may use it in this process,
-/// too, so it stays as it was found. Make one before a child process that makes one.
+/// too, so it stays as it was found.
 class Session {
  public:
   Session();
@@ -79,5 +105,8 @@ class Session {
 /// The bytes of an HDF5 file that `fill` creates. Throws StoreError: `cannot write PATH: REASON`.
 std::vector<std::uint8_t> image(const std::filesystem::path& path,
                                 const std::function<void(const Handle& file)>& fill);
+
+/// A copy of such bytes as a file to be read, within a Session.
+Handle open_image(std::span<const std::uint8_t> bytes);
 
 }  // namespace clca::store::hdf5
