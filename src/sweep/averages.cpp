@@ -84,7 +84,7 @@ ReadCurves read_curves(const Averaged& what, const fs::path& file,
   for (const std::string& name : table.names) {
     const bool is_time = by_step && name == "time";
     if (!has_name(what.groups, name) && !has_name(positions, name) &&
-        !has_name(what.others, name) && !is_time && !name.ends_with(run::kErrorEnding)) {
+        !has_name(what.others, name) && !is_time && !name.ends_with(record::kErrorEnding)) {
       result.columns.push_back(name);
       values.push_back(table.numbers(name));
     }

@@ -402,9 +402,9 @@ void Sweep::write_overview() {
   if (!image) {
     return;
   }
-  files_.write(kOverview,
-               image::encode_png(*image, {{"Title", plan_.title()},
-                                          {"Software", fmt::format("clca {}", record::version())}}));
+  files_.write(kOverview, image::encode_png(
+                              *image, {{"Title", plan_.title()},
+                                       {"Software", fmt::format("clca {}", record::version())}}));
   const std::size_t shown = selection(plan_).runs.size();
   if (shown < progress_.runs) {
     tell(events_.message, fmt::format("the overview shows {} of {} runs", shown, progress_.runs));
