@@ -475,4 +475,4 @@ def command(options: dict[str, Any], folder: str, path: str) -> None:
 
     source = Source(Run(folder), options["first"], options["last"], options["every"])
     write(source, options["format"], Target(Path(path), Path(options["file"]), _answer.parts))
-    _answer.line(f"{len(source.chosen)} frames")
+    _answer.files([], [f"{len(source.chosen)} frames"])
