@@ -117,7 +117,7 @@ py::dict datasets_now(const Simulation& simulation) {
 
 /// As run.json has it: what frames need of it.
 py::dict summary(const Simulation& simulation) {
-  using namespace py::literals;
+  using py::literals::operator""_a;
   py::list kinds;
   for (const int degrees : scene::degrees_of(simulation.scene(), simulation.grains().kinds)) {
     kinds.append(py::dict("degrees"_a = degrees));

@@ -23,9 +23,12 @@ def file(name: str, content: bytes) -> None:
     parts(name, len(content), [content])
 
 
-def line(text: str) -> None:
-    """A line for the user, on the standard output of the program."""
-    _head(line=text)
+def files(contents: Iterable[tuple[str, bytes]], lines: Iterable[str]) -> None:
+    """All of a command; lines are for the user, on the standard output of the program."""
+    for name, content in contents:
+        file(name, content)
+    for text in lines:
+        _head(line=text)
 
 
 def warning(error: Error | str) -> None:

@@ -18,7 +18,7 @@ import numpy
 from . import _answer
 from ._arguments import absolute, plain, progress as checked_progress, to_yaml, workers
 from ._error import ArgumentError, Error
-from ._folder import Folder, make_own, write_file
+from ._folder import Folder, make_own, write_files
 from ._notebook import Progress
 from ._rounds import Answer, scaled, step
 from ._study import Place, Study, read_study, study_of
@@ -258,8 +258,7 @@ def calibrate(
         for test, rows, numbers, there in following:
             sweep(test.scene, numbers, {tuple(study.vary): rows}, test.set, there, jobs, progress)
         number += 1
-    for name, content in files_of(*content_of(following)):
-        write_file(folder / name, content, is_listed=True)
+    write_files(folder, files_of(*content_of(following)))
     return Calibration(folder)
 
 
@@ -284,7 +283,4 @@ def command(options: dict[str, Any], folder: str) -> None:
         _answer.file("sweeps.json", json.dumps(list(sweeps_of(study, following))).encode())
         return
     summary, tables = content_of(following)
-    for name, content in files_of(summary, tables):
-        _answer.file(name, content)
-    for text in summary_lines(tables["parameters"], tables["targets"], summary["notes"]):
-        _answer.line(text)
+    _answer.files(files_of(summary, tables), summary_lines(tables["parameters"], tables["targets"], summary["notes"]))

@@ -23,7 +23,7 @@ from ._arguments import absolute, number
 from ._chart import Look, rendered
 from ._error import Error, printable
 from ._figures import Choice, chosen
-from ._folder import Run, make_own, read_json, write_file
+from ._folder import Run, read_json, write_files
 from ._table import Table, csv_of
 
 ROUNDING = 1e-6  # tables may be cut to fewer digits
@@ -169,9 +169,7 @@ def compare(
     grains, gas = run_of(automaton, MODELS), run_of(boltzmann, GAS)
     numbers = [None if one is None else number(name, one) for name, one in (("time", time), ("restitution", restitution))]
     files, _ = compared(grains, gas, folder, stage, *numbers)
-    make_own(folder)
-    for name, content in files.items():
-        write_file(folder / name, content, is_listed=True)
+    write_files(folder, files.items())
     return Run(folder)
 
 
@@ -184,7 +182,4 @@ def command(options: dict[str, Any], of_automaton: str, of_boltzmann: str, outpu
         for name, content in files.items():
             (Path(folder) / name).write_bytes(content)
         files["comparison.png"] = rendered(chosen(Run(folder), ["comparison"], Choice())[0], Look())
-    for name, content in files.items():
-        _answer.file(name, content)
-    for text in said:
-        _answer.line(text)
+    _answer.files(files.items(), said)

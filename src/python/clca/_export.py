@@ -476,4 +476,4 @@ def command(options: dict[str, Any], folder: str, path: str) -> None:
     first, last, every = (int(options[key]) if key in options else None for key in ("from", "to", "every"))
     source = Source(Run(folder), first, last, every or 1)
     write(source, options["format"], Target(Path(path), Path(options["output"]), _answer.parts))
-    _answer.line(f"{len(source.chosen)} frames")
+    _answer.files([], [f"{len(source.chosen)} frames"])

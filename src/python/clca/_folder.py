@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import os
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -87,6 +87,13 @@ def write_file(file: Path, content: bytes, is_listed: bool) -> None:
             new.unlink(missing_ok=True)
     except OSError as error:
         raise WriteError(f"cannot write {file}: {error.strerror}") from None
+
+
+def write_files(folder: Path, contents: Iterable[tuple[str, bytes]]) -> None:
+    """Into a folder of ours. Throws Error."""
+    make_own(folder)
+    for name, content in contents:
+        write_file(folder / name, content, is_listed=True)
 
 
 def compiled(what: str) -> Any:

@@ -19,7 +19,6 @@ if TYPE_CHECKING:
     from ._folder import Run, Sweep
 
 MEDIA = {".mp4": "video/mp4", ".webm": "video/webm", ".webp": "image/webp", ".gif": "image/gif", ".png": "image/png"}
-MOST_ROWS = 40  # of a table
 
 
 class Picture(numpy.ndarray[Any, numpy.dtype[numpy.uint8]]):
@@ -100,11 +99,7 @@ def reporting(progress: bool | Callable[[Progress], object]) -> Iterator[Callabl
 def shown(thing: Table | Run | Sweep) -> str | None:
     """As HTML; None where Jinja2 is missing, so that a notebook shows text."""
     try:
-        from ._report import folder_in_notebook, html
+        from ._report import in_notebook
     except ImportError:
         return None
-    if not isinstance(thing, Table):
-        return folder_in_notebook(thing)
-    half = MOST_ROWS // 2
-    parts = [thing] if len(thing) <= MOST_ROWS else [thing[:half], thing[-half:]]
-    return html("notebook.html", heads=list(map(thing.label, thing.names)), parts=parts, length=len(thing)).decode()
+    return in_notebook(thing)

@@ -44,6 +44,7 @@ MOST_SCENE = 256 << 10  # bytes
 MOST_FIGURES, MOST_SVG, WIDTH = 60, 300_000, 560  # WIDTH: pixels, for letters that can be read on a phone
 MOST_ENDS, MOST_AGAIN, MOST_DRAWN, MOST_DRAWN_ENDS = 12, 12, 8, 4  # pictures
 MOST_STAGES, MOST_MEASURES, MOST_WALL_TABLES, MOST_WALLS, MOST_COLUMNS, MOST_RUNS = 16, 200, 24, 100, 16, 500
+HALF = 20  # rows of a table in a notebook, at its beginning and at its end
 CONTROL = re.compile("[\0-\x08\x0b-\x1f\x7f-\x9f\u2028\u2029\ud800-\udfff\ufffe\uffff]")
 NO_USE = re.compile(rb'<metadata>.*?</metadata>|(?<=<g) id="[^"]*"', re.DOTALL)  # of SVG
 RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
@@ -401,15 +402,18 @@ def sweep_page(page: Page, sweep: Sweep) -> bytes:
     return page.rendered("sweep.html", title=sweep.title or scene, scene=scene, **found)
 
 
-def folder_in_notebook(folder: Run | Sweep) -> str:
-    """The measures alone."""
-    values: dict[str, Any] = {"said": repr(folder).strip("<>"), "columns": [], "parts": [], "notes": []}
-    if isinstance(folder, Run):
-        stages, rows, turned = measures_of(folder)
+def in_notebook(thing: Table | Run | Sweep) -> str:
+    """Rows of a table, or measures."""
+    values: dict[str, Any] = {"said": repr(thing).strip("<>"), "columns": [], "parts": [], "notes": []}
+    if isinstance(thing, Table):
+        parts = [thing] if len(thing) <= 2 * HALF else [thing[:HALF], thing[-HALF:]]
+        values = {"heads": list(map(thing.label, thing.names)), "parts": parts, "length": len(thing)}
+    elif isinstance(thing, Run):
+        stages, rows, turned = measures_of(thing)
         values |= {"columns": [stage["name"] for stage in stages], "parts": [("", rows, turned)]}
-    elif "measures" in folder.tables:
-        columns, parts = combinations_of(folder)
-        values |= {"columns": columns, "parts": parts, "notes": folder.notes}
+    elif "measures" in thing.tables:
+        values["columns"], values["parts"] = combinations_of(thing)
+        values["notes"] = thing.notes
     return html("notebook.html", **values).decode()
 
 

@@ -60,11 +60,7 @@ def sweep(
     A run that fails is a warning, and has its `error` in the table. Ctrl-C stops the sweep; the same call goes on with
     it. Throws Error.
     """
-    if not isinstance(scene, Scene):
-        scene = Scene(scene, set=set)
-    elif set:
-        scene = Scene.of(scene, set=set)
-    varied = []
+    checked, varied = Scene.of(scene, set=set), []
     for keys, values in mapping("vary", vary).items():
         of = [text("vary", key) for key in ([keys] if isinstance(keys, str) else at_most_runs("vary", keys))]
         if not of:
@@ -76,4 +72,5 @@ def sweep(
     numbers = [whole("seeds", seed, 0, MOST) for seed in at_most_runs("seeds", seeds)]
     folder = None if output is None else path(output)
     with reporting(progress) as report:
-        return Sweep(_clca.sweep(*scene._origin, scene._as_options(), varied, numbers, folder, workers("jobs", jobs), report))
+        of_scene = *checked._origin, checked._as_options()
+        return Sweep(_clca.sweep(*of_scene, varied, numbers, folder, workers("jobs", jobs), report))

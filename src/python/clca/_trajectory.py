@@ -44,15 +44,20 @@ def positions(points: NDArray[Any]) -> NDArray[numpy.float64]:
     return numpy.stack([PITCH * points[..., 0], points[..., 1] + 0.5 * points[..., 0]], -1)
 
 
+def halved(sites: NDArray[Any]) -> NDArray[Any]:
+    """The sites (axial vectors) and the middles of two neighbours, on the lattice of half the spacing."""
+    known = sites @ [2**32, 1]
+    neighbours = (sites[numpy.isin((sites + step) @ [2**32, 1], known)] * 2 + step for step in ((1, 0), (0, 1), (1, -1)))
+    return numpy.concatenate([2 * sites, *neighbours])
+
+
 @lru_cache(maxsize=256)
 def outline(sites: tuple[tuple[int, int], ...], centre: tuple[float, float]) -> NDArray[numpy.float64]:
-    """The body of a particle as pictures show it: on the lattice of half the spacing the six small triangles around
-    each site and around each middle of two neighbours. Corners from the centre, anticlockwise.
+    """The body of a particle as pictures show it: the six small triangles around each point of halved(). Corners from the
+    centre, anticlockwise.
     """
-    steps = ((0, 0), (1, 0), (0, 1), (1, -1))
-    points = {(2 * x + i, 2 * q + j) for x, q in sites for i, j in steps if (x + i, q + j) in sites}
     edges = set()
-    for x, q in points:
+    for x, q in halved(numpy.array(sites)).tolist():
         around = [(x + 1, q), (x, q + 1), (x - 1, q + 1), (x - 1, q), (x, q - 1), (x + 1, q - 1)]
         for i, corner in enumerate(around):  # a triangle: the point and two corners around it
             triangle = ((x, q), corner, around[(i + 1) % 6])
@@ -71,14 +76,9 @@ def trapezoids(sites: NDArray[Any]) -> tuple[NDArray[numpy.float64], NDArray[Any
     """The body of these sites (axial vectors, as outline() has it) cut into trapezoids: their corners, anticlockwise,
     one after the other, and how many corners each has.
     """
-    known = sites @ [2**32, 1]
-    points = [2 * sites]
-    for step in ((1, 0), (0, 1), (1, -1)):
-        points.append(2 * sites[numpy.isin((sites + step) @ [2**32, 1], known)] + step)
     # The small triangles between two columns of half the pitch, numbered upwards: those around each point.
-    doubled = numpy.concatenate(points) * (1, 2)
     around = [(0, -1), (0, 0), (0, 1), (-1, 0), (-1, 1), (-1, 2)]
-    triangles = numpy.unique(numpy.concatenate([doubled + one for one in around]), axis=0)
+    triangles = numpy.unique(numpy.concatenate([halved(sites) * (1, 2) + one for one in around]), axis=0)
     begins = numpy.append(True, numpy.any(triangles[1:] - triangles[:-1] != (0, 1), 1))[: len(triangles)]
     (left, low), high = triangles[begins].T, triangles[numpy.append(begins[1:], True)[: len(triangles)], 1]
     right, ends = left + 1, (low // 2, (low - 1) // 2, high // 2, (high + 1) // 2)
