@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
+#include <set>
 
 #include "clca/scene/walls.hpp"
 #include "scene/sections.hpp"
@@ -12,21 +12,8 @@ namespace clca::scene {
 
 namespace {
 
-/// A name in a list of a stage.
-struct StageEntry {
-  const Stage& stage;
-  std::string_view key;  ///< of the list
-  const Wall& wall;
-  const TextLocation& location;
-};
-
-[[noreturn]] void fail(const StageEntry& entry, std::string_view reason) {
-  fail(entry.location, fmt::format("stages.{}.{}: wall '{}' {}", entry.stage.name, entry.key,
-                                   entry.wall.name, reason));
-}
-
 bool names(const std::vector<std::size_t>& walls, std::size_t wall) {
-  return std::find(walls.begin(), walls.end(), wall) != walls.end();
+  return std::ranges::find(walls, wall) != walls.end();
 }
 
 /// Which walls are present, and since which stage.
@@ -35,60 +22,55 @@ class History {
   explicit History(const Scene& scene)
       : scene_(scene), there_(walls_present_at_start(scene)), since_(scene.walls.size(), nullptr) {}
 
-  void check(const Stage& stage, const Value& value) {
-    for_each(stage, value, "remove", stage.remove, &History::remove);
-    for_each(stage, value, "insert", stage.insert, &History::insert);
-    for_each(stage, value, "move", stage.move, &History::move);
+  void check(const Stage& stage, const Place& fields) {
+    for_each(fields, "remove", stage.remove, [&](std::size_t wall, const Place& entry) {
+      if (names(stage.insert, wall)) {
+        refuse(wall, entry, "is under insert too");
+      }
+      require(wall, entry);
+      there_[wall] = false;
+      since_[wall] = &stage;
+    });
+    for_each(fields, "insert", stage.insert, [&](std::size_t wall, const Place& entry) {
+      if (there_[wall]) {
+        refuse(wall, entry, fmt::format("is there since stage '{}'", since_[wall]->name));
+      }
+      there_[wall] = true;
+      since_[wall] = &stage;
+    });
+    for_each(fields, "move", stage.move, [&](std::size_t wall, const Place& entry) {
+      if (!scene_.walls[wall].motion) {
+        refuse(wall, entry, "has no motion");
+      }
+      require(wall, entry);
+    });
   }
 
  private:
-  using Change = void (History::*)(std::size_t, const StageEntry&);
-
-  void for_each(const Stage& stage, const Value& value, std::string_view key,
-                const std::vector<std::size_t>& walls, Change change) {
+  /// Calls change(wall, entry) for the walls in a list of a stage.
+  template <class Change>
+  void for_each(const Place& fields, std::string_view key, const std::vector<std::size_t>& walls,
+                const Change& change) {
     for (std::size_t i = 0; i < walls.size(); ++i) {
-      const StageEntry entry = {stage, key, scene_.walls[walls[i]],
-                                value.find(key)->items[i].location};
-      (this->*change)(walls[i], entry);
+      const Place list = fields.at(key);
+      change(walls[i], Place{list.value.items[i], list.path, list.scene});
     }
   }
 
-  void remove(std::size_t wall, const StageEntry& entry) {
-    if (names(entry.stage.insert, wall)) {
-      fail(entry, "is under insert too");
-    }
-    require(wall, entry);
-    there_[wall] = false;
-    since_[wall] = &entry.stage;
+  [[noreturn]] void refuse(std::size_t wall, const Place& entry, std::string_view reason) const {
+    fail(entry, "wall '{}' {}", scene_.walls[wall].name, reason);
   }
 
-  void insert(std::size_t wall, const StageEntry& entry) {
-    if (there_[wall]) {
-      fail(entry, fmt::format("is there since stage '{}'", since_[wall]->name));
-    }
-    there_[wall] = true;
-    since_[wall] = &entry.stage;
-  }
-
-  void move(std::size_t wall, const StageEntry& entry) {
-    if (!scene_.walls[wall].motion) {
-      fail(entry, "has no motion");
-    }
-    require(wall, entry);
-  }
-
-  void require(std::size_t wall, const StageEntry& entry) const {
+  void require(std::size_t wall, const Place& entry) const {
     if (there_[wall]) {
       return;
     }
     if (since_[wall] != nullptr) {
-      fail(entry, fmt::format("is gone since stage '{}'", since_[wall]->name));
+      refuse(wall, entry, fmt::format("is gone since stage '{}'", since_[wall]->name));
     }
-    const auto& stages = scene_.stages;
-    const auto first = std::find_if(stages.begin(), stages.end(), [wall](const Stage& stage) {
-      return names(stage.insert, wall);
-    });
-    fail(entry, fmt::format("is not there before stage '{}' inserts it", first->name));
+    const auto first = std::ranges::find_if(
+        scene_.stages, [wall](const Stage& stage) { return names(stage.insert, wall); });
+    refuse(wall, entry, fmt::format("is not there before stage '{}' inserts it", first->name));
   }
 
   const Scene& scene_;
@@ -96,23 +78,21 @@ class History {
   std::vector<const Stage*> since_;  // null since the start
 };
 
-void check_names(const std::vector<Stage>& stages, const Value& list) {
-  std::map<std::string_view, std::size_t> known;
-  for (std::size_t i = 0; i < stages.size(); ++i) {
-    if (!known.emplace(stages[i].name, i).second) {
-      fail(list.items[i].find("name")->location,
-           fmt::format("stages: the name '{}' is taken", stages[i].name));
-    }
-  }
-}
-
 }  // namespace
 
-void check_history(const Scene& scene, const Value& list) {
-  check_names(scene.stages, list);
-  History history(scene);
-  for (std::size_t i = 0; i < scene.stages.size(); ++i) {
-    history.check(scene.stages[i], list.items[i]);
+void check_history(const Place& list) {
+  const std::vector<Stage>& stages = list.scene.stages;
+  std::set<std::string_view> known;
+  for (std::size_t i = 0; i < stages.size(); ++i) {
+    if (!known.insert(stages[i].name).second) {
+      fail(list.value.items[i].find("name")->location, "stages: the name '{}' is taken",
+           stages[i].name);
+    }
+  }
+  History history(list.scene);
+  for (std::size_t i = 0; i < stages.size(); ++i) {
+    history.check(stages[i],
+                  {list.value.items[i], join_path(list.path, stages[i].name), list.scene});
   }
 }
 

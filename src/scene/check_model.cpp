@@ -1,7 +1,5 @@
 // Rejects features that the chosen model does not have.
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -19,67 +17,51 @@ namespace clca::scene {
 
 namespace {
 
-[[noreturn]] void refuse_yet(const TextLocation& location, std::string_view path,
-                             std::string_view what) {
-  fail(location, fmt::format("{}: model contact {} yet, model automaton does; remove it, or say "
-                             "'model: automaton'",
-                             path, what));
-}
-
-/// Features that the contact model lacks.
-void check_able(const Value& root) {
-  if (const Value* walls = root.find("walls")) {
-    for (const Entry& wall : walls->entries) {
-      const Value* passive = wall.value.find("passive");
-      if (passive != nullptr && passive->text == "overlap") {
-        refuse_yet(passive->location, fmt::format("walls.{}.passive", wall.key),
-                   "lets nothing overlap");
-      }
+/// Walls that only the automaton has.
+void check_walls_of_model(const Place& root) {
+  const Scene& scene = root.scene;
+  for (std::size_t i = 0; i < scene.walls.size(); ++i) {
+    const Place walls = root.at("walls");
+    const Place wall = walls.inside(walls.value.entries[i]);
+    if (scene.model == Model::contact && scene.walls[i].passive == grains::Passive::overlap) {
+      fail(wall.at("passive"),
+           "model contact lets nothing overlap yet, model automaton does; remove it, or say "
+           "'model: automaton'");
+    }
+    if (scene.model != Model::contact && scene.walls[i].motion) {
+      fail(wall.at("motion"),
+           "model {} has no walls that move, model automaton does; remove it, or say 'model: "
+           "automaton'",
+           name_of(kModelNames, scene.model));
     }
   }
 }
 
+/// Particles that roll are round. In models of one site, a void takes the place of a whole grain.
 void check_shapes(const Scene& scene, const Value& value) {
-  const bool rolling = scene.contact.rolling != contact::Rolling::none;
+  const bool rolling =
+      scene.model == Model::contact && scene.contact.rolling != contact::Rolling::none;
   for (std::size_t i = 0; i < scene.species.size(); ++i) {
     const Species& species = scene.species[i];
     const TextLocation& location = value.entries[i].location;
     if (rolling && !lattice::centred(species.shape).is_round()) {
-      fail(location, fmt::format("species.{}: only hexagons and discs roll; give it the shape of "
-                                 "one, or say 'contact.rolling: none'",
-                                 species.name));
+      fail(location,
+           "species.{}: only hexagons and discs roll; give it the shape of one, or say "
+           "'contact.rolling: none'",
+           species.name);
     }
-  }
-}
-
-/// In models of one site: a void takes the place of a whole grain.
-void check_single_sites(const Scene& scene, const Value& species) {
-  for (std::size_t i = 0; i < scene.species.size(); ++i) {
-    const std::size_t sites = scene.species[i].shape.size();
-    if (sites != 1) {
-      fail(species.entries[i].location,
-           fmt::format("species.{}: grains of model {} have one site, these have {}; give it "
-                       "'shape: {{hexagon: 0}}'",
-                       scene.species[i].name, name_of(kModelNames, scene.model), sites));
-    }
-  }
-}
-
-void check_standing(const Scene& scene, const Value& root) {
-  if (const Value* walls = root.find("walls")) {
-    for (const Entry& wall : walls->entries) {
-      if (const Value* motion = wall.value.find("motion")) {
-        fail(motion->location,
-             fmt::format("walls.{}.motion: model {} has no walls that move, model automaton "
-                         "does; remove it, or say 'model: automaton'",
-                         wall.key, name_of(kModelNames, scene.model)));
-      }
+    if (scene.model != Model::contact && species.shape.size() != 1) {
+      fail(location,
+           "species.{}: grains of model {} have one site, these have {}; give it 'shape: "
+           "{{hexagon: 0}}'",
+           species.name, name_of(kModelNames, scene.model), species.shape.size());
     }
   }
 }
 
 /// In a narrow periodic box two grains would touch on both sides, and have one contact.
-void check_periodic_width(const Scene& scene, const Value& box) {
+void check_periodic_width(const Place& box) {
+  const Scene& scene = box.scene;
   if (!scene.box.periodic) {
     return;
   }
@@ -92,33 +74,29 @@ void check_periodic_width(const Scene& scene, const Value& box) {
   const int columns = lattice_of(scene.box).columns();
   const int needed = contact::needed_columns(kinds);
   if (columns < needed) {
-    fail(
-        box.find("width")->location,
-        fmt::format("box.width: {} columns, and in a periodic box of less than {} two grains may "
-                    "touch on both sides, which model contact does not take; make the width {:.1f} "
-                    "or more",
-                    columns, needed, std::floor(10 * needed * lattice::kColumnPitch) / 10));
+    fail(box.at("width"),
+         "{} columns, and in a periodic box of less than {} two grains may touch on "
+         "both sides, which model contact does not take; make the width {:.1f} or more",
+         columns, needed, std::floor(10 * needed * lattice::kColumnPitch) / 10);
   }
 }
 
 /// Checks stages once the time step is known.
-void check_vessels(const Scene& scene, const Value& stages) {
+void check_vessels(const Place& stages) {
+  const Scene& scene = stages.scene;
   contact::Vessel vessel;
   for (std::size_t i = 0; i < scene.stages.size(); ++i) {
     const Stage& stage = scene.stages[i];
+    const Place fields = {stages.value.items[i], join_path(stages.path, stage.name), scene};
     if (stage.fill && stage.fill->method == FillMethod::deposition && vessel.angle != 0) {
-      fail(
-          stages.items[i].find("fill")->location,
-          fmt::format("stages.{}.fill: deposition needs a vessel that stands upright; use 'method: "
-                      "random'",
-                      stage.name));
+      fail(fields.at("fill"),
+           "deposition needs a vessel that stands upright; use 'method: random'");
     }
     try {
       vessel = vessel_in(scene, stage, vessel);
     } catch (const std::invalid_argument& error) {
-      fail(stages.items[i].find("vessel")->location,
-           fmt::format("stages.{}.vessel: {}; a step takes {}", stage.name, error.what(),
-                       conversion(scene)->time_text(1)));
+      fail(fields.at("vessel"), "{}; a step takes {}", error.what(),
+           conversion(scene)->time_text(1));
     }
     if (vessel.turn_steps > 0) {
       vessel.angle += 1;  // somewhere else in the end
@@ -128,30 +106,37 @@ void check_vessels(const Scene& scene, const Value& stages) {
 
 }  // namespace
 
-void check_weight_paths(const TextLocation& location, const std::string& path, const Scene& scene) {
+void check_weight_paths(const Place& place) {
+  const Scene& scene = place.scene;
   const bool overlaps = std::ranges::any_of(
       scene.walls, [](const Wall& wall) { return wall.passive == grains::Passive::overlap; });
   const bool turns = std::ranges::any_of(
       scene.stages, [](const Stage& stage) { return stage.vessel.has_value(); });
   if (overlaps || turns) {
-    fail(location, fmt::format("{}: no paths of weight {}", path,
-                               overlaps ? "with a wall that moves with passive: overlap"
-                                        : "in a vessel that tilts or moves"));
+    fail(place, "no paths of weight {}",
+         overlaps ? "with a wall that moves with passive: overlap"
+                  : "in a vessel that tilts or moves");
   }
 }
 
-void check_model(const Scene& scene, const Value& root) {
-  if (scene.model == Model::contact) {
-    check_able(root);
-    check_shapes(scene, *root.find("species"));
-    check_periodic_width(scene, *root.find("box"));
-  } else if (scene.model != Model::automaton) {
-    check_single_sites(scene, *root.find("species"));
-    check_standing(scene, root);
+void check_model(const Place& root) {
+  const Model model = root.scene.model;
+  if (model == Model::automaton) {
+    return;
+  }
+  if (model == Model::contact) {
+    check_walls_of_model(root);
+  }
+  check_shapes(root.scene, root.at("species").value);
+  if (model == Model::contact) {
+    check_periodic_width(root.at("box"));
+  } else {
+    check_walls_of_model(root);
   }
 }
 
-void check_time_step(const Scene& scene, const Value& root) {
+void check_time_step(const Place& root) {
+  const Scene& scene = root.scene;
   if (scene.model != Model::contact) {
     return;
   }
@@ -160,15 +145,14 @@ void check_time_step(const Scene& scene, const Value& root) {
     contact::gravity(parameters);
   } catch (const std::invalid_argument&) {
     const Value* block = root.find("contact");
-    fail((block != nullptr ? *block : root).location,
-         fmt::format(
-             "contact: a resolution of {} and a fall height of {} give no time step: gravity "
-             "would be {:.3g} lattice spacings per step squared, and may be {:.3g} to {:.3g}",
-             parameters.resolution, parameters.fall_height,
-             parameters.resolution * parameters.resolution / (2 * parameters.fall_height),
-             contact::kMinGravity, contact::kMaxGravity));
+    fail((block != nullptr ? *block : root.value).location,
+         "contact: a resolution of {} and a fall height of {} give no time step: gravity would be "
+         "{:.3g} lattice spacings per step squared, and may be {:.3g} to {:.3g}",
+         parameters.resolution, parameters.fall_height,
+         parameters.resolution * parameters.resolution / (2 * parameters.fall_height),
+         contact::kMinGravity, contact::kMaxGravity);
   }
-  check_vessels(scene, *root.find("stages"));
+  check_vessels(root.at("stages"));
 }
 
 }  // namespace clca::scene

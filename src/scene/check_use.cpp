@@ -1,7 +1,5 @@
 // Checks of the scene as a whole.
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "scene/sections.hpp"
@@ -10,25 +8,25 @@ namespace clca::scene {
 
 namespace {
 
+/// Refuses a thing under `key` for which `used(scene, index)` is false.
 template <class Use>
-void require_use(const Scene& scene, const Value& entries, std::string_view path,
-                 std::string_view advice, Use used) {
-  for (std::size_t i = 0; i < entries.entries.size(); ++i) {
-    const Entry& entry = entries.entries[i];
-    if (!used(scene, i)) {
-      fail(entry.location, fmt::format("{}.{} is not used; {}", path, entry.key, advice));
+void require_use(const Place& root, std::string_view key, std::string_view advice, Use used) {
+  const Value* things = root.find(key);
+  for (std::size_t i = 0; things != nullptr && i < things->entries.size(); ++i) {
+    const Entry& entry = things->entries[i];
+    if (!used(root.scene, i)) {
+      fail(entry.location, "{}.{} is not used; {}", key, entry.key, advice);
     }
   }
 }
 
 template <class Items>
-void require_none(const Items& items, const Value& root, const char* key, const char* what) {
+void require_none(const Items& items, const Place& root, const char* key, const char* what) {
   if (!items.empty()) {
-    fail(root.find(key)->location,
-         fmt::format(
-             "{}: nothing would be written; they {} at the steps of output.series, so remove "
-             "its none, or them",
-             key, what));
+    fail(root.at(key),
+         "nothing would be written; they {} at the steps of output.series, so remove its none, or "
+         "them",
+         what);
   }
 }
 
@@ -59,20 +57,18 @@ bool appears(const Scene& scene, std::size_t species) {
 
 }  // namespace
 
-void check_use(const Scene& scene, const Value& root) {
-  if (const Value* walls = root.find("walls")) {
-    require_use(scene, *walls, "walls", "name it under move in a stage", stands_or_moves);
-    for (const Entry& wall : walls->entries) {
-      if (wall.key.find_first_not_of("0123456789") == std::string::npos) {
-        fail(wall.location, fmt::format("walls: the name {} is the number of a particle in tables "
-                                        "of contacts; give it a letter",
-                                        wall.key));
-      }
+void check_use(const Place& root) {
+  const Scene& scene = root.scene;
+  require_use(root, "walls", "name it under move in a stage", stands_or_moves);
+  for (std::size_t i = 0; i < scene.walls.size(); ++i) {
+    const std::string& name = scene.walls[i].name;
+    if (name.find_first_not_of("0123456789") == std::string::npos) {
+      fail(root.at("walls").value.entries[i].location,
+           "walls: the name {} is the number of a particle in tables of contacts; give it a letter",
+           name);
     }
   }
-  if (const Value* sources = root.find("sources")) {
-    require_use(scene, *sources, "sources", "name it under sources in a stage", opens);
-  }
+  require_use(root, "sources", "name it under sources in a stage", opens);
   if (!scene.output.series) {
     require_none(scene.probes, root, "probes", "have rows");
     require_none(scene.lines, root, "lines", "are observed");
@@ -85,11 +81,10 @@ void check_use(const Scene& scene, const Value& root) {
     any = any || fills(scene, species);
   }
   if (!any) {
-    fail(root.find("stages")->location,
-         "stages: no particles; give a stage a fill or a source, or begin with another run");
+    fail(root.at("stages"),
+         "no particles; give a stage a fill or a source, or begin with another run");
   }
-  require_use(scene, *root.find("species"), "species", "give it a count in a fill, or a source",
-              appears);
+  require_use(root, "species", "give it a count in a fill, or a source", appears);
 }
 
 }  // namespace clca::scene

@@ -14,37 +14,10 @@ namespace clca::scene {
 
 namespace {
 
-[[noreturn]] void fail(const Wall& wall, const std::string& message) {
-  throw SceneError(fmt::format("{}: error: walls.{}: {}", wall.location, wall.name, message));
-}
-
-/// A rectangle around all sites that the wall ever covers, without wrapping.
-lattice::Rectangle around(const Wall& wall) {
-  const auto around_part = [](const WallPart& part) {
-    return std::visit([](const auto& form) { return around(form); }, part);
-  };
-  lattice::Rectangle all = around_part(wall.parts.front());
-  for (const WallPart& part : wall.parts) {
-    const lattice::Rectangle rectangle = around_part(part);
-    all = {std::min(all.left, rectangle.left), std::min(all.bottom, rectangle.bottom),
-           std::max(all.right, rectangle.right), std::max(all.top, rectangle.top)};
-  }
-  if (!wall.motion) {
-    return all;
-  }
-  const grains::OffsetRange range = grains::range_of(*wall.motion);
-  const Eigen::Vector2d step = lattice::position(lattice::unit(wall.motion->direction));
-  const auto [left, right] = std::minmax({step.x() * range.low, step.x() * range.high});
-  const auto [down, up] = std::minmax({step.y() * range.low, step.y() * range.high});
-  return {all.left + left - 1, all.bottom + down - 1, all.right + right + 1, all.top + up + 1};
-}
-
-/// Quick test before comparing sites.
-bool far_apart(const lattice::Lattice& lattice, const Wall& a, const Wall& b) {
-  const lattice::Rectangle one = around(a);
-  const lattice::Rectangle other = around(b);
-  const bool apart = one.top < other.bottom || other.top < one.bottom;
-  return apart || (!lattice.periodic() && (one.right < other.left || other.right < one.left));
+template <class... Args>
+[[noreturn]] void fail(const Wall& wall, fmt::format_string<Args...> message, Args&&... args) {
+  throw_error(wall.location, fmt::format("walls.{}: {}", wall.name,
+                                         fmt::format(message, std::forward<Args>(args)...)));
 }
 
 /// True if both walls share an initial site for which `counts` is true.
@@ -60,10 +33,11 @@ bool share_home(const lattice::Lattice& lattice, const Wall& a, const Wall& b, C
 /// Checks the initial positions.
 void check_begin(const lattice::Lattice& lattice, const Wall& mover, const Wall& other) {
   const auto in_box = [&](lattice::Site site) { return lattice.contains(site); };
-  if (!far_apart(lattice, mover, other) && share_home(lattice, mover, other, in_box)) {
-    fail(mover, fmt::format("stands in wall '{}' at the start; insert one of them later, or move "
-                            "one of them elsewhere",
-                            other.name));
+  if (share_home(lattice, mover, other, in_box)) {
+    fail(mover,
+         "stands in wall '{}' at the start; insert one of them later, or move "
+         "one of them elsewhere",
+         other.name);
   }
 }
 
@@ -96,24 +70,21 @@ std::vector<bool> way_of(const lattice::Lattice& lattice, const Wall& wall) {
 
 void check_pair(const lattice::Lattice& lattice, const Wall& mover, const std::vector<bool>& way,
                 const Wall& other) {
-  if (far_apart(lattice, mover, other)) {
-    return;
-  }
   if (other.motion == mover.motion) {
     if (share_home(lattice, mover, other, [](lattice::Site) { return true; })) {
       fail(mover,
-           fmt::format("shares sites with wall '{}', which has the same motion; make them parts "
-                       "of one wall, or move one of them elsewhere",
-                       other.name));
+           "shares sites with wall '{}', which has the same motion; make them "
+           "parts of one wall, "
+           "or move one of them elsewhere",
+           other.name);
     }
     return;
   }
   if (any_swept_site(lattice, other,
                      [&](lattice::Site site) { return way[lattice.index(site)]; })) {
-    fail(mover, fmt::format("its way meets {} wall '{}'; {}, or move one of them elsewhere",
-                            other.motion ? "that of" : "the standing", other.name,
-                            other.motion ? "shorten a distance or amplitude"
-                                         : "shorten the distance or amplitude"));
+    fail(mover, "its way meets {} wall '{}'; {}, or move one of them elsewhere",
+         other.motion ? "that of" : "the standing", other.name,
+         other.motion ? "shorten a distance or amplitude" : "shorten the distance or amplitude");
   }
 }
 
@@ -130,8 +101,8 @@ void check_walls(const Scene& scene) {
     }
     const std::vector<bool> way = way_of(lattice, mover);
     if (way.empty()) {
-      fail(mover, fmt::format("no site of the box, {} wide and {} high, lies on its way",
-                              scene.box.width, scene.box.height));
+      fail(mover, "no site of the box, {} wide and {} high, lies on its way", scene.box.width,
+           scene.box.height);
     }
     const std::vector<bool> met = companions(scene, there, i);
     for (std::size_t other = 0; other < scene.walls.size(); ++other) {

@@ -99,7 +99,7 @@ class TreeBuilder final : public YAML::EventHandler {
 
 Value TreeBuilder::take() {
   if (bad_key_) {
-    fail(bad_key_->first, bad_key_->second);
+    fail(bad_key_->first, "{}", bad_key_->second);
   }
   if (root_) {
     return std::move(*root_);
@@ -114,20 +114,19 @@ void TreeBuilder::explain(const YAML::Exception& error) const {
                                   [](const Open& candidate) { return candidate.bracketed; });
   if (level != open_.rend() && error.msg.ends_with("flow not found")) {
     const char bracket = level->value.is(Value::Kind::map) ? '{' : '[';
-    fail(level->value.location,
-         fmt::format("the '{}' is not closed, or a ',' is missing after it", bracket));
+    fail(level->value.location, "the '{}' is not closed, or a ',' is missing after it", bracket);
   }
   if (level != open_.rend() && error.msg == "illegal flow end") {
     const bool brace = rest(error.mark).starts_with('}');
-    fail(location(error.mark),
-         fmt::format("a '{}' while a '{}' is still open", brace ? '}' : ']', brace ? '[' : '{'));
+    fail(location(error.mark), "a '{}' while a '{}' is still open", brace ? '}' : ']',
+         brace ? '[' : '{');
   }
   for (const auto& [theirs, ours] : kPlainWords) {
     if (error.msg == theirs) {
-      fail(location(error.mark), ours);
+      fail(location(error.mark), "{}", ours);
     }
   }
-  fail(location(error.mark), "not valid YAML: " + text::printable(error.msg));
+  fail(location(error.mark), "not valid YAML: {}", text::printable(error.msg));
 }
 
 void TreeBuilder::OnDocumentStart(const YAML::Mark& mark) {
@@ -211,7 +210,7 @@ void TreeBuilder::check_closing_quote(const YAML::Mark& mark) const {
 
 void TreeBuilder::open(Value::Kind kind, const YAML::Mark& mark, bool bracketed) {
   if (open_.size() >= kMaxDepth) {
-    fail(location(mark), fmt::format("nested deeper than {} levels", kMaxDepth));
+    fail(location(mark), "nested deeper than {} levels", kMaxDepth);
   }
   Open level;
   level.value.kind = kind;
@@ -251,11 +250,11 @@ void TreeBuilder::begin_entry(Value key) {
   } else if (const auto [first, added] = level.line_of.emplace(key.text, key.location.line);
              !added) {
     const bool lines = key.location.origin->has_lines;
-    fail(key.location, fmt::format("duplicate key {}{}", text::shown(key.text),
-                                   lines ? fmt::format(" (first on line {})", first->second) : ""));
+    fail(key.location, "duplicate key {}{}", text::shown(key.text),
+         lines ? fmt::format(" (first on line {})", first->second) : "");
   }
   if (level.line_of.size() > kMaxKeys) {
-    fail(key.location, fmt::format("more than {} keys in a map", kMaxKeys));
+    fail(key.location, "more than {} keys in a map", kMaxKeys);
   }
   level.entry = Entry{std::move(key.text), std::move(key.location), {}};
 }

@@ -16,10 +16,6 @@ namespace clca::scene {
 
 namespace {
 
-bool is_digit(char letter) {
-  return letter >= '0' && letter <= '9';
-}
-
 /// Digits without a superfluous zero in front, which elsewhere would mean octal.
 bool is_plain_integer(std::string_view text) {
   if (text.starts_with('-')) {
@@ -55,17 +51,16 @@ std::optional<T> converted(const Value& value) {
   return value.is(Value::Kind::scalar) && !value.quoted ? converted<T>(value.text) : std::nullopt;
 }
 
-[[noreturn]] void unexpected(const Value& value, std::string_view path, std::string_view allowed) {
-  fail(value.location, fmt::format("{}: expected {}, found {}", path, allowed, found(value)));
+[[noreturn]] void unexpected(const Place& place, std::string_view allowed) {
+  fail(place, "expected {}, found {}", allowed, found(place));
 }
 
 template <class T>
-T read_ranged(const Value& value, std::string_view path, T low, T high) {
-  const auto number = converted<T>(value);
+T read_ranged(const Place& place, T low, T high) {
+  const auto number = converted<T>(place.value);
   if (!number || *number < low || *number > high) {
-    unexpected(value, path,
-               fmt::format("a {} from {} to {}", std::is_integral_v<T> ? "whole number" : "number",
-                           low, high));
+    unexpected(place, fmt::format("a {} from {} to {}",
+                                  std::is_integral_v<T> ? "whole number" : "number", low, high));
   }
   return *number;
 }
@@ -90,44 +85,44 @@ bool is_name_letter(char letter) {
 
 }  // namespace
 
-std::uint64_t read_count(const Value& value, std::string_view path, std::uint64_t low,
-                         std::uint64_t high) {
-  return read_ranged(value, path, low, high);
+std::uint64_t read_count(const Place& place, std::uint64_t low, std::uint64_t high) {
+  return read_ranged(place, low, high);
 }
 
-int read_int(const Value& value, std::string_view path, int low, int high) {
-  return read_ranged(value, path, low, high);
+int read_int(const Place& place, int low, int high) {
+  return read_ranged(place, low, high);
 }
 
 std::optional<double> to_number(std::string_view text) {
   return converted<double>(text);
 }
 
-double read_number(const Value& value, std::string_view path, double low, double high) {
-  return read_ranged(value, path, low, high);
+double read_number(const Place& place, double low, double high) {
+  return read_ranged(place, low, high);
 }
 
-double read_positive(const Value& value, std::string_view path, double high) {
-  const auto number = converted<double>(value);
+double read_positive(const Place& place, double high) {
+  const auto number = converted<double>(place.value);
   if (!number || *number <= 0 || *number > high) {
-    unexpected(value, path, fmt::format("a number above 0 and up to {}", high));
+    unexpected(place, fmt::format("a number above 0 and up to {}", high));
   }
   return *number;
 }
 
-bool read_bool(const Value& value, std::string_view path) {
+bool read_bool(const Place& place) {
+  const Value& value = place.value;
   if (!value.is(Value::Kind::scalar) || value.quoted ||
       (value.text != "true" && value.text != "false")) {
-    unexpected(value, path, "true or false");
+    unexpected(place, "true or false");
   }
   return value.text == "true";
 }
 
-const std::string& read_text(const Value& value, std::string_view path) {
-  if (!value.is(Value::Kind::scalar)) {
-    unexpected(value, path, "text");
+const std::string& read_text(const Place& place) {
+  if (!place.value.is(Value::Kind::scalar)) {
+    unexpected(place, "text");
   }
-  return value.text;
+  return place.value.text;
 }
 
 std::optional<std::size_t> line_length(std::string_view text) {
@@ -142,90 +137,90 @@ std::optional<std::size_t> line_length(std::string_view text) {
   return characters;
 }
 
-const std::vector<Value>& read_list(const Value& value, std::string_view path, std::size_t least,
-                                    std::size_t most) {
+std::vector<Place> read_list(const Place& place, std::size_t least, std::size_t most) {
+  const Value& value = place.value;
   if (!value.is(Value::Kind::list)) {
     const bool is_word = value.is(Value::Kind::scalar) && !value.quoted;
-    fail(value.location,
-         fmt::format("{}: expected a list, found {}{}", path, found(value),
-                     is_word ? fmt::format("; write [{}]", text::shortened(value.text)) : ""));
+    fail(place, "expected a list, found {}{}", found(value),
+         is_word ? fmt::format("; write [{}]", text::shortened(value.text)) : "");
   }
   const std::size_t size = value.items.size();
   if (size < least || size > most) {
     const std::string range =
         least == most ? std::to_string(least) : fmt::format("{} to {}", least, most);
-    fail(value.location, fmt::format("{}: expected {} items, found {}", path, range, size));
+    fail(place, "expected {} items, found {}", range, size);
   }
-  return value.items;
+  std::vector<Place> items;
+  for (const Value& item : value.items) {
+    items.push_back({item, place.path, place.scene});
+  }
+  return items;
 }
 
-const std::vector<Entry>& read_map(const Value& value, std::string_view path) {
-  if (!value.is(Value::Kind::map)) {
-    unexpected(value, path, "a map");
+const std::vector<Entry>& read_map(const Place& place) {
+  if (!place.value.is(Value::Kind::map)) {
+    unexpected(place, "a map");
   }
-  return value.entries;
+  return place.value.entries;
 }
 
-const std::vector<Entry>& read_named(const Value& value, std::string_view path) {
-  const std::vector<Entry>& entries = read_map(value, path);
+const std::vector<Entry>& read_named(const Place& place) {
+  const std::vector<Entry>& entries = read_map(place);
   if (entries.size() > kMaxItems) {
-    fail(value.location,
-         fmt::format("{}: expected at most {}, found {}", path, kMaxItems, entries.size()));
+    fail(place, "expected at most {}, found {}", kMaxItems, entries.size());
   }
   for (const Entry& entry : entries) {
-    check_name(entry.key, entry.location, path);
+    check_name(entry.key, entry.location, place.path);
   }
   return entries;
 }
 
 void check_name(const std::string& name, const TextLocation& location, std::string_view path) {
-  if (name.empty() || name.size() > kMaxNameLength ||
-      !std::all_of(name.begin(), name.end(), is_name_letter)) {
-    fail(location, fmt::format("{}: a name has 1 to {} of the characters A-Z a-z 0-9 _ -, found {}",
-                               path, kMaxNameLength, text::shown(name)));
+  if (name.empty() || name.size() > kMaxNameLength || !std::ranges::all_of(name, is_name_letter)) {
+    fail(location, "{}: a name has 1 to {} of the characters A-Z a-z 0-9 _ -, found {}", path,
+         kMaxNameLength, text::shown(name));
   }
 }
 
 std::size_t read_reference(const std::string& name, const TextLocation& location,
                            std::string_view path, std::string_view kind,
                            std::span<const std::string_view> names) {
-  const auto match = std::find(names.begin(), names.end(), name);
+  const auto match = std::ranges::find(names, name);
   if (match == names.end()) {
     const std::string known = names.empty() ? "there is none" : "known: " + text::listed(names);
-    fail(location, fmt::format("{}: unknown {} {} ({}){}", path, kind, text::shown(name), known,
-                               text::suggestion(name, names)));
+    fail(location, "{}: unknown {} {} ({}){}", path, kind, text::shown(name), known,
+         text::suggestion(name, names));
   }
   return static_cast<std::size_t>(match - names.begin());
 }
 
-std::size_t read_word(const Value& value, std::string_view path,
-                      std::span<const std::string_view> words) {
-  const auto match = std::find(words.begin(), words.end(), value.text);
+std::size_t read_word(const Place& place, std::span<const std::string_view> words) {
+  const Value& value = place.value;
+  const auto match = std::ranges::find(words, value.text);
   if (!value.is(Value::Kind::scalar) || match == words.end()) {
-    fail(value.location,
-         fmt::format("{}: expected one of {}, found {}{}", path, fmt::join(words, ", "),
-                     found(value), text::suggestion(value.text, words)));
+    fail(place, "expected one of {}, found {}{}", fmt::join(words, ", "), found(value),
+         text::suggestion(value.text, words));
   }
   return static_cast<std::size_t>(match - words.begin());
 }
 
-bool is_none(const Value& value, std::string_view path) {
-  const bool none = value.is(Value::Kind::scalar) && value.text == "none";
-  if (!none && !value.is(Value::Kind::map)) {
-    unexpected(value, path, "a map or none");
+bool is_none(const Place& place) {
+  const bool none = place.value.is(Value::Kind::scalar) && place.value.text == "none";
+  if (!none && !place.value.is(Value::Kind::map)) {
+    unexpected(place, "a map or none");
   }
   return none;
 }
 
-bool is_word(const Value& value, std::string_view path, std::string_view word,
-             std::string_view phrase) {
+bool is_word(const Place& place, std::string_view word, std::string_view phrase) {
+  const Value& value = place.value;
   if (value.is(Value::Kind::scalar) && value.text == word) {
     return true;
   }
   if (value.text.empty() || !is_digit(value.text.front())) {
     const std::array words = {word};
-    fail(value.location, fmt::format("{}: expected {} or {}, found {}{}", path, word, phrase,
-                                     found(value), text::suggestion(value.text, words)));
+    fail(place, "expected {} or {}, found {}{}", word, phrase, found(value),
+         text::suggestion(value.text, words));
   }
   return false;
 }
@@ -234,43 +229,26 @@ std::string join_path(std::string_view path, std::string_view key) {
   return path.empty() ? text::printable(key) : fmt::format("{}.{}", path, text::printable(key));
 }
 
-KeyedMap::KeyedMap(const Value& map, std::string path, std::span<const std::string_view> keys)
-    : map_(map), path_(std::move(path)) {
-  for (const Entry& entry : read_map(map, path_.empty() ? "scene" : path_)) {
-    if (std::find(keys.begin(), keys.end(), entry.key) == keys.end()) {
-      fail(entry.location, fmt::format("unknown key {}{} (allowed: {}){}", text::shown(entry.key),
-                                       path_.empty() ? "" : " in " + path_, fmt::join(keys, ", "),
-                                       suggestion(entry, path_, keys)));
-    }
-  }
+FileReference reference(const Place& place) {
+  return FileReference(to_string(place.value.location));
 }
 
-const Value& KeyedMap::at(std::string_view key) const {
-  const Value* value = find(key);
-  if (value == nullptr) {
-    fail(location(), fmt::format("{}: key '{}' is missing", path_.empty() ? "scene" : path_, key));
-  }
-  return *value;
-}
-
-void KeyedMap::refuse_foreign(std::string_view key, Model owner) const {
-  for (const Entry& entry : map_.entries) {
-    if (entry.key == key) {
-      const std::string_view model = name_of(kModelNames, owner);
-      fail(entry.location, fmt::format("{}: only model {} has it; remove it, or say 'model: {}'",
-                                       path(key), model, model));
+KeyedMap::KeyedMap(const Place& map, std::span<const std::string_view> keys) : Place(map) {
+  for (const Entry& entry : read_map(map)) {
+    if (std::ranges::find(keys, entry.key) == keys.end()) {
+      fail(entry.location, "unknown key {}{} (allowed: {}){}", text::shown(entry.key),
+           path.empty() ? "" : " in " + path, fmt::join(keys, ", "), suggestion(entry, path, keys));
     }
   }
 }
 
 std::string_view KeyedMap::only(std::span<const std::string_view> keys) const {
   std::vector<std::string_view> present;
-  std::copy_if(keys.begin(), keys.end(), std::back_inserter(present),
-               [this](std::string_view key) { return find(key) != nullptr; });
+  std::ranges::copy_if(keys, std::back_inserter(present),
+                       [this](std::string_view key) { return find(key) != nullptr; });
   if (present.size() != 1) {
-    fail(location(),
-         fmt::format("{}: expected exactly one of {}, found {}", path_, fmt::join(keys, ", "),
-                     present.empty() ? "none" : fmt::format("{}", fmt::join(present, " and "))));
+    fail(*this, "expected exactly one of {}, found {}", fmt::join(keys, ", "),
+         present.empty() ? "none" : fmt::format("{}", fmt::join(present, " and ")));
   }
   return present.front();
 }

@@ -1,7 +1,5 @@
 // Title, box and rules of the automaton.
 
-#include <algorithm>
-
 #include "clca/text/message.hpp"
 #include "scene/sections.hpp"
 #include "scene/types.hpp"
@@ -12,43 +10,24 @@ namespace {
 
 using Priority = std::array<automaton::UpdateClass, 3>;
 
-Priority read_priority(const Value& value, const std::string& path, const Scene& /*scene*/) {
-  const std::vector<Value>& items = read_list(value, path, 3, 3);
-  Priority order = {};
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    order[i] = read_choice(items[i], path, kUpdateClassNames);
-    if (std::find(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(i), order[i]) !=
-        order.begin() + static_cast<std::ptrdiff_t>(i)) {
-      fail(items[i].location,
-           fmt::format("{}: {} is named twice; name each class once", path, found(items[i])));
-    }
-  }
-  return order;
-}
-
 Type<Priority> priority_type() {
-  const Type<automaton::UpdateClass> update_class = choice(kUpdateClassNames);
-  return own_type<Priority>("`rest`, `inertia`, `gravity`, each once",
-                            unique(array_schema(update_class.schema, 3, 3)), read_priority,
-                            [update_class](const Priority& order, const Scene& scene) {
-                              Yaml list = Yaml::list({});
-                              for (const automaton::UpdateClass next : order) {
-                                list.items.push_back(update_class.text(next, scene));
-                              }
-                              return list;
-                            });
+  const auto list = set_of(choice(kUpdateClassNames), 3, 3, found, "; name each class once");
+  return converted<Priority>(
+      "`rest`, `inertia`, `gravity`, each once", list,
+      [](const std::vector<automaton::UpdateClass>& order) {
+        return Priority{order[0], order[1], order[2]};
+      },
+      [](const Priority& order) { return std::vector(order.begin(), order.end()); });
 }
 
-std::string read_title(const Value& value, const std::string& path, const Scene& /*scene*/) {
-  const std::string& title = read_text(value, path);
+std::string read_title(const Place& place) {
+  const std::string& title = read_text(place);
   const std::optional<std::size_t> characters = line_length(title);
   if (!characters) {
-    fail(value.location,
-         fmt::format("{}: expected one line of text, found {}", path, text::shown(title)));
+    fail(place, "expected one line of text, found {}", text::shown(title));
   }
   if (*characters == 0 || *characters > kMaxTitleLength) {
-    fail(value.location, fmt::format("{}: expected 1 to {} characters, found {}", path,
-                                     kMaxTitleLength, *characters));
+    fail(place, "expected 1 to {} characters, found {}", kMaxTitleLength, *characters);
   }
   return title;
 }
@@ -75,7 +54,7 @@ Type<std::string> title_type() {
   return own_type<std::string>(
       fmt::format("1 to {} characters", kMaxTitleLength),
       with(with(scalar_schema(), "minLength", 1), "maxLength", kMaxTitleLength), read_title,
-      [](const std::string& title, const Scene& /*scene*/) { return quoted_text(title); });
+      [](const std::string& title) { return Value::quoted_text(title); });
 }
 
 Type<Box> box_type() {
@@ -87,9 +66,7 @@ Type<Box> box_type() {
             key("periodic", &Box::periodic, yes_or_no(),
                 "what leaves on the right comes back on the left; the number of columns is made "
                 "even")},
-       .check = [](const KeyedMap& fields, Box& box, const Scene& /*scene*/) {
-         box.location = FileReference(to_string(fields.location()));
-       }});
+       .check = [](const KeyedMap& fields, Box& box) { box.location = reference(fields); }});
 }
 
 Type<automaton::Rules> rules_type() {

@@ -11,25 +11,23 @@ namespace {
 
 constexpr std::size_t kHashDigits = 16;
 
-std::uint64_t read_hash(const Value& value, const std::string& path, const Scene& /*scene*/) {
+std::uint64_t read_hash(const Place& place) {
   constexpr int kHexadecimal = 16;
-  const std::string& digits = read_text(value, path);
+  const std::string& digits = read_text(place);
   const char* end = digits.data() + digits.size();
   std::uint64_t hash = 0;
   const auto [stop, error] = std::from_chars(digits.data(), end, hash, kHexadecimal);
   if (digits.size() != kHashDigits || stop != end || error != std::errc()) {
-    fail(value.location, fmt::format("{}: expected {} hexadecimal digits, found {}", path,
-                                     kHashDigits, found(value)));
+    fail(place, "expected {} hexadecimal digits, found {}", kHashDigits, found(place));
   }
   return hash;
 }
 
 Type<std::uint64_t> hash_type() {
-  return own_type<std::uint64_t>(fmt::format("{} hexadecimal digits, in quotes", kHashDigits),
-                                 text_schema("^[0-9A-Fa-f]{16}$"), read_hash,
-                                 [](std::uint64_t hash, const Scene& /*scene*/) {
-                                   return quoted_text(fmt::format("{:016x}", hash));
-                                 });
+  return own_type<std::uint64_t>(
+      fmt::format("{} hexadecimal digits, in quotes", kHashDigits),
+      text_schema("^[0-9A-Fa-f]{16}$"), read_hash,
+      [](std::uint64_t hash) { return Value::quoted_text(fmt::format("{:016x}", hash)); });
 }
 
 }  // namespace
@@ -46,9 +44,7 @@ Type<Begin> begin_type() {
                     "hash of the state there: another one is refused. Runs note it in their "
                     "`scene.yaml`")
                     .defaults_to("any state")},
-       .check = [](const KeyedMap& fields, Begin& begin, const Scene& /*scene*/) {
-         begin.location = FileReference(to_string(fields.location()));
-       }});
+       .check = [](const KeyedMap& fields, Begin& begin) { begin.location = reference(fields); }});
 }
 
 }  // namespace clca::scene

@@ -1,7 +1,5 @@
 // The block of a scene of the Boltzmann equation.
 
-#include <algorithm>
-
 #include "clca/boltzmann/law.hpp"
 #include "scene/sections.hpp"
 #include "scene/types.hpp"
@@ -10,37 +8,30 @@ namespace clca::scene {
 
 namespace {
 
-void read_restitutions(const KeyedMap& fields, BoltzmannScene& scene, const Scene& /*scene*/) {
-  const Value& value = fields.at("restitution");
-  const std::string path = fields.path("restitution");
-  scene.restitutions.clear();
-  scene.lists_restitutions = value.is(Value::Kind::list);
-  if (!scene.lists_restitutions) {
-    scene.restitutions = {read_number(value, path, 0, 1)};
-    return;
-  }
-  for (const Value& item : read_list(value, path, 1, kMaxRestitutions)) {
-    const double restitution = read_number(item, path, 0, 1);
-    if (std::find(scene.restitutions.begin(), scene.restitutions.end(), restitution) !=
-        scene.restitutions.end()) {
-      fail(item.location,
-           fmt::format("{}: {} is named twice; name each value once", path, found(item)));
-    }
-    scene.restitutions.push_back(restitution);
-  }
+void read_restitutions(const KeyedMap& fields, BoltzmannScene& scene) {
+  const Type<double> restitution = number(0, 1);
+  const Place place = fields.at("restitution");
+  scene.lists_restitutions = place.value.is(Value::Kind::list);
+  scene.restitutions =
+      scene.lists_restitutions
+          ? set_of(restitution, 1, kMaxRestitutions, found, "; name each value once").read(place)
+          : std::vector<double>{restitution.read(place)};
 }
 
 Key<BoltzmannScene> restitution_key() {
-  const Schema restitution = number_schema(0, 1);
+  const Type<double> one = number(0, 1);
+  const auto several = set_of(one, 1, kMaxRestitutions);
   return own_key<BoltzmannScene>(
-      {.name = "restitution",
-       .about = "ε, normal restitution; of a list, one run for each, in that order",
-       .allowed = fmt::format("0 to 1, or a list of 1 to {} different ones", kMaxRestitutions),
-       .required = true,
-       .schema = any_of({restitution, unique(array_schema(restitution, 1, kMaxRestitutions))})},
-      read_restitutions, [](const BoltzmannScene& scene, const Scene& /*scene*/) {
-        const Yaml list = numbers_text(scene.restitutions);
-        return std::optional(scene.lists_restitutions ? list : list.items.front());
+             {.name = "restitution",
+              .about = "ε, normal restitution; of a list, one run for each, in that order",
+              .allowed =
+                  fmt::format("0 to 1, or a list of 1 to {} different ones", kMaxRestitutions),
+              .required = true,
+              .schema = any_of({one.schema, several.schema})},
+             read_restitutions)
+      .written_as([=](const BoltzmannScene& scene, const Scene& none) {
+        return std::optional(scene.lists_restitutions ? several.text(scene.restitutions, none)
+                                                      : one.text(scene.restitutions.front(), none));
       });
 }
 
@@ -49,9 +40,9 @@ Key<BoltzmannScene> friction_key() {
   return key("friction", &BoltzmannScene::friction, number(0, kMaxFriction),
              "η of Coulomb, of rough spheres")
       .defaults_to("nothing slides")
-      .written_as([](const BoltzmannScene& scene, const Scene& /*scene*/) {
+      .written_as([](const BoltzmannScene& scene) {
         return scene.friction != boltzmann::kNoSlidingLimit
-                   ? std::optional(Yaml::number(scene.friction))
+                   ? std::optional(Value::number(scene.friction))
                    : std::nullopt;
       });
 }
@@ -61,35 +52,19 @@ bool is_majorant(const BoltzmannScene& scene) {
 }
 
 /// Refuses a key that only the other scheme has.
-void refuse_key(const KeyedMap& fields, const std::string& key, const BoltzmannScene& scene) {
-  if (const Value* value = fields.find(key)) {
-    fail(value->location,
-         fmt::format("{}: only scheme: {} has it; leave it out, or change the scheme",
-                     fields.path(key), name_of(kSchemeNames, 1 - scene.scheme.index())));
+void refuse_key(const KeyedMap& fields, std::string_view key, const BoltzmannScene& scene) {
+  if (fields.find(key) != nullptr) {
+    fail(fields.at(key), "only scheme: {} has it; leave it out, or change the scheme",
+         name_of(kSchemeNames, 1 - scene.scheme.index()));
   }
 }
 
-void read_scheme(const KeyedMap& fields, BoltzmannScene& scene, const Scene& /*scene*/) {
-  const Value* value = fields.find("scheme");
-  if (value != nullptr && read_choice(*value, fields.path("scheme"), kSchemeNames) > 0) {
-    scene.scheme = boltzmann::OgawaKato{.quasi = scene.quasi};
-  } else {
-    refuse_key(fields, "time_step", scene);
-    refuse_key(fields, "partners", scene);
-  }
-}
-
-/// The scheme by its index.
-Key<BoltzmannScene> scheme_key() {
-  const auto scheme_text = [](const BoltzmannScene& scene, const Scene& /*scene*/) {
-    return std::optional(Yaml::scalar(std::string(name_of(kSchemeNames, scene.scheme.index()))));
-  };
-  KeyDescription description =
-      described("scheme", choice(kSchemeNames),
-                "pairs in continuous time; or the time steps of the paper, which are biased");
-  description.default_value = scheme_text({}, {});
-  description.otherwise = fmt::format("`{}`", flow_text(*description.default_value));
-  return own_key<BoltzmannScene>(description, read_scheme, scheme_text);
+Type<boltzmann::Scheme> scheme_type() {
+  const Type<std::size_t> index = choice(kSchemeNames);
+  return converted<boltzmann::Scheme>(
+      index.allowed, index,
+      [](std::size_t scheme) { return scheme == 0 ? boltzmann::Scheme() : boltzmann::OgawaKato(); },
+      [](const boltzmann::Scheme& scheme) { return scheme.index(); });
 }
 
 /// A member of OgawaKato.
@@ -100,22 +75,25 @@ Key<BoltzmannScene> ogawa_kato_key(std::string_view name, T boltzmann::OgawaKato
 }
 
 Key<BoltzmannScene> shear_rate_key() {
-  return key("shear_rate", &BoltzmannScene::shear_rate, number(0, kMaxShearRate),
+  return key("shear_rate", &BoltzmannScene::shear_rate, number(0, 100),
              "of `majorant` only: velocity gradient of uniform shear flow, per unit of time")
-      .after([](const KeyedMap& fields, BoltzmannScene& scene, const Scene& /*scene*/) {
+      .after([](const KeyedMap& fields, BoltzmannScene& scene) {
         if (!is_majorant(scene)) {
           refuse_key(fields, "shear_rate", scene);
         }
       })
-      .written_as([](const BoltzmannScene& scene, const Scene& /*scene*/) {
-        return is_majorant(scene) ? std::optional(Yaml::number(scene.shear_rate)) : std::nullopt;
+      .written_as([](const BoltzmannScene& scene) {
+        return is_majorant(scene) ? std::optional(Value::number(scene.shear_rate)) : std::nullopt;
       });
 }
 
-void check_block(const KeyedMap& fields, BoltzmannScene& scene, const Scene& /*scene*/) {
+void check_block(const KeyedMap& fields, BoltzmannScene& scene) {
+  if (auto* ogawa_kato = std::get_if<boltzmann::OgawaKato>(&scene.scheme)) {
+    ogawa_kato->quasi = scene.quasi;
+  }
   if (fields.find("friction") == nullptr) {
     if (fields.find("roughness") == nullptr) {
-      fail(fields.location(), "boltzmann: expected friction, roughness or both, found none");
+      fail(fields, "expected friction, roughness or both, found none");
     }
     scene.friction = boltzmann::kNoSlidingLimit;
   }
@@ -128,8 +106,7 @@ Key<BoltzmannScene> boltzmann_block() {
   using B = BoltzmannScene;
   Map<B> map = {
       .keys =
-          {key("particles", &B::particles, count(kMinGasParticles, kMaxGasParticles),
-               "size of the sample"),
+          {key("particles", &B::particles, count(2, 100'000'000), "size of the sample"),
            key("initial", &B::initial, choice(kInitialNames),
                "velocities and spins normal and independent, or the same speed and the same spin "
                "for all, directions isotropic"),
@@ -142,15 +119,22 @@ Key<BoltzmannScene> boltzmann_block() {
            restitution_key(), friction_key(),
            key("roughness", &B::roughness, number(-1, 1),
                "β, tangential restitution where nothing slides: -1 smooth, 1 reversed"),
-           key("energy_ratio", &B::energy_ratio, number(0, kMaxEnergyRatio),
-               "C_e = I⟨ω²⟩/(m⟨v²⟩) at time 0"),
-           scheme_key(),
-           ogawa_kato_key("time_step", &boltzmann::OgawaKato::time_step, above_zero(kMaxTimeStep),
+           key("energy_ratio", &B::energy_ratio, number(0, 1e6), "C_e = I⟨ω²⟩/(m⟨v²⟩) at time 0"),
+           key("scheme", &B::scheme, scheme_type(),
+               "pairs in continuous time; or the time steps of the paper, which are biased")
+               .after([](const KeyedMap& fields, B& scene) {
+                 const Value* given = fields.find("scheme");
+                 if (given == nullptr || given->text == kSchemeNames.front().name) {
+                   refuse_key(fields, "time_step", scene);
+                   refuse_key(fields, "partners", scene);
+                 }
+               }),
+           ogawa_kato_key("time_step", &boltzmann::OgawaKato::time_step, above_zero(1),
                           "of `ogawa-kato` only"),
-           ogawa_kato_key("partners", &boltzmann::OgawaKato::partners, integer(1, kMaxPartners),
+           ogawa_kato_key("partners", &boltzmann::OgawaKato::partners, integer(1, 1000),
                           "of `ogawa-kato` only: how many each particle draws in a step"),
            shear_rate_key(), key("until", &B::until, above_zero(kMaxTime), "time at the end"),
-           key("ensemble", &B::ensemble, count(1, kMaxEnsemble),
+           key("ensemble", &B::ensemble, count(1, 10'000),
                "runs with seeds derived from `seed`, for means and their errors")},
       .check = check_block,
       .conditions = R"({
@@ -160,10 +144,9 @@ Key<BoltzmannScene> boltzmann_block() {
           "partners": {"required": ["scheme"], "properties": {"scheme": {"const": "ogawa-kato"}}},
           "shear_rate": {"not": {"required": ["scheme"],
                                  "properties": {"scheme": {"const": "ogawa-kato"}}}}}})"};
-  auto block = section("boltzmann", map,
-                       "the gas, what a collision does, and for how long: [boltzmann](#boltzmann)");
-  block.required = true;
-  return block;
+  return section("boltzmann", map,
+                 "the gas, what a collision does, and for how long: [boltzmann](#boltzmann)")
+      .is_required();
 }
 
 }  // namespace clca::scene

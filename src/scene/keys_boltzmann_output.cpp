@@ -12,35 +12,35 @@ namespace clca::scene {
 
 namespace {
 
-void read_histograms(const KeyedMap& fields, BoltzmannScene& scene, const Scene& /*scene*/) {
-  const Value* value = fields.find("histograms");
-  if (value == nullptr) {
+void read_histograms(const KeyedMap& fields, BoltzmannScene& scene) {
+  if (fields.find("histograms") == nullptr) {
     return;
   }
-  const std::string path = fields.path("histograms");
   const double apart = kSameTime * scene.series_every;
   std::vector<double>& times = scene.histograms;
   times.clear();
-  for (const Value& item : read_list(*value, path, 0, kMaxHistograms)) {
-    times.push_back(read_number(item, path, 0, scene.until));
+  for (const Place& item : read_list(fields.at("histograms"), 0, kMaxHistograms)) {
+    times.push_back(read_number(item, 0, scene.until));
     if (times.size() > 1 && times.back() - times[times.size() - 2] <= apart) {
-      fail(item.location,
-           fmt::format("{}: expected times that ascend by more than {}, found {} after {}", path,
-                       apart, times.back(), times[times.size() - 2]));
+      fail(item, "expected times that ascend by more than {}, found {} after {}", apart,
+           times.back(), times[times.size() - 2]);
     }
   }
 }
 
-/// The number in `q20`; nothing where it is not plain digits in range.
-std::optional<int> quantiles(const Value& value) {
-  const std::string_view text = value.text;
+/// `q20`, of plain digits.
+QuantileBins read_quantiles(const Place& place) {
+  const std::string_view text = place.value.text;
   const std::string_view number = text.substr(std::min<std::size_t>(1, text.size()));
   int count = 0;
   const auto [stop, error] = std::from_chars(number.data(), number.data() + number.size(), count);
   const bool whole = error == std::errc() && stop == number.data() + number.size();
   const bool plain = text.starts_with('q') && !number.starts_with('0') && whole;
-  return plain && count >= kMinQuantiles && count <= kMaxQuantiles ? std::optional(count)
-                                                                   : std::nullopt;
+  if (!plain || count < kMinQuantiles || count > kMaxQuantiles) {
+    fail(place, "expected q{} to q{} or {{width: WIDTH, end: END}}, found {}", kMinQuantiles,
+         kMaxQuantiles, found(place));
+  }
+  return {count};
 }
 
 Type<UniformBins> uniform_bins() {
@@ -49,56 +49,43 @@ Type<UniformBins> uniform_bins() {
                          fmt::format("at most `end`, and at most {} bins", kMaxUniformBins)),
                 required("end", &UniformBins::end, above_zero(kMaxEnergy),
                          "where the last bin begins, which has no end")},
-       .check = [](const KeyedMap& fields, UniformBins& bins, const Scene& /*scene*/) {
+       .check = [](const KeyedMap& fields, UniformBins& bins) {
          if (bins.width > bins.end || bins.end > kMaxUniformBins * bins.width) {
-           fail(fields.at("width").location,
-                fmt::format(
-                    "{}: expected a number from {} to {} for at most {} bins up to {}, found "
-                    "{}",
-                    fields.path("width"), bins.end / kMaxUniformBins, bins.end, kMaxUniformBins,
-                    bins.end, found(fields.at("width"))));
+           fail(fields.at("width"),
+                "expected a number from {} to {} for at most {} bins up to {}, found {}",
+                bins.end / kMaxUniformBins, bins.end, kMaxUniformBins, bins.end,
+                found(fields.at("width")));
          }
        }});
 }
 
 Type<BinsSpec> bins_type() {
-  const Type<UniformBins> uniform = uniform_bins();
-  auto type = own_type<BinsSpec>(
-      fmt::format("`q{}` to `q{}`, or map", kMinQuantiles, kMaxQuantiles),
-      any_of({text_schema("^q([2-9]|[1-9][0-9]{1,2}|1000)$"), uniform.schema}),
-      [=](const Value& value, const std::string& path, const Scene& scene) -> BinsSpec {
-        if (value.is(Value::Kind::map)) {
-          return uniform.read(value, path, scene);
-        }
-        const std::optional<int> count = quantiles(value);
-        if (!count) {
-          fail(value.location,
-               fmt::format("{}: expected q{} to q{} or {{width: WIDTH, end: END}}, found {}", path,
-                           kMinQuantiles, kMaxQuantiles, found(value)));
-        }
-        return QuantileBins{*count};
-      },
-      [=](const BinsSpec& bins, const Scene& scene) {
-        const auto* quantile = std::get_if<QuantileBins>(&bins);
-        return quantile != nullptr ? Yaml::scalar(fmt::format("q{}", quantile->count))
-                                   : uniform.text(std::get<UniformBins>(bins), scene);
-      });
-  type.keys = uniform.keys;
-  return type;
+  const auto map = converted<BinsSpec>(
+      "map", uniform_bins(), [](const UniformBins& bins) { return bins; },
+      [](const BinsSpec& bins) { return std::get<UniformBins>(bins); });
+  return or_map(fmt::format("`q{}` to `q{}`", kMinQuantiles, kMaxQuantiles),
+                text_schema("^q([2-9]|[1-9][0-9]{1,2}|1000)$"), map, read_quantiles,
+                [](const BinsSpec& bins) {
+                  const auto* quantiles = std::get_if<QuantileBins>(&bins);
+                  return quantiles != nullptr
+                             ? std::optional(Value::scalar(fmt::format("q{}", quantiles->count)))
+                             : std::nullopt;
+                });
 }
 
 Key<BoltzmannScene> histograms_key() {
-  return own_key<BoltzmannScene>(
-      {.name = "histograms",
-       .about =
-           "times, ascending, from 0 to `until`, at which the distributions of both energies are "
-           "written; `[]` for none",
-       .allowed = fmt::format("list of at most {}", kMaxHistograms),
-       .otherwise = "begin and end",
-       .schema =
-           unique(with(array_schema(number_schema(0, kMaxTime)), "maxItems", kMaxHistograms))},
-      read_histograms, [](const BoltzmannScene& scene, const Scene& /*scene*/) {
-        return std::optional(numbers_text(scene.histograms));
+  const auto times = list_of(number(0, kMaxTime), 0, kMaxHistograms);
+  return own_key<BoltzmannScene>({.name = "histograms",
+                                  .about = "times, ascending, from 0 to `until`, at which the "
+                                           "distributions of both energies are "
+                                           "written; `[]` for none",
+                                  .allowed = fmt::format("list of at most {}", kMaxHistograms),
+                                  .otherwise = "begin and end",
+                                  .schema = unique(with(array_schema(number_schema(0, kMaxTime)),
+                                                        "maxItems", kMaxHistograms))},
+                                 read_histograms)
+      .written_as([=](const BoltzmannScene& scene, const Scene& none) {
+        return std::optional(times.text(scene.histograms, none));
       });
 }
 
@@ -123,20 +110,18 @@ Key<BoltzmannScene> boltzmann_output() {
       "what is written during the run: [output of a Boltzmann run](#output-of-a-boltzmann-run)");
 }
 
-void check_rows(const Value& root, const BoltzmannScene& scene) {
+void check_rows(const Place& root, const BoltzmannScene& scene) {
   if (scene.until <= kMaxRows * scene.series_every) {
     return;
   }
   const Value* output = root.find("output");
   const Value* series = output == nullptr ? nullptr : output->find("series");
   const Value* every = series == nullptr ? nullptr : series->find("every");
-  const Value* until = root.find("boltzmann")->find("until");
-  fail((every != nullptr ? every : until)->location,
-       fmt::format(
-           "output.series.every: expected at least {}, as a series has at most {} "
-           "rows until {}, found {}",
-           scene.until / kMaxRows, kMaxRows, scene.until,
-           every != nullptr ? found(*every) : fmt::format("the default {}", scene.series_every)));
+  fail((every != nullptr ? *every : root.at("boltzmann").at("until").value).location,
+       "output.series.every: expected at least {}, as a series has at most {} rows until {}, found "
+       "{}",
+       scene.until / kMaxRows, kMaxRows, scene.until,
+       every != nullptr ? found(*every) : fmt::format("the default {}", scene.series_every));
 }
 
 }  // namespace clca::scene

@@ -10,11 +10,10 @@ namespace clca::scene {
 namespace {
 
 /// `1 mm` in metres.
-double read_length(const Value& value, const std::string& path, const Scene& /*scene*/) {
-  const std::size_t end = value.text.find_last_of("0123456789.") + 1;
-  const std::size_t unit_begin =
-      std::min(value.text.find_first_not_of(' ', end), value.text.size());
-  const std::string_view text = value.text;
+double read_length(const Place& place) {
+  const std::string_view text = place.value.text;
+  const std::size_t end = text.find_last_of("0123456789.") + 1;
+  const std::size_t unit_begin = std::min(text.find_first_not_of(' ', end), text.size());
   const auto number = to_number(text.substr(0, end));
   for (const Named<double>& unit : kLengthUnits) {
     const double length = number.value_or(0) / unit.value;
@@ -22,33 +21,27 @@ double read_length(const Value& value, const std::string& path, const Scene& /*s
       return length;
     }
   }
-  fail(value.location,
-       fmt::format("{}: expected a length from {} m to {} m, a number with one of the units {}, as "
-                   "in 1 mm, found {}",
-                   path, kMinSpacing, kMaxSpacing, fmt::join(words(kLengthUnits), ", "),
-                   found(value)));
+  fail(place,
+       "expected a length from {} m to {} m, a number with one of the units {}, as in 1 mm, found "
+       "{}",
+       kMinSpacing, kMaxSpacing, fmt::join(words(kLengthUnits), ", "), found(place));
 }
 
 Type<double> length() {
   return own_type<double>(
       fmt::format("{} m to {} m: a number and `m`, `cm`, `mm` or `um`", kMinSpacing, kMaxSpacing),
       text_schema("^[0-9.][0-9.eE+-]* *(m|cm|mm|um)$"), read_length,
-      [](double metres, const Scene& /*scene*/) {
-        return Yaml::scalar(fmt::format("{} m", metres));
-      });
+      [](double metres) { return Value::scalar(fmt::format("{} m", metres)); });
 }
 
 Type<int> sweeps() {
-  Type<int> type = integer(kMinSweeps, kMaxSweeps);
+  Type<int> type = integer(2, 64);
   type.allowed += ", even";
   type.schema = with(type.schema, "multipleOf", 2);
-  return type.checked([](const int& sweeps, const Value& value, const std::string& path,
-                         const Scene& /*scene*/) {
+  return type.checked([](const int& sweeps, const Place& place) {
     if (sweeps % 2 != 0) {
-      fail(value.location,
-           fmt::format("{}: expected an even number, as every second sweep goes backwards, found "
-                       "'{}'",
-                       path, sweeps));
+      fail(place, "expected an even number, as every second sweep goes backwards, found '{}'",
+           sweeps);
     }
   });
 }
@@ -57,14 +50,9 @@ Type<int> sweeps() {
 Type<double> fall_height() {
   const auto type = word_or_value("auto", above_zero(kMaxFallHeight),
                                   fmt::format("a number above 0 and up to {}", kMaxFallHeight));
-  return own_type<double>(
-      type.allowed, type.schema,
-      [=](const Value& value, const std::string& path, const Scene& scene) {
-        return type.read(value, path, scene).value_or(0);
-      },
-      [=](double height, const Scene& scene) {
-        return type.text(height > 0 ? std::optional(height) : std::nullopt, scene);
-      });
+  return converted<double>(
+      type.allowed, type, [](std::optional<double> height) { return height.value_or(0); },
+      [](double height) { return height > 0 ? std::optional(height) : std::nullopt; });
 }
 
 /// What may differ from stage to stage.
@@ -77,7 +65,7 @@ Keys<contact::Parameters> friction_keys() {
               "the same at the box, and at walls without a `friction` of their own"),
           key("rolling_friction", &P::rolling_friction, friction,
               "for `rolling: resistance`: greatest moment over normal force times radius"),
-          key("restitution", &P::restitution, number(0, kMaxContactRestitution),
+          key("restitution", &P::restitution, number(0, 0.99),
               "normal velocity after a collision over that before")};
 }
 
@@ -86,9 +74,8 @@ Keys<contact::Parameters> friction_keys() {
 Type<Units> units_type() {
   return type_of<Units>(
       {.keys = {required("spacing", &Units::spacing, length(), "length of one lattice spacing"),
-                key("gravity", &Units::gravity, number(kMinRealGravity, kMaxRealGravity),
-                    "gravity in m/s²"),
-                key("density", &Units::density, number(kMinDensity, kMaxDensity),
+                key("gravity", &Units::gravity, number(1e-6, 1e6), "gravity in m/s²"),
+                key("density", &Units::density, number(1e-9, 1e9),
                     "mass of a square metre of grains in kg/m²: density of the material times the "
                     "depth of the layer; then masses and forces are in SI units, too")
                     .defaults_to("none")}});
@@ -104,7 +91,7 @@ Type<contact::Parameters> contact_type() {
   keys.add(
       {key("sweeps", &P::sweeps, sweeps(),
            "sweeps over all contacts in a step, forwards and backwards in turn"),
-       key("resolution", &P::resolution, number(kMinResolution, kMaxResolution),
+       key("resolution", &P::resolution, number(0.01, 1),
            "sites a step of a particle that has fallen by `fall_height`; sets the time step, which "
            "is not adaptive"),
        key("fall_height", &P::fall_height, fall_height(),

@@ -1,7 +1,6 @@
 // Fills: what a stage places, and where.
 
 #include <algorithm>
-#include <limits>
 
 #include "clca/text/message.hpp"
 #include "scene/geometry.hpp"
@@ -20,20 +19,18 @@ bool is_part(char pixel) {
   return pixel >= grains::Mixture::kFirstPart && pixel <= 'Z';
 }
 
-/// The name of a species, or weights by species.
-std::vector<std::uint32_t> read_part(const Value& value, const std::string& path,
-                                     const Scene& scene) {
-  if (value.is(Value::Kind::map)) {
-    return weights_type().read(value, path, scene);
-  }
-  std::vector<std::uint32_t> weights(scene.species.size(), 0);
-  weights[read_reference(read_text(value, path), value.location, path, "species",
-                         names_of(scene.species))] = 1;
-  return weights;
-}
+using Weights = std::vector<std::uint32_t>;
 
-Schema part_schema() {
-  return any_of({schema(R"({"type": "string"})"), weights_type().schema});
+/// The name of a species, or weights by species.
+Type<Weights> part_type() {
+  return or_map(
+      "", schema(R"({"type": "string"})"), weights_type(),
+      [](const Place& place) {
+        Weights weights(place.scene.species.size(), 0);
+        weights[read_species(read_text(place), place.value.location, place)] = 1;
+        return weights;
+      },
+      [](const Weights& /*weights*/) { return std::optional<Value>(); });
 }
 
 char letter(std::size_t part) {
@@ -60,24 +57,23 @@ char pixel_of(image::Rgb color, const std::vector<image::Rgb>& colors) {
 }
 
 /// Of the keys that stand for `rows` and `pixels`: a run folder has no other file.
-void read_file(const KeyedMap& fields, FillPicture& picture, const Scene& scene) {
+void read_file(const KeyedMap& fields, FillPicture& picture) {
   constexpr std::array<std::string_view, 2> kSources = {"file", "rows"};
   if (fields.only(kSources) != "file") {
     return;
   }
-  const std::string path = fields.path("colors");
-  const std::vector<Entry>& entries = read_map(fields.at("colors"), path);
+  const Place place = fields.at("colors");
+  const std::vector<Entry>& entries = read_map(place);
   if (entries.empty() || entries.size() > kMaxParts) {
-    fail(fields.at("colors").location,
-         fmt::format("{}: expected 1 to {} colours, found {}", path, kMaxParts, entries.size()));
+    fail(place, "expected 1 to {} colours, found {}", kMaxParts, entries.size());
   }
   std::vector<image::Rgb> colors;
   for (const Entry& entry : entries) {
-    picture.weights[letter(colors.size())] =
-        read_part(entry.value, join_path(path, entry.key), scene);
-    colors.push_back(color_type().read(scalar_at(entry.location, entry.key), path, scene));
+    picture.weights[letter(colors.size())] = part_type().read(place.inside(entry));
+    const Value color = Value::scalar(entry.key, entry.location);
+    colors.push_back(color_type().read({color, place.path, place.scene}));
   }
-  const image::Image& image = read_picture(fields.at("file"), fields.path("file"), scene);
+  const image::Image& image = read_picture(fields.at("file"));
   for (int y = 0; y < image.height; ++y) {
     std::string& row = picture.rows.emplace_back();
     for (int x = 0; x < image.width; ++x) {
@@ -105,67 +101,64 @@ Key<FillPicture> colors_key() {
        .allowed = "map of colours",
        .otherwise = "goes with `file`",
        .is_condition = true,
-       .schema = with(with(object_schema(part_schema(), "^#[0-9A-Fa-f]{6}$"), "minProperties", 1),
-                      "maxProperties", kMaxParts)});
+       .schema =
+           with(with(object_schema(part_type().schema, "^#[0-9A-Fa-f]{6}$"), "minProperties", 1),
+                "maxProperties", kMaxParts)});
 }
 
-using Parts = std::map<char, std::vector<std::uint32_t>>;
-
-Parts read_pixels(const Value& value, const std::string& path, const Scene& scene) {
-  Parts weights;
-  for (const Entry& entry : read_map(value, path)) {
-    if (entry.key.size() != 1 || !is_part(entry.key.front())) {
-      fail(entry.location, fmt::format("{}: expected a letter from A to Z, found {}", path,
-                                       text::shown(entry.key)));
-    }
-    weights[entry.key.front()] = read_part(entry.value, join_path(path, entry.key), scene);
-  }
-  return weights;
-}
-
-Yaml pixels_text(const Parts& weights, const Scene& scene) {
-  Yaml map = Yaml::map({});
-  for (const auto& [pixel, part] : weights) {
-    map.entries.push_back({std::string(1, pixel), weights_type().text(part, scene)});
-  }
-  return map;
-}
+using Parts = std::map<char, Weights>;
 
 Type<Parts> pixels_type() {
-  return own_type<Parts>("map of letters",
-                         with(object_schema(part_schema(), "^[A-Z]$"), "minProperties", 1),
-                         read_pixels, pixels_text);
+  const Type<Weights> part = part_type();
+  return own_type<Parts>(
+      "map of letters", with(object_schema(part.schema, "^[A-Z]$"), "minProperties", 1),
+      [=](const Place& place) {
+        Parts weights;
+        for (const Entry& entry : read_map(place)) {
+          if (entry.key.size() != 1 || !is_part(entry.key.front())) {
+            fail(entry.location, "{}: expected a letter from A to Z, found {}", place.path,
+                 text::shown(entry.key));
+          }
+          weights[entry.key.front()] = part.read(place.inside(entry));
+        }
+        return weights;
+      },
+      [=](const Parts& weights, const Scene& scene) {
+        Value map = Value::map();
+        for (const auto& [pixel, weights_of_pixel] : weights) {
+          map.add(std::string(1, pixel), part.text(weights_of_pixel, scene));
+        }
+        return map;
+      });
 }
 
-void check_part_weights(const KeyedMap& fields, const Scene& scene) {
+void check_part_weights(const KeyedMap& fields) {
   std::size_t parts = 0;
-  for (const Stage& stage : scene.stages) {
+  for (const Stage& stage : fields.scene.stages) {
     parts += stage.fill && stage.fill->picture ? stage.fill->picture->weights.size() : 0;
   }
-  if (parts * scene.species.size() > kMaxPartWeights) {
+  if (parts * fields.scene.species.size() > kMaxPartWeights) {
     const char* key = fields.find("file") != nullptr ? "colors" : "pixels";
-    fail(fields.at(key).location, fmt::format("{}: the pictures of all fills have more than {} "
-                                              "weights, one for each part and species",
-                                              fields.path(key), kMaxPartWeights));
+    fail(fields.at(key),
+         "the pictures of all fills have more than {} weights, one for each part and species",
+         kMaxPartWeights);
   }
 }
 
-void check_picture(const KeyedMap& fields, FillPicture& picture, const Scene& scene) {
+void check_picture(const KeyedMap& fields, FillPicture& picture) {
   const bool file = fields.find("file") != nullptr;
-  if (const Value* foreign = fields.find(file ? "pixels" : "colors")) {
-    fail(foreign->location,
-         fmt::format("{}: goes with '{}'", fields.path(file ? "pixels" : "colors"),
-                     file ? "rows" : "file"));
+  const char* foreign = file ? "pixels" : "colors";
+  if (fields.find(foreign) != nullptr) {
+    fail(fields.at(foreign), "goes with '{}'", file ? "rows" : "file");
   }
   if (!file) {
     fields.at("pixels");
   }
-  check_part_weights(fields, scene);
+  check_part_weights(fields);
   for (const std::string& row : picture.rows) {
     for (const char pixel : row) {
       if (pixel != kEmptyPixel && !picture.weights.contains(pixel)) {
-        fail(fields.at("pixels").location,
-             fmt::format("{}: no species for the pixels {}", fields.path("pixels"), pixel));
+        fail(fields.at("pixels"), "no species for the pixels {}", pixel);
       }
     }
   }
@@ -189,21 +182,18 @@ Type<FillPicture> picture() {
            R"({"oneOf": [{"required": ["file", "colors"]}, {"required": ["rows", "pixels"]}]})"});
 }
 
-void check_keys_of_fill(const KeyedMap& fields, Fill& fill, const Scene& /*scene*/) {
-  fill.location = FileReference(to_string(fields.location()));
-  constexpr std::array<std::string_view, 3> kContents = {"counts", "mix", "picture"};
-  fields.only(kContents);
+void check_keys_of_fill(const KeyedMap& fields, Fill& fill) {
+  fill.location = reference(fields);
   if (!fill.level) {
     return;
   }
-  const TextLocation& location = fields.at("level").location;
+  const Place level = fields.at("level");
   if (fill.mix.empty() || fill.method != FillMethod::deposition) {
-    fail(location, fmt::format("{}: needs a mix and 'method: deposition'", fields.path("level")));
+    fail(level, "needs a mix and 'method: deposition'");
   }
   if (*fill.level > fill.region.top || *fill.level <= fill.region.bottom) {
-    fail(location,
-         fmt::format("{}: expected a height in the region, above {} and up to {}, found {}",
-                     fields.path("level"), fill.region.bottom, fill.region.top, *fill.level));
+    fail(level, "expected a height in the region, above {} and up to {}, found {}",
+         fill.region.bottom, fill.region.top, *fill.level);
   }
 }
 
@@ -229,9 +219,8 @@ Type<Fill> fill_type() {
                     "filling "
                     "ends")
                     .defaults_to("until the region is full")},
-       .check = check_keys_of_fill,
-       .conditions = R"({"oneOf": [{"required": ["counts"]}, {"required": ["mix"]},
-                                   {"required": ["picture"]}]})"});
+       .one_of = {"counts", "mix", "picture"},
+       .check = check_keys_of_fill});
 }
 
 std::optional<grains::Mixture> mixture_of(const Fill& fill) {

@@ -14,14 +14,13 @@ namespace {
 using grains::WallMotion;
 using Program = decltype(WallMotion::program);
 
-void check_wave(const KeyedMap& fields, grains::Wave& wave, const Scene& /*scene*/) {
+void check_wave(const KeyedMap& fields, grains::Wave& wave) {
   const std::uint64_t least = grains::least_period(wave);
   if (wave.period < least) {
-    fail(fields.at("period").location,
-         fmt::format("{}: expected at least {} steps for a {} of amplitude {}, which moves one "
-                     "site a step at most, found '{}'",
-                     fields.path("period"), least, name_of(kWaveformNames, wave.form),
-                     wave.amplitude, wave.period));
+    fail(fields.at("period"),
+         "expected at least {} steps for a {} of amplitude {}, which moves one site a step at "
+         "most, found '{}'",
+         least, name_of(kWaveformNames, wave.form), wave.amplitude, wave.period);
   }
 }
 
@@ -41,14 +40,12 @@ Type<grains::Wave> wave() {
 
 Type<int> shake_amplitude() {
   Type<int> type = integer(1, kMaxOffset);
-  type.read_into = [read = type.read_into](const Value& value, const std::string& path,
-                                           const Scene& scene, void* amplitude) {
-    if (value.is(Value::Kind::scalar) && value.text == "0") {
-      fail(value.location, fmt::format("{}: expected a whole number from 1 to {}, found '0'; a "
-                                       "shake of 0 does nothing",
-                                       path, kMaxOffset));
+  type.read_into = [read = type.read_into](const Place& place, void* amplitude) {
+    if (place.value.is(Value::Kind::scalar) && place.value.text == "0") {
+      fail(place, "expected a whole number from 1 to {}, found '0'; a shake of 0 does nothing",
+           kMaxOffset);
     }
-    read(value, path, scene, amplitude);
+    read(place, amplitude);
   };
   return type;
 }
@@ -57,7 +54,7 @@ Type<grains::Shake> shake() {
   using grains::Shake;
   const auto wait = word_or_value("settled", count(1, kMaxSteps),
                                   fmt::format("a whole number from 1 to {}", kMaxSteps));
-  auto period = key("period", &Shake::period, count(1, kMaxShakePeriod), "steps for each site")
+  auto period = key("period", &Shake::period, count(1, 1'000'000), "steps for each site")
                     .of(Model::contact)
                     .defaults_to("10");
   return type_of<Shake>(
@@ -68,21 +65,19 @@ Type<grains::Shake> shake() {
 
 using Point = grains::Path::Point;
 
-grains::Path read_points(const Value& value, const std::string& path, const Scene& /*scene*/) {
+grains::Path read_points(const Place& place) {
   grains::Path way;
   Point before;
-  for (const Value& item : read_list(value, path, 1, kMaxPoints)) {
-    const std::vector<Value>& pair = read_list(item, path, 2, 2);
-    const Point point = {.step = read_count(pair[0], path, 1, kMaxSteps),
-                         .offset = read_int(pair[1], path, -kMaxOffset, kMaxOffset)};
+  for (const Place& item : read_list(place, 1, kMaxPoints)) {
+    const std::vector<Place> pair = read_list(item, 2, 2);
+    const Point point = {.step = read_count(pair[0], 1, kMaxSteps),
+                         .offset = read_int(pair[1], -kMaxOffset, kMaxOffset)};
     if (point.step <= before.step) {
-      fail(pair[0].location,
-           fmt::format("{}: expected a step after {}, found '{}'", path, before.step, point.step));
+      fail(pair[0], "expected a step after {}, found '{}'", before.step, point.step);
     }
     if (grains::is_steep(before, point)) {
-      fail(item.location,
-           fmt::format("{}: from [{}, {}] to [{}, {}] is steeper than one site a step", path,
-                       before.step, before.offset, point.step, point.offset));
+      fail(item, "from [{}, {}] to [{}, {}] is steeper than one site a step", before.step,
+           before.offset, point.step, point.offset);
     }
     way.points.push_back(point);
     before = point;
@@ -95,11 +90,10 @@ Type<grains::Path> path_type() {
       tuple_schema({count_schema(1, kMaxSteps), integer_schema(-kMaxOffset, kMaxOffset)});
   return own_type<grains::Path>(
       fmt::format("list of 1 to {} `[step, offset]`", kMaxPoints),
-      array_schema(point, 1, kMaxPoints), read_points,
-      [](const grains::Path& path, const Scene& /*scene*/) {
-        Yaml list = Yaml::list({});
+      array_schema(point, 1, kMaxPoints), read_points, [](const grains::Path& path) {
+        Value list = Value::list();
         for (const Point& entry : path.points) {
-          list.items.push_back(Yaml::scalar(fmt::format("[{}, {}]", entry.step, entry.offset)));
+          list.items.push_back(Value::scalar(fmt::format("[{}, {}]", entry.step, entry.offset)));
         }
         return list;
       });
@@ -115,10 +109,8 @@ std::string_view program_key(const KeyedMap& fields) {
     return key == "period" || key == "distance";
   });
   if (!drive && given.size() > 1) {
-    fail(fields.location(),
-         fmt::format("{}: expected either distance and period, or one of wave, shake, path, found "
-                     "{}",
-                     fields.path(), fmt::join(given, " and ")));
+    fail(fields, "expected either distance and period, or one of wave, shake, path, found {}",
+         fmt::join(given, " and "));
   }
   return drive ? "" : given.front();
 }
@@ -130,14 +122,12 @@ Key<WallMotion> drive_key(std::string_view name, T grains::Drive::*member, const
   return inlined_alternative(&WallMotion::program, key(name, member, type, about)).defaults_to("");
 }
 
-void check_program(const KeyedMap& fields, WallMotion& /*motion*/, const Scene& /*scene*/) {
+void check_program(const KeyedMap& fields, WallMotion& /*motion*/) {
   if (!program_key(fields).empty()) {
     return;
   }
   if (fields.find("distance") == nullptr) {
-    fail(fields.location(),
-         fmt::format("{}: motion without bound; give distance, or one of wave, shake, path",
-                     fields.path()));
+    fail(fields, "motion without bound; give distance, or one of wave, shake, path");
   }
   fields.at("direction");
 }

@@ -1,7 +1,5 @@
 // What is measured and what is written.
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "scene/sections.hpp"
@@ -24,66 +22,58 @@ bool moves_in_cycles(const Scene& scene) {
 }
 
 /// In the automaton there are forces only where walls enter particles.
-void require_overlap(const TextLocation& location, const std::string& path, std::string_view what,
-                     const Scene& scene) {
-  if (!lets_overlap(scene)) {
-    fail(location,
-         fmt::format("{}: no {} without a wall that moves with passive: overlap", path, what));
+void require_overlap(const Place& place, std::string_view what) {
+  if (!lets_overlap(place.scene)) {
+    fail(place, "no {} without a wall that moves with passive: overlap", what);
   }
 }
 
 /// What can be drawn depends on how walls move.
-void check_frames(const KeyedMap& fields, Frames& frames, const Scene& scene) {
-  frames.location = FileReference(to_string(fields.location()));
+void check_frames(const KeyedMap& fields, Frames& frames) {
+  const Scene& scene = fields.scene;
+  frames.location = reference(fields);
   if (frames.color_by == ColorBy::force && scene.model != Model::contact) {
-    require_overlap(fields.at("color_by").location, fields.path("color_by"), "force", scene);
+    require_overlap(fields.at("color_by"), "force");
   }
   const bool of_contact = frames.color_by == ColorBy::pressure || frames.color_by == ColorBy::spin;
   if (of_contact && scene.model != Model::contact) {
-    fail(fields.at("color_by").location,
-         fmt::format("{}: {} goes with model: contact", fields.path("color_by"),
-                     name_of(kColorByNames, frames.color_by)));
+    fail(fields.at("color_by"), "{} goes with model: contact",
+         name_of(kColorByNames, frames.color_by));
   }
   if (frames.color_by == ColorBy::axis && scene.model != Model::baxter) {
-    fail(fields.at("color_by").location,
-         fmt::format("{}: axis goes with model: baxter", fields.path("color_by")));
+    fail(fields.at("color_by"), "axis goes with model: baxter");
   }
   constexpr std::array kWithoutBar = {ColorBy::species, ColorBy::stage_layer, ColorBy::id,
                                       ColorBy::axis};
   if (frames.range &&
       std::find(kWithoutBar.begin(), kWithoutBar.end(), frames.color_by) != kWithoutBar.end()) {
-    fail(fields.at("range").location,
-         fmt::format("{}: there is no colour bar with color_by {}", fields.path("range"),
-                     name_of(kColorByNames, frames.color_by)));
+    fail(fields.at("range"), "there is no colour bar with color_by {}",
+         name_of(kColorByNames, frames.color_by));
   }
   if (frames.overlay == Overlay::forces && scene.model != Model::contact) {
-    require_overlap(fields.at("overlay").location, fields.path("overlay"), "forces", scene);
+    require_overlap(fields.at("overlay"), "forces");
   }
   const bool of_weight = frames.overlay >= Overlay::weight_inner;
   if (of_weight) {
-    check_weight_paths(fields.at("overlay").location, fields.path("overlay"), scene);
+    check_weight_paths(fields.at("overlay"));
   }
   if (frames.force_scale && !of_weight && scene.model != Model::contact) {
-    fail(fields.at("force_scale").location,
-         fmt::format("{}: goes with model: contact or an overlay of weight",
-                     fields.path("force_scale")));
+    fail(fields.at("force_scale"), "goes with model: contact or an overlay of weight");
   }
   if (frames.overlay == Overlay::arrows && !moves_in_cycles(scene)) {
-    fail(fields.at("overlay").location,
-         fmt::format("{}: no arrows without a stage that moves a wall with a wave or a shake, or "
-                     "that turns or shakes the vessel",
-                     fields.path("overlay")));
+    fail(fields.at("overlay"),
+         "no arrows without a stage that moves a wall with a wave or a shake, or that turns or "
+         "shakes the vessel");
   }
   if (const double side = std::max(scene.box.width, scene.box.height);
       frames.velocity_cell > side) {
-    fail(fields.at("velocity_cell").location,
-         fmt::format("{}: expected 1 to {:g}, the longer side of the box, found {:g}",
-                     fields.path("velocity_cell"), side, *frames.velocity_cell));
+    fail(fields.at("velocity_cell"), "expected 1 to {:g}, the longer side of the box, found {:g}",
+         side, *frames.velocity_cell);
   }
 }
 
 Type<Frames> frames_type() {
-  const Type<int> pixels = integer(kMinPixels, kMaxPixels);
+  const Type<int> pixels = integer(16, 65'536);
   return type_of<Frames>(
       {.keys =
            {key("every", &Frames::every, count(1, kMaxSteps), "steps from one picture to the next"),
@@ -95,14 +85,13 @@ Type<Frames> frames_type() {
                 "values at the ends of the colour bar, in its unit; a mark at an end says that "
                 "there are values outside the range")
                 .defaults_to("`[0, high]`, `high` from the scene"),
-            key("layers", &Frames::layers, integer(1, kMaxLayers),
-                "number of layers for `stage_layer`"),
+            key("layers", &Frames::layers, integer(1, 256), "number of layers for `stage_layer`"),
             key("view", &Frames::view, rectangle(), "the part of the plane to show")
                 .defaults_to("`output.view`"),
             key("drawing", &Frames::drawing, choice(kDrawingNames),
                 "by looking up the sites around each sample (`auto` too), or as polygons by "
                 "OpenGL, slower; nearly the same picture"),
-            key("supersampling", &Frames::supersampling, integer(1, kMaxSupersampling),
+            key("supersampling", &Frames::supersampling, integer(1, 4),
                 "samples per pixel along each side"),
             key("caption", &Frames::caption, yes_or_no(),
                 "title, stage, step or time, legend, scale bar"),
@@ -112,7 +101,7 @@ Type<Frames> frames_type() {
                 "turned as the vessel is, so that gravity points down; corners of the view may "
                 "go out of the picture")
                 .of(Model::contact),
-            key("force_scale", &Frames::force_scale, above_zero(kMaxForceScale),
+            key("force_scale", &Frames::force_scale, above_zero(1e9),
                 "the force drawn as the widest line, by `weight_...` and with `model: contact`, in "
                 "grain weights, or in newtons with `units.density`; there the colours of `force` "
                 "end at twice it, those of `pressure` at it over the mean diameter")
@@ -120,7 +109,7 @@ Type<Frames> frames_type() {
             key("velocity_cell", &Frames::velocity_cell, number(1, kMaxCellSide),
                 "side of the cells of `overlay: velocity` in lattice spacings")
                 .defaults_to("from grains and view"),
-            key("velocity_scale", &Frames::velocity_scale, above_zero(kMaxVelocityScale),
+            key("velocity_scale", &Frames::velocity_scale, above_zero(1e9),
                 "the speed drawn as an arrow 0.9 cells long (without it: by each picture); the "
                 "colours of `speed` end at twice it, those of `spin` where grains of mean diameter "
                 "roll at half of it: spacings per step, or with `model: contact` m/s "
@@ -150,15 +139,14 @@ Type<Fields> fields_type() {
                 key("every", &Fields::every, count(1, kMaxSteps), "steps of a window")}});
 }
 
-void check_contacts(const KeyedMap& fields, Contacts& contacts, const Scene& scene) {
-  if (scene.model != Model::contact) {
-    require_overlap(fields.location(), fields.path(), "contacts", scene);
+void check_contacts(const KeyedMap& fields, Contacts& contacts) {
+  if (fields.scene.model != Model::contact) {
+    require_overlap(fields, "contacts");
     return;
   }
   if (contacts.every > contacts.window) {
-    fail(fields.at("every").location,
-         fmt::format("{}: expected 1 to {}, the steps of {}, found {}", fields.path("every"),
-                     contacts.window, fields.path("window"), contacts.every));
+    fail(fields.at("every"), "expected 1 to {}, the steps of {}, found {}", contacts.window,
+         fields.at("window").path, contacts.every);
   }
 }
 
@@ -183,7 +171,7 @@ Type<TrajectoryOutput> trajectory_type() {
 }
 
 Key<Checkpoints> seconds_key() {
-  return key("seconds", &Checkpoints::seconds, above_zero(kMaxWait),
+  return key("seconds", &Checkpoints::seconds, above_zero(1e9),
              "seconds by the clock from one checkpoint to the next; nothing of the result depends "
              "on it");
 }
@@ -191,24 +179,20 @@ Key<Checkpoints> seconds_key() {
 }  // namespace
 
 Type<Checkpoints> checkpoint_type() {
-  return type_of<Checkpoints>(
-      {.keys = {key("every", &Checkpoints::every, count(1, kMaxSteps),
-                    "steps from one checkpoint to the next"),
-                seconds_key()},
-       .check =
-           [](const KeyedMap& fields, Checkpoints& checkpoints, const Scene& /*scene*/) {
-             if (!checkpoints.every && !checkpoints.seconds) {
-               fail(fields.location(),
-                    fmt::format("{}: expected every (steps), seconds or both", fields.path()));
-             }
-           },
-       .conditions = R"({"minProperties": 1})"});
+  return type_of<Checkpoints>({.keys = {key("every", &Checkpoints::every, count(1, kMaxSteps),
+                                            "steps from one checkpoint to the next"),
+                                        seconds_key()},
+                               .check =
+                                   [](const KeyedMap& fields, Checkpoints& checkpoints) {
+                                     if (!checkpoints.every && !checkpoints.seconds) {
+                                       fail(fields, "expected every (steps), seconds or both");
+                                     }
+                                   },
+                               .conditions = R"({"minProperties": 1})"});
 }
 
 Type<Checkpoints> gas_checkpoint_type() {
-  auto seconds = seconds_key();
-  seconds.required = true;
-  return type_of<Checkpoints>({.keys = {seconds}});
+  return type_of<Checkpoints>({.keys = {seconds_key().is_required()}});
 }
 
 Type<Output> output_type() {
@@ -235,7 +219,7 @@ Type<Output> output_type() {
                     "when the run saves a checkpoint, besides at its end and when it is stopped: "
                     "[output.checkpoint](#outputcheckpoint)",
                     std::optional(kDefaultCheckpoints))},
-       .check = [](const KeyedMap& /*fields*/, Output& output, const Scene& /*scene*/) {
+       .check = [](const KeyedMap& /*fields*/, Output& output) {
          if (output.frames && !output.frames->view) {
            output.frames->view = output.view;
          }

@@ -41,11 +41,9 @@ Key<Picture> file_key() {
              described("file", file_path_type(),
                        "a PNG of up to 1000000 pixels; a relative path begins at the folder of the "
                        "scene"),
-             [](const KeyedMap& fields, Picture& picture, const Scene& scene) {
-               constexpr std::array<std::string_view, 2> kSources = {"file", "rows"};
-               fields.only(kSources);
-               if (const Value* value = fields.find("file")) {
-                 picture.rows = rows_of(read_picture(*value, fields.path("file"), scene));
+             [](const KeyedMap& fields, Picture& picture) {
+               if (fields.find("file") != nullptr && fields.find("rows") == nullptr) {
+                 picture.rows = rows_of(read_picture(fields.at("file")));
                }
              })
       .with_condition("this or `rows`");
@@ -53,41 +51,40 @@ Key<Picture> file_key() {
 
 }  // namespace
 
-const image::Image& read_picture(const Value& value, const std::string& path, const Scene& scene) {
-  const std::string file = file_path_type().read(value, path, scene);
-  if (!value.picture->problem.empty()) {
-    fail(value.location, fmt::format("{}: cannot read {}: {}", path, text::printable(file),
-                                     text::printable(value.picture->problem)));
+const image::Image& read_picture(const Place& place) {
+  const std::string file = file_path_type().read(place);
+  const PictureFile& picture = *place.value.picture;
+  if (!picture.problem.empty()) {
+    fail(place, "cannot read {}: {}", text::printable(file), text::printable(picture.problem));
   }
-  return value.picture->image;
+  return picture.image;
 }
 
 Type<Rows> rows_type(bool (*allowed)(char letter), const std::string& about,
                      const std::string& pattern) {
   return own_type<Rows>(
       "list of texts", with(array_schema(text_schema(pattern)), "minItems", 1),
-      [=](const Value& value, const std::string& path, const Scene& /*scene*/) {
+      [=](const Place& place) {
         Rows rows;
         std::size_t pixels = 0;
-        for (const Value& item : read_list(value, path, 1, kMaxPicturePixels)) {
-          const std::string& row = rows.emplace_back(read_text(item, path));
+        for (const Place& item : read_list(place, 1, kMaxPicturePixels)) {
+          const std::string& row = rows.emplace_back(read_text(item));
           if (row.empty() || row.size() != rows.front().size() ||
               !std::all_of(row.begin(), row.end(), allowed)) {
-            fail(item.location, fmt::format("{}: expected rows of one length of {}, found {}", path,
-                                            about, found(item)));
+            fail(item, "expected rows of one length of {}, found {}", about, found(item));
           }
           pixels += row.size();
         }
         if (pixels > kMaxPicturePixels) {
-          fail(value.location, fmt::format("{}: expected at most {} pixels, found {}", path,
-                                           kMaxPicturePixels, pixels));
+          fail(place, "expected at most {} pixels, found {}", kMaxPicturePixels, pixels);
         }
         return rows;
       },
-      [](const Rows& rows, const Scene& /*scene*/) {
-        Yaml list = Yaml::list({});
+      [](const Rows& rows) {
+        Value list = Value::list();
         list.in_lines = true;
-        std::transform(rows.begin(), rows.end(), std::back_inserter(list.items), quoted_text);
+        std::transform(rows.begin(), rows.end(), std::back_inserter(list.items),
+                       Value::quoted_text);
         return list;
       });
 }
@@ -100,7 +97,7 @@ Type<Picture> picture_type() {
                     "the same as text, from the top: `#` for dark pixels, `.` for others", {})
                     .with_condition("this or `file`"),
                 required("box", &Picture::box, rectangle(), "what the picture covers")},
-       .conditions = R"({"oneOf": [{"required": ["file"]}, {"required": ["rows"]}]})"});
+       .one_of = {"file", "rows"}});
 }
 
 }  // namespace clca::scene

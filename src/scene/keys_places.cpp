@@ -1,7 +1,5 @@
 // Sources, outlets, probes and lines.
 
-#include <algorithm>
-
 #include "scene/geometry.hpp"
 #include "scene/sections.hpp"
 #include "scene/types.hpp"
@@ -12,59 +10,51 @@ namespace {
 
 using Position = decltype(Source::position);
 
-void check_point(const Eigen::Vector2d& point, const Value& value, const std::string& path,
-                 const Box& box) {
+void check_point(const Eigen::Vector2d& point, const Place& place) {
+  const Box& box = place.scene.box;
   if (!lattice_of(box).contains(lattice::nearest_site(point))) {
-    fail(value.location, fmt::format("{}: expected a point in the box, {} wide and {} high, found "
-                                     "[{}, {}]",
-                                     path, box.width, box.height, point.x(), point.y()));
+    fail(place, "expected a point in the box, {} wide and {} high, found [{}, {}]", box.width,
+         box.height, point.x(), point.y());
   }
 }
 
-void check_region(const lattice::Rectangle& region, const Value& value, const std::string& path,
-                  const Box& box) {
+void check_region(const lattice::Rectangle& region, const Place& place) {
+  const Box& box = place.scene.box;
   if (region.left < 0 || region.bottom < 0 || region.right > box.width || region.top > box.height) {
-    fail(value.location,
-         fmt::format("{}: expected a region in the box, {} wide and {} high, found {}", path,
-                     box.width, box.height, shown(region)));
+    fail(place, "expected a region in the box, {} wide and {} high, found {}", box.width,
+         box.height, shown(region));
   }
 }
 
-void check_end(const Eigen::Vector2d& end, const char* key, const KeyedMap& fields,
-               const Box& box) {
+void check_end(const Eigen::Vector2d& end, const Place& place) {
+  const Box& box = place.scene.box;
   // From one side of a periodic box to where it repeats.
   const double width = box.periodic ? lattice_of(box).size().x() : box.width;
   if (end.x() < 0 || end.y() < 0 || end.x() > width || end.y() > box.height) {
-    fail(fields.at(key).location,
-         fmt::format("{}: expected a point in the box, {:.6g} wide and {} high, found [{}, {}]",
-                     fields.path(key), width, box.height, end.x(), end.y()));
+    fail(place, "expected a point in the box, {:.6g} wide and {} high, found [{}, {}]", width,
+         box.height, end.x(), end.y());
   }
 }
 
-void check_line(const KeyedMap& fields, Line& line, const Scene& scene) {
-  check_end(line.from, "from", fields, scene.box);
-  check_end(line.to, "to", fields, scene.box);
+void check_line(const KeyedMap& fields, Line& line) {
+  check_end(line.from, fields.at("from"));
+  check_end(line.to, fields.at("to"));
   const double length = (line.to - line.from).norm();
   if (length < kMinLineLength) {
-    fail(fields.at("to").location,
-         fmt::format("{}: expected a point at least {} lattice spacing away from [{}, {}], found "
-                     "[{}, {}]",
-                     fields.path("to"), kMinLineLength, line.from.x(), line.from.y(), line.to.x(),
-                     line.to.y()));
+    fail(fields.at("to"),
+         "expected a point at least {} lattice spacing away from [{}, {}], found [{}, {}]",
+         kMinLineLength, line.from.x(), line.from.y(), line.to.x(), line.to.y());
   }
 }
 
-void check_source(const KeyedMap& fields, Source& source, const Scene& scene) {
-  constexpr std::array<std::string_view, 2> kPositions = {"at", "region"};
-  const std::string_view key = fields.only(kPositions);
+void check_source(const KeyedMap& fields, Source& source) {
   if (const auto* at = std::get_if<Eigen::Vector2d>(&source.position)) {
-    check_point(*at, fields.at(key), fields.path(key), scene.box);
+    check_point(*at, fields.at("at"));
   } else {
-    check_region(std::get<lattice::Rectangle>(source.position), fields.at(key), fields.path(key),
-                 scene.box);
+    check_region(std::get<lattice::Rectangle>(source.position), fields.at("region"));
   }
   if (source.weights.empty()) {
-    source.weights.assign(scene.species.size(), 1);
+    source.weights.assign(fields.scene.species.size(), 1);
   }
 }
 
@@ -82,41 +72,40 @@ Type<std::vector<Source>> sources_type() {
                     .with_condition("this or `at`"),
                 key("species", &Source::weights, weights_type(), "weights of what is emitted", {})
                     .defaults_to("all alike"),
-                required("rate", &Source::rate, number(kMinRate, kMaxRate), "particles per step"),
+                required("rate", &Source::rate, number(1e-6, kMaxRate), "particles per step"),
                 key("count", &Source::count, count(1, kMaxParticles),
                     "closes for good after so many")
                     .defaults_to("no end")},
-       .check = check_source,
-       .conditions = R"({"oneOf": [{"required": ["at"]}, {"required": ["region"]}]})"});
+       .one_of = {"at", "region"},
+       .check = check_source});
 }
 
 Type<std::vector<Outlet>> outlets_type() {
-  return by_name<Outlet>(
-      "outlets", {.keys = {required("region", &Outlet::region, region(),
-                                    "where particles are removed that lie wholly inside")},
-                  .check = [](const KeyedMap& fields, Outlet& outlet, const Scene& /*scene*/) {
-                    outlet.location = FileReference(to_string(fields.at("region").location));
-                  }});
+  return by_name<Outlet>("outlets",
+                         {.keys = {required("region", &Outlet::region, region(),
+                                            "where particles are removed that lie wholly inside")},
+                          .check = [](const KeyedMap& fields, Outlet& outlet) {
+                            outlet.location = reference(fields.at("region"));
+                          }});
 }
 
 Type<std::vector<Probe>> probes_type() {
   const Type<lattice::Rectangle> edges = region();
   return own_type<std::vector<Probe>>(
       edges.allowed + " by name", named_schema(edges.schema),
-      [=](const Value& value, const std::string& path, const Scene& scene) {
+      [=](const Place& place) {
         std::vector<Probe> probes;
-        for (const Entry& entry : read_named(value, path)) {
-          const std::string probe_path = join_path(path, entry.key);
-          probes.push_back(
-              {.name = entry.key, .region = edges.read(entry.value, probe_path, scene)});
-          check_region(probes.back().region, entry.value, probe_path, scene.box);
+        for (const Entry& entry : read_named(place)) {
+          const Place inside = place.inside(entry);
+          probes.push_back({.name = entry.key, .region = edges.read(inside)});
+          check_region(probes.back().region, inside);
         }
         return probes;
       },
       [=](const std::vector<Probe>& probes, const Scene& scene) {
-        Yaml map = Yaml::map({});
+        Value map = Value::map();
         for (const Probe& probe : probes) {
-          map.entries.push_back({name_text(probe.name).text, edges.text(probe.region, scene)});
+          map.add(probe.name, edges.text(probe.region, scene));
         }
         return map;
       });
@@ -128,7 +117,7 @@ Type<std::vector<Line>> lines_type() {
       {.keys = {required("from", &Line::from, point(), "start of the line, in the box"),
                 required("to", &Line::to, point(),
                          "its end; what passes to the right of this direction counts as positive"),
-                key("parts", &Line::parts, integer(1, kMaxLineParts),
+                key("parts", &Line::parts, integer(1, 1000),
                     "of equal length, each with a row in the table")},
        .check = check_line});
 }

@@ -13,29 +13,24 @@ namespace clca::scene {
 
 namespace {
 
-void check_version(const KeyedMap& fields) {
-  const Value& version = fields.at("clca");
-  if (!version.is(Value::Kind::scalar) || version.quoted ||
-      version.text != std::to_string(kVersion)) {
-    fail(version.location, fmt::format("clca: expected version {} of the format, found {}",
-                                       kVersion, found(version)));
-  }
-}
-
 template <class AScene>
 Key<AScene> version_key() {
   const std::string version = std::to_string(kVersion);
-  return own_key<AScene>(
-      {.name = "clca",
-       .about = "version of the format, without quotes",
-       .allowed = fmt::format("`{}`", version),
-       .required = true,
-       .schema = schema(fmt::format(R"({{"const": {}}})", version))},
-      [](const KeyedMap& fields, AScene& /*scene*/, const Scene& /*grains*/) {
-        check_version(fields);
-      },
-      [](const AScene& /*scene*/, const Scene& /*grains*/) {
-        return std::optional(Yaml::scalar(std::to_string(kVersion)));
+  return own_key<AScene>({.name = "clca",
+                          .about = "version of the format, without quotes",
+                          .allowed = fmt::format("`{}`", version),
+                          .required = true,
+                          .schema = schema(fmt::format(R"({{"const": {}}})", version))},
+                         [](const KeyedMap& fields, AScene& /*scene*/) {
+                           const Place place = fields.at("clca");
+                           if (!place.value.is(Value::Kind::scalar) || place.value.quoted ||
+                               place.value.text != std::to_string(kVersion)) {
+                             fail(place, "expected version {} of the format, found {}", kVersion,
+                                  found(place));
+                           }
+                         })
+      .written_as([](const AScene& /*scene*/) {
+        return std::optional(Value::scalar(std::to_string(kVersion)));
       });
 }
 

@@ -24,40 +24,35 @@ Type<std::vector<double>> numbers(double high) {
   return type;
 }
 
-void check(const KeyedMap& fields, Sizes& sizes, const Scene& /*scene*/) {
+void check(const KeyedMap& fields, Sizes& sizes) {
   const bool list = sizes.law == SizeLaw::list;
   for (const char* key : {"mean", "sd", "kinds", "diameters", "shares"}) {
     const bool of_list = key == std::string_view("diameters") || key == std::string_view("shares");
-    if (const Value* value = fields.find(key); value != nullptr && list != of_list) {
-      fail(value->location, fmt::format("{}: goes with 'law: {}'", fields.path(key),
-                                        of_list ? "list" : "uniform' or 'law: lognormal"));
+    if (fields.find(key) != nullptr && list != of_list) {
+      fail(fields.at(key), "goes with 'law: {}'", of_list ? "list" : "uniform' or 'law: lognormal");
     }
   }
   if (list) {
     fields.at("diameters");
-    if (sizes.diameters.size() != fields.at("shares").items.size()) {
-      fail(fields.at("shares").location,
-           fmt::format("{}: expected a share for each of the {} diameters, found {}",
-                       fields.path("shares"), sizes.diameters.size(), sizes.shares.size()));
+    if (sizes.diameters.size() != fields.at("shares").value.items.size()) {
+      fail(fields.at("shares"), "expected a share for each of the {} diameters, found {}",
+           sizes.diameters.size(), sizes.shares.size());
     }
     return;
   }
   const double smallest = lattice::Shape::hexagon(0).diameter();
   if (*sizes.mean < smallest) {
-    fail(fields.at("mean").location,
-         fmt::format("{}: expected at least {:.3g}, the diameter of a single site, found {}",
-                     fields.path("mean"), smallest, *sizes.mean));
+    fail(fields.at("mean"), "expected at least {:.3g}, the diameter of a single site, found {}",
+         smallest, *sizes.mean);
   }
-  const Value& sd = fields.at("sd");
+  const Place sd = fields.at("sd");
   if (sizes.law == SizeLaw::uniform && *sizes.mean <= *sizes.sd * std::sqrt(3.0)) {
-    fail(sd.location,
-         fmt::format("{}: expected less than {:.4g}, so that all diameters are above 0, found {}",
-                     fields.path("sd"), *sizes.mean / std::sqrt(3.0), *sizes.sd));
+    fail(sd, "expected less than {:.4g}, so that all diameters are above 0, found {}",
+         *sizes.mean / std::sqrt(3.0), *sizes.sd);
   }
   if (const double largest = largest_diameter(sizes); largest > kMaxDiameter) {
-    fail(sd.location, fmt::format("{}: expected less, so that all diameters are up to {}; the "
-                                  "largest would be {:.4g}",
-                                  fields.path("sd"), kMaxDiameter, largest));
+    fail(sd, "expected less, so that all diameters are up to {}; the largest would be {:.4g}",
+         kMaxDiameter, largest);
   }
 }
 
@@ -78,7 +73,7 @@ Type<Sizes> sizes_type() {
                     "classes of equal width that the law is divided into, at most"),
                 key("diameters", &Sizes::diameters, numbers(kMaxDiameter), "of a list", {})
                     .with_condition("required for a list"),
-                key("shares", &Sizes::shares, numbers(kMaxShare),
+                key("shares", &Sizes::shares, numbers(1e9),
                     "of a list: one for each diameter, "
                     "of any sum",
                     {})

@@ -5,7 +5,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numeric>
 #include <stdexcept>
 
@@ -17,73 +16,37 @@ namespace clca::scene {
 
 namespace {
 
-std::vector<lattice::Axial> read_sites(const Value& value, const std::string& path,
-                                       std::size_t least, std::size_t most) {
-  std::vector<lattice::Axial> sites;
-  std::map<lattice::Axial, bool> known;
-  for (const Value& item : read_list(value, path, least, most)) {
-    const std::vector<Value>& pair = read_list(item, path, 2, 2);
-    sites.push_back({read_int(pair[0], path, -kMaxSiteCoordinate, kMaxSiteCoordinate),
-                     read_int(pair[1], path, -kMaxSiteCoordinate, kMaxSiteCoordinate)});
-    if (!known.emplace(sites.back(), true).second) {
-      fail(item.location,
-           fmt::format("{}: [{}, {}] is named twice", path, sites.back().x, sites.back().q));
-    }
-  }
-  return sites;
-}
-
+/// Of `[x, q]`, each once.
 Type<std::vector<lattice::Axial>> sites(std::size_t least, std::size_t most) {
-  const Schema coordinate = integer_schema(-kMaxSiteCoordinate, kMaxSiteCoordinate);
-  return own_type<std::vector<lattice::Axial>>(
-      fmt::format("{} to {} `[x, q]`", least, most),
-      unique(array_schema(array_schema(coordinate, 2, 2), least, most)),
-      [=](const Value& value, const std::string& path, const Scene& /*scene*/) {
-        return read_sites(value, path, least, most);
+  const auto site = converted<lattice::Axial>(
+      "", list_of(integer(-kMaxSiteCoordinate, kMaxSiteCoordinate), 2, 2),
+      [](const std::vector<int>& pair) {
+        return lattice::Axial{pair[0], pair[1]};
       },
-      [](const std::vector<lattice::Axial>& sites, const Scene& /*scene*/) {
-        Yaml list = Yaml::list({});
-        for (const lattice::Axial site : sites) {
-          list.items.push_back(Yaml::scalar(fmt::format("[{}, {}]", site.x, site.q)));
-        }
-        return list;
+      [](lattice::Axial axial) {
+        return std::vector<int>{axial.x, axial.q};
       });
+  auto type = set_of(site, least, most, flow_text);
+  type.allowed = fmt::format("{} to {} `[x, q]`", least, most);
+  return type;
 }
 
-constexpr double kMaxLength = 1000;  // spacings, of a shape
-
-/// [width, height]
 Type<RectangleSpec> size() {
-  return own_type<RectangleSpec>(
-      "`[width, height]`", array_schema(above_zero_schema(kMaxLength), 2, 2),
-      [](const Value& value, const std::string& path, const Scene& /*scene*/) {
-        const std::vector<Value>& items = read_list(value, path, 2, 2);
-        return RectangleSpec{read_positive(items[0], path, kMaxLength),
-                             read_positive(items[1], path, kMaxLength)};
+  return converted<RectangleSpec>(
+      "`[width, height]`", list_of(above_zero(kMaxLength), 2, 2),
+      [](const std::vector<double>& sides) {
+        return RectangleSpec{sides[0], sides[1]};
       },
-      [](const RectangleSpec& spec, const Scene& /*scene*/) {
-        return numbers_text({spec.width, spec.height});
-      });
-}
-
-Type<Eigen::Vector2d> corner() {
-  return own_type<Eigen::Vector2d>(
-      "`[x, y]`", array_schema(number_schema(-kMaxLength, kMaxLength), 2, 2),
-      [](const Value& value, const std::string& path, const Scene& /*scene*/) {
-        const std::vector<Value>& items = read_list(value, path, 2, 2);
-        return Eigen::Vector2d(read_number(items[0], path, -kMaxLength, kMaxLength),
-                               read_number(items[1], path, -kMaxLength, kMaxLength));
-      },
-      [](const Eigen::Vector2d& corner, const Scene& /*scene*/) {
-        return numbers_text({corner.x(), corner.y()});
+      [](const RectangleSpec& spec) {
+        return std::vector<double>{spec.width, spec.height};
       });
 }
 
 Type<RodSpec> rod() {
-  return type_of<RodSpec>({.keys = {required("radius", &RodSpec::radius, integer(0, kMaxRadius),
-                                             "radius of the hexagons"),
-                                    required("length", &RodSpec::length, integer(1, kMaxRodLength),
-                                             "number of sites on the line")}});
+  return type_of<RodSpec>(
+      {.keys = {
+           required("radius", &RodSpec::radius, integer(0, kMaxRadius), "radius of the hexagons"),
+           required("length", &RodSpec::length, integer(1, 1000), "number of sites on the line")}});
 }
 
 Type<ShapeSpec> shape() {
@@ -199,73 +162,43 @@ lattice::Shape build_checked(const ShapeSpec& spec) {
   return shape;
 }
 
-const std::vector<int> kAllOrientations = {0, 60, 120, 180, 240, 300};
-std::vector<int> read_orientations(const Value& value, const std::string& path,
-                                   const Scene& /*scene*/) {
-  if (value.is(Value::Kind::scalar) && value.text == "any") {
-    return kAllOrientations;
-  }
-  if (!value.is(Value::Kind::list)) {
-    fail(value.location,
-         fmt::format("{}: expected any or a list of angles, found {}", path, found(value)));
-  }
-  std::vector<int> angles;
-  for (const Value& item : read_list(value, path, 1, lattice::kDirectionCount)) {
-    const int angle = read_int(item, path, 0, 360 - kDegreesPerSixth);
-    if (angle % kDegreesPerSixth != 0) {
-      fail(item.location, fmt::format("{}: expected a multiple of 60, found {}", path, angle));
-    }
-    if (std::find(angles.begin(), angles.end(), angle) != angles.end()) {
-      fail(item.location, fmt::format("{}: {} is named twice", path, angle));
-    }
-    angles.push_back(angle);
-  }
-  return angles;
+Type<std::vector<int>> orientations() {
+  static const std::vector<int> kAll = {0, 60, 120, 180, 240, 300};
+  Type<int> angle =
+      integer(0, 360 - kDegreesPerSixth).checked([](const int& degrees, const Place& place) {
+        if (degrees % kDegreesPerSixth != 0) {
+          fail(place, "expected a multiple of 60, found {}", degrees);
+        }
+      });
+  angle.schema = schema(R"({"enum": [0, 60, 120, 180, 240, 300]})");
+  const auto list = set_of(angle, 1, kAll.size(), flow_text);
+  return own_type<std::vector<int>>(
+      "list of 0, 60, 120, 180, 240, 300, or `any`", any_of({word_schema("any"), list.schema}),
+      [=](const Place& place) {
+        if (place.value.is(Value::Kind::scalar) && place.value.text == "any") {
+          return kAll;
+        }
+        if (!place.value.is(Value::Kind::list)) {
+          fail(place, "expected any or a list of angles, found {}", found(place));
+        }
+        return list.read(place);
+      },
+      [=](const std::vector<int>& angles, const Scene& scene) {
+        return angles == kAll ? Value::scalar("any") : list.text(angles, scene);
+      });
 }
 
-image::Rgb read_color(const Value& value, const std::string& path, const Scene& /*scene*/) {
-  const std::string& text = value.text;
+image::Rgb read_color(const Place& place) {
+  const std::string& text = place.value.text;
   const bool hexadecimal = text.size() == 7 && text.front() == '#' &&
                            text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
-  if (!value.is(Value::Kind::scalar) || !hexadecimal) {
-    fail(value.location, fmt::format("{}: expected a colour like \"#3a6ea5\", in quotes, found {}",
-                                     path, found(value)));
+  if (!place.value.is(Value::Kind::scalar) || !hexadecimal) {
+    fail(place, "expected a colour like \"#3a6ea5\", in quotes, found {}", found(place));
   }
   const auto part = [&](std::size_t start) {
     return static_cast<std::uint8_t>(std::stoi(text.substr(start, 2), nullptr, 16));
   };
   return {part(1), part(3), part(5)};
-}
-
-Type<std::vector<int>> orientations() {
-  return own_type<std::vector<int>>(
-      "list of 0, 60, 120, 180, 240, 300, or `any`",
-      any_of({word_schema("any"),
-              unique(array_schema(schema(R"({"enum": [0, 60, 120, 180, 240, 300]})"), 1,
-                                  lattice::kDirectionCount))}),
-      read_orientations, [](const std::vector<int>& angles, const Scene& /*scene*/) {
-        return Yaml::scalar(angles == kAllOrientations
-                                ? std::string("any")
-                                : fmt::format("[{}]", fmt::join(angles, ", ")));
-      });
-}
-
-Key<Species> shape_key() {
-  auto key = required("shape", &Species::shape_spec, shape(), "the sites of a particle")
-                 .with_condition("this or `sizes`")
-                 .after([](const KeyedMap& fields, Species& /*species*/, const Scene& /*scene*/) {
-                   constexpr std::array<std::string_view, 2> kKeys = {"shape", "sizes"};
-                   fields.only(kKeys);
-                 });
-  key.required = false;
-  return key;
-}
-
-/// Replaced by species with shapes before the keys are read; see expand_sizes.
-Key<Species> sizes_key() {
-  return own_key<Species>(described("sizes", sizes_type(),
-                                    "round particles whose sizes follow a law: [sizes](#sizes)"))
-      .with_condition("this or `shape`");
 }
 
 std::size_t sites_of(const std::vector<Species>& species) {
@@ -275,7 +208,8 @@ std::size_t sites_of(const std::vector<Species>& species) {
 }
 
 /// A particle that met itself across a periodic boundary would block itself.
-void check_width(const Species& species, const Box& box, const KeyedMap& fields) {
+void check_width(const Species& species, const KeyedMap& fields) {
+  const Box& box = fields.scene.box;
   if (!box.periodic) {
     return;
   }
@@ -285,10 +219,8 @@ void check_width(const Species& species, const Box& box, const KeyedMap& fields)
         species.shape.rotated(degrees / kDegreesPerSixth).sites();
     const int width = sites.back().x - sites.front().x + 1;
     if (width >= columns) {
-      fail(fields.location(),
-           fmt::format(
-               "{}: {} columns wide at {} degrees, too wide for a periodic box of {} columns",
-               fields.path(), width, degrees, columns));
+      fail(fields, "{} columns wide at {} degrees, too wide for a periodic box of {} columns",
+           width, degrees, columns);
     }
   }
 }
@@ -296,16 +228,23 @@ void check_width(const Species& species, const Box& box, const KeyedMap& fields)
 }  // namespace
 
 Type<image::Rgb> color_type() {
-  return own_type<image::Rgb>(
-      "`\"#rrggbb\"`, in quotes", text_schema("^#[0-9A-Fa-f]{6}$"), read_color,
-      [](const image::Rgb& color, const Scene& /*scene*/) {
-        return quoted_text(fmt::format("#{:02x}{:02x}{:02x}", color.red, color.green, color.blue));
-      });
+  return own_type<image::Rgb>("`\"#rrggbb\"`, in quotes", text_schema("^#[0-9A-Fa-f]{6}$"),
+                              read_color, [](const image::Rgb& color) {
+                                return Value::quoted_text(fmt::format(
+                                    "#{:02x}{:02x}{:02x}", color.red, color.green, color.blue));
+                              });
 }
 
 Type<std::vector<Species>> species_type() {
   Map<Species> map = {
-      .keys = {shape_key(), sizes_key(),
+      .keys = {Key<Species>(any_key("shape", to_member(&Species::shape_spec), shape(),
+                                    "the sites of a particle"))
+                   .with_condition("this or `sizes`"),
+               // Replaced by species with shapes before the keys are read; see expand_sizes.
+               own_key<Species>(described("sizes", sizes_type(),
+                                          "round particles whose sizes follow a law: "
+                                          "[sizes](#sizes)"))
+                   .with_condition("this or `shape`"),
                key("orientations", &Species::orientations, orientations(),
                    "angles it may start with, clockwise; one of them at random", {0}),
                key("color", &Species::color, color_type(), "colour for `color_by: species`")
@@ -313,19 +252,17 @@ Type<std::vector<Species>> species_type() {
                key("sieve", &Species::sieve, number(0, 1),
                    "factor of the chance that a void takes such a grain and not another beside it")
                    .of(Model::voids)},
-      .conditions = R"({"oneOf": [{"required": ["shape"]}, {"required": ["sizes"]}]})"};
-  map.check = [](const KeyedMap& fields, Species& species, const Scene& scene) {
+      .one_of = {"shape", "sizes"}};
+  map.check = [](const KeyedMap& fields, Species& species) {
     try {
       species.shape = build_checked(species.shape_spec);
     } catch (const std::invalid_argument& error) {
-      fail(fields.at("shape").location, fmt::format("{}: {}", fields.path("shape"), error.what()));
+      fail(fields.at("shape"), "{}", error.what());
     }
-    if (sites_of(scene.species) > kMaxAllSites) {
-      fail(fields.at("shape").location,
-           fmt::format("{}: with this shape all species have more than {} sites",
-                       fields.path("shape"), kMaxAllSites));
+    if (sites_of(fields.scene.species) > kMaxAllSites) {
+      fail(fields.at("shape"), "with this shape all species have more than {} sites", kMaxAllSites);
     }
-    check_width(species, scene.box, fields);
+    check_width(species, fields);
   };
   return by_name("species", map, 1);
 }

@@ -7,17 +7,16 @@ namespace clca::scene {
 
 namespace {
 
-void check_stage(const KeyedMap& fields, Stage& stage, const Scene& scene) {
-  if (const Value* insert = fields.find("insert")) {
-    stage.insert_location = FileReference(to_string(insert->location));
+void check_stage(const KeyedMap& fields, Stage& stage) {
+  if (fields.find("insert") != nullptr) {
+    stage.insert_location = reference(fields.at("insert"));
   }
-  const automaton::Rules& rules = stage.rules ? *stage.rules : scene.rules;
+  const automaton::Rules& rules = stage.rules ? *stage.rules : fields.scene.rules;
   if (stage.fill && stage.fill->method == FillMethod::deposition &&
       rules.gravity != lattice::Direction::down) {
-    fail(fields.at("fill").find("method")->location,
-         fmt::format("{}.method: deposition needs rules.gravity: down", fields.path("fill")));
+    fail(fields.at("fill").at("method"), "deposition needs rules.gravity: down");
   }
-  check_until(fields, stage, scene);
+  check_until(fields, stage);
 }
 
 Map<Stage> stage_map() {
@@ -64,13 +63,12 @@ std::string stage_path(const Value& value, std::size_t number) {
 }
 
 Type<std::vector<Stage>> stages_type() {
-  auto type = list_of(type_of(stage_map()), 1, kMaxItems,
-                      [](const std::string& /*path*/, const Value& item, std::size_t index) {
-                        return stage_path(item, index);
-                      });
+  auto type = list_of(type_of(stage_map()), 1, kMaxItems, [](const Place& item, std::size_t index) {
+    return stage_path(item.value, index);
+  });
   type.allowed = fmt::format("list of 1 to {} maps", kMaxItems);
   type.text_of = [text = type.text_of](const void* stages, const Scene& scene) {
-    Yaml list = text(stages, scene);
+    Value list = text(stages, scene);
     list.in_lines = true;
     return list;
   };

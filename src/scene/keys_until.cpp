@@ -97,40 +97,40 @@ std::string endless(const Stage& stage, const Scene& scene) {
 }
 
 /// Rejects cycles of a shake that waits for rest that never comes.
-void check_waits(const Stage& stage, const Scene& scene, const TextLocation& location,
-                 const std::string& path) {
+void check_waits(const Stage& stage, const Place& until) {
+  const Scene& scene = until.scene;
   const std::string reason = restless(stage, scene);
   for (const std::size_t number : stage.move) {
     const Wall& wall = scene.walls[number];
     const auto* shake = wall.motion ? std::get_if<grains::Shake>(&wall.motion->program) : nullptr;
     if (shake != nullptr && !shake->wait && !reason.empty()) {
-      fail(location, fmt::format("{}: wall '{}' waits until all is settled, which never comes {}; "
-                                 "give its shake a wait in steps, or give max_steps",
-                                 path, wall.name, reason));
+      fail(until,
+           "wall '{}' waits until all is settled, which never comes {}; give its shake a wait "
+           "in steps, or give max_steps",
+           wall.name, reason);
     }
   }
 }
 
-void refuse_max_steps(const TextLocation& location, const std::string& path, std::uint64_t most,
-                      std::uint64_t least, std::string_view reason) {
-  fail(location, fmt::format("{}: {} is less than the {} steps {}", path, most, least, reason));
+/// Refuses fewer steps than the end takes, if they are given.
+void check_max_steps(const Place& fields, const Stage& stage, std::uint64_t least,
+                     std::string_view reason) {
+  if (fields.find("max_steps") != nullptr && stage.max_steps < least) {
+    fail(fields.at("max_steps"), "{} is less than the {} steps {}", stage.max_steps, least, reason);
+  }
 }
 
 /// Refuses an end that the stage cannot come to.
-void check_possible(const KeyedMap& fields, const Stage& stage, const Scene& scene) {
+void check_possible(const Stage& stage, const Place& until) {
+  const Scene& scene = until.scene;
   if (std::holds_alternative<UntilCycles>(stage.until) && cyclic_wall(stage, scene) == nullptr &&
       vessel_cycle(stage).empty()) {
-    fail(fields.at("until").location,
-         fmt::format(
-             "{}: no wall of this stage goes to and fro{}; name one with a wave or a shake "
-             "under move",
-             fields.path("until"),
-             scene.model == Model::contact ? ", and its vessel neither turns nor is shaken" : ""));
+    fail(until,
+         "no wall of this stage goes to and fro{}; name one with a wave or a shake under move",
+         scene.model == Model::contact ? ", and its vessel neither turns nor is shaken" : "");
   }
   if (std::holds_alternative<UntilDischarged>(stage.until) && scene.outlets.empty()) {
-    fail(fields.at("until").location,
-         fmt::format("{}: nothing can be discharged, the scene has no outlets",
-                     fields.path("until")));
+    fail(until, "nothing can be discharged, the scene has no outlets");
   }
 }
 
@@ -153,62 +153,49 @@ Type<Until> end_type() {
            .of(Model::contact)});
 }
 
-Until read_until(const Value& value, const std::string& path, const Type<Until>& end,
-                 const Scene& scene) {
-  if (value.is(Value::Kind::map)) {
-    return end.read(value, path, scene);
-  }
+UntilSettled read_settled(const Place& place) {
   constexpr std::array<std::string_view, 1> kSettled = {"settled"};
-  if (!value.is(Value::Kind::scalar) || value.text != kSettled.front()) {
-    fail(value.location,
-         fmt::format("{}: expected settled, {{steps: N}}, {{discharged: SHARE}}, {{cycles: N}} or "
-                     "{{time: T}}, found {}{}",
-                     path, found(value), text::suggestion(value.text, kSettled)));
+  if (!place.value.is(Value::Kind::scalar) || place.value.text != kSettled.front()) {
+    fail(place,
+         "expected settled, {{steps: N}}, {{discharged: SHARE}}, {{cycles: N}} or {{time: T}}, "
+         "found {}{}",
+         found(place), text::suggestion(place.value.text, kSettled));
   }
-  return UntilSettled{};
+  return {};
 }
 
 }  // namespace
 
 Type<Until> until_type() {
-  const Type<Until> end = end_type();
-  auto type = own_type<Until>(
-      "`settled`, or map", any_of({word_schema("settled"), end.schema}),
-      [=](const Value& value, const std::string& path, const Scene& scene) {
-        return read_until(value, path, end, scene);
-      },
-      [=](const Until& until, const Scene& scene) {
-        return std::holds_alternative<UntilSettled>(until) ? Yaml::scalar("settled")
-                                                           : end.text(until, scene);
+  return or_map(
+      "`settled`", word_schema("settled"), end_type(), read_settled, [](const Until& until) {
+        return std::holds_alternative<UntilSettled>(until) ? std::optional(Value::scalar("settled"))
+                                                           : std::nullopt;
       });
-  type.keys = end.keys;
-  return type;
 }
 
-void check_until(const KeyedMap& fields, Stage& stage, const Scene& scene) {
-  check_possible(fields, stage, scene);
-  const Value* until = fields.find("until");
-  const TextLocation& location = until == nullptr ? fields.location() : until->location;
+void check_until(const KeyedMap& fields, Stage& stage) {
+  const Scene& scene = fields.scene;
+  const Value* given = fields.find("until");
+  const Place until = {given != nullptr ? *given : fields.value, join_path(fields.path, "until"),
+                       scene};
+  check_possible(stage, until);
   const std::uint64_t least = min_steps(stage, scene);
   const bool cycles = std::holds_alternative<UntilCycles>(stage.until);
-  if (const Value* value = fields.find("max_steps")) {
-    if (stage.max_steps < least) {
-      refuse_max_steps(value->location, fields.path("max_steps"), stage.max_steps, least,
-                       cycles ? "that the cycles of until take" : "of until");
-    }
+  if (fields.find("max_steps") != nullptr) {
+    check_max_steps(fields, stage, least, cycles ? "that the cycles of until take" : "of until");
     return;
   }
   if (least > kMaxSteps) {
-    fail(location, fmt::format("{}: the cycles take {} steps; expected at most {}",
-                               fields.path("until"), least, kMaxSteps));
+    fail(until, "the cycles take {} steps; expected at most {}", least, kMaxSteps);
   }
   if (std::holds_alternative<UntilSettled>(stage.until)) {
     if (const std::string reason = endless(stage, scene); !reason.empty()) {
-      fail(location, fmt::format("{}: never comes to rest {}", fields.path("until"), reason));
+      fail(until, "never comes to rest {}", reason);
     }
   }
   if (cycles) {
-    check_waits(stage, scene, location, fields.path("until"));
+    check_waits(stage, until);
   }
   stage.max_steps = std::max(stage.max_steps, least);
 }
@@ -220,20 +207,13 @@ void count_steps(Scene& scene, const Value& list) {
     if (until == nullptr) {
       continue;
     }
-    const std::string path = join_path("stages", stage.name);
-    const Value& value = list.items[number];
+    const Place fields = {list.items[number], join_path("stages", stage.name), scene};
     const double steps = steps_until(until->time, *conversion(scene));
     if (steps > static_cast<double>(kMaxSteps)) {
-      fail(value.find("until")->location,
-           fmt::format("{}: it takes {:.3g} steps; expected at most {}", join_path(path, "until"),
-                       steps, kMaxSteps));
+      fail(fields.at("until"), "it takes {:.3g} steps; expected at most {}", steps, kMaxSteps);
     }
     until->steps = static_cast<std::uint64_t>(steps);
-    const Value* max_steps = value.find("max_steps");
-    if (max_steps != nullptr && stage.max_steps < until->steps) {
-      refuse_max_steps(max_steps->location, join_path(path, "max_steps"), stage.max_steps,
-                       until->steps, "of until");
-    }
+    check_max_steps(fields, stage, until->steps, "of until");
     stage.max_steps = std::max(stage.max_steps, until->steps);
   }
 }

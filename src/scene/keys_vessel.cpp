@@ -10,21 +10,16 @@ namespace {
 /// An angle, or a map with the angle and how fast it is reached.
 Type<Tilt> tilt() {
   const Type<double> angle = number(-kMaxTilt, kMaxTilt);
-  auto rate = key("rate", &Tilt::rate, above_zero(kMaxVesselRate), "degrees per unit of time");
-  rate.required = true;
-  const Type<Tilt> turn =
-      type_of<Tilt>({.keys = {required("to", &Tilt::to, angle, "degrees"), rate}});
-  auto type = own_type<Tilt>(
-      angle.allowed + ", or map", any_of({angle.schema, turn.schema}),
-      [=](const Value& value, const std::string& path, const Scene& scene) {
-        return value.is(Value::Kind::map) ? turn.read(value, path, scene)
-                                          : Tilt{.to = angle.read(value, path, scene), .rate = {}};
-      },
-      [=](const Tilt& tilt, const Scene& scene) {
-        return tilt.rate ? turn.text(tilt, scene) : angle.text(tilt.to, scene);
+  const auto turn = type_of<Tilt>(
+      {.keys = {required("to", &Tilt::to, angle, "degrees"),
+                key("rate", &Tilt::rate, above_zero(kMaxVesselRate), "degrees per unit of time")
+                    .is_required()}});
+  return or_map(
+      angle.allowed, angle.schema, turn,
+      [=](const Place& place) { return Tilt{.to = angle.read(place), .rate = {}}; },
+      [](const Tilt& tilt) {
+        return tilt.rate ? std::nullopt : std::optional(Value::number(tilt.to));
       });
-  type.keys = turn.keys;
-  return type;
 }
 
 Type<Rotate> rotate() {
@@ -33,24 +28,21 @@ Type<Rotate> rotate() {
                          "turns per unit of time: anticlockwise, or clockwise below 0"),
                 key("centre", &Rotate::centre, point(), "what it turns about")
                     .defaults_to("the middle of the box")},
-       .check = [](const KeyedMap& fields, Rotate& rotate, const Scene& scene) {
-         if (scene.box.periodic) {
-           fail(fields.location(),
-                fmt::format("{}: a periodic box has no centre to turn about; say 'periodic: false'",
-                            fields.path()));
+       .check = [](const KeyedMap& fields, Rotate& rotate) {
+         if (fields.scene.box.periodic) {
+           fail(fields, "a periodic box has no centre to turn about; say 'periodic: false'");
          }
          if (rotate.rate == 0) {
-           fail(fields.at("rate").location,
-                fmt::format("{}: expected a rate other than 0", fields.path("rate")));
+           fail(fields.at("rate"), "expected a rate other than 0");
          }
        }});
 }
 
 Type<VesselShake> vessel_shake() {
   return type_of<VesselShake>(
-      {.keys = {required("gamma", &VesselShake::gamma, above_zero(kMaxGamma),
+      {.keys = {required("gamma", &VesselShake::gamma, above_zero(1000),
                          "greatest acceleration over that of gravity"),
-                required("amplitude", &VesselShake::amplitude, above_zero(kMaxShakeAmplitude),
+                required("amplitude", &VesselShake::amplitude, above_zero(1000),
                          "spacings to either side"),
                 key("direction", &VesselShake::sideways, choice(kShakeDirectionNames),
                     "along gravity, beginning upwards, or across it, beginning to the right")}});

@@ -51,19 +51,14 @@ bool covers_no_site(const lattice::Lattice& lattice, const Form& form) {
 }
 
 /// Refuses a form without a site of the box. Only a wall that moves may be outside it at home.
-void check_part(const WallPart& part, const KeyedMap& fields, const Box& box) {
-  for (const std::string_view key : kForms) {
-    const Value* value = fields.find(key);
-    if (value == nullptr) {
-      continue;
-    }
-    if (const auto* rectangle = std::get_if<lattice::Rectangle>(&part)) {
-      require_site(*rectangle, *value, fields.path(key), box);
-    } else if (std::visit([&](const auto& form) { return covers_no_site(lattice_of(box), form); },
-                          part)) {
-      fail(value->location, fmt::format("{}: no site of the box, {} wide and {} high, lies on it",
-                                        fields.path(key), box.width, box.height));
-    }
+void check_part(const WallPart& part, const Place& fields) {
+  const Place place = fields.at(kForms[part.index()]);
+  const Box& box = fields.scene.box;
+  if (const auto* rectangle = std::get_if<lattice::Rectangle>(&part)) {
+    require_site(*rectangle, place);
+  } else if (std::visit([&](const auto& form) { return covers_no_site(lattice_of(box), form); },
+                        part)) {
+    fail(place, "no site of the box, {} wide and {} high, lies on it", box.width, box.height);
   }
 }
 
@@ -73,10 +68,9 @@ Type<lattice::Segment> line() {
       {.keys = {required("from", &Segment::from, point(), "one end"),
                 required("to", &Segment::to, point(), "the other end"),
                 key("thickness", &Segment::thickness, number(0, kMaxThickness), "thickness")},
-       .check = [](const KeyedMap& fields, Segment& segment, const Scene& /*scene*/) {
+       .check = [](const KeyedMap& fields, Segment& segment) {
          if (segment.from == segment.to) {
-           fail(fields.at("to").location,
-                fmt::format("{}: from and to are the same point", fields.path()));
+           fail(fields.at("to").value.location, "{}: from and to are the same point", fields.path);
          }
        }});
 }
@@ -94,18 +88,18 @@ Keys<Ring> ring_keys() {
               "outer radius less the inner one")};
 }
 
-void check_arc(const KeyedMap& fields, Arc& arc, const Scene& /*scene*/) {
+void check_arc(const KeyedMap& fields, Arc& arc) {
   if (arc.from >= arc.to || arc.to - arc.from >= 360) {
-    fail(fields.location(),
-         fmt::format("{}: expected from < to, less than 360 degrees apart, found {} to {}; a "
-                     "whole circle is a ring",
-                     fields.path(), arc.from, arc.to));
+    fail(
+        fields,
+        "expected from < to, less than 360 degrees apart, found {} to {}; a whole circle is a ring",
+        arc.from, arc.to);
   }
 }
 
 Type<Arc> arc() {
   const Type<double> angle = number(-kMaxAngle, kMaxAngle);
-  Keys<Arc> keys = inlined(&Arc::ring, ring_keys());
+  Keys<Arc> keys = inlined<Arc>(to_member(&Arc::ring), ring_keys());
   keys.add(
       {required("from", &Arc::from, angle, "one end, in degrees anticlockwise from the x axis"),
        required("to", &Arc::to, angle,
@@ -125,36 +119,30 @@ Keys<WallPart> forms() {
 }
 
 Type<std::vector<WallPart>> parts() {
-  auto type = list_of(one_of(forms()), 1, kMaxItems,
-                      [](const std::string& path, const Value& /*item*/, std::size_t index) {
-                        return join_path(path, std::to_string(index));
-                      });
+  auto type = list_of(one_of(forms()), 1, kMaxItems, [](const Place& item, std::size_t index) {
+    return join_path(item.path, std::to_string(index));
+  });
   type.allowed = fmt::format("list of 1 to {} of these forms", kMaxItems);
   return type;
 }
 
-void check_wall(const KeyedMap& fields, Wall& wall, const Scene& scene) {
-  wall.location = FileReference(to_string(fields.location()));
-  std::vector<std::string_view> keys(kForms.begin(), kForms.end());
-  keys.emplace_back("parts");
-  const std::string_view given = fields.only(keys);
+void check_wall(const KeyedMap& fields, Wall& wall) {
+  wall.location = reference(fields);
   if (wall.motion) {
     return;
   }
-  if (const Value* passive = fields.find("passive")) {
-    fail(passive->location,
-         fmt::format("{}: only a wall that moves has it; give the wall a motion, or leave it out",
-                     fields.path("passive")));
+  if (fields.find("passive") != nullptr) {
+    fail(fields.at("passive"),
+         "only a wall that moves has it; give the wall a motion, or leave it out");
   }
-  if (given != "parts") {
-    check_part(wall.parts.front(), fields, scene.box);
+  if (fields.find("parts") == nullptr) {
+    check_part(wall.parts.front(), fields);
     return;
   }
-  const Value& list = fields.at("parts");
+  const Place list = fields.at("parts");
   for (std::size_t i = 0; i < wall.parts.size(); ++i) {
     check_part(wall.parts[i],
-               KeyedMap(list.items[i], join_path(fields.path("parts"), std::to_string(i)), kForms),
-               scene.box);
+               {list.value.items[i], join_path(list.path, std::to_string(i)), list.scene});
   }
 }
 
@@ -162,7 +150,11 @@ void check_wall(const KeyedMap& fields, Wall& wall, const Scene& scene) {
 
 Type<std::vector<Wall>> walls_type() {
   // A wall of a single part is not in a list.
-  Keys<Wall> keys = inlined_single(&Wall::parts, forms());
+  const auto single = [](void* wall, bool make) -> void* {
+    std::vector<WallPart>& parts = static_cast<Wall*>(wall)->parts;
+    return make ? &parts.emplace_back() : parts.size() == 1 ? parts.data() : nullptr;
+  };
+  Keys<Wall> keys = inlined<Wall>(single, forms());
   keys.add({key("parts", &Wall::parts, parts(), "one body of several pieces")
                 .defaults_to("")
                 .written_as([](const Wall& wall, const Scene& scene) {
@@ -174,8 +166,8 @@ Type<std::vector<Wall>> walls_type() {
             key("passive", &Wall::passive, choice(kPassiveNames),
                 "of one that moves: whether particles in its way are pushed, or entered and "
                 "left to the passive rule")
-                .written_as([](const Wall& wall, const Scene& /*scene*/) {
-                  return wall.motion ? std::optional(Yaml::scalar(
+                .written_as([](const Wall& wall) {
+                  return wall.motion ? std::optional(Value::scalar(
                                            std::string(name_of(kPassiveNames, wall.passive))))
                                      : std::nullopt;
                 }),
@@ -183,11 +175,12 @@ Type<std::vector<Wall>> walls_type() {
                 "between particles and this wall")
                 .of(Model::contact)
                 .defaults_to("`contact.wall_friction`")});
-  return by_name<Wall>("walls", {.keys = keys, .check = check_wall, .conditions = R"({
-    "oneOf": [{"required": ["parts"]}, {"required": ["box"]}, {"required": ["line"]},
-              {"required": ["disc"]}, {"required": ["ring"]}, {"required": ["arc"]},
-              {"required": ["picture"]}],
-    "dependencies": {"passive": ["motion"]}})"});
+  std::vector<std::string> one_of(kForms.begin(), kForms.end());
+  one_of.emplace_back("parts");
+  return by_name<Wall>("walls", {.keys = keys,
+                                 .one_of = one_of,
+                                 .check = check_wall,
+                                 .conditions = R"({"dependencies": {"passive": ["motion"]}})"});
 }
 
 }  // namespace clca::scene

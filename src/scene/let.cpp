@@ -32,10 +32,6 @@ bool is_letter(char letter) {
   return letter == '_' || std::isalpha(static_cast<unsigned char>(letter)) != 0;
 }
 
-bool is_digit(char letter) {
-  return letter >= '0' && letter <= '9';
-}
-
 /// What stands at `begin`: a name, which may have dots, a number, or a single character.
 std::string_view token_at(std::string_view text, std::size_t begin) {
   std::size_t end = begin + 1;
@@ -126,7 +122,7 @@ Evaluator::Evaluator() {
 void Evaluator::define(const Entry& entry) {
   const std::string path = join_path("let", entry.key);
   const auto refuse_name = [&](const std::string& why) {
-    fail(entry.location, fmt::format("{}: {}", path, why));
+    fail(entry.location, "{}: {}", path, why);
   };
   for (const auto& keys : {names_of(*scene_type().keys), names_of(*boltzmann_type().keys)}) {
     if (std::find(keys.begin(), keys.end(), entry.key) != keys.end()) {
@@ -136,9 +132,8 @@ void Evaluator::define(const Entry& entry) {
   const auto number =
       entry.value.is(Value::Kind::scalar) ? to_number(entry.value.text) : std::nullopt;
   if (!number || entry.value.quoted) {
-    fail(entry.value.location,
-         fmt::format("{}: expected a number or an expression like '=2*a', found {}", path,
-                     found(entry.value)));
+    fail(entry.value.location, "{}: expected a number or an expression like '=2*a', found {}", path,
+         found(entry.value));
   }
   constexpr const char* kNames =
       "a name has up to 64 letters, digits and '_', no digit first, and is no function or constant";
@@ -158,7 +153,7 @@ void Evaluator::evaluate(Value& value) {
     value.expression = value.text;
     const double result = result_of(value.text.substr(1), value);
     if (!std::isfinite(result)) {
-      fail(value.location, fmt::format("{} is no finite number", text::shown(value.text)));
+      fail(value.location, "{} is no finite number", text::shown(value.text));
     }
     value.text = number_text(result + 0.0);  // no negative zero
     value.quoted = false;
@@ -194,8 +189,7 @@ double Evaluator::result_of(const std::string& expression, const Value& value) {
     int count = 0;
     const double* results = parser_.Eval(count);
     if (count != 1) {
-      fail(value.location,
-           fmt::format("{}: expected one number, found {}", text::shown(value.text), count));
+      fail(value.location, "{}: expected one number, found {}", text::shown(value.text), count);
     }
     return results[0];
   } catch (const mu::ParserError& error) {
@@ -212,22 +206,21 @@ void Evaluator::explain(const Value& value, const mu::ParserError& error) const 
     const std::string name = rest.substr(0, rest.find_first_of(" +-*/^()<>=!&|?:,"));
     const bool is_name = !name.empty() && (name.front() == '_' || std::isalpha(name.front()) != 0);
     if (is_name && value.text.find(name + '(') != std::string::npos) {
-      fail(value.location,
-           fmt::format("cannot evaluate {}: {} is not a function", expression, text::shown(name)));
+      fail(value.location, "cannot evaluate {}: {} is not a function", expression,
+           text::shown(name));
     }
     if (!has_names_ || !is_name) {
-      fail(value.location,
-           fmt::format("cannot evaluate {}: {} is not expected", expression, text::shown(rest)));
+      fail(value.location, "cannot evaluate {}: {} is not expected", expression, text::shown(rest));
     }
     const std::string known = !names_.empty() ? "known: " + text::listed(names_)
                               : let_begins_   ? "nothing stands before it under let"
                                               : "nothing stands under let";
-    fail(value.location, fmt::format("unknown name {} in {} ({}){}", text::shown(name), expression,
-                                     known, text::suggestion(name, names_)));
+    fail(value.location, "unknown name {} in {} ({}){}", text::shown(name), expression, known,
+         text::suggestion(name, names_));
   }
   std::string reason = text::printable(error.GetMsg());
   reason.resize(std::min({reason.find(" at position"), reason.find('.'), reason.size()}));
-  fail(value.location, fmt::format("cannot evaluate {}: {}", expression, reason));
+  fail(value.location, "cannot evaluate {}: {}", expression, reason);
 }
 
 }  // namespace
@@ -282,7 +275,7 @@ std::optional<double> value_of(
   if (!std::ranges::all_of(names_in(expression, has_value), has_value)) {
     return std::nullopt;
   }
-  Value value = scalar_at({std::make_shared<const Origin>(), 1, 1}, std::string(expression));
+  Value value = Value::scalar(std::string(expression), {std::make_shared<const Origin>(), 1, 1});
   try {
     const double result = Evaluator().result_of(with_numbers(expression.substr(1), values), value);
     return std::isfinite(result) ? std::optional(result) : std::nullopt;
@@ -296,7 +289,7 @@ void evaluate_expressions(Value& root) {
   Value* let = root.find("let");
   if (let != nullptr && !(let->is(Value::Kind::scalar) && let->text == "none")) {
     if (!let->is(Value::Kind::map)) {
-      fail(let->location, fmt::format("let: expected a map, found {}", found(*let)));
+      fail(let->location, "let: expected a map, found {}", found(*let));
     }
     for (Entry& entry : let->entries) {
       evaluator.begin_let();

@@ -1,5 +1,6 @@
 #pragma once
-// Limits of the format, for the parser and its messages.
+// Limits that several keys have, or that need a reason; others stand in the declaration of their
+// key.
 
 #include <cstddef>
 #include <cstdint>
@@ -33,17 +34,15 @@ inline constexpr double kMaxAllPictureBytes = 4 * kMaxPictureBytes;  ///< of all
 inline constexpr int kMaxRadius = 100;
 inline constexpr double kMaxDiameter = 100;  ///< of a distribution of sizes
 inline constexpr std::size_t kMaxKinds = 64;
-inline constexpr double kMaxShare = 1e9;
 inline constexpr std::uint64_t kMaxWeightBesideSizes = 1000;
-inline constexpr int kMaxRodLength = 1000;
 inline constexpr int kMaxSiteCoordinate = 1000;         ///< of a coordinate of a shape
 inline constexpr std::size_t kMaxSites = 100'000;       ///< of a shape
 inline constexpr std::size_t kMaxAllSites = 2'000'000;  ///< of the shapes of all species
 inline constexpr std::size_t kMaxCorners = 1000;
+inline constexpr double kMaxLength = 1000;  ///< spacings, of a shape
 
 inline constexpr std::uint64_t kMaxParticles = std::numeric_limits<std::int32_t>::max();
 inline constexpr std::uint64_t kMaxSpeciesWeight = 1'000'000;  ///< weight of a species in a source
-inline constexpr double kMinRate = 1e-6;
 inline constexpr double kMaxRate = 1000;
 inline constexpr std::uint64_t kMaxSteps = 1'000'000'000'000;
 
@@ -51,49 +50,22 @@ inline constexpr int kMaxOffset = 1'000'000;  ///< of a moving wall from home
 /// The sine of a motion takes 4 x amplitude x period squared in 64 bits.
 inline constexpr int kMaxWaveAmplitude = 10'000;
 inline constexpr std::uint64_t kMaxWavePeriod = 10'000'000;
-inline constexpr std::uint64_t kMaxShakePeriod = 1'000'000;  ///< steps for each site
-inline constexpr std::size_t kMaxPoints = 100'000;           ///< of a path
+inline constexpr std::size_t kMaxPoints = 100'000;  ///< of a path
 
-inline constexpr int kMinPixels = 16;
-inline constexpr int kMaxPixels = 65'536;
-inline constexpr int kMaxLayers = 256;
-inline constexpr int kMaxSupersampling = 4;
 inline constexpr double kMaxCellSide = 1000;
-inline constexpr int kMaxLineParts = 1000;
-inline constexpr double kMinLineLength = 1;    ///< lattice spacings
-inline constexpr double kMaxForceScale = 1e9;  ///< grain weights or newtons
-inline constexpr double kMaxVelocityScale = 1e9;
-inline constexpr double kMaxWait = 1e9;  ///< seconds
+inline constexpr double kMinLineLength = 1;  ///< lattice spacings
 
 // Of the contact model.
-inline constexpr double kMaxContactRestitution = 0.99;
-inline constexpr int kMinSweeps = 2;
-inline constexpr int kMaxSweeps = 64;
-inline constexpr double kMinResolution = 0.01;
-inline constexpr double kMaxResolution = 1;
 inline constexpr double kMaxFallHeight = 1e6;
 inline constexpr double kMaxTilt = 180;        ///< degrees
 inline constexpr double kMaxVesselRate = 1e6;  ///< per unit of time
-inline constexpr double kMaxGamma = 1000;
-inline constexpr double kMaxShakeAmplitude = 1000;  ///< in lattice spacings
-inline constexpr double kMinSpacing = 1e-9;         ///< metres
-inline constexpr double kMaxSpacing = 1e3;          ///< metres
-inline constexpr double kMinRealGravity = 1e-6;     ///< metres per second squared
-inline constexpr double kMaxRealGravity = 1e6;
-inline constexpr double kMinDensity = 1e-9;  ///< kilograms per square metre
-inline constexpr double kMaxDensity = 1e9;
+inline constexpr double kMinSpacing = 1e-9;    ///< metres
+inline constexpr double kMaxSpacing = 1e3;     ///< metres
 
 // Of scenes of the Boltzmann equation.
-inline constexpr std::uint64_t kMinGasParticles = 2;
-inline constexpr std::uint64_t kMaxGasParticles = 100'000'000;
 inline constexpr std::size_t kMaxRestitutions = 64;
 inline constexpr double kMaxFriction = 1000;
-inline constexpr double kMaxEnergyRatio = 1e6;
-inline constexpr double kMaxTimeStep = 1;
-inline constexpr int kMaxPartners = 1000;
-inline constexpr double kMaxShearRate = 100;
 inline constexpr double kMaxTime = 1e9;
-inline constexpr std::uint64_t kMaxEnsemble = 10'000;
 inline constexpr double kMaxRows = 1'000'000;  ///< of a series
 inline constexpr std::size_t kMaxHistograms = 1000;
 inline constexpr int kMinQuantiles = 2;

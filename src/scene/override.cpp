@@ -9,7 +9,6 @@
 #include "clca/text/message.hpp"
 #include "scene/document.hpp"
 #include "scene/keyed_map.hpp"
-#include "scene/yaml_text.hpp"
 
 namespace clca::scene {
 
@@ -37,13 +36,6 @@ bool is_choice(const std::vector<std::string>& parts, std::size_t depth) {
                         (parts[0] == "species" && parts[2] == "shape"));
 }
 
-Value empty_map(const TextLocation& location) {
-  Value map;
-  map.kind = Value::Kind::map;
-  map.location = location;
-  return map;
-}
-
 /// The item of a list that `part` means: by number, or by name.
 Value& item(Value& list, const std::string& part, const std::string& path,
             const TextLocation& location) {
@@ -64,9 +56,8 @@ Value& item(Value& list, const std::string& part, const std::string& path,
     }
   }
   const std::string called = names.empty() ? "" : ", named " + text::printable(text::listed(names));
-  fail(location,
-       fmt::format("{} has no item {}; it has {}, numbered from 0{}{}", path, text::shown(part),
-                   list.items.size(), called, text::suggestion(part, names)));
+  fail(location, "{} has no item {}; it has {}, numbered from 0{}{}", path, text::shown(part),
+       list.items.size(), called, text::suggestion(part, names));
 }
 
 /// The value under `part`; a map gets the key when it has none.
@@ -76,17 +67,16 @@ Value& child(Value& parent, const std::vector<std::string>& parts, std::size_t d
   const std::string path = text::printable(fmt::format(
       "{}", fmt::join(parts.begin(), parts.begin() + static_cast<std::ptrdiff_t>(depth), ".")));
   if (is_choice(parts, depth) && parent.find(part) == nullptr) {
-    parent = empty_map(location);
+    parent = Value::map(location);
   }
   if (parent.is(Value::Kind::list)) {
     return item(parent, part, path, location);
   }
   if (parent.is(Value::Kind::nothing)) {
-    parent = empty_map(location);
+    parent = Value::map(location);
   }
   if (parent.is(Value::Kind::scalar)) {
-    fail(location,
-         fmt::format("{} is {}, nothing lies inside it; set it as a whole", path, found(parent)));
+    fail(location, "{} is {}, nothing lies inside it; set it as a whole", path, found(parent));
   }
   if (Value* known = parent.find(part)) {
     return *known;
@@ -119,7 +109,7 @@ std::string canonical_text(const Value& value) {
       return "null";
     case Value::Kind::scalar: {
       const auto number = value.quoted ? std::nullopt : to_number(value.text);
-      return number ? fmt::format("{}", *number + 0.0) : quoted_text(value.text).text;
+      return number ? fmt::format("{}", *number + 0.0) : flow_text(Value::quoted_text(value.text));
     }
     case Value::Kind::list:
       for (const Value& item : value.items) {
@@ -128,7 +118,7 @@ std::string canonical_text(const Value& value) {
       return "[" + text + "]";
     case Value::Kind::map:
       for (const Entry& entry : value.entries) {
-        text += quoted_text(entry.key).text + ":" + canonical_text(entry.value) + ",";
+        text += flow_text(Value::quoted_text(entry.key)) + ":" + canonical_text(entry.value) + ",";
       }
       return "{" + text + "}";
   }
@@ -160,7 +150,7 @@ void apply_override(Value& root, const std::string& text, std::string_view optio
   const std::string_view whole = text;
   std::vector<std::string> parts = split(whole.substr(0, equals), location);
   if (parts.size() > kMaxPathDepth) {
-    fail(location, fmt::format("a key of more than {} parts", kMaxPathDepth));
+    fail(location, "a key of more than {} parts", kMaxPathDepth);
   }
   const Value* let = root.find("let");
   if (parts.size() == 1 && let != nullptr && let->find(parts.front()) != nullptr) {

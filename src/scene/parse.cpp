@@ -50,10 +50,9 @@ Kind kind_of(const Value& root) {
     if (automaton != nullptr && boltzmann != nullptr) {
       const Entry& other = automaton == &entry ? *boltzmann : *automaton;
       fail(entry.location,
-           fmt::format("'{}' does not go with '{}': a scene of the Boltzmann equation has the keys "
-                       "{}; one of grains has {}",
-                       entry.key, other.key, fmt::join(boltzmann_keys, ", "),
-                       fmt::join(automaton_keys, ", ")));
+           "'{}' does not go with '{}': a scene of the Boltzmann equation has the keys {}; one of "
+           "grains has {}",
+           entry.key, other.key, fmt::join(boltzmann_keys, ", "), fmt::join(automaton_keys, ", "));
     }
   }
   const bool misspelt = automaton == nullptr &&
@@ -69,9 +68,9 @@ std::string name_of_file(const std::string& file, const TextLocation& location) 
   }
   if (!text::is_file_name(name)) {
     fail(location,
-         fmt::format("the name of the scene file also names the run, so it has up to 200 bytes and "
-                     "no dot in front, found {}",
-                     text::shown(name)));
+         "the name of the scene file also names the run, so it has up to 200 bytes and no dot in "
+         "front, found {}",
+         text::shown(name));
   }
   return name;
 }
@@ -89,13 +88,14 @@ Scene read_scene(const Value& root, const std::string& file) {
   Scene scene = default_scene();
   scene.title = scene.name = name_of_file(file, {root.location.origin, 1, 1});
   scene.folder = std::filesystem::path(file).parent_path().string();
-  scene_type().read_into(root, "", scene, &scene);
+  const Place place = {root, "", scene};
+  scene_type().read_into(place, &scene);
   give_series(scene, root);
-  check_model(scene, root);
-  check_history(scene, *root.find("stages"));
-  check_time_step(scene, root);
+  check_model(place);
+  check_history(place.at("stages"));
+  check_time_step(place);
   count_steps(scene, *root.find("stages"));
-  check_use(scene, root);
+  check_use(place);
   put_numbers_into_derived(scene);
   return scene;
 }
@@ -103,8 +103,10 @@ Scene read_scene(const Value& root, const std::string& file) {
 BoltzmannScene read_boltzmann_scene(const Value& root, const std::string& file) {
   BoltzmannScene scene = default_boltzmann_scene();
   scene.title = scene.name = name_of_file(file, {root.location.origin, 1, 1});
-  boltzmann_type().read_into(root, "", Scene(), &scene);
-  check_rows(root, scene);
+  const Scene none;
+  const Place place = {root, "", none};
+  boltzmann_type().read_into(place, &scene);
+  check_rows(place, scene);
   const auto block = std::find_if(root.entries.begin(), root.entries.end(),
                                   [](const Entry& entry) { return entry.key == "boltzmann"; });
   scene.location = to_string(block->location);
@@ -127,8 +129,8 @@ AnyScene parse_any(std::string_view text, const std::string& file,
   const auto origin = std::make_shared<const Origin>(Origin{text::printable(file), true});
   Value root = read_document(text, origin);
   if (!root.is(Value::Kind::map)) {
-    fail(root.location, fmt::format("expected a scene, which begins with 'clca: {}', found {}",
-                                    kVersion, found(root)));
+    fail(root.location, "expected a scene, which begins with 'clca: {}', found {}", kVersion,
+         found(root));
   }
   for (const Override& text_of_override : overrides) {
     apply_override(root, text_of_override, "--set");
@@ -154,7 +156,7 @@ std::string scene_text(const std::filesystem::path& file) {
   } catch (const text::ReadError& error) {
     const auto origin =
         std::make_shared<const Origin>(Origin{text::printable(file.string()), true});
-    fail({origin, 1, 1}, fmt::format("cannot read the file: {}", error.what()));
+    fail({origin, 1, 1}, "cannot read the file: {}", error.what());
   }
 }
 

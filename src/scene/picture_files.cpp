@@ -1,4 +1,3 @@
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <map>
@@ -44,9 +43,8 @@ class PictureReader {
     const auto width = static_cast<std::size_t>(known->image.width);
     text_bytes_ += (width + kPixelRowBytes) * static_cast<std::size_t>(known->image.height);
     if (text_bytes_ > kMaxSceneBytes) {
-      fail(value.location,
-           fmt::format("with this picture the rows of all pictures are larger than {} MiB",
-                       kMaxSceneBytes >> 20U));
+      fail(value.location, "with this picture the rows of all pictures are larger than {} MiB",
+           kMaxSceneBytes >> 20U);
     }
     value.picture = known;
   }

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -43,6 +42,22 @@ Schema list_of_schemas(const std::vector<Schema>& schemas) {
 
 Schema sized(const Schema& array, std::size_t least, std::size_t most) {
   return with(with(array, "minItems", least), "maxItems", most);
+}
+
+/// Plain scalars become numbers, booleans or strings.
+Json to_json(const Value& value) {
+  if (value.is(Value::Kind::scalar)) {
+    const Json number = value.quoted ? Json(value.text) : Json::parse(value.text, nullptr, false);
+    return number.is_discarded() ? Json(value.text) : number;
+  }
+  Json result = value.is(Value::Kind::map) ? Json::object() : Json::array();
+  for (const Value& item : value.items) {
+    result.push_back(to_json(item));
+  }
+  for (const Entry& entry : value.entries) {
+    result[entry.key] = to_json(entry.value);
+  }
+  return result;
 }
 
 }  // namespace
@@ -128,7 +143,8 @@ Schema named_schema(const Schema& value, std::size_t least) {
   return least > 0 ? with(object, "minProperties", least) : object;
 }
 
-Schema map_schema(const Descriptions& keys, const std::string& conditions) {
+Schema map_schema(const Descriptions& keys, const std::vector<std::string>& one_of,
+                  const std::string& conditions) {
   return [=] {
     Json result;
     result["type"] = "object";
@@ -154,6 +170,13 @@ Schema map_schema(const Descriptions& keys, const std::string& conditions) {
       result["required"] = required;
     }
     result["additionalProperties"] = false;
+    if (one_of.size() == keys->size()) {
+      result.update({{"minProperties", 1}, {"maxProperties", 1}});
+    } else {
+      for (const std::string& name : one_of) {
+        result["oneOf"].push_back({{"required", {name}}});
+      }
+    }
     if (!conditions.empty()) {
       result.update(Json::parse(conditions));
     }

@@ -4,15 +4,15 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "scene/yaml_text.hpp"
-
 namespace clca::scene {
 
 /// Built on demand: only `clca explain` needs it.
+using Json = nlohmann::ordered_json;
 using Schema = std::function<Json()>;
 
 struct KeyDescription;
@@ -47,8 +47,9 @@ Schema unique(const Schema& array);
 Schema object_schema(const Schema& value, const std::string& pattern = {});
 /// An object of at least so many things by the names that the scene gives them.
 Schema named_schema(const Schema& value, std::size_t least = 0);
-/// A map with these keys. `conditions`: further members, as JSON.
-Schema map_schema(const Descriptions& keys, const std::string& conditions);
+/// A map with these keys, and exactly one of some. `conditions`: further members, as JSON.
+Schema map_schema(const Descriptions& keys, const std::vector<std::string>& one_of,
+                  const std::string& conditions);
 
 /// Paths of the keys of this name below `top`, the shortest first; `walls.NAME.motion` where a name
 /// of the scene stands in between.

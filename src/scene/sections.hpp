@@ -48,11 +48,11 @@ Type<Checkpoints> gas_checkpoint_type();
 Key<BoltzmannScene> boltzmann_block();
 Key<BoltzmannScene> boltzmann_output();
 /// Refuses a series of too many rows.
-void check_rows(const Value& root, const BoltzmannScene& scene);
+void check_rows(const Place& root, const BoltzmannScene& scene);
 
 /// The end of a stage that has been read, and its `max_steps`, which may follow from it. Refuses
 /// ends that can never come.
-void check_until(const KeyedMap& fields, Stage& stage, const Scene& scene);
+void check_until(const KeyedMap& fields, Stage& stage);
 /// The steps of stages until a time, once all that the time step follows from has been read.
 /// `list` is what the stages were read from.
 void count_steps(Scene& scene, const Value& list);
@@ -63,14 +63,14 @@ void put_numbers_into_derived(Scene& scene);
 
 /// Across stages: names are unique, and walls come, move and go in an order that can be. `list` is
 /// what the stages were read from.
-void check_history(const Scene& scene, const Value& list);
+void check_history(const Place& list);
 /// Refuses paths of weight where particles may overlap or gravity may turn.
-void check_weight_paths(const TextLocation& location, const std::string& path, const Scene& scene);
+void check_weight_paths(const Place& place);
 /// Refuses what the model cannot do.
-void check_model(const Scene& scene, const Value& root);
+void check_model(const Place& root);
 /// Contact model: resolution, fall height (which may depend on stages) and vessels.
-void check_time_step(const Scene& scene, const Value& root);
+void check_time_step(const Place& root);
 /// Checks the scene as a whole: every species, source and motion is used, and there are particles.
-void check_use(const Scene& scene, const Value& root);
+void check_use(const Place& root);
 
 }  // namespace clca::scene

@@ -153,6 +153,15 @@ std::string shade(const image::Rgb& color, double darkness) {
                      mixed(color.blue));
 }
 
+Value whole(double number, const TextLocation& location) {
+  return Value::scalar(fmt::format("{:.0f}", number), location);
+}
+
+double number_in(const Entry& entry, const std::string& path, std::uint64_t most) {
+  return static_cast<double>(
+      read_count({entry.value, join_path(path, entry.key), Scene()}, 0, most));
+}
+
 /// Species with sizes, each replaced by its kinds.
 class Expansion {
  public:
@@ -170,8 +179,7 @@ class Expansion {
     for (const Entry& entry : entries) {
       if (std::count_if(entries.begin(), entries.end(),
                         [&](const Entry& other) { return other.key == entry.key; }) > 1) {
-        fail(entry.location,
-             fmt::format("species.{}: a kind of a species with sizes has this name", entry.key));
+        fail(entry.location, "species.{}: a kind of a species with sizes has this name", entry.key);
       }
     }
     species.entries = std::move(entries);
@@ -184,12 +192,10 @@ class Expansion {
   /// little.
   void divide_counts(Value& counts, const std::string& path) {
     change(counts, [&](const Entry& entry, const Family& family, std::vector<Entry>& result) {
-      const auto all = static_cast<double>(
-          read_count(entry.value, join_path(path, entry.key), 0, kMaxParticles));
+      const double all = number_in(entry, path, kMaxParticles);
       if (all > 0 && all < static_cast<double>(family.kinds.size())) {
-        fail(entry.value.location,
-             fmt::format("{}: expected at least {}, one of each kind, found {}",
-                         join_path(path, entry.key), family.kinds.size(), all));
+        fail(entry.value.location, "{}: expected at least {}, one of each kind, found {}",
+             join_path(path, entry.key), family.kinds.size(), all);
       }
       std::vector<double> numbers(family.kinds.size());
       double left = all;
@@ -210,8 +216,7 @@ class Expansion {
   /// scaled up, so that rounding them changes shares as little as possible.
   void divide_weights(Value& weights, const std::string& path) {
     const auto weight_of = [&](const Entry& entry) {
-      return static_cast<double>(
-          read_count(entry.value, join_path(path, entry.key), 0, kMaxWeightBesideSizes));
+      return number_in(entry, path, kMaxWeightBesideSizes);
     };
     double largest = 1;
     for (const Entry& entry : weights.entries) {
@@ -220,8 +225,7 @@ class Expansion {
     const double scale = std::floor(static_cast<double>(kMaxSpeciesWeight) / largest);
     for (Entry& entry : weights.entries) {
       if (!families_.contains(entry.key)) {
-        entry.value =
-            scalar_at(entry.value.location, fmt::format("{:.0f}", scale * weight_of(entry)));
+        entry.value = whole(scale * weight_of(entry), entry.value.location);
       }
     }
     change(weights, [&](const Entry& entry, const Family& family, std::vector<Entry>& result) {
@@ -236,12 +240,12 @@ class Expansion {
 
   /// Each species once.
   Value all_alike(const TextLocation& location) const {
-    Value weights = map_at(location);
+    Value weights = Value::map(location);
     for (const std::string& name : plain_) {
-      weights.entries.push_back({name, location, scalar_at(location, "1")});
+      weights.add(name, whole(1, location));
     }
     for (const auto& [name, family] : families_) {
-      weights.entries.push_back({name, location, scalar_at(location, "1")});
+      weights.add(name, whole(1, location));
     }
     return weights;
   }
@@ -249,8 +253,8 @@ class Expansion {
   /// A species by its name becomes weights, too.
   void divide_part(Value& part, const std::string& path) {
     if (part.is(Value::Kind::scalar) && families_.contains(part.text)) {
-      Value weights = map_at(part.location);
-      weights.entries.push_back({part.text, part.location, scalar_at(part.location, "1")});
+      Value weights = Value::map(part.location);
+      weights.add(part.text, whole(1, part.location));
       part = weights;
     }
     if (part.is(Value::Kind::map)) {
@@ -283,12 +287,12 @@ class Expansion {
     const std::string path = join_path("species", entry.key);
     check_name(entry.key, entry.location, "species");
     Family& family = families_[entry.key];
-    family.kinds = size_classes(sizes_type().read(sizes, join_path(path, "sizes"), Scene()));
+    family.kinds = size_classes(sizes_type().read({sizes, join_path(path, "sizes"), Scene()}));
     // Blue, vermilion and green of the palette.
     constexpr std::array<image::Rgb, 3> kColors = {{{0, 114, 178}, {213, 94, 0}, {0, 158, 115}}};
     image::Rgb color = kColors[(families_.size() - 1) % kColors.size()];
     if (const Value* own = entry.value.find("color")) {
-      color = color_type().read(*own, join_path(path, "color"), Scene());
+      color = color_type().read({*own, join_path(path, "color"), Scene()});
     }
     const std::size_t count = family.kinds.size();
     for (std::size_t i = 0; i < count; ++i) {
@@ -299,17 +303,17 @@ class Expansion {
                     [](const Entry& key) { return key.key == "sizes" || key.key == "color"; });
       const auto* disc = std::get_if<DiscSpec>(&family.kinds[i].shape);
       const auto* hexagon = std::get_if<HexagonSpec>(&family.kinds[i].shape);
-      Value shape = map_at(location);
-      shape.entries.push_back(
-          {disc != nullptr ? "disc" : "hexagon", location,
-           scalar_at(location, disc != nullptr ? fmt::format("{}", disc->radius)
-                                               : fmt::format("{}", hexagon->radius))});
-      Value shaded = scalar_at(
-          location,
-          shade(color, count > 1 ? static_cast<double>(i) / static_cast<double>(count - 1) : 0.5));
-      shaded.quoted = true;
-      kind.value.entries.push_back({"shape", location, std::move(shape)});
-      kind.value.entries.push_back({"color", location, std::move(shaded)});
+      Value shape = Value::map(location);
+      shape.add(disc != nullptr ? "disc" : "hexagon",
+                Value::scalar(disc != nullptr ? fmt::format("{}", disc->radius)
+                                              : fmt::format("{}", hexagon->radius),
+                              location));
+      kind.value.add("shape", std::move(shape));
+      kind.value.add("color",
+                     Value::scalar(shade(color, count > 1 ? static_cast<double>(i) /
+                                                                static_cast<double>(count - 1)
+                                                          : 0.5),
+                                   location));
       entries.push_back(std::move(kind));
     }
   }
@@ -333,8 +337,8 @@ class Expansion {
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       if (numbers[i] > 0) {
         used_.insert(family.names[i]);
-        result.push_back({family.names[i], entry.location,
-                          scalar_at(entry.value.location, fmt::format("{:.0f}", numbers[i]))});
+        result.push_back(
+            {family.names[i], entry.location, whole(numbers[i], entry.value.location)});
       }
     }
   }

@@ -1,7 +1,5 @@
 #include "scene/source_text.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "clca/scene/parse.hpp"
@@ -25,7 +23,7 @@ std::size_t count_characters(std::string_view text) {
 SourceText::SourceText(std::string_view text, std::shared_ptr<const Origin> origin)
     : text_(text), origin_(std::move(origin)) {
   if (text_.size() > kMaxSceneBytes) {
-    fail({origin_, 1, 1}, fmt::format("the text is larger than {} MiB", kMaxSceneBytes >> 20U));
+    fail({origin_, 1, 1}, "the text is larger than {} MiB", kMaxSceneBytes >> 20U);
   }
   characters_ = {0};
   for (std::size_t i = 0; i + kBlock <= text_.size(); i += kBlock) {
@@ -56,8 +54,8 @@ std::size_t SourceText::characters_before(std::size_t position) const {
 
 void SourceText::check_character(std::size_t position, std::size_t length) const {
   if (length == 0) {
-    fail(location(position), fmt::format("the byte 0x{:02x} is not UTF-8 text",
-                                         static_cast<unsigned char>(text_[position])));
+    fail(location(position), "the byte 0x{:02x} is not UTF-8 text",
+         static_cast<unsigned char>(text_[position]));
   }
   const char32_t character = text::character_at(text_, position);
   if (position == 0 && character == 0xFEFF) {
@@ -65,8 +63,8 @@ void SourceText::check_character(std::size_t position, std::size_t length) const
   }
   const bool line_end = text_.substr(position, 2) == "\r\n";
   if (text::is_control(character) && character != '\n' && character != '\t' && !line_end) {
-    fail(location(position), fmt::format("the control character U+{:04X} is not allowed",
-                                         static_cast<unsigned>(character)));
+    fail(location(position), "the control character U+{:04X} is not allowed",
+         static_cast<unsigned>(character));
   }
 }
 
@@ -114,7 +112,7 @@ void SourceText::check_brackets() const {
     } else if (letter != ' ' && letter != '\r') {
       const bool opens = letter == '[' || letter == '{';
       if (opens && begins && ++depth > kMaxDepth) {
-        fail(location(i), fmt::format("nested deeper than {} levels", kMaxDepth));
+        fail(location(i), "nested deeper than {} levels", kMaxDepth);
       }
       depth -= (letter == ']' || letter == '}') && depth > 0 ? 1 : 0;
       before = opens && !begins ? 'a' : letter;  // in the middle of a text it is a letter
@@ -122,7 +120,7 @@ void SourceText::check_brackets() const {
           letter == '-' && (text_.substr(i, 2) == "- " || text_.substr(i, 2) == "-\n");
       values += opens || dash || letter == ',' || letter == ':' || letter == '?' ? 1 : 0;
       if (values > kMaxValues) {
-        fail(location(i), fmt::format("more than {} values", kMaxValues));
+        fail(location(i), "more than {} values", kMaxValues);
       }
     }
   }

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <limits>
 #include <system_error>
 
 #include "clca/text/message.hpp"
@@ -18,53 +17,40 @@ namespace {
 /// One that fmt writes and such a function reads.
 template <class T, class... Limits>
 Type<T> scalar_type(const std::string& allowed, const Schema& schema,
-                    T (*read)(const Value& value, std::string_view path, Limits... limits),
+                    T (*read)(const Place& place, Limits... limits),
                     std::type_identity_t<Limits>... limits) {
   return own_type<T>(
-      allowed, schema,
-      [=](const Value& value, const std::string& path, const Scene& /*scene*/) {
-        return read(value, path, limits...);
-      },
-      [](const T& value, const Scene& /*scene*/) {
-        return Yaml::scalar(fmt::format("{}", value));
-      });
+      allowed, schema, [=](const Place& place) { return read(place, limits...); },
+      [](const T& value) { return Value::scalar(fmt::format("{}", value)); });
 }
 
 std::string range(double low, double high) {
   return fmt::format("{} to {}", limit_text(low), limit_text(high));
 }
 
-std::string read_path(const Value& value, const std::string& path, const Scene& scene) {
-  const std::string& given = read_text(value, path);
-  std::string file = file_at(scene.folder, given);
+std::string read_path(const Place& place) {
+  const std::string& given = read_text(place);
+  std::string file = file_at(place.scene.folder, given);
   if (file.empty()) {
-    fail(value.location, fmt::format("{}: expected a path of up to {} bytes of UTF-8, found {}",
-                                     path, kMaxPathLength, text::shown(given)));
+    fail(place, "expected a path of up to {} bytes of UTF-8, found {}", kMaxPathLength,
+         text::shown(given));
   }
   return file;
 }
 
-/// So many coordinates.
-Schema coordinates_schema(std::size_t size) {
-  return array_schema(number_schema(-kMaxCoordinate, kMaxCoordinate), size, size);
+/// [x, y]
+Type<Eigen::Vector2d> pair(double most) {
+  return converted<Eigen::Vector2d>(
+      "`[x, y]`", list_of(number(-most, most), 2, 2),
+      [](const std::vector<double>& pair) { return Eigen::Vector2d(pair[0], pair[1]); },
+      [](const Eigen::Vector2d& pair) {
+        return std::vector<double>{pair.x(), pair.y()};
+      });
 }
 
-statistics::Range read_color_bar_ends(const Value& value, const std::string& path,
-                                      const Scene& /*scene*/) {
-  constexpr double kMost = 1e9;
-  const std::vector<Value>& ends = read_list(value, path, 2, 2);
-  const statistics::Range range = {read_number(ends[0], path, -kMost, kMost),
-                                   read_number(ends[1], path, -kMost, kMost)};
-  if (range.low >= range.high) {
-    fail(value.location, fmt::format("{}: expected [low, high] with low < high, found [{}, {}]",
-                                     path, range.low, range.high));
-  }
-  return range;
-}
-
-std::string read_name(const Value& value, const std::string& path, const Scene& /*scene*/) {
-  const std::string& name = read_text(value, path);
-  check_name(name, value.location, path);
+std::string read_name(const Place& place) {
+  const std::string& name = read_text(place);
+  check_name(name, place.value.location, place.path);
   return name;
 }
 
@@ -72,22 +58,19 @@ template <class Number>
 Type<std::vector<Number>> by_species(std::uint64_t high) {
   return own_type<std::vector<Number>>(
       fmt::format("0 to {} by species", high), object_schema(count_schema(0, high)),
-      [high](const Value& value, const std::string& path, const Scene& scene) {
-        std::vector<Number> numbers(scene.species.size(), 0);
-        for (const Entry& entry : read_map(value, path)) {
-          const std::size_t species =
-              read_reference(entry.key, entry.location, path, "species", names_of(scene.species));
-          numbers[species] =
-              static_cast<Number>(read_count(entry.value, join_path(path, entry.key), 0, high));
+      [high](const Place& place) {
+        std::vector<Number> numbers(place.scene.species.size(), 0);
+        for (const Entry& entry : read_map(place)) {
+          const std::size_t species = read_species(entry.key, entry.location, place);
+          numbers[species] = static_cast<Number>(read_count(place.inside(entry), 0, high));
         }
         return numbers;
       },
       [](const std::vector<Number>& numbers, const Scene& scene) {
-        Yaml map = Yaml::map({});
+        Value map = Value::map();
         for (std::size_t i = 0; i < numbers.size(); ++i) {
           if (numbers[i] != 0) {
-            map.entries.push_back({name_text(scene.species[i].name).text,
-                                   Yaml::scalar(fmt::format("{}", numbers[i]))});
+            map.add(scene.species[i].name, Value::scalar(fmt::format("{}", numbers[i])));
           }
         }
         return map;
@@ -103,10 +86,9 @@ std::string limit_text(double number) {
              : fmt::format("{}", number);
 }
 
-Yaml numbers_text(const std::vector<double>& numbers) {
-  Yaml list = Yaml::list({});
-  std::transform(numbers.begin(), numbers.end(), std::back_inserter(list.items), Yaml::number);
-  return list;
+std::size_t read_species(const std::string& name, const TextLocation& location,
+                         const Place& place) {
+  return read_reference(name, location, place.path, "species", names_of(place.scene.species));
 }
 
 Type<double> number(double low, double high) {
@@ -135,38 +117,50 @@ Type<bool> yes_or_no() {
 }
 
 Type<Eigen::Vector2d> point() {
-  return own_type<Eigen::Vector2d>(
-      "`[x, y]`", coordinates_schema(2),
-      [](const Value& value, const std::string& path, const Scene&) {
-        return read_point(value, path);
-      },
-      [](const Eigen::Vector2d& point, const Scene&) {
-        return numbers_text({point.x(), point.y()});
-      });
+  return pair(kMaxCoordinate);
+}
+
+Type<Eigen::Vector2d> corner() {
+  return pair(kMaxLength);
 }
 
 Type<statistics::Range> color_bar_ends() {
-  return own_type<statistics::Range>("`[low, high]`", coordinates_schema(2), read_color_bar_ends,
-                                     [](const statistics::Range& range, const Scene&) {
-                                       return numbers_text({range.low, range.high});
-                                     });
+  auto type = converted<statistics::Range>(
+      "`[low, high]`", list_of(number(-1e9, 1e9), 2, 2),
+      [](const std::vector<double>& ends) {
+        return statistics::Range{ends[0], ends[1]};
+      },
+      [](const statistics::Range& range) {
+        return std::vector<double>{range.low, range.high};
+      });
+  type.schema = point().schema;
+  return type.checked([](const statistics::Range& range, const Place& place) {
+    if (range.low >= range.high) {
+      fail(place, "expected [low, high] with low < high, found [{}, {}]", range.low, range.high);
+    }
+  });
 }
 
 Type<lattice::Rectangle> rectangle() {
-  return own_type<lattice::Rectangle>(
-      "`[left, bottom, right, top]`", coordinates_schema(4),
-      [](const Value& value, const std::string& path, const Scene&) {
-        return read_rectangle(value, path);
+  const auto type = converted<lattice::Rectangle>(
+      "`[left, bottom, right, top]`", list_of(number(-kMaxCoordinate, kMaxCoordinate), 4, 4),
+      [](const std::vector<double>& edges) {
+        return lattice::Rectangle{edges[0], edges[1], edges[2], edges[3]};
       },
-      [](const lattice::Rectangle& edges, const Scene&) {
-        return numbers_text({edges.left, edges.bottom, edges.right, edges.top});
+      [](const lattice::Rectangle& edges) {
+        return std::vector<double>{edges.left, edges.bottom, edges.right, edges.top};
       });
+  return type.checked([](const lattice::Rectangle& edges, const Place& place) {
+    if (edges.left >= edges.right || edges.bottom >= edges.top) {
+      fail(place,
+           "expected [left, bottom, right, top] with left < right and bottom < top, found {}",
+           shown(edges));
+    }
+  });
 }
 
 Type<lattice::Rectangle> region() {
-  return rectangle().checked(
-      [](const lattice::Rectangle& region, const Value& value, const std::string& path,
-         const Scene& scene) { require_site(region, value, path, scene.box); });
+  return rectangle().checked(require_site);
 }
 
 std::string file_at(const std::string& folder, const std::string& path) {
@@ -183,13 +177,12 @@ Type<std::string> file_path_type() {
   return own_type<std::string>(
       "a path",
       with(with(schema(R"({"type": "string"})"), "minLength", 1), "maxLength", kMaxPathLength),
-      read_path, [](const std::string& file, const Scene&) { return quoted_text(file); });
+      read_path, [](const std::string& file) { return Value::quoted_text(file); });
 }
 
 Type<std::string> name_type() {
-  return own_type<std::string>(
-      "a name", scalar_schema(kNamePattern), read_name,
-      [](const std::string& name, const Scene&) { return name_text(name); });
+  return own_type<std::string>("a name", scalar_schema(kNamePattern), read_name,
+                               [](const std::string& name) { return Value::name(name); });
 }
 
 Type<std::vector<std::size_t>> counts_type(std::uint64_t high) {
@@ -199,37 +192,26 @@ Type<std::vector<std::size_t>> counts_type(std::uint64_t high) {
 Type<std::vector<std::uint32_t>> weights_type() {
   auto type = by_species<std::uint32_t>(kMaxSpeciesWeight);
   type.schema = with(type.schema, "minProperties", 1);
-  return type.checked([](const std::vector<std::uint32_t>& weights, const Value& value,
-                         const std::string& path, const Scene& /*scene*/) {
+  return type.checked([](const std::vector<std::uint32_t>& weights, const Place& place) {
     if (std::all_of(weights.begin(), weights.end(), [](auto weight) { return weight == 0; })) {
-      fail(value.location, fmt::format("{}: expected a weight above 0", path));
+      fail(place, "expected a weight above 0");
     }
   });
 }
 
 Type<std::vector<std::size_t>> references(
     const std::string& kind, std::vector<std::string_view> (*names)(const Scene& scene)) {
-  return own_type<std::vector<std::size_t>>(
-      fmt::format("names of {}s", kind),
-      with(unique(array_schema(name_type().schema)), "maxItems", kMaxItems),
-      [=](const Value& value, const std::string& path, const Scene& scene) {
-        std::vector<std::size_t> numbers;
-        for (const Value& item : read_list(value, path, 0, kMaxItems)) {
-          numbers.push_back(
-              read_reference(read_text(item, path), item.location, path, kind, names(scene)));
-          if (std::find(numbers.begin(), numbers.end() - 1, numbers.back()) != numbers.end() - 1) {
-            fail(item.location, fmt::format("{}: {} is named twice", path, found(item)));
-          }
-        }
-        return numbers;
+  const auto reference = own_type<std::size_t>(
+      "", name_type().schema,
+      [=](const Place& place) {
+        return read_reference(read_text(place), place.value.location, place.path, kind,
+                              names(place.scene));
       },
-      [=](const std::vector<std::size_t>& numbers, const Scene& scene) {
-        std::vector<Yaml> items;
-        for (const std::size_t number : numbers) {
-          items.push_back(name_text(names(scene)[number]));
-        }
-        return Yaml::list(std::move(items));
-      });
+      [=](std::size_t number, const Scene& scene) { return Value::name(names(scene)[number]); });
+  auto type = set_of(reference, 0, kMaxItems);
+  type.allowed = fmt::format("names of {}s", kind);
+  type.schema = with(unique(array_schema(reference.schema)), "maxItems", kMaxItems);
+  return type;
 }
 
 }  // namespace clca::scene

@@ -2,6 +2,7 @@
 // Kinds of values that several keys have.
 
 #include <cstdint>
+#include <set>
 #include <vector>
 
 #include "clca/image/image.hpp"
@@ -13,16 +14,15 @@ namespace clca::scene {
 /// `10^12` for round large numbers.
 std::string limit_text(double number);
 
-Yaml numbers_text(const std::vector<double>& numbers);
-
 Type<double> number(double low, double high);
 Type<double> above_zero(double high);
 Type<int> integer(int low, int high);
 Type<std::uint64_t> count(std::uint64_t low, std::uint64_t high);
 Type<bool> yes_or_no();
 
-/// [x, y]
+/// [x, y] in the plane, and of a shape.
 Type<Eigen::Vector2d> point();
+Type<Eigen::Vector2d> corner();
 /// [left, bottom, right, top], not empty.
 Type<lattice::Rectangle> rectangle();
 /// The ends of a colour bar.
@@ -46,6 +46,8 @@ Type<std::string> name_type();
 Type<std::vector<std::size_t>> references(
     const std::string& kind, std::vector<std::string_view> (*names)(const Scene& scene));
 
+/// The species of this name in a value.
+std::size_t read_species(const std::string& name, const TextLocation& location, const Place& place);
 /// Numbers by species: each a whole number from 0 to `high`; 0 for those not named.
 Type<std::vector<std::size_t>> counts_type(std::uint64_t high);
 /// The same with at least one above 0.
@@ -53,20 +55,67 @@ Type<std::vector<std::uint32_t>> weights_type();
 
 /// The pixels of a PNG file that the value names, as read_picture_files() has read it. Throws
 /// SceneError.
-const image::Image& read_picture(const Value& value, const std::string& path, const Scene& scene);
+const image::Image& read_picture(const Place& place);
 /// Texts of one length, of characters for which `allowed` holds; `about` names them in messages,
 /// `pattern` in the schema.
 Type<std::vector<std::string>> rows_type(bool (*allowed)(char letter), const std::string& about,
                                          const std::string& pattern);
 
+/// Values of another type: `from` these, and back `to` these.
+template <class T, class Other, class From, class To>
+Type<T> converted(std::string_view allowed, const Type<Other>& type, const From& from,
+                  const To& to) {
+  auto result = own_type<T>(
+      allowed, type.schema, [=](const Place& place) { return from(type.read(place)); },
+      [=](const T& value, const Scene& scene) { return type.text(to(value), scene); });
+  result.keys = type.keys;
+  return result;
+}
+
+/// A map, or what `read` makes of another value; `text` writes that, and has none for a map.
+template <class T, class Read, class Text>
+Type<T> or_map(std::string_view allowed, const Schema& other, const Type<T>& map, const Read& read,
+               const Text& text) {
+  auto type = own_type<T>(
+      fmt::format("{}, or map", allowed), any_of({other, map.schema}),
+      [=](const Place& place) {
+        return place.value.is(Value::Kind::map) ? map.read(place) : T(read(place));
+      },
+      [=](const T& value, const Scene& scene) {
+        const std::optional<Value> other_text = text(value);
+        return other_text ? *other_text : map.text(value, scene);
+      });
+  type.keys = map.keys;
+  return type;
+}
+
+/// A list of `least` to `most` different values; messages have what `shown` makes of one that
+/// stands twice, and an advice.
+template <class T>
+Type<std::vector<T>> set_of(const Type<T>& item, std::size_t least, std::size_t most,
+                            std::string (*shown)(const Value& item) = found,
+                            const std::string& advice = {}) {
+  Type<std::vector<T>> type = list_of(item, least, most);
+  type.schema = unique(type.schema);
+  type.read_into = [=](const Place& place, void* result) {
+    std::set<T> known;
+    for (const Place& entry : read_list(place, least, most)) {
+      const T value = item.read(entry);
+      if (!known.insert(value).second) {
+        fail(entry, "{} is named twice{}", shown(entry.value), advice);
+      }
+      static_cast<std::vector<T>*>(result)->push_back(value);
+    }
+  };
+  return type;
+}
+
 /// `word`, or a number of the type, in messages `phrase`; `word` stands for none.
 template <class T>
 Type<std::optional<T>> word_or_value(const std::string& word, const Type<T>& type,
                                      const std::string& phrase) {
-  return Type<std::optional<T>>(optional_type(word, ", or ", type, kOptional<T>,
-                                              [=](const Value& value, const std::string& path) {
-                                                return is_word(value, path, word, phrase);
-                                              }));
+  return or_word(word, ", or ", type,
+                 [=](const Place& place) { return is_word(place, word, phrase); });
 }
 
 /// One of the words.
@@ -75,12 +124,8 @@ Type<T> choice(const std::array<Named<T>, kCount>& names) {
   const auto all = words(names);
   return own_type<T>(
       fmt::format("`{}`", fmt::join(all, "`, `")), choice_schema({all.begin(), all.end()}),
-      [&names](const Value& value, const std::string& path, const Scene& /*scene*/) {
-        return read_choice(value, path, names);
-      },
-      [&names](const T& value, const Scene& /*scene*/) {
-        return Yaml::scalar(std::string(name_of(names, value)));
-      });
+      [&names](const Place& place) { return read_choice(place, names); },
+      [&names](const T& value) { return Value::scalar(std::string(name_of(names, value))); });
 }
 
 }  // namespace clca::scene

@@ -1,12 +1,10 @@
 #include "scene/value.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <utility>
 
 #include "clca/scene/parse.hpp"
 #include "clca/text/message.hpp"
+#include "scene/keyed_map.hpp"
 
 namespace clca::scene {
 
@@ -16,33 +14,57 @@ std::string to_string(const TextLocation& location) {
                           : origin.label;
 }
 
-void fail(const TextLocation& location, std::string_view message) {
-  throw SceneError(fmt::format("{}: error: {}", to_string(location), message));
+void throw_error(std::string_view location, std::string_view message) {
+  throw SceneError(fmt::format("{}: error: {}", location, message));
+}
+
+Value Value::scalar(std::string text, const TextLocation& location) {
+  Value value;
+  value.kind = Kind::scalar;
+  value.location = location;
+  value.text = std::move(text);
+  return value;
+}
+
+Value Value::number(double number) {
+  return scalar(fmt::format("{}", number));
+}
+
+Value Value::quoted_text(std::string_view text) {
+  Value value = scalar(std::string(text));
+  value.quoted = true;
+  return value;
+}
+
+Value Value::name(std::string_view name) {
+  const bool special = name.starts_with('-') || name == "null" || name == "Null" || name == "NULL";
+  return special ? quoted_text(name) : scalar(std::string(name));
+}
+
+Value Value::list() {
+  Value value;
+  value.kind = Kind::list;
+  return value;
+}
+
+Value Value::map(const TextLocation& location) {
+  Value value;
+  value.kind = Kind::map;
+  value.location = location;
+  return value;
+}
+
+void Value::add(std::string key, Value value) {
+  entries.push_back({std::move(key), value.location, std::move(value)});
 }
 
 const Value* Value::find(std::string_view key) const {
-  const auto entry = std::find_if(entries.begin(), entries.end(),
-                                  [key](const Entry& other) { return other.key == key; });
+  const auto entry = std::ranges::find(entries, key, &Entry::key);
   return entry == entries.end() ? nullptr : &entry->value;
 }
 
 Value* Value::find(std::string_view key) {
   return const_cast<Value*>(std::as_const(*this).find(key));
-}
-
-Value scalar_at(const TextLocation& location, const std::string& text) {
-  Value value;
-  value.kind = Value::Kind::scalar;
-  value.location = location;
-  value.text = text;
-  return value;
-}
-
-Value map_at(const TextLocation& location) {
-  Value value;
-  value.kind = Value::Kind::map;
-  value.location = location;
-  return value;
 }
 
 std::string found(const Value& value) {
@@ -58,6 +80,93 @@ std::string found(const Value& value) {
   }
   return text::shown(value.text) + (value.quoted ? " in quotes" : "") +
          (value.expression.empty() ? "" : ", the value of " + text::shown(value.expression));
+}
+
+Place Place::at(std::string_view key) const {
+  const Value* found = find(key);
+  if (found == nullptr) {
+    fail(*this, "key '{}' is missing", key);
+  }
+  return {*found, join_path(path, key), scene};
+}
+
+Place Place::inside(const Entry& entry) const {
+  return {entry.value, join_path(path, entry.key), scene};
+}
+
+namespace {
+
+constexpr std::size_t kLineWidth = 100;
+constexpr std::size_t kIndent = 2;
+
+std::string key_text(const Entry& entry) {
+  return flow_text(Value::name(entry.key));
+}
+
+/// What follows `KEY:` or `-`, with the end of the line.
+std::string value_text(const Value& value, std::size_t indent, std::size_t column);
+
+std::string entries_text(const Value& map, std::size_t indent) {
+  std::string result;
+  bool after_section = false;
+  for (const Entry& entry : map.entries) {
+    const std::string key = key_text(entry);
+    const std::string text = value_text(entry.value, indent + kIndent, indent + key.size() + 1);
+    const bool is_section = indent == 0 && text.front() == '\n';
+    result +=
+        fmt::format("{}{:{}}{}:{}", is_section || after_section ? "\n" : "", "", indent, key, text);
+    after_section = is_section;
+  }
+  return result;
+}
+
+std::string value_text(const Value& value, std::size_t indent, std::size_t column) {
+  const std::string flow = flow_text(value);
+  const bool is_top = indent == kIndent;
+  const bool has_maps = std::ranges::any_of(
+      value.entries, [](const Entry& entry) { return entry.value.is(Value::Kind::map); });
+  const bool fits =
+      !value.in_lines && !(is_top && has_maps) && column + 1 + flow.size() <= kLineWidth;
+  if (value.is(Value::Kind::map) && !fits && !value.entries.empty()) {
+    return "\n" + entries_text(value, indent);
+  }
+  if (value.is(Value::Kind::list) && value.in_lines) {
+    std::string result = "\n";
+    for (const Value& item : value.items) {
+      const std::string lines = item.is(Value::Kind::map)
+                                    ? entries_text(item, indent + kIndent).substr(indent + kIndent)
+                                    : flow_text(item) + "\n";
+      result += fmt::format("{:{}}- {}", "", indent, lines);
+    }
+    return result;
+  }
+  return fmt::format(" {}\n", flow);
+}
+
+}  // namespace
+
+std::string flow_text(const Value& value) {
+  if (value.is(Value::Kind::scalar)) {
+    std::string result;
+    for (const char letter : value.text) {
+      result += value.quoted && (letter == '"' || letter == '\\') ? "\\" : "";
+      result += letter;
+    }
+    return value.quoted ? '"' + result + '"' : result;
+  }
+  std::vector<std::string> parts;
+  for (const Value& item : value.items) {
+    parts.push_back(flow_text(item));
+  }
+  for (const Entry& entry : value.entries) {
+    parts.push_back(fmt::format("{}: {}", key_text(entry), flow_text(entry.value)));
+  }
+  const std::string joined = fmt::format("{}", fmt::join(parts, ", "));
+  return value.is(Value::Kind::map) ? "{" + joined + "}" : "[" + joined + "]";
+}
+
+std::string block_text(const Value& map) {
+  return entries_text(map, 0);
 }
 
 }  // namespace clca::scene

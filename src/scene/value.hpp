@@ -1,9 +1,12 @@
 #pragma once
-// YAML as a tree of values with their text locations.
+// YAML as a tree of values with their text locations: as it has been read, or to be written.
+
+#include <fmt/format.h>
 
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace clca::scene {
@@ -24,9 +27,6 @@ struct TextLocation {
 /// `FILE:LINE:COLUMN`, or `--set KEY=VALUE`.
 std::string to_string(const TextLocation& location);
 
-/// Throws SceneError: `FILE:LINE:COLUMN: error: MESSAGE`.
-[[noreturn]] void fail(const TextLocation& location, std::string_view message);
-
 struct Entry;
 struct PictureFile;
 
@@ -35,6 +35,7 @@ struct Value {
 
   Kind kind = Kind::nothing;
   bool quoted = false;
+  bool in_lines = false;  ///< to be written with each entry on a line of its own
   TextLocation location;
   std::string text;        ///< of a scalar
   std::string expression;  ///< that the text is the value of; empty if it was written so
@@ -42,15 +43,23 @@ struct Value {
   std::vector<Value> items;                    ///< of a list
   std::vector<Entry> entries;                  ///< of a map, in the order of the text
 
+  static Value scalar(std::string text, const TextLocation& location = {});
+  static Value number(double number);
+  /// A scalar in quotes: a title may hold anything that is one line.
+  static Value quoted_text(std::string_view text);
+  /// A name is plain, except for those that YAML takes for something else.
+  static Value name(std::string_view name);
+  static Value list();
+  static Value map(const TextLocation& location = {});
+
+  /// A further entry of a map; its key is where the value is.
+  void add(std::string key, Value value);
+
   bool is(Kind other) const { return kind == other; }
   /// The value of `key`, null when there is none.
   const Value* find(std::string_view key) const;
   Value* find(std::string_view key);
 };
-
-/// A scalar as if it were written there, and a map without entries.
-Value scalar_at(const TextLocation& location, const std::string& text);
-Value map_at(const TextLocation& location);
 
 struct Entry {
   std::string key;
@@ -60,5 +69,44 @@ struct Entry {
 
 /// `'text'`, `a list`, `a map` or `nothing`.
 std::string found(const Value& value);
+
+/// On one line: `{KEY: VALUE, KEY: [1, 2]}`.
+std::string flow_text(const Value& value);
+/// A map, an entry after the other; those that are too long for a line are divided.
+std::string block_text(const Value& map);
+
+struct Scene;
+
+/// A value that is read.
+struct Place {
+  const Value& value;
+  std::string path;    ///< dotted, for messages; empty at the top
+  const Scene& scene;  ///< as far as it has been read
+
+  /// The value of a key; null where it is not given.
+  const Value* find(std::string_view key) const { return value.find(key); }
+  /// Refuses a map without the key.
+  Place at(std::string_view key) const;
+  /// The value of an entry.
+  Place inside(const Entry& entry) const;
+};
+
+inline std::string found(const Place& place) {
+  return found(place.value);
+}
+
+/// Throws SceneError: `FILE:LINE:COLUMN: error: MESSAGE`.
+[[noreturn]] void throw_error(std::string_view location, std::string_view message);
+template <class... Args>
+[[noreturn]] void fail(const TextLocation& location, fmt::format_string<Args...> message,
+                       Args&&... args) {
+  throw_error(to_string(location), fmt::format(message, std::forward<Args>(args)...));
+}
+/// The same with the path of the value in front of the message.
+template <class... Args>
+[[noreturn]] void fail(const Place& place, fmt::format_string<Args...> message, Args&&... args) {
+  fail(place.value.location, "{}: {}", place.path.empty() ? "scene" : place.path,
+       fmt::format(message, std::forward<Args>(args)...));
+}
 
 }  // namespace clca::scene

@@ -43,6 +43,36 @@ std::vector<lattice::Site> wall_sites(const lattice::Lattice& lattice, const Wal
   return sites;
 }
 
+bool any_swept_site(const lattice::Lattice& lattice, const Wall& wall,
+                    const std::function<bool(lattice::Site)>& test) {
+  const std::vector<lattice::Site> sites = wall_sites(lattice, wall);
+  if (!wall.motion) {
+    return std::ranges::any_of(sites, test);
+  }
+  const grains::OffsetRange range = grains::range_of(*wall.motion);
+  const lattice::Axial step = lattice::unit(wall.motion->direction);
+  for (const lattice::Site home : sites) {
+    bool entered = false;
+    for (int offset = range.low; offset <= range.high; ++offset) {
+      // From where another site of the wall ahead of this one begins, that one
+      // covers the rest.
+      const int ahead = offset - range.low;
+      const lattice::Site site = home + lattice::Axial{offset * step.x, offset * step.q};
+      const bool inside = lattice.contains(site);
+      if ((entered && !inside) ||
+          (ahead > 0 && std::ranges::binary_search(
+                            sites, home + lattice::Axial{ahead * step.x, ahead * step.q}))) {
+        break;
+      }
+      entered = inside;
+      if (inside && test({lattice.wrapped(site.column), site.row})) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
 std::vector<bool> walls_present_at_start(const Scene& scene) {
   std::vector<bool> there(scene.walls.size(), true);
   std::vector<bool> known(scene.walls.size(), false);
