@@ -143,7 +143,7 @@ void PictureTargets::add(std::size_t number, const std::vector<std::size_t>& pic
       frames[run] = drawings_[run]->capture(pictures[run]);
     }
   }
-  writer_.add([this, number, pictures, frames = std::move(frames)] {
+  writer_.start([this, number, pictures, frames = std::move(frames)] {
     for (std::size_t run = 0; run < pictures.size(); ++run) {
       if (frames[run]) {
         draw(run, pictures[run], *frames[run]);

@@ -10,7 +10,7 @@
 #include "clca/render/contact_sheet.hpp"
 #include "clca/render/movie.hpp"
 #include "clca/store/output_folder.hpp"
-#include "drawing/frame_writer.hpp"
+#include "clca/tasks/threads.hpp"
 #include "drawing/internal/frame_painter.hpp"
 #include "drawing/run_drawing.hpp"
 
@@ -86,7 +86,7 @@ class PictureTargets {
   std::vector<Picture> pictures_;      // by run, the last one
   std::optional<MovieTarget> movie_;
   std::optional<SheetTarget> sheet_;
-  FrameWriter writer_;  // last: at the end it waits for its thread, which uses the others
+  tasks::Background writer_;  // last: at the end it waits for its thread, which uses the others
 };
 
 }  // namespace clca::drawing

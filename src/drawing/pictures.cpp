@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "clca/measure/weight_paths.hpp"
-#include "drawing/frame_writer.hpp"
+#include "clca/tasks/threads.hpp"
 #include "drawing/internal/frame_painter.hpp"
 #include "record/internal/contact_record.hpp"
 #include "record/internal/cycle_record.hpp"
@@ -55,7 +55,7 @@ class Pictures : public record::Observer {
   bool only_last_;
   FramePainter painter_;
   PictureHistory history_;
-  FrameWriter writer_;  // last: at the end it waits for its thread, which uses the painter
+  tasks::Background writer_;  // last: at the end it waits for its thread, which uses the painter
 };
 
 void Pictures::load(const record::SavedColumns& saved, const record::StageView& now) {
@@ -83,9 +83,9 @@ void Pictures::draw(const record::StageView& now) {
                         .angle = now.model.vessel().angle},
                        history_);
   begin_window(history_, scene_, state);
-  writer_.add([this, folder = now.files->subfolder(store::kFramesFolder),
-               name = store::frame_name(scene_.name, state.step, scene::step_digits(scene_)),
-               frame = std::move(frame)] {
+  writer_.start([this, folder = now.files->subfolder(store::kFramesFolder),
+                 name = store::frame_name(scene_.name, state.step, scene::step_digits(scene_)),
+                 frame = std::move(frame)] {
     const Picture picture = painter_.rasterize(frame);
     folder.write(name, image::encode_png(picture.image, picture.text));
   });
@@ -103,7 +103,7 @@ double picture_bytes(const scene::Scene& scene, double particles) {
   if (!scene.output.frames) {
     return 0;
   }
-  constexpr int kCaptures = FrameWriter::kMaxWaiting + 2;  // with that on its way and a new one
+  constexpr int kCaptures = 2;  // one on its way and a new one
   const bool has_forces = scene::pictures_show_forces(scene);
   const bool has_paths = scene.output.frames->overlay >= scene::Overlay::weight_inner;
   const double lines = has_paths    ? measure::kSupportsPerGrain

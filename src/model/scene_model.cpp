@@ -132,8 +132,7 @@ grains::Model& SceneModel::grains() {
 }
 
 std::uint64_t SceneModel::hash() const {
-  const auto* contact = std::get_if<contact::ContactModel>(&model_);
-  return contact != nullptr ? contact::hash(contact->state()) : grains::hash(state());
+  return contact() != nullptr ? contact::hash(contact()->state()) : grains::hash(state());
 }
 
 ModelState SceneModel::copied_state() const {
@@ -145,30 +144,20 @@ void SceneModel::save(reflection::Columns& columns) const {
              model_);
 }
 
-std::optional<contact::Energy> SceneModel::energy() const {
-  if (const auto* contact = std::get_if<contact::ContactModel>(&model_)) {
-    return contact->energy();
-  }
-  return std::nullopt;
-}
-
-std::optional<std::vector<contact::Force>> SceneModel::forces() const {
-  if (const auto* contact = std::get_if<contact::ContactModel>(&model_)) {
-    return with_pushes(*contact, contact->state().contacts);
-  }
-  return std::nullopt;
+std::vector<contact::Force> SceneModel::forces() const {
+  return contact() != nullptr ? with_pushes(*contact(), contact()->state().contacts)
+                              : std::vector<contact::Force>();
 }
 
 std::vector<contact::Force> SceneModel::wall_forces() const {
-  const auto* contact = std::get_if<contact::ContactModel>(&model_);
-  return contact != nullptr ? with_pushes(*contact, contact->wall_contacts())
-                            : std::vector<contact::Force>();
+  return contact() != nullptr ? with_pushes(*contact(), contact()->wall_contacts())
+                              : std::vector<contact::Force>();
 }
 
 std::vector<Eigen::Vector2d> SceneModel::velocities() const {
   std::vector<Eigen::Vector2d> result;
-  if (const auto* contact = std::get_if<contact::ContactModel>(&model_)) {
-    for (const auto& velocity : contact->state().velocities) {
+  if (contact() != nullptr) {
+    for (const auto& velocity : contact()->state().velocities) {
       result.emplace_back(Eigen::Vector2d(velocity.x, velocity.y) / contact::kSpacing);
     }
   }
@@ -177,8 +166,8 @@ std::vector<Eigen::Vector2d> SceneModel::velocities() const {
 
 std::vector<double> SceneModel::spins() const {
   std::vector<double> result;
-  if (const auto* contact = std::get_if<contact::ContactModel>(&model_)) {
-    for (const auto& velocity : contact->state().velocities) {
+  if (contact() != nullptr) {
+    for (const auto& velocity : contact()->state().velocities) {
       result.push_back(static_cast<double>(velocity.spin) / contact::kSpacing);
     }
   }
@@ -186,23 +175,7 @@ std::vector<double> SceneModel::spins() const {
 }
 
 contact::Vessel SceneModel::vessel() const {
-  const auto* contact = std::get_if<contact::ContactModel>(&model_);
-  return contact != nullptr ? contact->vessel() : contact::Vessel();
-}
-
-bool SceneModel::quiet() const {
-  const auto* contact = std::get_if<contact::ContactModel>(&model_);
-  return contact != nullptr && contact->quiet();
-}
-
-contact::EnergyExchange SceneModel::exchange() const {
-  const auto* contact = std::get_if<contact::ContactModel>(&model_);
-  return contact != nullptr ? contact->exchange() : contact::EnergyExchange();
-}
-
-bool SceneModel::too_fast() const {
-  const auto* contact = std::get_if<contact::ContactModel>(&model_);
-  return contact != nullptr && contact->too_fast();
+  return contact() != nullptr ? contact()->vessel() : contact::Vessel();
 }
 
 void SceneModel::set_vessel(const scene::Stage& stage) {

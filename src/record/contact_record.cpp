@@ -107,7 +107,7 @@ void ContactRecord::after_step(const StageView& now) {
   const bool is_shown = pictures_.every > 0 || frames_.every > 0;
   const bool ends_soon =
       (has_tables_ || is_shown) &&
-      may_end_soon(now.stage, steps_in_stage, sampling_.window, now.model.quiet());
+      may_end_soon(now.stage, steps_in_stage, sampling_.window, now.model.contact()->quiet());
   if (!ends_soon && !stage_.is_empty()) {
     stage_.clear();
   }
@@ -126,19 +126,19 @@ void ContactRecord::after_step(const StageView& now) {
   if (takers.empty()) {
     return;
   }
-  const std::vector<contact::Force> forces = *now.model.forces();
+  const std::vector<contact::Force> forces = now.model.forces();
   for (ForceWindow* window : takers) {
     window->add(forces, most_);
   }
 }
 
 std::vector<contact::Force> ContactRecord::at_end(const model::SceneModel& model) const {
-  return stage_.is_empty() ? *model.forces() : stage_.means();
+  return stage_.is_empty() ? model.forces() : stage_.means();
 }
 
 std::vector<contact::Force> ContactRecord::shown(const model::SceneModel& model) const {
   const Recurring& recurring = pictures_.due ? pictures_ : frames_;
-  const std::vector<contact::Force> now = *model.forces();
+  const std::vector<contact::Force> now = model.forces();
   std::vector<contact::Force> forces = at_end(model);
   if (recurring.due) {  // whether the stage ends then or not
     forces = recurring.window.is_empty() ? now : recurring.window.means();

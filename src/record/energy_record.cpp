@@ -16,7 +16,7 @@ constexpr double kTolerance = 0.01;  // a bed that lands gives back 0.5 % for so
 
 void EnergyRecord::begin(const scene::Stage& stage, const model::SceneModel& model) {
   is_closed_ = stage.sources.empty() && stage.move.empty() && !model.vessel().moves();
-  start_ = model.energy()->sum();
+  start_ = model.contact()->energy().sum();
   fall_ = 0;
   for (const grains::Particle& particle : model.state().particles) {
     const double sites =
@@ -30,13 +30,13 @@ void EnergyRecord::begin(const scene::Stage& stage, const model::SceneModel& mod
 }
 
 void EnergyRecord::after_step(const StageView& now) {
-  if (now.model.too_fast() && !std::exchange(has_been_too_fast_, true)) {
+  if (now.model.contact()->too_fast() && !std::exchange(has_been_too_fast_, true)) {
     now.warn(
         fmt::format("stage {}, step {}: a grain falls faster than it can move, and loses velocity; "
                     "choose a larger contact.fall_height",
                     now.stage.name, now.model.state().step));
   }
-  if (const auto growth = add(now.model, now.model.exchange()); growth) {
+  if (const auto growth = add(now.model, now.model.contact()->exchange())) {
     now.warn(fmt::format(
         "stage {}, step {}: kinetic and potential energy have grown from {:.0f} to {:.0f}, by "
         "{:.1f} % of the {:.0f} at the start of the stage or dissipated since; choose a smaller "
@@ -59,7 +59,7 @@ std::optional<EnergyRecord::Growth> EnergyRecord::add(const model::SceneModel& m
   if (!is_closed_) {
     return std::nullopt;
   }
-  const contact::Energy energy = *model.energy();
+  const contact::Energy energy = model.contact()->energy();
   const double now = energy.sum() - exchanged_.gained();
   lowest_ = std::min(lowest_, now);
   // On a slope without end the potential energy falls without end, below 0.

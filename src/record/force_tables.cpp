@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "clca/measure/stress.hpp"
-#include "record/bodies.hpp"
 #include "record/internal/contact_record.hpp"
 #include "record/internal/cycle_record.hpp"
 #include "record/internal/force_record.hpp"
@@ -286,6 +285,43 @@ void ForceTables::add_loads(const StageView& now, const Forces& forces) {
       loads_.add(row);
     }
   }
+}
+
+/// Of the line from one end to the other, downwards, or to the right.
+Eigen::Vector2d downwards(const Eigen::Vector2d& line) {
+  const Eigen::Vector2d unit = line.normalized();
+  return unit.y() > 0 || (unit.y() == 0 && unit.x() < 0) ? -unit : unit;
+}
+
+std::optional<Eigen::Vector2d> direction_of(const scene::WallPart& part) {
+  const auto* line = std::get_if<lattice::Segment>(&part);
+  if (line != nullptr && line->from != line->to) {
+    return downwards(line->to - line->from);
+  }
+  if (const auto* box = std::get_if<lattice::Rectangle>(&part)) {
+    const bool stands = box->right - box->left < box->top - box->bottom;
+    return stands ? Eigen::Vector2d(0, -1) : Eigen::Vector2d(1, 0);
+  }
+  return std::nullopt;
+}
+
+/// A unit vector along a wall whose parts are all parallel, or a side of the box: towards its lower
+/// end, or to the right. None for other walls.
+std::optional<Eigen::Vector2d> direction_of(const scene::Scene& scene, grains::Owner body) {
+  constexpr double kParallel = 1e-9;
+  if (contact::is_side(body)) {
+    const bool stands = body == contact::kLeftSide || body == contact::kRightSide;
+    return stands ? Eigen::Vector2d(0, -1) : Eigen::Vector2d(1, 0);
+  }
+  std::optional<Eigen::Vector2d> all;
+  for (const scene::WallPart& part : scene.walls[grains::wall_number(body)].parts) {
+    const auto direction = direction_of(part);
+    if (!direction || (all && (*all - *direction).norm() > kParallel)) {
+      return std::nullopt;
+    }
+    all = direction;
+  }
+  return all;
 }
 
 void ForceTables::add_walls(const scene::Scene& scene, const Forces& forces) {

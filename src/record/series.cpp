@@ -31,9 +31,9 @@ std::optional<double> mean_height(const grains::State& state) {
 /// What a row is made of.
 struct SeriesRow {
   const StageView& now;
-  std::optional<contact::Energy> energy = {};  ///< of the contact model
-  const EnergyRecord* record = nullptr;        ///< likewise
-  const SeriesRecord* since = nullptr;         ///< since the last row
+  contact::Energy energy = {};           ///< of the contact model
+  const EnergyRecord* record = nullptr;  ///< likewise
+  const SeriesRecord* since = nullptr;   ///< since the last row
 
   const grains::State& state() const { return now.model.state(); }
 };
@@ -93,11 +93,11 @@ TableOf<SeriesRow> series_table(const scene::Scene& scene) {
       {{kContactModel,
         is_contact(scene),
         {{{"kinetic_energy", "Kinetic energy", kEnergyUnit, "with spin"},
-          [](auto& row) { return row.energy->kinetic; }},
+          [](auto& row) { return row.energy.kinetic; }},
          {{"potential_energy", "Potential energy", kEnergyUnit, ""},
-          [](auto& row) { return row.energy->potential; }},
+          [](auto& row) { return row.energy.potential; }},
          {{"dissipated_energy", "Dissipated energy", kEnergyUnit, kSinceStage},
-          [](auto& row) { return row.record->dissipated(*row.energy); }}}},
+          [](auto& row) { return row.record->dissipated(row.energy); }}}},
        {"with `model: contact` and sources",
         is_contact(scene) && !scene.sources.empty(),
         {{{"source_energy", "Energy from sources", kEnergyUnit, kSinceStage},
@@ -307,8 +307,9 @@ class Series : public Observer {
       return;
     }
     last_ = now.model.state().step;
-    const SeriesRow row = {now, now.model.energy(), now.observers.find<EnergyRecord>(),
-                           now.observers.find<SeriesRecord>()};
+    const contact::ContactModel* contact = now.model.contact();
+    const SeriesRow row = {now, contact != nullptr ? contact->energy() : contact::Energy(),
+                           now.observers.find<EnergyRecord>(), now.observers.find<SeriesRecord>()};
     table_.add(row, cells_of_each(row));
     if (probes_) {
       probes_->add(now);

@@ -1,8 +1,11 @@
 #include "record/internal/table.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
 
+#include "clca/contact/state.hpp"
 #include "clca/store/run_folder.hpp"
 
 namespace clca::record {
@@ -41,6 +44,33 @@ std::vector<std::string> ColumnInfo::names() const {
     names.push_back(std::string(quantity.key).append(ending));
   }
   return names;
+}
+
+// No wall has a dot in its name, so none is called as a side of the box.
+std::string body_name(const scene::Scene& scene, grains::Owner owner) {
+  switch (owner) {
+    case contact::kFloor:
+      return "box.floor";
+    case contact::kCeiling:
+      return "box.top";
+    case contact::kLeftSide:
+      return "box.left";
+    case contact::kRightSide:
+      return "box.right";
+    default:
+      return grains::is_particle(owner) ? fmt::format("{}", owner)
+                                        : scene.walls[grains::wall_number(owner)].name;
+  }
+}
+
+std::vector<grains::Owner> walls_and_sides(const scene::Scene& scene) {
+  std::vector<grains::Owner> all;
+  for (std::size_t wall = 0; wall < scene.walls.size(); ++wall) {
+    all.push_back(grains::wall_code(wall));
+  }
+  all.insert(all.end(),
+             {contact::kFloor, contact::kCeiling, contact::kLeftSide, contact::kRightSide});
+  return all;
 }
 
 TableScope table_scope(const scene::Scene& scene) {

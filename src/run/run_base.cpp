@@ -1,14 +1,14 @@
 #include "run/run_base.hpp"
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <sys/stat.h>
 
 #include <cerrno>
+#include <chrono>
 #include <cstring>
-#include <memory>
 #include <set>
 #include <string>
-#include <system_error>
 #include <utility>
 
 #include "clca/record/provenance.hpp"
@@ -93,20 +93,41 @@ bool CheckpointWriter::due(std::uint64_t step) {
 }
 
 void CheckpointWriter::save(const store::OutputFolder& run_folder, store::Checkpoint checkpoint) {
-  finish();
-  const auto shared = std::make_shared<const store::Checkpoint>(std::move(checkpoint));
-  const auto write = [run_folder, shared] { store::write_checkpoint(run_folder, *shared); };
+  writing_.start([run_folder, checkpoint = std::move(checkpoint)] {
+    store::write_checkpoint(run_folder, checkpoint);
+  });
+}
+
+void Log::append(const char* level, const std::string& line) {
+  using std::chrono::system_clock;
+  const system_clock::time_point now = system_clock::now();
+  const auto milliseconds =
+      std::chrono::duration_cast<std::chrono::milliseconds>(now.time_since_epoch()) %
+      std::chrono::seconds(1);
   try {
-    writing_ = std::async(std::launch::async, write);
-  } catch (const std::system_error&) {  // no more threads can be had
-    write();
+    file_.append(fmt::format("{:%Y-%m-%d %H:%M:%S}.{:03} {}: {}\n",
+                             fmt::localtime(system_clock::to_time_t(now)), milliseconds.count(),
+                             level, line));
+  } catch (const store::StoreError&) {  // see above
   }
 }
 
-void CheckpointWriter::finish() {
-  if (writing_.valid()) {
-    writing_.get();
+void Log::info(const std::string& line) {
+  append("info", line);
+  if (events_.message) {
+    events_.message(line);
   }
+}
+
+void Log::warning(const std::string& line) {
+  append("warning", line);
+  if (events_.warning) {
+    events_.warning(line);
+  }
+}
+
+void Log::error(const std::string& line) {
+  append("error", line);
 }
 
 store::RunSummary RunBase::execute() {

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <exception>
-#include <future>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,11 +10,12 @@
 #include "clca/run/run.hpp"
 #include "clca/scene/output.hpp"
 #include "clca/store/checkpoint.hpp"
+#include "clca/store/output_folder.hpp"
 #include "clca/store/run_folder.hpp"
 #include "clca/store/summary.hpp"
+#include "clca/tasks/threads.hpp"
 #include "record/internal/meter.hpp"
 #include "record/internal/table.hpp"
-#include "run/log.hpp"
 
 namespace clca::run {
 
@@ -43,16 +43,36 @@ class CheckpointWriter {
   /// Whether a checkpoint is due after `step` steps.
   bool due(std::uint64_t step);
   bool due_by_clock() { return timer_ && timer_->due(); }
-  /// Writes the checkpoint on a thread of its own if possible. Waits for the previous one and
-  /// rethrows its error.
+  /// Waits for the previous one and rethrows its error.
   void save(const store::OutputFolder& run_folder, store::Checkpoint checkpoint);
   /// Waits until everything is written. Rethrows its error.
-  void finish();
+  void finish() { writing_.finish(); }
 
  private:
   std::optional<scene::Checkpoints> when_;
   std::optional<record::IntervalTimer> timer_;
-  std::future<void> writing_;
+  tasks::Background writing_;
+};
+
+/// The log of a run: log.txt and callbacks. Failure to write (full disk) does not stop the run.
+class Log {
+ public:
+  /// Keeps the first `kept` bytes of the file. Throws store::StoreError if it has less.
+  Log(const store::RunFolder& folder, std::uint64_t kept, const RunEvents& events)
+      : file_(folder.files(), store::kLogFile, kept), events_(events) {}
+
+  /// Bytes written so far.
+  std::uint64_t bytes() const { return file_.bytes(); }
+
+  void info(const std::string& line);
+  void warning(const std::string& line);
+  void error(const std::string& line);
+
+ private:
+  void append(const char* level, const std::string& line);
+
+  store::GrowingFile file_;
+  const RunEvents& events_;
 };
 
 /// Prepares the folder of `options` for a run that starts with `start`; removes the files of an

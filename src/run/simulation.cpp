@@ -38,75 +38,36 @@ scene::Scene without_files(scene::Scene scene) {
 
 }  // namespace
 
-class Simulation::Impl {
- public:
-  Impl(const scene::Scene& scene, int threads, std::function<void()> interruption)
-      : scene_(checked(scene)),
-        options_{.threads = parallel::start_team(threads)},
-        interruption_(std::move(interruption)),
-        model_(std::make_shared<model::SceneModel>(scene_, first_state(scene_), options_)),
-        observed_(without_files(scene_)),
-        observers_(record::observers_of(observed_)) {
+struct Simulation::Impl {
+  Impl(const scene::Scene& wanted, int threads, std::function<void()> interrupt)
+      : scene(checked(wanted)),
+        options{.threads = parallel::start_team(threads)},
+        interruption(std::move(interrupt)),
+        model(std::make_shared<model::SceneModel>(scene, first_state(scene), options)),
+        observed(without_files(scene)),
+        observers(record::observers_of(observed)) {
     begin_stage();
   }
 
-  const scene::Scene& scene() const { return scene_; }
-  std::size_t stage_number() const { return stage_; }
-  const std::optional<StageEnd>& end() const { return end_; }
-  bool is_last() const { return stage_ + 1 == scene_.stages.size(); }
-  const model::SceneModel& model() const { return *model_; }
-
-  /// Rethrows what has failed.
-  void check() const {
-    if (failure_) {
-      std::rethrow_exception(failure_);
-    }
-  }
-
-  grains::StepReport step() {
-    if (end_ && is_last()) {
-      throw std::logic_error("the last stage has ended");
-    }
-    return whole([&] { return take_step(); });
-  }
-
-  void next_stage() {
-    if (is_last()) {
-      throw std::logic_error("the last stage has no next one");
-    }
-    whole([&] { begin_next_stage(); });
-  }
-
-  std::shared_ptr<const grains::State> held_grains() const {
-    const auto& sources = model_->state().sources;
-    const bool grows = std::any_of(sources.begin(), sources.end(),
-                                   [](const grains::Source& source) { return source.open; });
-    return grows ? std::make_shared<const grains::State>(model_->state())
-                 : std::shared_ptr<const grains::State>(model_, &model_->state());
-  }
-
-  std::vector<store::NamedMeasure> measures(std::optional<scene::Measure> wanted) const {
-    return wanted ? record::stage_measures(*wanted, view()) : record::stage_measures(view());
-  }
+  bool is_last() const { return number + 1 == scene.stages.size(); }
 
   image::Image picture(const scene::Frames& frames) {
-    if (!drawing_ || *drawing_->scene.output.frames != frames) {
-      scene::Scene drawn = scene_;
+    if (!drawn_by || *drawn_by->scene.output.frames != frames) {
+      scene::Scene drawn = scene;
       drawn.output.frames = frames;
-      drawing_.emplace(std::move(drawn), model_->state());
+      drawn_by.emplace(std::move(drawn), model->state());
     }
-    const drawing::CapturedFrame frame = drawing_->painter.capture(
-        {.state = model_->state(),
-         .occupancy = model_->grains().occupancy(),
-         .cycles = observers_.find<record::CycleRecord>(),
-         .contact = record::shown_contact(drawing_->scene, *model_, observers_),
-         .angle = model_->vessel().angle},
-        pictures_);
-    pictures_.window.emplace(model_->state());
-    return drawing_->painter.rasterize(frame).image;
+    const drawing::CapturedFrame frame = drawn_by->painter.capture(
+        {.state = model->state(),
+         .occupancy = model->grains().occupancy(),
+         .cycles = observers.find<record::CycleRecord>(),
+         .contact = record::shown_contact(drawn_by->scene, *model, observers),
+         .angle = model->vessel().angle},
+        pictures);
+    pictures.window.emplace(model->state());
+    return drawn_by->painter.rasterize(frame).image;
   }
 
- private:
   /// Draws pictures that look the same way.
   struct Drawing {
     Drawing(scene::Scene drawn, const grains::State& state)
@@ -116,11 +77,11 @@ class Simulation::Impl {
     drawing::FramePainter painter;
   };
 
-  const scene::Stage& stage() const { return scene_.stages[stage_]; }
+  const scene::Stage& stage() const { return scene.stages[number]; }
   record::StageView view() const {
-    return {scene_,   stage(),    *model_,
-            history_, observers_, moving_,
-            stepped_, nullptr,    [](const auto& /*line*/) {}};
+    return {scene,   stage(),   *model,
+            history, observers, moving,
+            stepped, nullptr,   [](const auto& /*line*/) {}};
   }
 
   /// Carries out a change; after one that has failed, state and records do not fit together.
@@ -129,66 +90,65 @@ class Simulation::Impl {
     try {
       return change();
     } catch (...) {
-      failure_ = std::current_exception();
+      failure = std::current_exception();
       throw;
     }
   }
 
   grains::StepReport take_step() {
-    if (end_) {
+    if (end) {
       begin_next_stage();
     }
-    const grains::StepReport report = model_->grains().step();
-    history_.add_step(report, model_->state());
-    moving_ = report.moved;
-    stepped_ = grains::present_count(model_->state()) + report.removed;
-    observers_.after_step(view());
-    history_.cycles = observers_.find<record::CycleRecord>()->cycles();
-    end_ = stage_end(stage(), model_->state(), history_);
-    if (end_) {
-      history_.settled = end_ == StageEnd::settled || end_ == StageEnd::stalled;
-      observers_.end_stage(view());
+    const grains::StepReport report = model->grains().step();
+    history.add_step(report, model->state());
+    moving = report.moved;
+    stepped = grains::present_count(model->state()) + report.removed;
+    observers.after_step(view());
+    history.cycles = observers.find<record::CycleRecord>()->cycles();
+    end = stage_end(stage(), model->state(), history);
+    if (end) {
+      history.settled = end == StageEnd::settled || end == StageEnd::stalled;
+      observers.end_stage(view());
     }
     return report;
   }
 
   void begin_next_stage() {
-    ++stage_;
-    end_.reset();
+    ++number;
+    end.reset();
     begin_stage();
   }
 
   void begin_stage() {
-    if (model_.use_count() > 1) {  // somebody holds the state
-      model_ = std::make_shared<model::SceneModel>(scene_, model_->copied_state(), options_);
+    if (model.use_count() > 1) {  // somebody holds the state
+      model = std::make_shared<model::SceneModel>(scene, model->copied_state(), options);
     }
-    history_ = stage_ > 0
-                   ? record::StageHistory(scene_, model_->state())
-                   : record::StageHistory(scene_, model::grains_of(model::empty_state(scene_)));
-    model_->grains().set_interruption(interruption_);
-    prepare_stage(*model_, scene_, stage());
-    history_.begin(model_->state());
-    moving_ = 0;
-    stepped_ = 0;
-    observers_.begin_stage(view());
-    drawing::begin_stage(pictures_, scene_, stage(), model_->state());
-    pictures_.window.emplace(model_->state());
+    history = number > 0 ? record::StageHistory(scene, model->state())
+                         : record::StageHistory(scene, model::grains_of(model::empty_state(scene)));
+    model->grains().set_interruption(interruption);
+    prepare_stage(*model, scene, stage());
+    history.begin(model->state());
+    moving = 0;
+    stepped = 0;
+    observers.begin_stage(view());
+    drawing::begin_stage(pictures, scene, stage(), model->state());
+    pictures.window.emplace(model->state());
   }
 
-  scene::Scene scene_;
-  grains::Options options_;
-  std::function<void()> interruption_;
-  std::shared_ptr<model::SceneModel> model_;
-  scene::Scene observed_;
-  record::Observers observers_;
-  record::StageHistory history_;
-  std::size_t moving_ = 0;  // particles, in the last step
-  std::size_t stepped_ = 0;
-  std::size_t stage_ = 0;
-  std::optional<StageEnd> end_;
-  drawing::PictureHistory pictures_;
-  std::optional<Drawing> drawing_;
-  std::exception_ptr failure_;
+  scene::Scene scene;
+  grains::Options options;
+  std::function<void()> interruption;
+  std::shared_ptr<model::SceneModel> model;
+  scene::Scene observed;
+  record::Observers observers;
+  record::StageHistory history;
+  std::size_t moving = 0;  // particles, in the last step
+  std::size_t stepped = 0;
+  std::size_t number = 0;
+  std::optional<StageEnd> end;
+  drawing::PictureHistory pictures;
+  std::optional<Drawing> drawn_by;
+  std::exception_ptr failure;
 };
 
 Simulation::Simulation(const scene::Scene& scene, int threads, std::function<void()> interruption)
@@ -196,47 +156,57 @@ Simulation::Simulation(const scene::Scene& scene, int threads, std::function<voi
 Simulation::~Simulation() = default;
 
 Simulation::Impl& Simulation::live() const {
-  impl_->check();
+  if (impl_->failure) {
+    std::rethrow_exception(impl_->failure);
+  }
   return *impl_;
 }
 
 const scene::Scene& Simulation::scene() const {
-  return impl_->scene();
+  return impl_->scene;
 }
 std::size_t Simulation::stage() const {
-  return live().stage_number();
+  return live().number;
 }
 std::string Simulation::ended() const {
   const Impl& impl = live();
-  return impl.end() ? to_text(*impl.end()) : "";
+  return impl.end ? to_text(*impl.end) : "";
 }
 bool Simulation::is_over() const {
   const Impl& impl = live();
-  return impl.end() && impl.is_last();
+  return impl.end && impl.is_last();
 }
 grains::StepReport Simulation::step() {
-  return live().step();
+  if (is_over()) {
+    throw std::logic_error("the last stage has ended");
+  }
+  return impl_->whole([this] { return impl_->take_step(); });
 }
 void Simulation::next_stage() {
-  live().next_stage();
+  if (live().is_last()) {
+    throw std::logic_error("the last stage has no next one");
+  }
+  impl_->whole([this] { impl_->begin_next_stage(); });
 }
 const grains::State& Simulation::grains() const {
-  return live().model().state();
+  return live().model->state();
 }
 std::shared_ptr<const grains::State> Simulation::held_grains() const {
-  return live().held_grains();
+  const auto& model = live().model;
+  const bool grows = std::ranges::any_of(model->state().sources, &grains::Source::open);
+  return grows ? std::make_shared<const grains::State>(model->state())
+               : std::shared_ptr<const grains::State>(model, &model->state());
 }
 store::ContactFrame Simulation::contact_frame() const {
-  const model::SceneModel& model = live().model();
-  return {.velocities = model.velocities(),
-          .spins = model.spins(),
-          .forces = model.forces().value_or(std::vector<contact::Force>())};
+  const model::SceneModel& model = *live().model;
+  return {.velocities = model.velocities(), .spins = model.spins(), .forces = model.forces()};
 }
 std::uint64_t Simulation::hash() const {
-  return live().model().hash();
+  return live().model->hash();
 }
 std::vector<store::NamedMeasure> Simulation::measures(std::optional<scene::Measure> wanted) const {
-  return live().measures(wanted);
+  const record::StageView view = live().view();
+  return wanted ? record::stage_measures(*wanted, view) : record::stage_measures(view);
 }
 image::Image Simulation::picture(const scene::Frames& frames) {
   return live().picture(frames);

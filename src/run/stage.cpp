@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "clca/scene/parse.hpp"
 
@@ -89,25 +90,9 @@ void prepare_stage(model::SceneModel& model, const scene::Scene& scene, const sc
 }
 
 std::string to_text(StageEnd end) {
-  switch (end) {
-    case StageEnd::settled:
-      return "settled";
-    case StageEnd::stalled:
-      return "stalled";
-    case StageEnd::steps:
-      return "steps";
-    case StageEnd::time:
-      return "time";
-    case StageEnd::discharged:
-      return "discharged";
-    case StageEnd::cycles:
-      return "cycles";
-    case StageEnd::bound:
-      return "bound";
-    case StageEnd::interrupted:
-      break;
-  }
-  return "interrupted";
+  constexpr std::array kWords = {"settled",    "stalled", "steps", "time",
+                                 "discharged", "cycles",  "bound", "interrupted"};
+  return kWords.at(static_cast<std::size_t>(end));
 }
 
 std::optional<StageEnd> stage_end(const scene::Stage& stage, const grains::State& state,

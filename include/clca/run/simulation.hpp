@@ -58,7 +58,7 @@ class Simulation {
   image::Image picture(const scene::Frames& frames);
 
  private:
-  class Impl;
+  struct Impl;
   /// Throws what has failed before.
   Impl& live() const;
 

@@ -5,6 +5,7 @@
 #include <condition_variable>
 #include <cstddef>
 #include <functional>
+#include <future>
 #include <mutex>
 #include <thread>
 #include <vector>
@@ -47,6 +48,20 @@ class Threads {
   bool has_ended_ = false;                    // a call, since the last wait
   bool over_ = false;
   std::vector<std::thread> threads_;
+};
+
+/// Makes one call at a time, on a thread of its own if one can be had; for writing while the caller
+/// goes on. At its end it waits for the call.
+class Background {
+ public:
+  /// Waits until the call before has ended. Rethrows what that one has thrown.
+  void start(std::function<void()> call);
+  /// Likewise, without another call.
+  void finish();
+
+ private:
+  std::function<void()> call_;
+  std::future<void> ended_;  // last: at the end it waits for the call
 };
 
 }  // namespace clca::tasks

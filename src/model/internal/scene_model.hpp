@@ -2,7 +2,6 @@
 // The model that moves the grains of a run.
 
 #include <Eigen/Core>
-#include <optional>
 #include <span>
 #include <variant>
 #include <vector>
@@ -53,24 +52,23 @@ class SceneModel {
   ModelState copied_state() const;
   /// Saves the state for saved_state().
   void save(reflection::Columns& columns) const;
-  // Contact model only; none for others.
-  std::optional<contact::Energy> energy() const;
-  std::optional<std::vector<contact::Force>> forces() const;
-  /// Those on walls and sides of the box, maybe others, too; empty for others.
+  /// Null for others.
+  const contact::ContactModel* contact() const {
+    return std::get_if<contact::ContactModel>(&model_);
+  }
+
+  // Of the contact model; empty for others.
+  std::vector<contact::Force> forces() const;
+  /// Those on walls and sides of the box, maybe others, too.
   std::vector<contact::Force> wall_forces() const;
-  /// By id, lattice spacings per step; empty for others.
+  /// By id, lattice spacings per step.
   std::vector<Eigen::Vector2d> velocities() const;
   /// Likewise: angular velocities times radii, anticlockwise.
   std::vector<double> spins() const;
-  /// Upright and at rest for others.
-  contact::Vessel vessel() const;
-  /// See contact::ContactModel::quiet; false for others.
-  bool quiet() const;
-  contact::EnergyExchange exchange() const;
-  /// See contact::ContactModel::too_fast; false for others.
-  bool too_fast() const;
 
-  /// Sets the vessel motion of a stage; no effect for others.
+  /// Upright and at rest but for the contact model.
+  contact::Vessel vessel() const;
+  /// Sets the vessel motion of a stage; no effect but for the contact model.
   void set_vessel(const scene::Stage& stage);
   /// Sets what a stage has in place of the rules or the friction of the scene.
   void set_rules(const scene::Stage& stage);

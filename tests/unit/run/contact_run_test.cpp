@@ -399,7 +399,7 @@ TEST_F(ContactRunTest, EnergyThatFallsWithoutEndIsMeasuredByItsFall) {
   prepare_stage(model, scene, scene.stages.front());
   record::EnergyRecord record(scene);
   record.begin(scene.stages.front(), model);
-  const auto energy = *model.energy();
+  const auto energy = model.contact()->energy();
   const double start = energy.kinetic + energy.potential;
   EXPECT_FALSE(record.add(model, {.sources = 100 * start}));
   EXPECT_EQ(record.growth().value(), 0);
@@ -413,7 +413,7 @@ TEST_F(ContactRunTest, EnergyThatGrowsIsToldOnce) {
   prepare_stage(model, scene, scene.stages.front());
   record::EnergyRecord record(scene);
   record.begin(scene.stages.front(), model);
-  const auto energy = *model.energy();
+  const auto energy = model.contact()->energy();
   const double start = energy.kinetic + energy.potential;
   EXPECT_FALSE(record.add(model, {.outlets = 0.008 * start}));
   const auto growth = record.add(model, {.outlets = 0.004 * start});

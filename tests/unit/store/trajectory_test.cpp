@@ -121,7 +121,7 @@ output: {trajectory: {every: 20, contacts: true}}
   for (int step = 0; step <= 200; ++step) {
     if (step % 20 == 0) {
       ContactFrame frame = {
-          .velocities = model.velocities(), .spins = model.spins(), .forces = *model.forces()};
+          .velocities = model.velocities(), .spins = model.spins(), .forces = model.forces()};
       const auto& grains = model.state().particles;
       std::erase_if(frame.forces, [&](const contact::Force& force) {
         return !grains[force.upper].present ||

@@ -1,0 +1,34 @@
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+#include <vector>
+
+#include "clca/tasks/threads.hpp"
+
+namespace clca::tasks::background_test {
+namespace {
+
+TEST(Background, MakesOneCallAfterAnother) {
+  std::vector<int> calls;
+  {
+    Background background;
+    for (int call = 0; call < 20; ++call) {
+      background.start([&calls, call] { calls.push_back(call); });
+    }
+  }
+  ASSERT_EQ(calls.size(), 20U) << "at its end it waits";
+  EXPECT_EQ(calls.back(), 19);
+}
+
+TEST(Background, WhatACallThrowsIsThrownByTheNextOrAtTheEnd) {
+  const auto fail = [] { throw std::runtime_error("full disk"); };
+  Background background;
+  background.start(fail);
+  EXPECT_THROW(background.start([] {}), std::runtime_error);
+  background.start(fail);
+  EXPECT_THROW(background.finish(), std::runtime_error);
+  EXPECT_NO_THROW(background.finish());
+}
+
+}  // namespace
+}  // namespace clca::tasks::background_test
