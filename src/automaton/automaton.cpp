@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <memory>
-#include <stdexcept>
 #include <utility>
 
 #include "automaton/engine/engine.hpp"
 #include "automaton/rule/step.hpp"
+#include "lattice/internal/require.hpp"
 
 namespace clca::automaton {
 
@@ -57,14 +57,11 @@ std::span<const Direction> candidate_directions(const Rules& rules) {
 }
 
 void check_rules(const Rules& rules) {
-  if (index_of(rules.gravity) >= lattice::kDirectionCount) {
-    throw std::invalid_argument("gravity has no direction");
-  }
+  require(index_of(rules.gravity) < lattice::kDirectionCount, "gravity has no direction");
   std::array<UpdateClass, 3> classes = rules.update_priority;
-  std::sort(classes.begin(), classes.end());
-  if (classes != std::array{UpdateClass::rest, UpdateClass::inertia, UpdateClass::gravity}) {
-    throw std::invalid_argument("the update priority does not name each class once");
-  }
+  std::ranges::sort(classes);
+  require(classes == std::array{UpdateClass::rest, UpdateClass::inertia, UpdateClass::gravity},
+          "the update priority does not name each class once");
 }
 
 }  // namespace clca::automaton

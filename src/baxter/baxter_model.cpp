@@ -6,12 +6,12 @@
 #include <array>
 #include <cmath>
 #include <memory>
-#include <stdexcept>
 #include <tuple>
 #include <utility>
 
 #include "clca/random/draw.hpp"
 #include "grains/internal/one_site_steps.hpp"
+#include "lattice/internal/require.hpp"
 
 namespace clca::baxter {
 
@@ -37,8 +37,8 @@ constexpr std::array<Direction, 3> kDownward = {Direction::down, Direction::down
                                                 Direction::down_right};
 
 bool is_downward(std::size_t velocity) {
-  return std::any_of(kDownward.begin(), kDownward.end(),
-                     [velocity](Direction direction) { return index_of(direction) == velocity; });
+  return std::ranges::any_of(
+      kDownward, [velocity](Direction direction) { return index_of(direction) == velocity; });
 }
 
 /// The angle in units of 60 degrees; from rest to any direction 1.
@@ -62,15 +62,13 @@ Energy power_of(Energy base, int power) {
 class Rule {
  public:
   Rule(const grains::Box& box, const Rules& rules) : box_(box) {
-    if (!(rules.power >= 0 && rules.power <= kMaxPower && rules.gravity >= 0 &&
-          rules.gravity <= kMaxGravity && rules.like_axes >= 0 && rules.like_axes <= 1)) {
-      throw std::invalid_argument("a rule of the Baxter model is out of range");
-    }
+    require(rules.power >= 0 && rules.power <= kMaxPower && rules.gravity >= 0 &&
+                rules.gravity <= kMaxGravity && rules.like_axes >= 0 && rules.like_axes <= 1,
+            "a rule of the Baxter model is out of range");
     const std::vector<grains::Kind>& kinds = box.state.kinds;
     for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
-      if (kinds.size() % kAxes != 0 || kinds[kind].species != kind / kAxes) {
-        throw std::invalid_argument("a species of the Baxter model has a kind for each axis");
-      }
+      require(kinds.size() % kAxes == 0 && kinds[kind].species == kind / kAxes,
+              "a species of the Baxter model has a kind for each axis");
     }
     // 0.1 + 0.1 distance, to the power, in 10^-power.
     for (std::size_t i = 0; i < unlike_velocities_.size(); ++i) {
@@ -87,9 +85,8 @@ class Rule {
     const std::array<bool, kVelocities> is_open = open(grain.site());
     const Energies energies = neighbour_energies(grain.site());
     const bool can_fall = is_open[index_of(Direction::down)];
-    const bool can_descend =
-        std::any_of(kDownward.begin(), kDownward.end(),
-                    [&](Direction direction) { return is_open[index_of(direction)]; });
+    const bool can_descend = std::ranges::any_of(
+        kDownward, [&](Direction direction) { return is_open[index_of(direction)]; });
     // The least is chosen.
     const auto rank = [&grain](const Choice& choice) {
       return std::tuple(choice.energy, choice.velocity != grains::kRest,
@@ -144,8 +141,7 @@ class Rule {
     const auto key = [](const Claim& claim) {
       return std::tuple(claim.site, claim.energy, claim.bits, claim.choice->id);
     };
-    std::sort(claims.begin(), claims.end(),
-              [&](const Claim& one, const Claim& other) { return key(one) < key(other); });
+    std::ranges::sort(claims, {}, key);
     std::vector<Choice> result;
     for (std::size_t i = 0; i < claims.size(); ++i) {
       if (i == 0 || claims[i].site != claims[i - 1].site) {

@@ -105,9 +105,8 @@ void check_valid(const State& state) {
             "an impulse is out of range");
     pairs.push_back(both_bodies(contact.upper, contact.other));
   }
-  std::sort(pairs.begin(), pairs.end());
-  require(std::adjacent_find(pairs.begin(), pairs.end()) == pairs.end(),
-          "two bodies have two contacts");
+  std::ranges::sort(pairs);
+  require(std::ranges::adjacent_find(pairs) == pairs.end(), "two bodies have two contacts");
 }
 
 double step_bytes(double grains) {

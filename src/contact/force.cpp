@@ -163,9 +163,7 @@ void add(ForceSums& sums, const ForceSums& later) {
 
 std::vector<Force> means(const ForceSums& sums) {
   std::vector<Sum> sorted = sums.sums;
-  std::sort(sorted.begin(), sorted.end(), [](const Sum& a, const Sum& b) {
-    return both_bodies(a.upper, a.other) < both_bodies(b.upper, b.other);
-  });
+  std::ranges::sort(sorted, {}, [](const Sum& sum) { return both_bodies(sum.upper, sum.other); });
   std::vector<Force> result;
   result.reserve(sorted.size());
   for (const Sum& sum : sorted) {

@@ -157,16 +157,15 @@ class Deposit {
     room.ends_by_column = ends_by_column_of(shape);
     const lattice::Lattice& lattice = state_.lattice;
     const auto fits_across = [&](int column) {
-      return std::all_of(room.ends_by_column.begin(), room.ends_by_column.end(),
-                         [&](const ColumnEnds& ends) {
-                           const int at = lattice.wrapped(column + ends.bottom.x);
-                           return at >= 0 && at < lattice.columns() && in_region(at);
-                         });
+      return std::ranges::all_of(room.ends_by_column, [&](const ColumnEnds& ends) {
+        const int at = lattice.wrapped(column + ends.bottom.x);
+        return at >= 0 && at < lattice.columns() && in_region(at);
+      });
     };
     room.columns = range_where(0, lattice.columns() - 1, fits_across);
     for (const int parity : {0, 1}) {
       const auto fits_up = [&](int row) {
-        return std::all_of(shape.sites().begin(), shape.sites().end(), [&](lattice::Axial part) {
+        return std::ranges::all_of(shape.sites(), [&](lattice::Axial part) {
           const lattice::Site site = lattice::Site{parity, row} + part;
           const double y = lattice::position(site).y();
           return site.row >= 0 && site.row < lattice.rows() && y >= region_.bottom &&

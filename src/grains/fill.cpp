@@ -1,11 +1,12 @@
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <numeric>
-#include <stdexcept>
 #include <utility>
 
 #include "clca/random/draw.hpp"
 #include "grains/filling.hpp"
+#include "lattice/internal/require.hpp"
 
 namespace clca::grains {
 
@@ -25,8 +26,8 @@ std::vector<std::size_t> largest_first(const State& state, std::size_t species_c
   }
   std::vector<std::size_t> order(species_count);
   std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return sizes[a] > sizes[b]; });
+  std::ranges::stable_sort(order, std::ranges::greater(),
+                           [&](std::size_t species) { return sizes[species]; });
   return order;
 }
 
@@ -119,26 +120,20 @@ void check_counts(const State& state, std::span<const std::size_t> counts) {
   for (const Kind& kind : state.kinds) {
     species = std::max<std::size_t>(species, kind.species + 1U);
   }
-  if (counts.size() != species) {
-    throw std::invalid_argument("a fill needs one count for each species");
-  }
+  require(counts.size() == species, "a fill needs one count for each species");
 }
 
 void check_mixture(const State& state, const Mixture& mixture) {
   for (const std::vector<std::uint32_t>& part : mixture.parts) {
     const std::vector<std::size_t> weights(part.begin(), part.end());
     check_counts(state, weights);
-    if (std::all_of(part.begin(), part.end(), [](auto weight) { return weight == 0; })) {
-      throw std::invalid_argument("the weights of a mixture are all zero");
-    }
+    require(std::ranges::any_of(part, [](auto weight) { return weight > 0; }),
+            "the weights of a mixture are all zero");
   }
-  if (mixture.parts.empty() || (mixture.rows.empty() && mixture.parts.size() > 1)) {
-    throw std::invalid_argument("a mixture needs one part, or a picture of its parts");
-  }
-  if (std::any_of(mixture.rows.begin(), mixture.rows.end(),
-                  [](const std::string& row) { return row.empty(); })) {
-    throw std::invalid_argument("a picture needs pixels");
-  }
+  require(!mixture.parts.empty() && (!mixture.rows.empty() || mixture.parts.size() == 1),
+          "a mixture needs one part, or a picture of its parts");
+  require(std::ranges::none_of(mixture.rows, [](const std::string& row) { return row.empty(); }),
+          "a picture needs pixels");
 }
 
 FillResult fill_region(Box& box, const lattice::Rectangle& region,
@@ -174,8 +169,8 @@ FillResult fill_with(Box& box, const lattice::Rectangle& region, const Mixture& 
     const std::vector<lattice::Site> sites = lattice::sites_in(state.lattice, region);
     for (std::size_t part = 0; part < parts.weights.size(); ++part) {
       std::vector<lattice::Site> own;
-      std::copy_if(sites.begin(), sites.end(), std::back_inserter(own),
-                   [&](lattice::Site site) { return parts.part_at(site) == part; });
+      std::ranges::copy_if(sites, std::back_inserter(own),
+                           [&](lattice::Site site) { return parts.part_at(site) == part; });
       fill_part(box, region, own, parts.weights[part], result.placed);
     }
   }

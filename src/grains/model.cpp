@@ -7,6 +7,7 @@
 
 #include "grains/filling.hpp"
 #include "grains/internal/mechanics.hpp"
+#include "lattice/internal/require.hpp"
 
 namespace clca::grains {
 
@@ -19,7 +20,7 @@ std::size_t remove_at_outlets(Mechanics& mechanics, std::vector<std::uint32_t> i
   std::erase_if(ids, [&](std::uint32_t id) {
     return outlet_around(box.state, box.state.particles[id]) == box.state.outlets.size();
   });
-  std::sort(ids.begin(), ids.end());
+  std::ranges::sort(ids);
   std::size_t removed = 0;
   for (const std::uint32_t id : ids) {
     if (count_at_outlet(box.state, id)) {
@@ -41,9 +42,7 @@ std::vector<std::uint32_t> ids_from(std::size_t first, const State& state) {
 }  // namespace
 
 void check_valid(const Options& options) {
-  if (options.threads < 1) {
-    throw std::invalid_argument("the number of threads must be positive");
-  }
+  require(options.threads >= 1, "the number of threads must be positive");
 }
 
 void take_out(Box& box, std::uint32_t id) {
@@ -146,9 +145,7 @@ FillResult Model::fill(const lattice::Rectangle& region, const Mixture& mixture)
 }
 
 void Model::check_deposits() const {
-  if (!mechanics_->deposits()) {
-    throw std::invalid_argument("particles are deposited along a gravity that points down");
-  }
+  require(mechanics_->deposits(), "particles are deposited along a gravity that points down");
 }
 
 void Model::remove_wall(std::size_t wall) {
@@ -177,9 +174,7 @@ bool Model::insert_wall(std::size_t wall) {
 
 void Model::set_motion(std::size_t wall, bool active) {
   Wall& moving = mechanics_->box().state.walls.at(wall);
-  if (!moving.motion) {
-    throw std::invalid_argument("a wall without motion cannot be set in motion");
-  }
+  require(moving.motion.has_value(), "a wall without motion cannot be set in motion");
   whole([&] {
     moving.travel.active = active;
     mechanics_->motion_set();
@@ -195,8 +190,8 @@ void Model::set_source(std::size_t source, bool open) {
 void Model::mark_origins() {
   check_whole();
   State& state = mechanics_->box().state;
-  std::transform(state.particles.begin(), state.particles.end(), state.origins.begin(),
-                 [](const Particle& particle) { return particle.site(); });
+  std::ranges::transform(state.particles, state.origins.begin(),
+                         [](const Particle& particle) { return particle.site(); });
 }
 
 }  // namespace clca::grains

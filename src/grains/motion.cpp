@@ -70,9 +70,7 @@ struct PathSegment {
 };
 
 PathSegment segment_at(const Path& path, std::uint64_t clock) {
-  const auto next = std::upper_bound(
-      path.points.begin(), path.points.end(), clock,
-      [](std::uint64_t step, const Path::Point& point) { return step < point.step; });
+  const auto next = std::ranges::upper_bound(path.points, clock, {}, &Path::Point::step);
   const Path::Point before = next == path.points.begin() ? Path::Point{} : *std::prev(next);
   if (next == path.points.end()) {
     return {.from = before.offset, .rise = {}};

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "clca/grains/occupancy.hpp"
+#include "lattice/internal/require.hpp"
 
 namespace clca::grains {
 
@@ -21,18 +22,15 @@ void put(OccupancyTable& occupancy, const State& state, std::size_t index, std::
     occupancy.take(index, as_owner(id));
     return;
   }
-  if (occupancy.second_owner(index) != kFree || !may_share(state, id, occupancy.owner(index))) {
-    throw std::invalid_argument("two particles overlap, or a particle overlaps a wall");
-  }
+  require(occupancy.second_owner(index) == kFree && may_share(state, id, occupancy.owner(index)),
+          "two particles overlap, or a particle overlaps a wall");
   occupancy.add(index, as_owner(id));
 }
 
 void put_wall(OccupancyTable& occupancy, const State& state, std::size_t number) {
   const Wall& wall = state.walls[number];
   for (const lattice::Site site : wall.sites) {
-    if (!wall.motion && !state.lattice.contains(site)) {
-      throw std::invalid_argument("a wall leaves the box");
-    }
+    require(wall.motion || state.lattice.contains(site), "a wall leaves the box");
   }
   if (!wall.present) {
     return;
@@ -40,9 +38,8 @@ void put_wall(OccupancyTable& occupancy, const State& state, std::size_t number)
   for (const lattice::Site site : sites_now(state.lattice, wall)) {
     const std::size_t index = state.lattice.index(site);
     const Owner other = occupancy.owner(index);
-    if (is_wall(other) && (wall.motion || state.walls[wall_number(other)].motion)) {
-      throw std::invalid_argument("a wall that moves stands in another wall");
-    }
+    require(!is_wall(other) || (!wall.motion && !state.walls[wall_number(other)].motion),
+            "a wall that moves stands in another wall");
     occupancy.take(index, wall_code(number));
   }
 }
@@ -78,9 +75,7 @@ OccupancyTable::OccupancyTable(const State& state)
   const lattice::Lattice& lattice = state.lattice;
   take_border(*this, lattice);
   for (const Kind& kind : state.kinds) {
-    if (meets_itself(lattice, kind.shape)) {
-      throw std::invalid_argument("a kind is as wide as the periodic box");
-    }
+    require(!meets_itself(lattice, kind.shape), "a kind is as wide as the periodic box");
   }
   for (std::size_t wall = 0; wall < state.walls.size(); ++wall) {
     put_wall(*this, state, wall);
@@ -92,9 +87,7 @@ OccupancyTable::OccupancyTable(const State& state)
     }
     for (const lattice::Axial part : state.shape(particle).sites()) {
       const lattice::Site site = particle.site() + part;
-      if (!lattice.contains(site)) {
-        throw std::invalid_argument("a particle leaves the box");
-      }
+      require(lattice.contains(site), "a particle leaves the box");
       put(*this, state, lattice.index(site), static_cast<std::uint32_t>(id));
     }
   }

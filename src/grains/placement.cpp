@@ -19,7 +19,7 @@ std::vector<std::uint16_t> kinds_of(const State& state, std::size_t species) {
 bool fits(const Box& box, const Particle& particle) {
   const lattice::Lattice& lattice = box.state.lattice;
   const auto& parts = box.state.shape(particle).sites();
-  return std::all_of(parts.begin(), parts.end(), [&](lattice::Axial part) {
+  return std::ranges::all_of(parts, [&](lattice::Axial part) {
     const lattice::Site site = particle.site() + part;
     return lattice.contains(site) && !box.occupancy.taken(lattice.index(site));
   });
@@ -27,7 +27,7 @@ bool fits(const Box& box, const Particle& particle) {
 
 bool lies_inside(const State& state, const Particle& particle, const lattice::Rectangle& region) {
   const auto& parts = state.shape(particle).sites();
-  return std::all_of(parts.begin(), parts.end(), [&](lattice::Axial part) {
+  return std::ranges::all_of(parts, [&](lattice::Axial part) {
     const lattice::Site site = particle.site() + part;
     return region.contains(
         lattice::position(lattice::Site{state.lattice.wrapped(site.column), site.row}));
@@ -65,9 +65,9 @@ void renumber(Box& box, std::size_t first) {
 }
 
 std::size_t outlet_around(const State& state, const Particle& particle) {
-  const auto outlet = std::find_if(
-      state.outlets.begin(), state.outlets.end(),
-      [&](const Outlet& candidate) { return lies_inside(state, particle, candidate.region); });
+  const auto outlet = std::ranges::find_if(state.outlets, [&](const Outlet& candidate) {
+    return lies_inside(state, particle, candidate.region);
+  });
   return static_cast<std::size_t>(outlet - state.outlets.begin());
 }
 

@@ -2,20 +2,14 @@
 
 #include <algorithm>
 #include <limits>
-#include <stdexcept>
 #include <utility>
 
 #include "clca/grains/state.hpp"
+#include "lattice/internal/require.hpp"
 
 namespace clca::grains {
 
 namespace {
-
-void require(bool holds, const char* reason) {
-  if (!holds) {
-    throw std::invalid_argument(reason);
-  }
-}
 
 /// Columns are not wrapped at a periodic boundary; no run comes near the limit of int.
 constexpr std::int32_t kMaxCoordinate = 1 << 29;
@@ -34,8 +28,7 @@ void check_particles(const State& state) {
     require(particle.previous <= kRest, "the last move of a particle is out of range");
     require(in_reach(particle.site()), "a particle is too far away");
   }
-  require(std::all_of(state.origins.begin(), state.origins.end(), in_reach),
-          "an origin is too far away");
+  require(std::ranges::all_of(state.origins, in_reach), "an origin is too far away");
 }
 
 void check_kinds(const State& state) {
@@ -61,7 +54,7 @@ bool can_be_carried_out(const Shake& shake) {
 }
 bool can_be_carried_out(const Path& path) {
   Path::Point last;
-  return std::all_of(path.points.begin(), path.points.end(), [&](const Path::Point& point) {
+  return std::ranges::all_of(path.points, [&](const Path::Point& point) {
     const Path::Point before = std::exchange(last, point);
     return point.step > before.step && in_reach({point.offset, 0}) && !is_steep(before, point);
   });
@@ -72,8 +65,7 @@ bool is_direction(lattice::Direction direction) {
 }
 
 void check_wall(const Wall& wall) {
-  require(std::all_of(wall.sites.begin(), wall.sites.end(), in_reach),
-          "a site of a wall is too far away");
+  require(std::ranges::all_of(wall.sites, in_reach), "a site of a wall is too far away");
   if (!wall.motion) {
     require(wall.travel == Travel{}, "a wall without motion has moved");
     return;
@@ -98,20 +90,17 @@ void check_pushes(const State& state) {
                 push.source < state.walls.size() && is_direction(push.direction),
             "a push names a particle, wall or direction that does not exist");
   }
-  const bool ascending = std::adjacent_find(state.pushes.begin(), state.pushes.end(),
-                                            [](const Push& a, const Push& b) {
-                                              return a.key() >= b.key();
-                                            }) == state.pushes.end();
+  const bool ascending = std::ranges::adjacent_find(state.pushes, [](const Push& a, const Push& b) {
+                           return a.key() >= b.key();
+                         }) == state.pushes.end();
   require(ascending, "pushes are out of order");
 }
 
 void check_source(const Source& source, std::size_t kinds) {
   require(!source.sites.empty(), "a source has no sites");
-  require(std::all_of(source.sites.begin(), source.sites.end(), in_reach),
-          "a site of a source is too far away");
+  require(std::ranges::all_of(source.sites, in_reach), "a site of a source is too far away");
   require(source.weights.size() == kinds, "a source has not one weight for each kind");
-  require(std::any_of(source.weights.begin(), source.weights.end(),
-                      [](std::uint32_t weight) { return weight > 0; }),
+  require(std::ranges::any_of(source.weights, [](std::uint32_t weight) { return weight > 0; }),
           "all weights of a source are 0");
 }
 

@@ -37,20 +37,18 @@ std::vector<lattice::Site> sites_now(const lattice::Lattice& lattice, const Wall
 }
 
 bool may_overlap(const State& state) {
-  return std::any_of(state.walls.begin(), state.walls.end(),
-                     [](const Wall& wall) { return wall.lets_overlap(); });
+  return std::ranges::any_of(state.walls, [](const Wall& wall) { return wall.lets_overlap(); });
 }
 
 std::size_t present_count(const State& state) {
-  return static_cast<std::size_t>(std::count_if(state.particles.begin(), state.particles.end(),
-                                                [](const Particle& p) { return p.present; }));
+  return static_cast<std::size_t>(
+      std::ranges::count_if(state.particles, [](const Particle& p) { return p.present; }));
 }
 
 const Push* find_push(const State& state, std::uint32_t pushed, Owner pusher) {
   const std::pair key(pushed, pusher);
   const auto found =
-      std::lower_bound(state.pushes.begin(), state.pushes.end(), key,
-                       [](const Push& push, const auto& sought) { return push.key() < sought; });
+      std::ranges::lower_bound(state.pushes, key, {}, [](const Push& push) { return push.key(); });
   return found != state.pushes.end() && found->key() == key ? &*found : nullptr;
 }
 

@@ -41,7 +41,7 @@ void remove_wall(Box& box, std::size_t number) {
       vacated.push_back(index);
     }
   }
-  std::sort(vacated.begin(), vacated.end());
+  std::ranges::sort(vacated);
   leave_to_others(box, vacated);
 }
 
@@ -51,7 +51,7 @@ bool can_insert_wall(const Box& box, std::size_t number) {
   const auto moves = [&](Owner owner) {
     return is_wall(owner) && box.state.walls[wall_number(owner)].motion.has_value();
   };
-  return std::none_of(indices.begin(), indices.end(), [&](std::size_t index) {
+  return std::ranges::none_of(indices, [&](std::size_t index) {
     const Owner owner = box.occupancy.owner(index);
     return is_particle(owner) || moves(owner) || (owner != kFree && wall.motion.has_value());
   });
@@ -83,7 +83,7 @@ std::optional<std::vector<std::uint32_t>> pushed_particles(
       }
     }
   };
-  std::for_each(step.enters.begin(), step.enters.end(), add_owners);
+  std::ranges::for_each(step.enters, add_owners);
   for (std::size_t i = 0; i < ids.size() && !blocked; ++i) {
     const Particle& particle = box.state.particles[ids[i]];
     box.for_each_entered(particle, step.direction, add_owners);

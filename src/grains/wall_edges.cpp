@@ -17,7 +17,7 @@ std::vector<lattice::Site> home_sites(const lattice::Lattice& lattice, const Wal
   for (const lattice::Site site : wall.sites) {
     sites.push_back(in_box(lattice, site));
   }
-  std::sort(sites.begin(), sites.end());
+  std::ranges::sort(sites);
   sites.erase(std::unique(sites.begin(), sites.end()), sites.end());
   return sites;
 }
@@ -27,7 +27,7 @@ std::vector<lattice::Site> edge(const lattice::Lattice& lattice,
                                 const std::vector<lattice::Site>& sites,
                                 lattice::Direction direction) {
   std::vector<lattice::Site> result;
-  std::copy_if(sites.begin(), sites.end(), std::back_inserter(result), [&](lattice::Site site) {
+  std::ranges::copy_if(sites, std::back_inserter(result), [&](lattice::Site site) {
     return !std::binary_search(sites.begin(), sites.end(), in_box(lattice, site + unit(direction)));
   });
   return result;

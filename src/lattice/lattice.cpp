@@ -1,8 +1,9 @@
 #include "clca/lattice/lattice.hpp"
 
 #include <cmath>
-#include <stdexcept>
 #include <utility>
+
+#include "lattice/internal/require.hpp"
 
 namespace clca::lattice {
 
@@ -21,19 +22,14 @@ Lattice::Lattice(int columns, int rows, bool periodic)
       periodic_(periodic),
       column_size_(column_size(rows)),
       wrap_(static_cast<std::ptrdiff_t>(column_size_) * columns) {
-  if (columns < 1 || rows < 1) {
-    throw std::invalid_argument("a lattice has at least one column and one row");
-  }
-  if (periodic && is_odd(columns)) {
-    throw std::invalid_argument("a periodic lattice has an even number of columns");
-  }
+  require(columns >= 1 && rows >= 1, "a lattice has at least one column and one row");
+  require(!periodic || !is_odd(columns), "a periodic lattice has an even number of columns");
 }
 
 Lattice Lattice::covering(double width, double height, bool periodic) {
   constexpr double kMaxLength = 1 << 30;
-  if (!(width > 0 && height > 0 && width / kColumnPitch <= kMaxLength && height <= kMaxLength)) {
-    throw std::invalid_argument("a box has a positive width and height of less than 10^9");
-  }
+  require(width > 0 && height > 0 && width / kColumnPitch <= kMaxLength && height <= kMaxLength,
+          "a box has a positive width and height of less than 10^9");
   int columns = static_cast<int>(std::ceil(width / kColumnPitch));
   if (periodic && is_odd(columns)) {
     ++columns;
@@ -65,9 +61,8 @@ Offset Lattice::offset(Axial vector, bool odd_column) const {
   const auto linear =
       (pairs * static_cast<std::ptrdiff_t>(column_size_) + (to.row - from.row)) * kRowPitch +
       (columns - 2 * pairs);
-  if (!std::in_range<std::int32_t>(linear)) {
-    throw std::invalid_argument("a vector reaches too far in a lattice with so many rows");
-  }
+  require(std::in_range<std::int32_t>(linear),
+          "a vector reaches too far in a lattice with so many rows");
   return {static_cast<std::int32_t>(linear), columns};
 }
 

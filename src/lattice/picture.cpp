@@ -1,7 +1,8 @@
 #include "clca/lattice/picture.hpp"
 
 #include <algorithm>
-#include <stdexcept>
+
+#include "lattice/internal/require.hpp"
 
 namespace clca::lattice {
 
@@ -21,19 +22,16 @@ std::size_t column_at(const Rectangle& box, double x, std::size_t count) {
 }
 
 void check_pixels(const std::vector<std::string>& rows) {
-  if (rows.empty() || rows.front().empty() ||
-      std::any_of(rows.begin(), rows.end(),
-                  [&](const std::string& row) { return row.size() != rows.front().size(); })) {
-    throw std::invalid_argument("a picture needs pixels, in rows of one length");
-  }
+  require(!rows.empty() && !rows.front().empty() &&
+              std::ranges::all_of(
+                  rows, [&](const std::string& row) { return row.size() == rows.front().size(); }),
+          "a picture needs pixels, in rows of one length");
 }
 
 }  // namespace
 
 char pixel_at(const Picture& picture, const Eigen::Vector2d& point) {
-  if (picture.rows.empty() || picture.rows.front().empty()) {
-    throw std::invalid_argument("a picture needs pixels");
-  }
+  require(!picture.rows.empty() && !picture.rows.front().empty(), "a picture needs pixels");
   const std::string& row = picture.rows[row_at(picture.box, point.y(), picture.rows.size())];
   return row[column_at(picture.box, point.x(), row.size())];
 }

@@ -3,9 +3,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "lattice/internal/bounded.hpp"
+#include "lattice/internal/require.hpp"
 
 namespace clca::lattice {
 
@@ -22,9 +22,8 @@ double distance(const Segment& segment, const Eigen::Vector2d& point) {
 constexpr double kMaxCoordinate = 1e8;
 
 void check_coordinates(const Eigen::Vector2d& point) {
-  if (!(std::abs(point.x()) < kMaxCoordinate && std::abs(point.y()) < kMaxCoordinate)) {
-    throw std::invalid_argument("a point is too far from the lattice");
-  }
+  require(std::abs(point.x()) < kMaxCoordinate && std::abs(point.y()) < kMaxCoordinate,
+          "a point is too far from the lattice");
 }
 
 /// A part of the parameter range [0, 1]; empty if begin > end.
@@ -160,9 +159,7 @@ Site nearest_site(const Eigen::Vector2d& point) {
 
 void check(const Rectangle& rectangle) {
   for (const double edge : {rectangle.left, rectangle.bottom, rectangle.right, rectangle.top}) {
-    if (std::isnan(edge)) {
-      throw std::invalid_argument("an edge of a rectangle is not a number");
-    }
+    require(!std::isnan(edge), "an edge of a rectangle is not a number");
   }
 }
 
@@ -196,9 +193,8 @@ std::vector<Site> sites_in(const SweptRegion& swept_region, const Rectangle& rec
 std::vector<Site> sites_along(const SweptRegion& swept_region, const Segment& segment) {
   check_coordinates(segment.from);
   check_coordinates(segment.to);
-  if (!(segment.thickness >= 0 && segment.thickness < kMaxCoordinate)) {
-    throw std::invalid_argument("the thickness of a wall must not be negative");
-  }
+  require(segment.thickness >= 0 && segment.thickness < kMaxCoordinate,
+          "the thickness of a wall must not be negative");
   const double reach = 0.5 * segment.thickness;
   const auto [left, right] = std::minmax({segment.from.x(), segment.to.x()});
   const int low = swept_region.first_column();
@@ -214,7 +210,7 @@ std::vector<Site> sites_along(const SweptRegion& swept_region, const Segment& se
       sites.push_back(site);
     }
   }
-  std::sort(sites.begin(), sites.end());
+  std::ranges::sort(sites);
   sites.erase(std::unique(sites.begin(), sites.end()), sites.end());
   return sites;
 }

@@ -6,11 +6,11 @@
 #include <iterator>
 #include <numbers>
 #include <numeric>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
 #include "clca/lattice/lattice.hpp"
+#include "lattice/internal/require.hpp"
 
 namespace clca::lattice {
 
@@ -90,10 +90,9 @@ Eigen::Vector2d mean_position(const std::vector<Axial>& sites) {
 constexpr int kMaxSiteCoordinate = 1'000'000;
 
 void check_reach(Axial site) {
-  if (site.x > kMaxSiteCoordinate || site.x < -kMaxSiteCoordinate || site.q > kMaxSiteCoordinate ||
-      site.q < -kMaxSiteCoordinate) {
-    throw std::invalid_argument("a site of a shape is too far away");
-  }
+  require(site.x <= kMaxSiteCoordinate && site.x >= -kMaxSiteCoordinate &&
+              site.q <= kMaxSiteCoordinate && site.q >= -kMaxSiteCoordinate,
+          "a site of a shape is too far away");
 }
 
 /// The sites on the straight line from `from` to `to`.
@@ -123,7 +122,7 @@ void add_inside(std::span<const Axial> corners, int q, std::vector<Axial>& sites
       crossings.push_back(first_beyond(from, to, q));
     }
   }
-  std::sort(crossings.begin(), crossings.end());
+  std::ranges::sort(crossings);
   for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
     for (int x = crossings[i]; x < crossings[i + 1]; ++x) {
       sites.push_back({x, q});
@@ -134,20 +133,12 @@ void add_inside(std::span<const Axial> corners, int q, std::vector<Axial>& sites
 }  // namespace
 
 Shape::Shape(std::vector<Axial> sites) : sites_(std::move(sites)) {
-  if (sites_.empty()) {
-    throw std::invalid_argument("a shape has at least one site");
-  }
-  std::for_each(sites_.begin(), sites_.end(), check_reach);
-  std::sort(sites_.begin(), sites_.end());
-  if (std::adjacent_find(sites_.begin(), sites_.end()) != sites_.end()) {
-    throw std::invalid_argument("a site of the shape is named twice");
-  }
-  if (reachable(sites_) != sites_.size()) {
-    throw std::invalid_argument("the sites of the shape do not connect");
-  }
-  if (encloses_hole(sites_)) {
-    throw std::invalid_argument("the shape encloses a hole");
-  }
+  require(!sites_.empty(), "a shape has at least one site");
+  std::ranges::for_each(sites_, check_reach);
+  std::ranges::sort(sites_);
+  require(std::ranges::adjacent_find(sites_) == sites_.end(), "a site of the shape is named twice");
+  require(reachable(sites_) == sites_.size(), "the sites of the shape do not connect");
+  require(!encloses_hole(sites_), "the shape encloses a hole");
   centroid_ = mean_position(sites_);
 }
 
@@ -156,9 +147,8 @@ Shape Shape::hexagon(int radius) {
 }
 
 Shape Shape::rod(int radius, int length) {
-  if (radius < 0 || length < 1) {
-    throw std::invalid_argument("a rod has a radius of at least 0 and a length of at least 1");
-  }
+  require(radius >= 0 && length >= 1,
+          "a rod has a radius of at least 0 and a length of at least 1");
   check_reach({radius, length});
   std::vector<Axial> sites;
   for (int x = -radius; x <= radius; ++x) {
@@ -173,9 +163,8 @@ Shape Shape::rod(int radius, int length) {
 
 Shape Shape::disc(double radius) {
   constexpr double kRounding = 1e-6;
-  if (!(radius >= 0 && radius <= kMaxSiteCoordinate)) {
-    throw std::invalid_argument("the radius of a disc is negative or too long");
-  }
+  require(radius >= 0 && radius <= kMaxSiteCoordinate,
+          "the radius of a disc is negative or too long");
   const auto reach = static_cast<int>(radius / kColumnPitch) + 1;
   std::vector<Axial> sites;
   for (int x = -reach; x <= reach; ++x) {
@@ -189,20 +178,18 @@ Shape Shape::disc(double radius) {
 }
 
 Shape Shape::polygon(std::span<const Axial> corners) {
-  if (corners.size() < 3) {
-    throw std::invalid_argument("a polygon has at least 3 corners");
-  }
-  std::for_each(corners.begin(), corners.end(), check_reach);
+  require(corners.size() >= 3, "a polygon has at least 3 corners");
+  std::ranges::for_each(corners, check_reach);
   std::vector<Axial> sites;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     add_edge(corners[i], corners[(i + 1) % corners.size()], sites);
   }
-  const auto [lowest, highest] = std::minmax_element(
-      corners.begin(), corners.end(), [](Axial left, Axial right) { return left.q < right.q; });
+  const auto [lowest, highest] = std::ranges::minmax_element(
+      corners, [](Axial left, Axial right) { return left.q < right.q; });
   for (int q = lowest->q; q <= highest->q; ++q) {
     add_inside(corners, q, sites);
   }
-  std::sort(sites.begin(), sites.end());
+  std::ranges::sort(sites);
   sites.erase(std::unique(sites.begin(), sites.end()), sites.end());
   return Shape(std::move(sites));
 }
@@ -223,7 +210,7 @@ Shape Shape::rotated(int sixths) const {
   const int turns = ((sixths % kDirectionCount) + kDirectionCount) % kDirectionCount;
   std::vector<Axial> sites = sites_;
   for (int turn = 0; turn < turns; ++turn) {
-    std::transform(sites.begin(), sites.end(), sites.begin(), rotated_clockwise);
+    std::ranges::transform(sites, sites.begin(), rotated_clockwise);
   }
   return Shape(std::move(sites));
 }
@@ -267,8 +254,7 @@ Shape centred(const Shape& shape) {
     const long long q = count * site.q - sum_q;
     return x * x + x * q + q * q;
   };
-  const Axial reference = *std::min_element(
-      sites.begin(), sites.end(), [&](Axial a, Axial b) { return distance(a) < distance(b); });
+  const Axial reference = *std::ranges::min_element(sites, {}, distance);
   return Shape(shifted(sites, Axial() - reference));
 }
 

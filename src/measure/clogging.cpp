@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <numeric>
 #include <vector>
 
@@ -84,7 +85,7 @@ class Search {
  private:
   template <class Test>
   bool any_owner(Site site, const std::vector<lattice::Axial>& parts, Test test) const {
-    return std::any_of(parts.begin(), parts.end(), [&](lattice::Axial part) {
+    return std::ranges::any_of(parts, [&](lattice::Axial part) {
       return test(occupancy_.owner(state_.lattice.index(site + part)));
     });
   }
@@ -124,8 +125,8 @@ class Search {
     for (int column = 0; column < lattice.columns(); ++column) {
       for (int row = 0; row < lattice.rows(); ++row) {
         const Site site = Site{column, row} + (lattice::Axial() - sites_.front());
-        if (std::all_of(sites_.begin(), sites_.end(),
-                        [&](lattice::Axial part) { return lattice.contains(site + part); }) &&
+        if (std::ranges::all_of(
+                sites_, [&](lattice::Axial part) { return lattice.contains(site + part); }) &&
             outlet_around(state_, {.column = site.column, .row = site.row, .kind = kind_}) ==
                 outlet) {
           result.push_back(site);
@@ -158,17 +159,16 @@ bool clogged(const grains::State& state, const grains::Occupancy& occupancy, std
   }
   std::vector<std::uint16_t> kinds(state.kinds.size());
   std::iota(kinds.begin(), kinds.end(), std::uint16_t{0});
-  std::stable_sort(kinds.begin(), kinds.end(), [&](std::uint16_t one, std::uint16_t other) {
-    return state.kinds[one].shape.size() > state.kinds[other].shape.size();
-  });
+  std::ranges::stable_sort(kinds, std::ranges::greater(),
+                           [&](std::uint16_t kind) { return state.kinds[kind].shape.size(); });
   for (const std::uint16_t kind : kinds) {
     if (sites[kind].empty()) {
       continue;
     }
     const Search search(state, occupancy, kind, outlet, down);
     const Ways past = search.ways(true);
-    if (std::any_of(sites[kind].begin(), sites[kind].end(),
-                    [&](Site site) { return past.from[search.first_index(site)]; })) {
+    if (std::ranges::any_of(sites[kind],
+                            [&](Site site) { return past.from[search.first_index(site)]; })) {
       const Ways now = search.ways(false);
       return now.none || now.end_at_particle || (past.reach_top && !now.reach_top);
     }

@@ -19,7 +19,7 @@ std::vector<int> coordination(const grains::State& state, const grains::Occupanc
     }
     touched = {grains::kFree, grains::as_owner(id)};
     const auto add = [&](grains::Owner owner) {
-      if (std::find(touched.begin(), touched.end(), owner) == touched.end()) {
+      if (std::ranges::find(touched, owner) == touched.end()) {
         touched.push_back(owner);
       }
     };

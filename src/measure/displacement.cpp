@@ -3,16 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
+
+#include "lattice/internal/require.hpp"
 
 namespace clca::measure {
 
 namespace {
 
 void check_origins(const grains::State& state) {
-  if (state.origins.size() != state.particles.size()) {
-    throw std::invalid_argument("not every particle has an origin");
-  }
+  require(state.origins.size() == state.particles.size(), "not every particle has an origin");
 }
 
 /// Number of particle sites per column; columns are not wrapped at a periodic boundary.
@@ -89,9 +88,7 @@ std::vector<double> displacements(const grains::State& state) {
 
 std::optional<double> moved_share(const grains::State& state, double distance) {
   check_origins(state);
-  if (std::isnan(distance)) {
-    throw std::invalid_argument("a distance must be a number");
-  }
+  require(!std::isnan(distance), "a distance must be a number");
   std::size_t far = 0;
   for (std::size_t id = 0; id < state.particles.size(); ++id) {
     far += displacement(state, id) > distance ? 1U : 0U;

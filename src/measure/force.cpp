@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <stdexcept>
 #include <utility>
 
 #include "clca/measure/profile.hpp"
@@ -40,13 +39,12 @@ void for_each_shared(const State& state, const Occupancy& occupancy, const Overl
 int depth_of(const State& state, const Occupancy& occupancy, const OverlapContact& contact) {
   const grains::Particle& particle = state.particles[contact.first];
   const auto& parts = state.shape(particle).sites();
-  const bool one_move = std::any_of(
-      lattice::kDirections.begin(), lattice::kDirections.end(), [&](Direction direction) {
-        const Site moved = particle.site() + unit(direction);
-        return std::none_of(parts.begin(), parts.end(), [&](lattice::Axial part) {
-          return occupancy.has(state.lattice.index(moved + part), contact.second);
-        });
-      });
+  const bool one_move = std::ranges::any_of(lattice::kDirections, [&](Direction direction) {
+    const Site moved = particle.site() + unit(direction);
+    return std::ranges::none_of(parts, [&](lattice::Axial part) {
+      return occupancy.has(state.lattice.index(moved + part), contact.second);
+    });
+  });
   return one_move ? 1 : 2;
 }
 
@@ -206,8 +204,8 @@ std::vector<OverlapContact> contacts(const State& state, const Occupancy& occupa
     contact.depth = depth_of(state, occupancy, contact);
     result.push_back(contact);
   }
-  std::sort(result.begin(), result.end(), [](const OverlapContact& a, const OverlapContact& b) {
-    return std::pair(a.first, a.second) < std::pair(b.first, b.second);
+  std::ranges::sort(result, {}, [](const OverlapContact& contact) {
+    return std::pair(contact.first, contact.second);
   });
   return result;
 }
@@ -218,9 +216,8 @@ std::vector<double> force_indices(std::size_t particle_count,
   for (const OverlapContact& contact : contacts) {
     const bool second_is_there = !grains::is_particle(contact.second) ||
                                  static_cast<std::size_t>(contact.second) < particle_count;
-    if (contact.first >= particle_count || !second_is_there) {
-      throw std::invalid_argument("a contact is of a particle that is not there");
-    }
+    require(contact.first < particle_count && second_is_there,
+            "a contact is of a particle that is not there");
     indices[contact.first] += contact.sites;
     if (grains::is_particle(contact.second)) {
       indices[static_cast<std::size_t>(contact.second)] += contact.sites;
@@ -232,10 +229,8 @@ std::vector<double> force_indices(std::size_t particle_count,
 ForceSummary force_summary(const State& state, const Occupancy& occupancy,
                            const std::vector<OverlapContact>& contacts) {
   check_occupancy(state, occupancy);
-  if (std::any_of(contacts.begin(), contacts.end(), [&](const OverlapContact& contact) {
-        return contact.first >= state.particles.size();
-      })) {
-    throw std::invalid_argument("a contact is of a particle that is not there");
+  for (const OverlapContact& contact : contacts) {
+    require(contact.first < state.particles.size(), "a contact is of a particle that is not there");
   }
   ForceSummary summary{.contacts = contacts.size(),
                        .jammed = jammed_count(state, {}),
@@ -259,9 +254,8 @@ std::optional<double> penetration(const State& now, const Wall& wall,
   if (!wall.present || (!down && !up)) {
     return std::nullopt;
   }
-  if (surface_at_start.size() != static_cast<std::size_t>(now.lattice.columns())) {
-    throw std::invalid_argument("a surface has one height for each column of the box");
-  }
+  require(surface_at_start.size() == static_cast<std::size_t>(now.lattice.columns()),
+          "a surface has one height for each column of the box");
   std::vector<double> covered(surface_at_start.size(), 0.0);
   // Height of the outermost edge above the floor of the box.
   double foremost = down ? kInfinity : -kInfinity;

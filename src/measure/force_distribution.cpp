@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <stdexcept>
 
+#include "lattice/internal/require.hpp"
 #include "measure/numbers.hpp"
 
 namespace clca::measure {
@@ -55,7 +55,7 @@ void fill_bins(ForceDistribution& distribution, const std::vector<double>& stren
   const auto bin_of = [&](double strength) {
     return static_cast<std::size_t>(std::max(0.0, part_at((strength - low) / width)));
   };
-  distribution.bins.resize(bin_of(*std::max_element(strengths.begin(), strengths.end())) + 1);
+  distribution.bins.resize(bin_of(*std::ranges::max_element(strengths)) + 1);
   for (const double strength : strengths) {
     ++distribution.bins[bin_of(strength)].count;
   }
@@ -75,12 +75,9 @@ std::optional<ForceDistribution> force_distribution(const std::vector<double>& s
   if (strengths.empty()) {
     return std::nullopt;
   }
-  const bool usable = std::all_of(strengths.begin(), strengths.end(), [](double strength) {
-    return strength > 0 && strength < kMaxSites;
-  });
-  if (!usable) {
-    throw std::invalid_argument("the strength of a contact is a positive number of sites");
-  }
+  const bool usable = std::ranges::all_of(
+      strengths, [](double strength) { return strength > 0 && strength < kMaxSites; });
+  require(usable, "the strength of a contact is a positive number of sites");
   const auto count = static_cast<double>(strengths.size());
   ForceDistribution distribution{
       .contacts = strengths.size(),
@@ -101,7 +98,7 @@ void ForceAverage::add(const std::vector<OverlapContact>& contacts) {
 }
 
 bool ForceAverage::precedes(const grains::State& now) const {
-  return std::all_of(sums_.begin(), sums_.end(), [&](const auto& pair) {
+  return std::ranges::all_of(sums_, [&](const auto& pair) {
     const auto [first, second] = pair.first;
     const bool known =
         grains::is_particle(second)

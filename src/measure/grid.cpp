@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <stdexcept>
 
+#include "lattice/internal/require.hpp"
 #include "measure/numbers.hpp"
 
 namespace clca::measure {
@@ -14,9 +14,8 @@ namespace {
 constexpr int kMaxCells = 1'000'000'000;
 
 std::size_t count_of(double extent, double cell) {
-  if (!(cell > 0 && extent / cell < double{kMaxCells})) {
-    throw std::invalid_argument("the side of a cell must be positive, and not that small");
-  }
+  require(cell > 0 && extent / cell < double{kMaxCells},
+          "the side of a cell must be positive, and not that small");
   return static_cast<std::size_t>(std::max(1.0, std::round(extent / cell)));
 }
 
@@ -42,9 +41,7 @@ Grid::Grid(const lattice::Lattice& lattice, double cell)
       periodic_(lattice.periodic()),
       columns_(count_of(extents_.x(), cell)),
       rows_(count_of(extents_.y(), cell)) {
-  if (columns_ >= std::size_t{kMaxCells} / rows_) {
-    throw std::invalid_argument("the side of a cell is too small");
-  }
+  require(columns_ < std::size_t{kMaxCells} / rows_, "the side of a cell is too small");
 }
 
 Eigen::Vector2d Grid::in_cells(const Eigen::Vector2d& point) const {
@@ -72,7 +69,7 @@ std::vector<Grid::Part> Grid::parts(const Eigen::Vector2d& from,
   std::vector<double> shares = {0, 1};
   add_crossings(begin.x(), end.x(), shares);
   add_crossings(begin.y(), end.y(), shares);
-  std::sort(shares.begin(), shares.end());
+  std::ranges::sort(shares);
   std::vector<Part> parts;
   for (std::size_t i = 0; i + 1 < shares.size(); ++i) {
     const double middle = (shares[i] + shares[i + 1]) / 2;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <stdexcept>
 
 #include "measure/internal/sites.hpp"
 #include "measure/numbers.hpp"
@@ -31,8 +30,8 @@ LineMean mean_of(const std::vector<Weighted>& blocks) {
     return {};
   }
   LineMean mean = {.value = total.sum / total.weight};
-  const auto filled = std::count_if(blocks.begin(), blocks.end(),
-                                    [](const Weighted& block) { return block.weight > 0; });
+  const auto filled =
+      std::ranges::count_if(blocks, [](const Weighted& block) { return block.weight > 0; });
   if (filled >= static_cast<std::ptrdiff_t>(LineSums::kMost / 2)) {
     double scatter = 0;
     for (const Weighted& block : blocks) {
@@ -49,7 +48,7 @@ LineMean mean_of(const std::vector<Weighted>& blocks) {
 template <class Weigh>
 LineMean mean_of(const std::vector<LineBlock>& blocks, Weigh weighted) {
   std::vector<Weighted> values;
-  std::transform(blocks.begin(), blocks.end(), std::back_inserter(values), weighted);
+  std::ranges::transform(blocks, std::back_inserter(values), weighted);
   return mean_of(values);
 }
 
@@ -91,8 +90,8 @@ LineBlock& LineSums::next(double steps) {
 
 bool LineSums::fit(std::size_t parts) const {
   return parts_ == parts && blocks_.size() <= kMost && block_size_ > 0 &&
-         std::all_of(blocks_.begin(), blocks_.end(),
-                     [=](const LineBlock& block) { return block.parts.size() == parts; });
+         std::ranges::all_of(blocks_,
+                             [=](const LineBlock& block) { return block.parts.size() == parts; });
 }
 
 Line::Line(const grains::State& state, const Eigen::Vector2d& from, const Eigen::Vector2d& to,
@@ -102,9 +101,7 @@ Line::Line(const grains::State& state, const Eigen::Vector2d& from, const Eigen:
       right_(direction_.y(), -direction_.x()),
       length_((to - from).norm()),
       points_(parts) {
-  if (!(length_ > 0) || parts == 0) {
-    throw std::invalid_argument("a line needs a length and parts");
-  }
+  require(length_ > 0 && parts > 0, "a line needs a length and parts");
   const auto count = static_cast<std::size_t>(
       std::clamp(std::ceil(kPointsPerSpacing * part_length()), 1.0, kMaxPoints));
   const double distance = part_length() / static_cast<double>(count);
@@ -115,8 +112,8 @@ Line::Line(const grains::State& state, const Eigen::Vector2d& from, const Eigen:
       points_[point / count].push_back(state.lattice.index(site));
     }
   }
-  std::transform(state.kinds.begin(), state.kinds.end(), std::back_inserter(reaches_),
-                 [](const grains::Kind& kind) { return reach(kind.shape); });
+  std::ranges::transform(state.kinds, std::back_inserter(reaches_),
+                         [](const grains::Kind& kind) { return reach(kind.shape); });
 }
 
 /// Components across and along the line.
@@ -144,9 +141,7 @@ void Line::observe(const Snapshot& before, const grains::State& now,
                    std::span<const std::optional<Eigen::Vector2d>> velocities,
                    LineSums& sums) const {
   check_occupancy(now, occupancy);
-  if (before.step() >= now.step) {
-    throw std::invalid_argument("a line is observed after the snapshot");
-  }
+  require(before.step() < now.step, "a line is observed after the snapshot");
   const auto steps = static_cast<double>(now.step - before.step());
   LineBlock& block = sums.next(steps);
   add_covering(occupancy, velocities, steps, block);

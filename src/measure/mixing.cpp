@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <stdexcept>
+
+#include "lattice/internal/require.hpp"
 
 namespace clca::measure {
 
@@ -39,9 +40,7 @@ Mixing::Mixing(const grains::State& state) : begin_(state) {
   }
   diameter_ = mean_diameter(state, ids);
   // By height, so that neighbours are not far apart in the order.
-  std::stable_sort(ids.begin(), ids.end(), [&](std::uint32_t one, std::uint32_t other) {
-    return centres[one].y() < centres[other].y();
-  });
+  std::ranges::stable_sort(ids, {}, [&](std::uint32_t id) { return centres[id].y(); });
   const double near = kNear * diameter_;
   for (auto one = ids.begin(); one != ids.end(); ++one) {
     for (auto other = one + 1;
@@ -54,9 +53,7 @@ Mixing::Mixing(const grains::State& state) : begin_(state) {
 }
 
 void Mixing::add(const grains::State& now) {
-  if (!precedes(now)) {
-    throw std::invalid_argument("pairs of another run");
-  }
+  require(precedes(now), "pairs of another run");
   std::vector<std::optional<Displacement>> paths(now.particles.size());
   for (std::size_t id = 0; id < paths.size(); ++id) {
     if (now.particles[id].present) {
@@ -88,7 +85,7 @@ void Mixing::add(const grains::State& now) {
 
 bool Mixing::precedes(const grains::State& now) const {
   return begin_.precedes(now) && (pairs_.empty() || diameter_ > 0) &&
-         std::all_of(pairs_.begin(), pairs_.end(), [&](const NeighbourPair& pair) {
+         std::ranges::all_of(pairs_, [&](const NeighbourPair& pair) {
            return pair.first < now.particles.size() && pair.second < now.particles.size() &&
                   pair.passed <= fallen_.size();
          });

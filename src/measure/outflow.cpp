@@ -1,9 +1,9 @@
 #include "clca/measure/outflow.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "grains/internal/box.hpp"
+#include "lattice/internal/require.hpp"
 
 namespace clca::measure {
 
@@ -25,9 +25,7 @@ std::vector<std::uint64_t> discharged_particles(const grains::State& state, std:
   for (const grains::Particle& particle : state.particles) {
     if (!particle.present) {  // it keeps the position at which it was removed
       const std::size_t outlet = grains::outlet_around(state, particle);
-      if (outlet == state.outlets.size()) {
-        throw std::invalid_argument("a particle that has left lies in no outlet");
-      }
+      require(outlet < state.outlets.size(), "a particle that has left lies in no outlet");
       ++counts[outlet * species + state.kinds[particle.kind].species];
     }
   }
@@ -40,9 +38,8 @@ void Outflow::add(Discharge total) {
 }
 
 void Outflow::add_at_start(Discharge total) {
-  if (total.particles < last_.particles || total.sites < last_.sites) {
-    throw std::invalid_argument("what has left a box cannot become less");
-  }
+  require(total.particles >= last_.particles && total.sites >= last_.sites,
+          "what has left a box cannot become less");
   if (total.sites != last_.sites) {
     events_.push_back({.step = steps_, .sites = total.sites - begin_.sites});
   }
@@ -55,10 +52,9 @@ double Outflow::sites_per_step() const {
   }
   const auto total = static_cast<double>(events_.back().sites);
   const auto first_after = [&](double share) {
-    return *std::lower_bound(events_.begin(), events_.end(), share * total,
-                             [](const Event& event, double wanted) {
-                               return static_cast<double>(event.sites) < wanted;
-                             });
+    return *std::ranges::lower_bound(events_, share * total, {}, [](const Event& event) {
+      return static_cast<double>(event.sites);
+    });
   };
   const Event from = first_after(0.2);
   const Event to = first_after(0.7);
@@ -69,7 +65,7 @@ double Outflow::sites_per_step() const {
 
 bool Outflow::precedes(Discharge now) const {
   const bool in_order =
-      std::adjacent_find(events_.begin(), events_.end(), [](const Event& one, const Event& next) {
+      std::ranges::adjacent_find(events_, [](const Event& one, const Event& next) {
         return one.step >= next.step || one.sites >= next.sites;
       }) == events_.end();
   const Event last = events_.empty() ? Event() : events_.back();

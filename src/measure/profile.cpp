@@ -66,7 +66,7 @@ Flank falling_flank(const std::vector<double>& profile) {
   if (profile.empty()) {
     return {};
   }
-  const double highest = *std::max_element(profile.begin(), profile.end());
+  const double highest = *std::ranges::max_element(profile);
   const double high = kFlankHigh * highest;
   const double low = kFlankLow * highest;
   double top_sum = 0;

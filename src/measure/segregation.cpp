@@ -90,10 +90,10 @@ std::optional<std::size_t> intruder(const State& state) {
     }
   }
   const auto alone = [](const auto& entry) { return entry.second.count == 1; };
-  if (std::count_if(species.begin(), species.end(), alone) != 1) {
+  if (std::ranges::count_if(species, alone) != 1) {
     return std::nullopt;
   }
-  return std::find_if(species.begin(), species.end(), alone)->second.last;
+  return std::ranges::find_if(species, alone)->second.last;
 }
 
 }  // namespace

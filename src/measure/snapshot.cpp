@@ -1,7 +1,8 @@
 #include "clca/measure/snapshot.hpp"
 
 #include <algorithm>
-#include <stdexcept>
+
+#include "lattice/internal/require.hpp"
 
 namespace clca::measure {
 
@@ -36,7 +37,7 @@ bool Snapshot::precedes(const grains::State& now) const {
     return !site || (is_small(site->column) && is_small(site->row));
   };
   return step_ <= now.step && sites_.size() <= now.particles.size() &&
-         std::all_of(sites_.begin(), sites_.end(), in_reach);
+         std::ranges::all_of(sites_, in_reach);
 }
 
 std::optional<Displacement> Snapshot::path(const grains::State& now, std::size_t id) const {
@@ -54,9 +55,8 @@ std::optional<Displacement> Snapshot::path(const grains::State& now, std::size_t
 }
 
 void Snapshot::require_later(const grains::State& now) const {
-  if (step_ > now.step || sites_.size() > now.particles.size()) {
-    throw std::invalid_argument("a state is not one that followed the snapshot");
-  }
+  require(step_ <= now.step && sites_.size() <= now.particles.size(),
+          "a state is not one that followed the snapshot");
 }
 
 std::vector<std::optional<Eigen::Vector2d>> Snapshot::velocities(const grains::State& now) const {

@@ -5,7 +5,6 @@
 #include <functional>
 #include <numeric>
 #include <optional>
-#include <stdexcept>
 
 #include "clca/random/draw.hpp"
 #include "measure/internal/sites.hpp"
@@ -51,8 +50,7 @@ std::vector<Beside> beside(const Vector2d& force, const std::vector<Support>& su
       result.push_back({std::max(turned, 0.0), &support});
     }
   }
-  std::stable_sort(result.begin(), result.end(),
-                   [](const Beside& one, const Beside& other) { return one.angle < other.angle; });
+  std::ranges::stable_sort(result, {}, &Beside::angle);
   return result;
 }
 
@@ -142,9 +140,7 @@ std::map<grains::Owner, lattice::Axial> touched_bodies(const grains::State& stat
 std::vector<SupportedGrain> supported_grains(const grains::State& state,
                                              const grains::Occupancy& occupancy) {
   check_occupancy(state, occupancy);
-  if (grains::may_overlap(state)) {
-    throw std::invalid_argument("particles that overlap do not rest on one another");
-  }
+  require(!grains::may_overlap(state), "particles that overlap do not rest on one another");
   std::vector<double> heights;
   std::vector<SupportedGrain> result;
   heights.reserve(state.particles.size());  // as weight_paths_bytes() has it
@@ -158,8 +154,8 @@ std::vector<SupportedGrain> supported_grains(const grains::State& state,
   const auto is_before = [&](std::uint32_t one, std::uint32_t other) {
     return heights[one] != heights[other] ? heights[one] > heights[other] : one < other;
   };
-  std::sort(result.begin(), result.end(),
-            [&](const auto& one, const auto& other) { return is_before(one.id, other.id); });
+  std::ranges::sort(
+      result, [&](const auto& one, const auto& other) { return is_before(one.id, other.id); });
   for (SupportedGrain& grain : result) {
     for (const auto& [body, sum] : touched_bodies(state, occupancy, grain.id)) {
       const bool is_grain = grains::is_particle(body);
@@ -221,7 +217,7 @@ Base base_of(const grains::State& state) {
       all += sites;
     }
   }
-  std::sort(grains.begin(), grains.end());
+  std::ranges::sort(grains);
   const auto end = [&](auto from, auto to) {
     double sites = 0;
     const auto at = std::find_if(from, to, [&](const auto& grain) {

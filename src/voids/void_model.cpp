@@ -5,11 +5,11 @@
 #include <array>
 #include <memory>
 #include <numeric>
-#include <stdexcept>
 #include <utility>
 
 #include "clca/random/draw.hpp"
 #include "grains/internal/one_site_steps.hpp"
+#include "lattice/internal/require.hpp"
 
 namespace clca::voids {
 
@@ -24,9 +24,8 @@ using Claims = std::array<bool, kDownward.size()>;
 using Weights = std::array<std::uint64_t, kDownward.size()>;
 
 std::uint64_t weight(double straight, double sieve) {
-  if (!(straight >= 0 && straight <= 1 && sieve >= 0 && sieve <= 1)) {
-    throw std::invalid_argument("a weight of the void model lies in [0, 1]");
-  }
+  require(straight >= 0 && straight <= 1 && sieve >= 0 && sieve <= 1,
+          "a weight of the void model lies in [0, 1]");
   constexpr double kOne = 0x1p40;
   return static_cast<std::uint64_t>(straight * sieve * kOne);
 }
@@ -36,9 +35,7 @@ class Steps final : public grains::OneSiteSteps {
   Steps(grains::State initial, const Rules& rules, const Options& options)
       : OneSiteSteps(std::move(initial), options) {
     for (const grains::Kind& kind : state().kinds) {
-      if (!rules.sieve.empty() && kind.species >= rules.sieve.size()) {
-        throw std::invalid_argument("a species has no weight");
-      }
+      require(rules.sieve.empty() || kind.species < rules.sieve.size(), "a species has no weight");
       const double sieve = rules.sieve.empty() ? 1 : rules.sieve[kind.species];
       const std::uint64_t beside = weight((1 - rules.straight) / 2, sieve);
       weights_.push_back({weight(rules.straight, sieve), beside, beside});

@@ -91,7 +91,7 @@ void Engine::commit(StripWorker& worker) {
   if (overlaps_) {
     give_turns_among_overlaps(worker);
   } else {
-    std::sort(worker.turns.begin(), worker.turns.end());
+    std::ranges::sort(worker.turns, {}, &QueuedMove::key);
   }
 }
 

@@ -64,7 +64,7 @@ void Engine::decide_contests() {
   for (const StripWorker& worker : busy()) {
     const auto middle = static_cast<std::ptrdiff_t>(turns_.size());
     turns_.insert(turns_.end(), worker.turns.begin(), worker.turns.end());
-    std::inplace_merge(turns_.begin(), turns_.begin() + middle, turns_.end());
+    std::ranges::inplace_merge(turns_, turns_.begin() + middle, {}, &QueuedMove::key);
   }
   for (const QueuedMove& turn : turns_) {
     decide_contest(*turn.proposal);

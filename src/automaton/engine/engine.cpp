@@ -54,9 +54,10 @@ std::size_t Engine::move_particles() {
     for (const Proposals& proposals : worker.proposals) {
       moved += proposals.falling.size() + proposals.sloping.size();
     }
-    moved -= static_cast<std::size_t>(std::count_if(
-        worker.turns.begin(), worker.turns.end(),
-        [](const QueuedMove& turn) { return turn.proposal->outcome != ConflictOutcome::won; }));
+    moved -=
+        static_cast<std::size_t>(std::ranges::count_if(worker.turns, [](const QueuedMove& turn) {
+          return turn.proposal->outcome != ConflictOutcome::won;
+        }));
   }
   nothing_moved_ = moved == 0 && was_quiet();
   world_.changes.by_others = false;

@@ -66,7 +66,7 @@ void Engine::yield_to_pushed(ReusableBuffer<MoveProposal>& proposals) {
 }
 
 void Engine::give_turns_among_overlaps(StripWorker& worker) {
-  std::sort(worker.turns.begin(), worker.turns.end());
+  std::ranges::sort(worker.turns, {}, &QueuedMove::key);
   for (const QueuedMove& turn : worker.turns) {
     MoveProposal& proposal = *turn.proposal;
     const auto direction = static_cast<lattice::Direction>(proposal.move);

@@ -58,24 +58,24 @@ bool Engine::awake_in_earlier_strip(const StripWorker& worker, std::uint32_t id,
                                     lattice::Site at) const {
   const auto others =
       std::span(workers_).first(worker.inner_before.contains(at) ? 0 : worker.strip);
-  return std::any_of(others.begin(), others.end(),
-                     [&](const StripWorker& other) { return other.awake.contains(id); });
+  return std::ranges::any_of(others,
+                             [&](const StripWorker& other) { return other.awake.contains(id); });
 }
 
 grains::Move Engine::provisional_by_windows(const AwakeParticle& particle) const {
   const grains::OccupancyTable& occupancy = world_.occupancy;
   const WindowedFootprint& footprint = footprints_.of(particle.kind, particle.site.column);
-  return active_.provisional(
-      particle.id, particle.previous, world_.state.step, [&](lattice::Direction to) {
-        if (wraps(particle.site)) {
-          return world_.box.is_free(world_.state.particles[particle.id], to);
-        }
-        const auto& lead = footprint.lead_masks[index_of(to)];
-        return std::none_of(lead.begin(), lead.end(), [&](const WindowMask& mask) {
-          const Corner at = occupancy.corner(mask.corner(particle.site));
-          return (occupancy.window(at) & mask.sites) != 0;
-        });
-      });
+  return active_.provisional(particle.id, particle.previous, world_.state.step,
+                             [&](lattice::Direction to) {
+                               if (wraps(particle.site)) {
+                                 return world_.box.is_free(world_.state.particles[particle.id], to);
+                               }
+                               const auto& lead = footprint.lead_masks[index_of(to)];
+                               return std::ranges::none_of(lead, [&](const WindowMask& mask) {
+                                 const Corner at = occupancy.corner(mask.corner(particle.site));
+                                 return (occupancy.window(at) & mask.sites) != 0;
+                               });
+                             });
 }
 
 [[gnu::always_inline]] inline void Engine::examine(StripWorker& worker,

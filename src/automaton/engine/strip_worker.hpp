@@ -52,9 +52,6 @@ struct QueuedMove {
   UpdateKey key;
   MoveProposal* proposal = nullptr;
 };
-inline bool operator<(const QueuedMove& one, const QueuedMove& other) {
-  return one.key < other.key;
-}
 
 /// Where the one window of the proposal lies.
 inline grains::Bitboard::Corner corner(const MoveProposal& proposal,

@@ -46,7 +46,7 @@ std::vector<WindowMask> window_masks(const std::vector<Axial>& sites, bool odd_c
     const lattice::Site at = seen_from(odd_column, site);
     const int column = (at.column - low.column) / grains::kWindow * grains::kWindow + low.column;
     const int row = (at.row - low.row) / grains::kWindow * grains::kWindow + low.row;
-    auto mask = std::find_if(result.begin(), result.end(), [&](const WindowMask& window) {
+    auto mask = std::ranges::find_if(result, [&](const WindowMask& window) {
       return window.column == column && window.row == row;
     });
     if (mask == result.end()) {
@@ -68,7 +68,7 @@ std::vector<Axial> upstream(const std::vector<Axial>& vacated,
       result.push_back(site - unit(direction));
     }
   }
-  std::sort(result.begin(), result.end());
+  std::ranges::sort(result);
   result.erase(std::unique(result.begin(), result.end()), result.end());
   std::erase_if(result, [&](Axial site) {
     return std::binary_search(left_out.begin(), left_out.end(), site);

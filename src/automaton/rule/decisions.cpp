@@ -25,7 +25,7 @@ bool is_free(const World& world, std::uint32_t id, lattice::Direction direction)
   }
   const std::vector<OverlapChange> all = overlap_changes(world, id, direction);
   const grains::Particle there = moved(world.state.particles[id], direction);
-  return std::none_of(all.begin(), all.end(), [&](const OverlapChange& change) {
+  return std::ranges::none_of(all, [&](const OverlapChange& change) {
     return change.after() > change.before() || is_too_deep(world, there, change);
   });
 }
@@ -52,14 +52,14 @@ std::optional<grains::Move> retreat(const World& world, std::uint32_t id) {
       (random::draw(state.seed, state.step, id, random::Purpose::passive) & 1U) != 0;
   for (const lattice::Direction direction :
        around(opposite(resting.front().direction), right_first)) {
-    const bool back = std::all_of(resting.begin(), resting.end(), [&](const grains::Push& push) {
+    const bool back = std::ranges::all_of(resting, [&](const grains::Push& push) {
       return lattice::sixths_between(opposite(push.direction), direction) <= 1;
     });
     if (!back || !is_free(world, id, direction)) {
       continue;
     }
     const std::vector<OverlapChange> all = overlap_changes(world, id, direction);
-    const bool shrinks = std::all_of(resting.begin(), resting.end(), [&](const grains::Push& push) {
+    const bool shrinks = std::ranges::all_of(resting, [&](const grains::Push& push) {
       const OverlapChange* change = find(all, grains::as_owner(push.pushed));
       return change != nullptr && change->sites_after < change->sites_before;
     });

@@ -25,7 +25,7 @@ void leave(World& world, const WallStep& step) {
 }
 
 bool may_enter(const World& world, const WallStep& step) {
-  return std::all_of(step.enters.begin(), step.enters.end(), [&](std::size_t index) {
+  return std::ranges::all_of(step.enters, [&](std::size_t index) {
     const grains::Owner owner = world.occupancy.owner(index);
     return owner == grains::kFree ||
            (grains::is_particle(owner) && world.occupancy.second_owner(index) == grains::kFree);
@@ -57,7 +57,7 @@ std::vector<std::uint32_t> touched(const World& world, const WallStep& step) {
       ids.push_back(grains::particle_id(other));
     }
   }
-  std::sort(ids.begin(), ids.end());
+  std::ranges::sort(ids);
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
   return ids;
 }
@@ -65,7 +65,7 @@ std::vector<std::uint32_t> touched(const World& world, const WallStep& step) {
 /// Whether these particles could be clear of the wall after one step along its way or beside it.
 bool is_shallow(const World& world, const WallStep& step, const std::vector<std::uint32_t>& ids) {
   const std::array ways = {step.direction, rotated(step.direction, 1), rotated(step.direction, -1)};
-  return std::all_of(ids.begin(), ids.end(), [&](std::uint32_t id) {
+  return std::ranges::all_of(ids, [&](std::uint32_t id) {
     return can_leave(world, world.state.particles[id], grains::wall_code(step.wall), ways);
   });
 }

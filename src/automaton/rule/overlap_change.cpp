@@ -16,9 +16,7 @@ std::vector<OverlapChange> overlap_changes(const World& world, std::uint32_t id,
     result.push_back({.owner = overlap.owner, .sites_before = overlap.sites});
   }
   for (const Overlap& overlap : after) {
-    auto change = std::find_if(result.begin(), result.end(), [&](const OverlapChange& other) {
-      return other.owner == overlap.owner;
-    });
+    auto change = std::ranges::find(result, overlap.owner, &OverlapChange::owner);
     if (change == result.end()) {
       change = result.insert(result.end(), {.owner = overlap.owner});
     }
@@ -28,9 +26,7 @@ std::vector<OverlapChange> overlap_changes(const World& world, std::uint32_t id,
 }
 
 const OverlapChange* find(const std::vector<OverlapChange>& changes, grains::Owner owner) {
-  const auto found =
-      std::find_if(changes.begin(), changes.end(),
-                   [owner](const OverlapChange& change) { return change.owner == owner; });
+  const auto found = std::ranges::find(changes, owner, &OverlapChange::owner);
   return found == changes.end() ? nullptr : &*found;
 }
 
@@ -47,12 +43,12 @@ int shared_sites(const World& world, std::uint32_t id) {
 bool can_leave(const World& world, const grains::Particle& particle, grains::Owner owner,
                std::span<const lattice::Direction> directions) {
   const lattice::Lattice& lattice = world.state.lattice;
-  return std::any_of(directions.begin(), directions.end(), [&](lattice::Direction direction) {
+  return std::ranges::any_of(directions, [&](lattice::Direction direction) {
     const grains::Particle target = moved(particle, direction);
     const std::size_t index = lattice.index(target.site());
     const int column = lattice.wrapped(target.column);
     const std::vector<lattice::Offset>& body = world.box.footprints.of(target).body;
-    return std::none_of(body.begin(), body.end(), [&](lattice::Offset offset) {
+    return std::ranges::none_of(body, [&](lattice::Offset offset) {
       return world.occupancy.has(lattice.at(index, column, offset), owner);
     });
   });

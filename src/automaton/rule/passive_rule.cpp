@@ -84,7 +84,7 @@ std::optional<Following> following_of(const World& world, std::uint32_t id, Dire
 /// Whether the direction is within 120 degrees of all pushes.
 bool follows_pushes(const World& world, std::uint32_t id, Direction direction) {
   const auto pushes = PushList::onto(world.state, id);
-  return std::all_of(pushes.begin(), pushes.end(), [&](const grains::Push& push) {
+  return std::ranges::all_of(pushes, [&](const grains::Push& push) {
     return lattice::sixths_between(push.direction, direction) <= 2;
   });
 }
@@ -192,11 +192,9 @@ grains::Push cause(const World& world, std::uint32_t id, Direction direction,
     return change == nullptr ? 0 : change->sites_before;
   };
   const auto causes = PushList::onto(world.state, id);
-  return *std::min_element(
-      causes.begin(), causes.end(), [&](const grains::Push& a, const grains::Push& b) {
-        return std::pair(lattice::sixths_between(a.direction, direction), -sites(a)) <
-               std::pair(lattice::sixths_between(b.direction, direction), -sites(b));
-      });
+  return *std::ranges::min_element(causes, {}, [&](const grains::Push& push) {
+    return std::pair(lattice::sixths_between(push.direction, direction), -sites(push));
+  });
 }
 
 }  // namespace

@@ -64,8 +64,7 @@ Steps::Movers Steps::movers_of(std::span<const std::uint32_t> ids) {
 
 void Steps::give_turns(std::vector<ProposedMove>& movers,
                        bool (*move)(World&, std::uint32_t, lattice::Direction)) {
-  std::sort(movers.begin(), movers.end(),
-            [](const ProposedMove& one, const ProposedMove& other) { return one.key < other.key; });
+  std::ranges::sort(movers, {}, &ProposedMove::key);
   for (const ProposedMove& mover : movers) {
     const std::uint32_t id = mover.key.id;
     if (move(world_, id, mover.direction)) {

@@ -22,8 +22,7 @@ std::uint64_t class_of(const Rules& rules, grains::Move previous, grains::Move m
     return false;
   };
   const auto& classes = rules.update_priority;
-  return static_cast<std::uint64_t>(std::find_if(classes.begin(), classes.end(), fits) -
-                                    classes.begin());
+  return static_cast<std::uint64_t>(std::ranges::find_if(classes, fits) - classes.begin());
 }
 
 /// Ties::direction: gravity first, then pairs at the same angle to it, each in the order of a coin

@@ -12,9 +12,8 @@ constexpr std::size_t kUsualOverlaps = 8;  // of one particle, at most
 
 auto lower_bound(const std::vector<grains::Push>& pushes, std::uint32_t pushed,
                  grains::Owner pusher) {
-  return std::lower_bound(
-      pushes.begin(), pushes.end(), std::pair(pushed, pusher),
-      [](const grains::Push& push, const auto& key) { return push.key() < key; });
+  return std::ranges::lower_bound(pushes, std::pair(pushed, pusher), {},
+                                  [](const grains::Push& push) { return push.key(); });
 }
 
 }  // namespace
@@ -33,7 +32,7 @@ std::vector<std::uint32_t> PushList::overlapping_particles(const grains::State& 
       ids.push_back(static_cast<std::uint32_t>(push.pusher));
     }
   }
-  std::sort(ids.begin(), ids.end());
+  std::ranges::sort(ids);
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
   return ids;
 }
@@ -82,8 +81,7 @@ void PushList::count(const grains::Push& push, int change) {
 }
 
 bool shares(const std::vector<Overlap>& overlaps, grains::Owner owner) {
-  return std::any_of(overlaps.begin(), overlaps.end(),
-                     [owner](const Overlap& overlap) { return overlap.owner == owner; });
+  return std::ranges::find(overlaps, owner, &Overlap::owner) != overlaps.end();
 }
 
 World::World(grains::Box& around, const Rules& given_rules)
@@ -111,9 +109,7 @@ std::vector<Overlap> World::overlaps(std::uint32_t id, const grains::Particle& a
     if (owner == grains::kFree || owner == grains::as_owner(id)) {
       return;
     }
-    const auto found = std::find_if(result.begin(), result.end(), [owner](const Overlap& overlap) {
-      return overlap.owner == owner;
-    });
+    const auto found = std::ranges::find(result, owner, &Overlap::owner);
     if (found == result.end()) {
       result.push_back({owner, 1});
     } else {

@@ -185,7 +185,7 @@ void SmallGroups::add_group(std::uint32_t grain, const ContactSlots& slots) {
     slots.for_each(id, [&](std::int32_t at) { group.push_back(at); });
   }
   // Both grains of a contact list it.
-  std::sort(group.begin(), group.end());
+  std::ranges::sort(group);
   group.erase(std::unique(group.begin(), group.end()), group.end());
 }
 
@@ -201,7 +201,7 @@ bool SmallGroups::find(std::uint32_t grain, const ContactSlots& slots) {
         return;
       }
       const auto next = slot.upper == id ? grains::particle_id(slot.other) : slot.upper;
-      if (std::find(near_.begin(), near_.end(), next) == near_.end()) {
+      if (std::ranges::find(near_, next) == near_.end()) {
         near_.push_back(next);
         is_small = is_small && seen_[next] != steps_;  // else that group is not
       }
@@ -218,9 +218,8 @@ bool SmallGroups::find(std::uint32_t grain, const ContactSlots& slots) {
 ContactFinder::ContactFinder(const grains::Box& box, const Rule& rule)
     : state_(box.state),
       box_(box),
-      has_moving_walls_(
-          std::any_of(state_.walls.begin(), state_.walls.end(),
-                      [](const grains::Wall& wall) { return wall.motion.has_value(); })),
+      has_moving_walls_(std::ranges::any_of(
+          state_.walls, [](const grains::Wall& wall) { return wall.motion.has_value(); })),
       normals_(state_.kinds),
       sorted_(state_, rule) {}
 
@@ -242,8 +241,8 @@ void ContactFinder::update(std::span<const std::uint32_t> moved, const WallVeloc
       ids_.push_back(id);
     }
   };
-  std::for_each(moved.begin(), moved.end(), look_at);
-  std::for_each(at_several_bodies_.begin(), at_several_bodies_.end(), look_at);
+  std::ranges::for_each(moved, look_at);
+  std::ranges::for_each(at_several_bodies_, look_at);
   at_several_bodies_.clear();
   found_.clear();
   for (const std::uint32_t id : ids_) {
@@ -255,8 +254,7 @@ void ContactFinder::update(std::span<const std::uint32_t> moved, const WallVeloc
   for (const std::uint32_t id : ids_) {
     moved_[id] = 0;
   }
-  std::sort(found_.begin(), found_.end(),
-            [](const auto& one, const auto& other) { return one.first < other.first; });
+  std::ranges::sort(found_, {}, [](const auto& found) { return found.first; });
   for (const auto& [key, touch] : found_) {
     slots.add(touch.contact, touch.apart);
   }
@@ -297,7 +295,7 @@ bool ContactFinder::look_around(std::uint32_t id, const ContactSlots& slots) {
     const Slot& slot = slots.at(at);
     partners_.push_back(slot.upper == id ? slot.other : grains::as_owner(slot.upper));
   });
-  bool at_wall = std::any_of(partners_.begin(), partners_.end(), grains::is_wall);
+  bool at_wall = std::ranges::any_of(partners_, grains::is_wall);
   grains::Owner before = grains::kFree;
   const grains::Particle& grain = state_.particles[id];
   box_.for_each_index(grain, box_.footprints.of(grain).ring, [&](std::size_t index) {
@@ -309,7 +307,7 @@ bool ContactFinder::look_around(std::uint32_t id, const ContactSlots& slots) {
     at_wall = at_wall || grains::is_wall(owner);
     const auto other = grains::particle_id(owner);
     if (grains::is_particle(owner) && !checked_with(other, id) &&
-        std::find(partners_.begin(), partners_.end(), owner) == partners_.end()) {
+        std::ranges::find(partners_, owner) == partners_.end()) {
       partners_.push_back(owner);
       const Touch found = touch(id, other);
       if (found.contact.normal != UnitVector()) {
@@ -345,7 +343,7 @@ void ContactFinder::check_walls(std::uint32_t id, const WallVelocities& walls,
     slots.set(slots_before[i], contact, {});
   }
   for (const Touch& touch : now) {
-    if (std::find(next.begin(), next.end(), &touch) == next.end()) {
+    if (std::ranges::find(next, &touch) == next.end()) {
       add_found(touch);
     }
   }
@@ -363,7 +361,7 @@ void ContactFinder::sort(ContactSlots& slots) {
     return std::tie(slots.at(at).apart, slots.at(at).other);
   };
   // From the order of the last time, which is nearly right.
-  std::stable_sort(order_.begin(), order_.end(), [&](const auto& one, const auto& other) {
+  std::ranges::stable_sort(order_, [&](const auto& one, const auto& other) {
     return one.first != other.first ? one.first < other.first
                                     : apart(one.second) < apart(other.second);
   });

@@ -131,7 +131,7 @@ bool Mover::move_at_once(Direction direction) {
     return false;
   }
   std::vector<std::uint32_t> blocked;
-  std::copy_if(ids_.begin(), ids_.end(), std::back_inserter(blocked), [&](std::uint32_t id) {
+  std::ranges::copy_if(ids_, std::back_inserter(blocked), [&](std::uint32_t id) {
     return waits(id, direction) && is_move_due(state_.remainders[id], direction);
   });
   const std::vector<std::uint32_t> ids = moves_.movable_at_once(std::move(blocked), direction);
@@ -148,7 +148,7 @@ bool Mover::move_walls(Direction direction, std::span<WallMove> walls) {
   release(pushed, direction);
   wake(kWalls, direction);
   ids_.insert(ids_.end(), pushed.begin(), pushed.end());
-  std::sort(ids_.begin(), ids_.end());
+  std::ranges::sort(ids_);
   ids_.erase(std::unique(ids_.begin(), ids_.end()), ids_.end());
   return true;
 }

@@ -91,8 +91,7 @@ std::vector<std::vector<Touch*>> active_groups(std::span<Touch> contacts, std::s
   }
   std::vector<std::vector<Touch*>> result;
   for (auto& [lowest, of_group] : by_group) {
-    if (size[lowest] <= kMostGrains &&
-        std::any_of(of_group.begin(), of_group.end(), [](const Touch* touch) {
+    if (size[lowest] <= kMostGrains && std::ranges::any_of(of_group, [](const Touch* touch) {
           return touch->contact.impulse.normal > 0 || touch->bounce > 0;
         })) {
       result.push_back(std::move(of_group));
@@ -102,8 +101,7 @@ std::vector<std::vector<Touch*>> active_groups(std::span<Touch> contacts, std::s
 }
 
 void solve_impact(std::span<Touch* const> contacts, const Motion& motion) {
-  if (std::none_of(contacts.begin(), contacts.end(),
-                   [](const Touch* touch) { return touch->bounce > 0; })) {
+  if (std::ranges::none_of(contacts, [](const Touch* touch) { return touch->bounce > 0; })) {
     return;
   }
   std::map<grains::Owner, Velocity<>> velocities;  // of the grains, before

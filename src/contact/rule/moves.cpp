@@ -54,7 +54,7 @@ grains::Owner SiteMoves::in_the_way(std::uint32_t id, Direction direction) const
 
 std::vector<std::uint32_t> SiteMoves::movable_at_once(std::vector<std::uint32_t> blocked,
                                                       Direction direction) const {
-  std::sort(blocked.begin(), blocked.end());
+  std::ranges::sort(blocked);
   for (std::vector<std::uint32_t> before; before.size() != blocked.size();) {
     before = blocked;
     std::erase_if(blocked, [&](std::uint32_t id) {
@@ -198,8 +198,9 @@ namespace {
 bool slow_down(Velocity<>& velocity, std::int32_t excess, Direction direction) {
   const auto towards = [&](Direction way) { return along({velocity.x, velocity.y}, unit_of(way)); };
   const std::int32_t speed = towards(direction);
-  if (speed <= kSpacing || std::any_of(lattice::kDirections.begin(), lattice::kDirections.end(),
-                                       [&](Direction other) { return towards(other) > speed; })) {
+  if (speed <= kSpacing || std::ranges::any_of(lattice::kDirections, [&](Direction other) {
+        return towards(other) > speed;
+      })) {
     return false;  // or its velocity is that of another direction
   }
   Vector slower = {velocity.x, velocity.y};
@@ -260,9 +261,7 @@ Cuts cut_remainders(State& state, const SiteMoves& moves, const Motion& motion,
   if (result.pushes.empty()) {
     return result;
   }
-  std::stable_sort(
-      result.pushes.begin(), result.pushes.end(),
-      [](const Contact& one, const Contact& other) { return one.upper < other.upper; });
+  std::ranges::stable_sort(result.pushes, {}, &Contact::upper);
   const auto inverse_mass = [&](std::uint32_t id) {
     return motion.rule.bodies.pair(state.grains.particles[id].kind, std::nullopt)
         .upper_inverse_mass;

@@ -7,23 +7,16 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <stdexcept>
 
 #include "clca/contact/state.hpp"
 #include "clca/lattice/direction.hpp"
+#include "lattice/internal/require.hpp"
 
 namespace clca::contact {
 
 inline constexpr int kMassBits = 16;         ///< of masses in their unit, see mass_unit()
 inline constexpr int kInverseMassBits = 26;  ///< these are at most 8
 inline constexpr int kRatioBits = 16;        ///< of coefficients of friction and restitution
-
-/// Throws std::invalid_argument unless it holds.
-inline void require(bool holds, const char* reason) {
-  if (!holds) {
-    throw std::invalid_argument(reason);
-  }
-}
 
 /// Product of two numbers. Sums of products must fit a sign and 62 bits.
 inline std::int64_t product(std::int32_t one, std::int32_t other) {

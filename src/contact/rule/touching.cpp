@@ -28,8 +28,7 @@ std::optional<UnitVector> normal_between(const lattice::Shape& first, const latt
   Axial blocked;
   for (const lattice::Direction direction : lattice::kDirections) {
     const std::vector<Axial> lead = first.lead(direction);
-    if (std::any_of(lead.begin(), lead.end(),
-                    [&](Axial site) { return second.contains(site - apart); })) {
+    if (std::ranges::any_of(lead, [&](Axial site) { return second.contains(site - apart); })) {
       blocked = blocked + unit(direction);
     }
   }
@@ -100,7 +99,7 @@ std::map<grains::Owner, Surface> touched_bodies(const grains::Box& box,
 
 /// The lowest and the highest site of each column, sorted: it has the convex hull of all.
 std::vector<Axial> outline(std::vector<Axial> sites) {
-  std::sort(sites.begin(), sites.end());
+  std::ranges::sort(sites);
   std::vector<Axial> result;
   for (std::size_t i = 0; i < sites.size(); ++i) {
     const bool first = i == 0 || sites[i - 1].x != sites[i].x;
@@ -122,17 +121,16 @@ std::vector<Axial> around(const std::vector<Axial>& sites, int distance) {
       }
     }
   }
-  std::sort(result.begin(), result.end());
+  std::ranges::sort(result);
   result.erase(std::unique(result.begin(), result.end()), result.end());
   return result;
 }
 
 /// Whether a direction leads to the side on which the grain is, not to the far side of a thin wall.
 bool faces(const Surface& body, lattice::Direction direction) {
-  return std::any_of(
-      lattice::kDirections.begin(), lattice::kDirections.end(), [&](lattice::Direction blocked) {
-        return contains(body.directions, blocked) && sixths_between(direction, blocked) > 1;
-      });
+  return std::ranges::any_of(lattice::kDirections, [&](lattice::Direction blocked) {
+    return contains(body.directions, blocked) && sixths_between(direction, blocked) > 1;
+  });
 }
 
 /// Adds bodies near those that touch the grain, and how all of them lie there.
@@ -228,9 +226,8 @@ bool join_two(std::vector<Surface>& all, const std::vector<Axial>& grain) {
       }
     }
   }
-  std::stable_sort(pairs.begin(), pairs.end(), [&](const auto& one, const auto& other) {
-    return likeness(all[one.first], all[one.second]) >
-           likeness(all[other.first], all[other.second]);
+  std::ranges::stable_sort(pairs, std::ranges::greater(), [&](const auto& pair) {
+    return likeness(all[pair.first], all[pair.second]);
   });
   for (const auto& [i, j] : pairs) {
     if (Surface both = joined(all[i], all[j]); separable(grain, both.near)) {
@@ -253,9 +250,8 @@ std::vector<grains::Owner> bodies_of_contacts(const Surface& surface, const Wall
   };
   std::vector<grains::Owner> chosen;
   for (const auto& [body, sites] : surface.touched) {
-    const auto alike = std::find_if(
-        chosen.begin(), chosen.end(),
-        [&, now = velocity(body)](grains::Owner other) { return velocity(other) == now; });
+    const auto alike = std::ranges::find_if(
+        chosen, [&, now = velocity(body)](grains::Owner other) { return velocity(other) == now; });
     if (alike == chosen.end()) {
       chosen.push_back(body);
     } else if (rank(body) > rank(*alike)) {
@@ -350,10 +346,10 @@ std::vector<const Touch*> followed_by(std::span<const Contact> before, std::span
       }
     }
   }
-  std::sort(matches.begin(), matches.end(), std::greater());
+  std::ranges::sort(matches, std::greater());
   std::vector<const Touch*> result(before.size(), nullptr);
   for (const auto& [same_kind, like, same_body, was, is, i, touch] : matches) {
-    if (result[i] == nullptr && std::find(result.begin(), result.end(), touch) == result.end()) {
+    if (result[i] == nullptr && std::ranges::find(result, touch) == result.end()) {
       result[i] = touch;
     }
   }
@@ -375,8 +371,8 @@ std::vector<Touch> next_contacts(const grains::State& state, const std::vector<C
     }
   }
   std::vector<Contact> were_at_walls;
-  std::copy_if(before.begin(), before.end(), std::back_inserter(were_at_walls),
-               [](const Contact& contact) { return !grains::is_particle(contact.other); });
+  std::ranges::copy_if(before, std::back_inserter(were_at_walls),
+                       [](const Contact& contact) { return !grains::is_particle(contact.other); });
   const std::vector<const Touch*> next = followed_by(were_at_walls, at_walls);
   auto next_at_wall = next.begin();
   std::vector<Touch> all;

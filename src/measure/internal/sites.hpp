@@ -7,6 +7,7 @@
 
 #include "clca/grains/occupancy.hpp"
 #include "clca/grains/state.hpp"
+#include "lattice/internal/require.hpp"
 
 namespace clca::measure {
 
@@ -37,9 +38,8 @@ inline double reach(const lattice::Shape& shape) {
 
 /// Throws std::invalid_argument if the occupancy is that of another box.
 inline void check_occupancy(const grains::State& state, const grains::Occupancy& occupancy) {
-  if (occupancy.index_count() != state.lattice.index_count()) {
-    throw std::invalid_argument("the occupancy is that of another box");
-  }
+  require(occupancy.index_count() == state.lattice.index_count(),
+          "the occupancy is that of another box");
 }
 
 /// Sites of the present walls, sorted, without duplicates.
@@ -51,7 +51,7 @@ inline std::vector<lattice::Site> wall_sites(const grains::State& state) {
       sites.insert(sites.end(), covered.begin(), covered.end());
     }
   }
-  std::sort(sites.begin(), sites.end());
+  std::ranges::sort(sites);
   sites.erase(std::unique(sites.begin(), sites.end()), sites.end());
   return sites;
 }
