@@ -87,7 +87,7 @@ Candidates assignments(const std::string& begun) {
 /// The values of an option by its name or type: of `{png,pdf}` these words.
 Candidates values_of(const CLI::Option& option, const std::string& begun) {
   const std::string type = option.get_type_name();
-  const std::string name = option.get_single_name();
+  const std::string& name = option.get_single_name();
   if (type.starts_with("KEY=")) {
     return assignments(begun);
   }

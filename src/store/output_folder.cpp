@@ -66,7 +66,7 @@ Descriptor opened(const fs::path& file, int flags) {
 /// The folder and its manifest. Names are relative to this folder. What is not const is called with
 /// the mutex.
 struct OutputFolder::State {
-  explicit State(const fs::path& folder) : path(folder) {
+  explicit State(fs::path folder) : path(std::move(folder)) {
     std::error_code error;
     absolute = path.empty() ? fs::current_path(error) : fs::absolute(path, error);
     read_manifest();
@@ -83,7 +83,7 @@ struct OutputFolder::State {
 
   void read_manifest();
   void add_to_manifest(std::string text);
-  void make_folders(const std::string& name);
+  void make_folders(const std::string& name) const;
   /// Prepares a file to be written: makes its folders and lists it.
   void prepare(const std::string& name);
 
@@ -169,7 +169,7 @@ void OutputFolder::State::add_to_manifest(std::string text) {
   not_flushed.insert(kManifest);
 }
 
-void OutputFolder::State::make_folders(const std::string& name) {
+void OutputFolder::State::make_folders(const std::string& name) const {
   if (!is_marked) {
     store::make_folder(absolute);
   }

@@ -66,9 +66,12 @@ struct ReadCurves {
 std::map<std::string, std::uint64_t> stage_starts(const store::RunSummary& summary) {
   std::map<std::string, std::uint64_t> starts;
   std::uint64_t step = summary.steps;
-  for (auto stage = summary.stages.rbegin(); stage != summary.stages.rend(); ++stage) {
-    step -= stage->steps;
-    starts[stage->name] = step;
+  for (const store::StageSummary& stage : summary.stages) {
+    step -= stage.steps;
+  }
+  for (const store::StageSummary& stage : summary.stages) {
+    starts[stage.name] = step;
+    step += stage.steps;
   }
   return starts;
 }

@@ -93,9 +93,10 @@ Run any_run(bool contact) {
   const testing::ScratchFolder folder;
   const std::string text = any_scene(contact);
   RC_LOG() << text;
+  const scene::Scene scene = scene::parse(text, "scene.yaml");
   Run result;
   try {
-    result.summary = run::run(scene::parse(text, "scene.yaml"), {.folder = folder.path()});
+    result.summary = run::run(scene, {.folder = folder.path()});
   } catch (const scene::SceneError&) {
     RC_DISCARD("a fill does not fit");
   }
