@@ -1,4 +1,4 @@
-// clca: the list of commands. One command, one file.
+// clca: the list of commands.
 
 #include <fmt/format.h>
 

@@ -1,12 +1,34 @@
 #include "clca/render/legend.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "render/colors.hpp"
-#include "render/internal/legend_json.hpp"
+
+/// Of icons: in thousandths, which are short.
+template <>
+struct nlohmann::adl_serializer<Eigen::Vector2d> {
+  static void to_json(json& to, const Eigen::Vector2d& point) {
+    to = {std::lround(1000 * point.x()), std::lround(1000 * point.y())};
+  }
+  static void from_json(const json& from, Eigen::Vector2d& point) {
+    point = Eigen::Vector2d(from.at(0), from.at(1)) / 1000;
+  }
+};
+
+namespace clca::image {
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Rgb, red, green, blue)
+}  // namespace clca::image
 
 namespace clca::render {
+
+// As JSON.
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Legend::Patch, label, color, outline, size)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Legend::Bar, label, low, high, diverging, below, above)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Legend::Line, label, width, length, color, arrow)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Legend, patches, bars, lines, fade)
 
 void add_walls(Legend& legend, const ShownWalls& walls) {
   const std::vector<Eigen::Vector2d> square = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};

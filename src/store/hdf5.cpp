@@ -1,6 +1,7 @@
 #include "store/hdf5.hpp"
 
 #include <fmt/format.h>
+#include <pthread.h>
 
 #include <new>
 
@@ -11,8 +12,14 @@ namespace clca::store::hdf5 {
 
 namespace {
 
+/// A child process gets the library between two calls, and free.
 std::mutex& library() {
   static std::mutex mutex;
+  static const int kFailed =
+      ::pthread_atfork([] { mutex.lock(); }, [] { mutex.unlock(); }, [] { mutex.unlock(); });
+  if (kFailed != 0) {
+    throw std::bad_alloc();
+  }
   return mutex;
 }
 

@@ -2,6 +2,7 @@
 
 import itertools
 import os
+import resource
 import subprocess
 import unittest
 
@@ -215,6 +216,20 @@ class HostileTextTest(ScratchTest):
         self.refused(lambda: clca.open("run").series, "no UTF-8")
         (run.folder / "series.csv").write_bytes(b"st\xffge,step\np,1\n")
         self.refused(lambda: clca.open("run").series, "no UTF-8")
+
+    def test_a_long_cell_does_not_take_its_length_in_each_row(self):
+        run = clca.run(SCENE, output="run")
+        (run.folder / "series.csv").write_bytes(b"stage\n" + b"x" * 100_000 + b"\n" + b"y\n" * 3000)
+        before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+        table = clca.open("run").series
+        self.assertEqual((table.shape, table["stage"][1], len(table["stage"][0])), ((3001,), "y", 100_000))
+        self.assertEqual((table["stage"] == "y").sum(), 3000)
+        self.assertLess(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before, 100 << 10)
+
+
+if __name__ == "__main__":
+    unittest.main()
+
 
 
 if __name__ == "__main__":

@@ -71,6 +71,15 @@ class Named(dict[str, T]):
         raise KeyError(f"no {self._what} {name!r}; there are {', '.join(self) or 'none'}")
 
 
+def as_array(cells: Any) -> NDArray[Any]:
+    """A column. Texts are of one length, but where a few long ones would take many times the memory of all."""
+    if isinstance(cells, list):
+        longest = max(map(len, cells), default=0)
+        if longest * len(cells) > 8 * sum(map(len, cells)) + 2**20:
+            return numpy.array(cells, dtype=object)
+    return numpy.asarray(cells)
+
+
 class Table(numpy.ndarray[Any, numpy.dtype[Any]]):
     """A structured array: a row for each line, a field for each column.
 
@@ -81,7 +90,7 @@ class Table(numpy.ndarray[Any, numpy.dtype[Any]]):
     _file: str  #: that it was read from, for messages
 
     def __new__(cls, columns: Iterable[tuple[str, Any, Quantity]], file: str = "table") -> Table:
-        columns = [(key, numpy.asarray(cells), what) for key, cells, what in columns]
+        columns = [(key, as_array(cells), what) for key, cells, what in columns]
         filled = numpy.empty(len(columns[0][1]), [(key, cells.dtype) for key, cells, _ in columns])
         for key, cells, _ in columns:
             filled[key] = cells
