@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from . import _answer
 from ._error import ArgumentError, Error, WriteError
 from ._frames import Frame, Frames
-from ._trajectory import PITCH, axial, slices, trajectory_in, trapezoids
+from ._trajectory import PITCH, axial, in_h5py, slices, trajectory_in, trapezoids
 
 if TYPE_CHECKING:
     from ._folder import Run
@@ -256,7 +256,7 @@ def h5md(source: Source, target: Target) -> None:
         return data
 
     with Disk(target.path, "w+") as disk:
-        with h5py.File(disk, "w") as file:
+        with in_h5py, h5py.File(disk, "w") as file:
             file.create_group("h5md").attrs["version"] = numpy.array([1, 1], "i4")
             file.create_group("h5md/author").attrs["name"] = numpy.bytes_("unknown")
             file.create_group("h5md/creator").attrs["name"] = numpy.bytes_("clca")

@@ -19,6 +19,7 @@ from ._frames import Frames, Kind
 from ._notebook import Movie, Picture, overrides, shown
 from ._summary import SHAPES, check
 from ._table import Named, Quantity, Table, Value, check_regular, quantities, read_table
+from ._trajectory import trajectory_in
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes  # type: ignore[import]
@@ -245,8 +246,6 @@ class Run(Result):
         """The trajectory, where the scene has `output.trajectory`: `frames[-1]` is the last frame, `frames.at(step)`
         that of a step. Throws Error without one.
         """
-        from ._trajectory import trajectory_in
-
         return Frames(trajectory_in(self.folder, self.summary))
 
     @property

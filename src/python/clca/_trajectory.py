@@ -12,6 +12,7 @@ from functools import lru_cache, partial
 from pathlib import Path
 from typing import Any
 
+import h5py  # type: ignore[import]
 import numpy
 from numpy.typing import NDArray
 
@@ -24,10 +25,11 @@ HEADER = re.compile(rb"clca .* version 1\nbytes (\d+)\n")
 HEADER_BYTES = 512
 SIDES = {-(2**31): "box.floor", -(2**31) + 1: "box.top", -(2**31) + 2: "box.left", -(2**31) + 3: "box.right"}
 NO_MOVE = 6
-# Python must neither end nor fork while a thread is in h5py: its lock would be held for ever.
-reading = threading.Lock()
-atexit.register(reading.acquire)
-os.register_at_fork(before=reading.acquire, after_in_parent=reading.release, after_in_child=reading.release)
+# Python must neither end nor fork while a thread is in h5py: its lock would be held for ever. At the end this lock must come
+# first, before what h5py does then: h5py is imported above, by the thread that imports clca.
+in_h5py = threading.RLock()
+atexit.register(in_h5py.acquire)
+os.register_at_fork(before=in_h5py.acquire, after_in_parent=in_h5py.release, after_in_child=in_h5py.release)
 # Where the rows of a frame begin in its lists.
 FIRST = {"particles": "first", "origins": "first_origin", "pushes": "first_push", "contacts": "first_contact"}
 OF_FRAMES = ("step", "stage", "entered", *FIRST, *FIRST.values())
@@ -96,8 +98,6 @@ def slices(count: int, many: int = MANY) -> Iterator[slice]:
 @contextmanager
 def opened(file: Path) -> Iterator[Any]:
     """A part."""
-    import h5py  # type: ignore[import]
-
     check_regular(file)
     try:
         with file.open("rb") as stream:
@@ -106,7 +106,7 @@ def opened(file: Path) -> Iterator[Any]:
             raise ValueError("it is no part of a trajectory of this version")
         if file.stat().st_size != HEADER_BYTES + int(header[1]):
             raise ValueError("it is cut off")
-        with reading, h5py.File(file, "r") as part:
+        with in_h5py, h5py.File(file, "r") as part:
             yield part
     except (OSError, KeyError, ValueError, IndexError, RuntimeError) as error:
         reason = error.strerror if isinstance(error, FileNotFoundError) else error
