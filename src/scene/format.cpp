@@ -163,7 +163,7 @@ void allow_expressions(Json& schema) {
       (schema["type"] == "number" || schema["type"] == "integer")) {
     // The limits hold for numbers only, the pattern for strings only.
     schema["type"] = {schema["type"], "string"};
-    schema["pattern"] = "^=";
+    schema["pattern"] = schema.contains("pattern") ? "^=|" + std::string(schema["pattern"]) : "^=";
   } else if (schema.is_object() && schema.contains("enum") && schema["enum"].front().is_number()) {
     schema = {{"anyOf", {schema, {{"type", "string"}, {"pattern", "^="}}}}};
     return;

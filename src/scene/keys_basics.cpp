@@ -60,9 +60,9 @@ Type<std::string> title_type() {
 Type<Box> box_type() {
   return type_of<Box>(
       {.keys =
-           {required("width", &Box::width, number(1, kMaxBoxWidth),
+           {required("width", &Box::width, length(number(1, kMaxBoxWidth)),
                      "width; columns stand 0.866 apart"),
-            required("height", &Box::height, number(1, kMaxBoxHeight), "height"),
+            required("height", &Box::height, length(number(1, kMaxBoxHeight)), "height"),
             key("periodic", &Box::periodic, yes_or_no(),
                 "what leaves on the right comes back on the left; the number of columns is made "
                 "even")},

@@ -1,7 +1,5 @@
 // The contact model and its units.
 
-#include <algorithm>
-
 #include "scene/sections.hpp"
 #include "scene/types.hpp"
 
@@ -9,29 +7,23 @@ namespace clca::scene {
 
 namespace {
 
-/// `1 mm` in metres.
-double read_length(const Place& place) {
-  const std::string_view text = place.value.text;
-  const std::size_t end = text.find_last_of("0123456789.") + 1;
-  const std::size_t unit_begin = std::min(text.find_first_not_of(' ', end), text.size());
-  const auto number = to_number(text.substr(0, end));
-  for (const Named<double>& unit : kLengthUnits) {
-    const double length = number.value_or(0) / unit.value;
-    if (text.substr(unit_begin) == unit.name && length >= kMinSpacing && length <= kMaxSpacing) {
-      return length;
-    }
+double read_spacing(const Place& place) {
+  const std::optional<double> length = metres(place.value.text);
+  if (!length || *length < kMinSpacing || *length > kMaxSpacing) {
+    fail(
+        place,
+        "expected a length from {} m to {} m, a number with one of the units {}, as in 1 mm, found "
+        "{}",
+        kMinSpacing, kMaxSpacing, fmt::join(words(kLengthUnits), ", "), found(place));
   }
-  fail(place,
-       "expected a length from {} m to {} m, a number with one of the units {}, as in 1 mm, found "
-       "{}",
-       kMinSpacing, kMaxSpacing, fmt::join(words(kLengthUnits), ", "), found(place));
+  return *length;
 }
 
-Type<double> length() {
+Type<double> spacing() {
   return own_type<double>(
       fmt::format("{} m to {} m: a number and `m`, `cm`, `mm` or `um`", kMinSpacing, kMaxSpacing),
-      text_schema("^[0-9.][0-9.eE+-]* *(m|cm|mm|um)$"), read_length,
-      [](double metres) { return Value::scalar(fmt::format("{} m", metres)); });
+      text_schema("^[0-9.][0-9.eE+-]* *(m|cm|mm|um)$"), read_spacing,
+      [](double length) { return Value::scalar(fmt::format("{} m", length)); });
 }
 
 Type<int> sweeps() {
@@ -48,7 +40,7 @@ Type<int> sweeps() {
 
 /// 0 for `auto`.
 Type<double> fall_height() {
-  const auto type = word_or_value("auto", above_zero(kMaxFallHeight),
+  const auto type = word_or_value("auto", length(above_zero(kMaxFallHeight)),
                                   fmt::format("a number above 0 and up to {}", kMaxFallHeight));
   return converted<double>(
       type.allowed, type, [](std::optional<double> height) { return height.value_or(0); },
@@ -73,7 +65,7 @@ Keys<contact::Parameters> friction_keys() {
 
 Type<Units> units_type() {
   return type_of<Units>(
-      {.keys = {required("spacing", &Units::spacing, length(), "length of one lattice spacing"),
+      {.keys = {required("spacing", &Units::spacing, spacing(), "length of one lattice spacing"),
                 key("gravity", &Units::gravity, number(1e-6, 1e6), "gravity in m/s²"),
                 key("density", &Units::density, number(1e-9, 1e9),
                     "mass of a square metre of grains in kg/m²: density of the material times the "

@@ -214,7 +214,7 @@ Type<Fill> fill_type() {
                     "covers the region and says where which species are; each part is filled until "
                     "the next particle has no room")
                     .with_condition("one of these three"),
-                key("level", &Fill::level, number(0, kMaxBoxHeight),
+                key("level", &Fill::level, length(number(0, kMaxBoxHeight)),
                     "of a `mix` with `method: deposition`: mean height of its surface where the "
                     "filling "
                     "ends")

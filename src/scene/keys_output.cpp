@@ -106,7 +106,7 @@ Type<Frames> frames_type() {
                 "grain weights, or in newtons with `units.density`; there the colours of `force` "
                 "end at twice it, those of `pressure` at it over the mean diameter")
                 .defaults_to("from the fall height"),
-            key("velocity_cell", &Frames::velocity_cell, number(1, kMaxCellSide),
+            key("velocity_cell", &Frames::velocity_cell, length(number(1, kMaxCellSide)),
                 "side of the cells of `overlay: velocity` in lattice spacings")
                 .defaults_to("from grains and view"),
             key("velocity_scale", &Frames::velocity_scale, above_zero(1e9),
@@ -134,7 +134,7 @@ Type<Series> series_type() {
 
 Type<Fields> fields_type() {
   return type_of<Fields>(
-      {.keys = {key("cell", &Fields::cell, number(1, kMaxCellSide),
+      {.keys = {key("cell", &Fields::cell, length(number(1, kMaxCellSide)),
                     "side of a cell in lattice spacings"),
                 key("every", &Fields::every, count(1, kMaxSteps), "steps of a window")}});
 }

@@ -17,8 +17,7 @@ constexpr std::array<Named<SharesBy>, 2> kSharesByNames = {
 constexpr std::array<Named<RoundShape>, 2> kRoundShapeNames = {
     {{"hexagon", RoundShape::hexagon}, {"disc", RoundShape::disc}}};
 
-Type<std::vector<double>> numbers(double high) {
-  const Type<double> number = above_zero(high);
+Type<std::vector<double>> list(const Type<double>& number) {
   auto type = list_of(number, 1, kMaxKinds);
   type.allowed = "list of numbers " + number.allowed;
   return type;
@@ -59,21 +58,21 @@ void check(const KeyedMap& fields, Sizes& sizes) {
 }  // namespace
 
 Type<Sizes> sizes_type() {
+  const Type<double> diameter = length(above_zero(kMaxDiameter));
   return type_of<Sizes>(
       {.keys = {required("law", &Sizes::law, choice(kLawNames), "how diameters are distributed"),
-                key("mean", &Sizes::mean, above_zero(kMaxDiameter),
+                key("mean", &Sizes::mean, diameter,
                     "mean diameter, in spacings: that of the circle of the same area")
                     .with_condition("required but for a list"),
-                key("sd", &Sizes::sd, above_zero(kMaxDiameter),
-                    "standard deviation of the diameter")
+                key("sd", &Sizes::sd, diameter, "standard deviation of the diameter")
                     .with_condition("required but for a list"),
                 key("by", &Sizes::by, choice(kSharesByNames),
                     "whether the law is that of the number of particles or of the area they cover"),
                 key("kinds", &Sizes::kinds, count(1, kMaxKinds),
                     "classes of equal width that the law is divided into, at most"),
-                key("diameters", &Sizes::diameters, numbers(kMaxDiameter), "of a list", {})
+                key("diameters", &Sizes::diameters, list(diameter), "of a list", {})
                     .with_condition("required for a list"),
-                key("shares", &Sizes::shares, numbers(1e9),
+                key("shares", &Sizes::shares, list(above_zero(1e9)),
                     "of a list: one for each diameter, "
                     "of any sum",
                     {})

@@ -33,7 +33,7 @@ Type<std::vector<lattice::Axial>> sites(std::size_t least, std::size_t most) {
 
 Type<RectangleSpec> size() {
   return converted<RectangleSpec>(
-      "`[width, height]`", list_of(above_zero(kMaxLength), 2, 2),
+      "`[width, height]`", list_of(length(above_zero(kMaxLength)), 2, 2),
       [](const std::vector<double>& sides) {
         return RectangleSpec{sides[0], sides[1]};
       },
@@ -55,7 +55,7 @@ Type<ShapeSpec> shape() {
            "hexagon", as(&HexagonSpec::radius, integer(0, kMaxRadius)),
            "all sites within that many steps of the centre: 0 is a single site, 1 "
            "has 7, 2 has 19"),
-       alternative<ShapeSpec>("disc", as(&DiscSpec::radius, number(0, kMaxRadius)),
+       alternative<ShapeSpec>("disc", as(&DiscSpec::radius, length(number(0, kMaxRadius))),
                               "all sites within that many spacings of the centre"),
        alternative<ShapeSpec>("rectangle", size(),
                               "an upright rectangle, to the nearest number of columns and of sites "

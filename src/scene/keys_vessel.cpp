@@ -42,7 +42,7 @@ Type<VesselShake> vessel_shake() {
   return type_of<VesselShake>(
       {.keys = {required("gamma", &VesselShake::gamma, above_zero(1000),
                          "greatest acceleration over that of gravity"),
-                required("amplitude", &VesselShake::amplitude, above_zero(1000),
+                required("amplitude", &VesselShake::amplitude, length(above_zero(1000)),
                          "spacings to either side"),
                 key("direction", &VesselShake::sideways, choice(kShakeDirectionNames),
                     "along gravity, beginning upwards, or across it, beginning to the right")}});

@@ -64,27 +64,29 @@ void check_part(const WallPart& part, const Place& fields) {
 
 Type<lattice::Segment> line() {
   using lattice::Segment;
-  return type_of<Segment>(
-      {.keys = {required("from", &Segment::from, point(), "one end"),
-                required("to", &Segment::to, point(), "the other end"),
-                key("thickness", &Segment::thickness, number(0, kMaxThickness), "thickness")},
-       .check = [](const KeyedMap& fields, Segment& segment) {
-         if (segment.from == segment.to) {
-           fail(fields.at("to").value.location, "{}: from and to are the same point", fields.path);
-         }
-       }});
+  return type_of<Segment>({.keys = {required("from", &Segment::from, point(), "one end"),
+                                    required("to", &Segment::to, point(), "the other end"),
+                                    key("thickness", &Segment::thickness,
+                                        length(number(0, kMaxThickness)), "thickness")},
+                           .check = [](const KeyedMap& fields, Segment& segment) {
+                             if (segment.from == segment.to) {
+                               fail(fields.at("to").value.location,
+                                    "{}: from and to are the same point", fields.path);
+                             }
+                           }});
 }
 
 Type<Disc> disc() {
-  return type_of<Disc>({.keys = {required("centre", &Disc::centre, point(), "centre"),
-                                 required("radius", &Disc::radius, above_zero(kMaxCoordinate),
-                                          "all sites at most this far from the centre")}});
+  return type_of<Disc>(
+      {.keys = {required("centre", &Disc::centre, point(), "centre"),
+                required("radius", &Disc::radius, length(above_zero(kMaxCoordinate)),
+                         "all sites at most this far from the centre")}});
 }
 
 Keys<Ring> ring_keys() {
   return {required("centre", &Ring::centre, point(), "centre"),
-          required("radius", &Ring::radius, above_zero(kMaxCoordinate), "inner radius"),
-          key("thickness", &Ring::thickness, number(kMinRingThickness, kMaxThickness),
+          required("radius", &Ring::radius, length(above_zero(kMaxCoordinate)), "inner radius"),
+          key("thickness", &Ring::thickness, length(number(kMinRingThickness, kMaxThickness)),
               "outer radius less the inner one")};
 }
 

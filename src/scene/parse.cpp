@@ -84,8 +84,13 @@ void give_series(Scene& scene, const Value& root) {
   }
 }
 
-Scene read_scene(const Value& root, const std::string& file) {
+Scene read_scene(Value root, const std::string& file) {
   Scene scene = default_scene();
+  if (const Value* units = root.find("units")) {  // first: lengths may be in them
+    scene.units = units_type().read({*units, "units", scene});
+  }
+  expand_sizes(root, scene);
+  read_picture_files(root, std::filesystem::path(file).parent_path().string());
   scene.title = scene.name = name_of_file(file, {root.location.origin, 1, 1});
   scene.folder = std::filesystem::path(file).parent_path().string();
   const Place place = {root, "", scene};
@@ -141,12 +146,10 @@ AnyScene parse_any(std::string_view text, const std::string& file,
   evaluate_expressions(root);
   const Kind kind = kind_of(root);
   leave_out_none(root, kind == Kind::boltzmann ? *boltzmann_type().keys : *scene_type().keys);
-  expand_sizes(root);
   if (kind == Kind::boltzmann) {
     return read_boltzmann_scene(root, file);
   }
-  read_picture_files(root, std::filesystem::path(file).parent_path().string());
-  return read_scene(root, file);
+  return read_scene(std::move(root), file);
 }
 
 std::string scene_text(const std::filesystem::path& file) {

@@ -78,6 +78,10 @@ Schema above_zero_schema(double high) {
   return extended(with(of_type("number"), "exclusiveMinimum", 0), "maximum", Json(high));
 }
 
+Schema number_or_text(const Schema& number, const std::string& pattern) {
+  return extended(number, "pattern", Json(pattern));
+}
+
 Schema integer_schema(std::int64_t low, std::int64_t high) {
   return extended(extended(of_type("integer"), "minimum", Json(low)), "maximum", Json(high));
 }

@@ -26,6 +26,8 @@ Schema with(const Schema& schema, const std::string& name, std::uint64_t number)
 
 Schema number_schema(double low, double high);
 Schema above_zero_schema(double high);
+/// Such a number, or text that matches the pattern, since text may stand in place of any number.
+Schema number_or_text(const Schema& number, const std::string& pattern);
 Schema integer_schema(std::int64_t low, std::int64_t high);
 Schema count_schema(std::uint64_t low, std::uint64_t high);
 /// Text that matches the pattern.

@@ -165,7 +165,7 @@ double number_in(const Entry& entry, const std::string& path, std::uint64_t most
 /// Species with sizes, each replaced by its kinds.
 class Expansion {
  public:
-  explicit Expansion(Value& species) {
+  Expansion(Value& species, const Scene& scene) {
     std::vector<Entry> entries;
     for (Entry& entry : species.entries) {
       const Value* sizes = entry.value.find("sizes");
@@ -174,7 +174,7 @@ class Expansion {
         entries.push_back(std::move(entry));
         continue;
       }
-      add_kinds(entry, *sizes, entries);
+      add_kinds(entry, *sizes, scene, entries);
     }
     for (const Entry& entry : entries) {
       if (std::count_if(entries.begin(), entries.end(),
@@ -283,11 +283,12 @@ class Expansion {
     std::vector<SizeClass> kinds;
   };
 
-  void add_kinds(const Entry& entry, const Value& sizes, std::vector<Entry>& entries) {
+  void add_kinds(const Entry& entry, const Value& sizes, const Scene& scene,
+                 std::vector<Entry>& entries) {
     const std::string path = join_path("species", entry.key);
     check_name(entry.key, entry.location, "species");
     Family& family = families_[entry.key];
-    family.kinds = size_classes(sizes_type().read({sizes, join_path(path, "sizes"), Scene()}));
+    family.kinds = size_classes(sizes_type().read({sizes, join_path(path, "sizes"), scene}));
     // Blue, vermilion and green of the palette.
     constexpr std::array<image::Rgb, 3> kColors = {{{0, 114, 178}, {213, 94, 0}, {0, 158, 115}}};
     image::Rgb color = kColors[(families_.size() - 1) % kColors.size()];
@@ -417,12 +418,12 @@ std::vector<SizeClass> size_classes(const Sizes& sizes) {
   return result;
 }
 
-void expand_sizes(Value& root) {
+void expand_sizes(Value& root, const Scene& scene) {
   Value* species = root.find("species");
   if (species == nullptr || !species->is(Value::Kind::map)) {
     return;
   }
-  Expansion expansion(*species);
+  Expansion expansion(*species, scene);
   if (expansion.empty()) {
     return;
   }

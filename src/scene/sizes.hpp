@@ -43,7 +43,7 @@ std::vector<SizeClass> size_classes(const Sizes& sizes);
 
 /// Replaces each species with `sizes` by one species for each of its kinds, NAME-1 the smallest,
 /// and its counts and weights in fills and sources by theirs. Kinds of which no fill gets any are
-/// left out. Throws SceneError.
-void expand_sizes(Value& root);
+/// left out. The scene has the units. Throws SceneError.
+void expand_sizes(Value& root, const Scene& scene);
 
 }  // namespace clca::scene

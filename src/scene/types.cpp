@@ -41,7 +41,7 @@ std::string read_path(const Place& place) {
 /// [x, y]
 Type<Eigen::Vector2d> pair(double most) {
   return converted<Eigen::Vector2d>(
-      "`[x, y]`", list_of(number(-most, most), 2, 2),
+      "`[x, y]`", list_of(length(number(-most, most)), 2, 2),
       [](const std::vector<double>& pair) { return Eigen::Vector2d(pair[0], pair[1]); },
       [](const Eigen::Vector2d& pair) {
         return std::vector<double>{pair.x(), pair.y()};
@@ -100,6 +100,41 @@ Type<double> above_zero(double high) {
                              above_zero_schema(high), read_positive, high);
 }
 
+std::optional<double> metres(std::string_view text) {
+  const std::size_t end = text.find_last_of("0123456789.") + 1;
+  const std::size_t unit_begin = std::min(text.find_first_not_of(' ', end), text.size());
+  const std::optional<double> number = to_number(text.substr(0, end));
+  for (const Named<double>& unit : kLengthUnits) {
+    if (number && text.substr(unit_begin) == unit.name) {
+      return *number / unit.value;
+    }
+  }
+  return std::nullopt;
+}
+
+Type<double> length(const Type<double>& number) {
+  Type<double> type = number;
+  type.schema = number_or_text(number.schema, "^-?[0-9.][0-9.eE+-]* *(m|cm|mm|um)$");
+  type.read_into = [number](const Place& place, void* result) {
+    constexpr double kDecimals = 1e6;  // 20.5 mm are 82 spacings of 0.25 mm, and not a little less
+    const std::optional<double> length = metres(place.value.text);
+    if (length && !place.scene.units) {
+      fail(place,
+           "expected lattice spacings, as in a scene without units, found {}; "
+           "'units: {{spacing: 1 mm}}' says how long a spacing is",
+           found(place));
+    }
+    Value value = place.value;
+    if (length) {
+      value =
+          Value::number(std::round(*length / place.scene.units->spacing * kDecimals) / kDecimals);
+      value.location = place.value.location;
+    }
+    number.read_into({value, place.path, place.scene}, result);
+  };
+  return type;
+}
+
 Type<int> integer(int low, int high) {
   return scalar_type<int>(range(low, high), integer_schema(low, high), read_int, low, high);
 }
@@ -125,7 +160,7 @@ Type<Eigen::Vector2d> corner() {
 }
 
 Type<statistics::Range> color_bar_ends() {
-  auto type = converted<statistics::Range>(
+  const auto type = converted<statistics::Range>(
       "`[low, high]`", list_of(number(-1e9, 1e9), 2, 2),
       [](const std::vector<double>& ends) {
         return statistics::Range{ends[0], ends[1]};
@@ -133,7 +168,6 @@ Type<statistics::Range> color_bar_ends() {
       [](const statistics::Range& range) {
         return std::vector<double>{range.low, range.high};
       });
-  type.schema = point().schema;
   return type.checked([](const statistics::Range& range, const Place& place) {
     if (range.low >= range.high) {
       fail(place, "expected [low, high] with low < high, found [{}, {}]", range.low, range.high);
@@ -143,7 +177,8 @@ Type<statistics::Range> color_bar_ends() {
 
 Type<lattice::Rectangle> rectangle() {
   const auto type = converted<lattice::Rectangle>(
-      "`[left, bottom, right, top]`", list_of(number(-kMaxCoordinate, kMaxCoordinate), 4, 4),
+      "`[left, bottom, right, top]`",
+      list_of(length(number(-kMaxCoordinate, kMaxCoordinate)), 4, 4),
       [](const std::vector<double>& edges) {
         return lattice::Rectangle{edges[0], edges[1], edges[2], edges[3]};
       },

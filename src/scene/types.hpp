@@ -2,7 +2,9 @@
 // Kinds of values that several keys have.
 
 #include <cstdint>
+#include <optional>
 #include <set>
+#include <string_view>
 #include <vector>
 
 #include "clca/image/image.hpp"
@@ -16,6 +18,10 @@ std::string limit_text(double number);
 
 Type<double> number(double low, double high);
 Type<double> above_zero(double high);
+/// In lattice spacings: such a number or, in a scene with `units`, a number with a unit of length.
+Type<double> length(const Type<double>& number);
+/// Of `1 mm`; none for other text.
+std::optional<double> metres(std::string_view text);
 Type<int> integer(int low, int high);
 Type<std::uint64_t> count(std::uint64_t low, std::uint64_t high);
 Type<bool> yes_or_no();

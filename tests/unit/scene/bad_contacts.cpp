@@ -115,6 +115,16 @@ constexpr auto kBadContacts = std::to_array<BadScene>({
     {"units of the automaton", "model: automaton\nunits: {spacing: 1 mm}",
      "scene.yaml:13:1: error: units: only model contact has it; remove it, or say 'model: "
      "contact'"},
+    {"a length with a unit where a spacing has none", "walls: {left: {box: [0, 0, 1 mm, 50]}}",
+     "scene.yaml:7:28: error: walls.left.box: expected lattice spacings, as in a scene without "
+     "units, found '1 mm'; 'units: {spacing: 1 mm}' says how long a spacing is",
+     Judge::parser},
+    {"a length of an unknown unit",
+     "units: {spacing: 1 mm}\nwalls: {left: {box: [0, 0, 1 in, 50]}}",
+     "scene.yaml:7:28: error: walls.left.box: expected a number from -1000000 to 1000000, found "
+     "'1 in'"},
+    {"a length beyond what it may be", "units: {spacing: 1 mm}\nbox: {width: 1 km, height: 1001 m}",
+     "scene.yaml:4:14: error: box.width: expected a number from 1 to 866025, found '1 km'"},
     {"units without a spacing", "units: {gravity: 9.81}",
      "scene.yaml:13:8: error: units: key 'spacing' is missing"},
     {"an unknown unit", "units: {spacing: 1 furlong}",

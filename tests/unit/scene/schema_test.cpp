@@ -152,8 +152,8 @@ TEST(Schema, AcceptsEveryKeyOfTheContactModel) {
       "stages: [{name: first, fill: {region: [0, 0, 50, 50], counts: {small: 5}},"
       " sources: [spout], until: {time: 2}}]\n"
       "contact: {friction: 0.2, wall_friction: 0.3, rolling: none, rolling_friction: 0.1,"
-      " restitution: 0.5, sweeps: 4, resolution: 0.2, fall_height: 90}\n"
-      "walls: {left: {box: [0, 0, 1, 50], friction: 0.1}}");
+      " restitution: 0.5, sweeps: 4, resolution: 0.2, fall_height: 90 cm}\n"
+      "walls: {left: {box: [0, 0, 1.5 cm, 50], friction: 0.1}}");
   EXPECT_EQ(schema_errors(text), "");
   EXPECT_EQ(schema_errors(resolved(parse_any(text, "scene.yaml"))), "");
   EXPECT_EQ(schema_errors(resolved(parse_any(testing::small_contact(), "scene.yaml"))), "");

@@ -3,6 +3,7 @@
 
 #include "clca/scene/units.hpp"
 
+#include <fmt/args.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -54,6 +55,47 @@ TEST(Units, TakeALengthInMetresCentimetresMillimetresOrMicrometres) {
     const Scene scene = contact_with("units: {spacing: " + std::string(text) + "}");
     EXPECT_EQ(scene.units, (Units{.spacing = metres, .gravity = 9.81})) << text;
   }
+}
+
+TEST(Units, TurnLengthsIntoSpacings) {
+  constexpr std::string_view kScene =
+      "clca: 1\nmodel: contact\nunits: {{spacing: 0.25 mm}}\nbox: {{width: {}, height: {}}}\n"
+      "contact: {{fall_height: {}, rolling: none}}\n"
+      "species:\n"
+      "  brick: {{shape: {{rectangle: [{}, {}]}}}}\n"
+      "  ell: {{shape: {{outline: [[-{}, 0], [{}, 0], [0, {}]]}}}}\n"
+      "  round: {{shape: {{disc: {}}}}}\n"
+      "  sand: {{sizes: {{law: uniform, mean: {}, sd: {}}}}}\n"
+      "  two: {{sizes: {{law: list, diameters: [{}, {}], shares: [1, 1]}}}}\n"
+      "walls: {{rod: {{line: {{from: [{}, 0], to: [{}, {}], thickness: {}}}}}, drum: {{ring: "
+      "{{centre: "
+      "[{}, {}], radius: {}, thickness: {}}}}}, rock: {{disc: {{centre: [{}, {}], radius: "
+      "{}}}}}}}\n"
+      "outlets: {{tray: {{region: [{}, 0, {}, {}]}}}}\n"
+      "lines: {{below: {{from: [{}, {}], to: [{}, {}]}}}}\n"
+      "stages: [{{name: all, fill: {{method: deposition, region: [0, {}, {}, {}], mix: {{brick: 1, "
+      "ell: "
+      "1, round: 1, sand: 1, two: 1}}, level: {}}}, vessel: {{shake: {{gamma: 2, amplitude: "
+      "{}}}}}, "
+      "until: {{steps: 100}}}}]\n"
+      "output: {{fields: {{cell: {}}}, frames: {{view: [-{}, 0, {}, {}], velocity_cell: {}}}}}\n";
+  constexpr auto kSpacings = std::to_array<double>(
+      {240, 480, 120, 6, 10,  3,  4,  5,  2.5, 8,  0.5, 4,   6,   20,  60,  40, 2,  120, 300, 40, 4,
+       200, 60,  9,   4, 200, 20, 10, 40, 100, 40, 150, 230, 400, 300, 0.7, 12, 20, 280, 480, 30});
+  const auto scene_in = [&](double spacing, std::string_view unit) {
+    fmt::dynamic_format_arg_store<fmt::format_context> lengths;
+    for (const double length : kSpacings) {
+      lengths.push_back(fmt::format("{}{}", length * spacing, unit));
+    }
+    return to_yaml(parse(fmt::vformat(kScene, lengths), "scene.yaml"));
+  };
+  const std::string expected = scene_in(1, "");
+  EXPECT_EQ(scene_in(0.25, " mm"), expected);
+  EXPECT_EQ(scene_in(0.025, "cm"), expected);
+  EXPECT_EQ(scene_in(250, " um"), expected);
+  EXPECT_EQ(contact_with("units: {spacing: 0.3 mm}\nbox: {width: 100, height: 24.6 mm}").box.height,
+            82)
+      << "rounded, as 0.0246 / 0.0003 is a little less";
 }
 
 // √3/2 mm² of 2.5 kg/m².
