@@ -5,9 +5,13 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <filesystem>
+#include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
+#include "clca/process/program.hpp"
 #include "clca/store/output_folder.hpp"
 #include "clca/sweep/sweep.hpp"
 #include "cli/command.hpp"
@@ -131,7 +135,36 @@ int run_sweep(const SweepCommandOptions& options) {
   return end_of(totals, options.ranks);
 }
 
-int calibrate(const std::string& study, const SweepCommandOptions& options) {
+/// The same by the command that starts ranks. Returns its exit code.
+int launch(const std::string& launcher, const SweepCommandOptions& sweep) {
+  std::istringstream words(launcher);
+  std::vector<std::string> arguments(std::istream_iterator<std::string>(words), {});
+  const auto program = arguments.empty() ? std::nullopt : process::find_program(arguments.front());
+  if (!program) {
+    throw process::ProcessError(fmt::format("no program '{}' on the PATH", launcher));
+  }
+  arguments.front() = program->string();
+  arguments.insert(arguments.end(),
+                   {std::filesystem::read_symlink("/proc/self/exe").string(), "sweep",
+                    sweep.scene.file, "--vary", sweep.variations.front(), "--seeds", sweep.seeds,
+                    "--output", sweep.folder, "--jobs", std::to_string(sweep.jobs)});
+  for (const std::string& text : sweep.scene.overrides) {
+    arguments.insert(arguments.end(), {"--set", text});
+  }
+  if (sweep.scene.memory_limit) {
+    arguments.insert(arguments.end(),
+                     {"--memory-limit", std::to_string(*sweep.scene.memory_limit)});
+  }
+  if (sweep.quiet) {
+    arguments.emplace_back("--quiet");
+  }
+  constexpr std::chrono::seconds kGrace(10);  // for runs to leave their checkpoints
+  const std::atomic<int>& stop = catch_stop_signals();
+  return process::Program(arguments, {.stop = &stop, .grace = kGrace}).wait();
+}
+
+int calibrate(const std::string& study, const std::string& launcher,
+              const SweepCommandOptions& options) {
   const std::string path =
       options.folder.empty()
           ? "renders/" + std::filesystem::path(study).stem().string() + "-calibration"
@@ -162,7 +195,7 @@ int calibrate(const std::string& study, const SweepCommandOptions& options) {
       wanted.variations = {sweep.at("vary")};
       wanted.seeds = sweep.at("seeds");
       wanted.folder = sweep.at("folder");
-      code = run_sweep(wanted);
+      code = launcher.empty() ? run_sweep(wanted) : launch(launcher, wanted);
       if (code != kDone) {
         return code;
       }
@@ -241,10 +274,22 @@ void add_calibrate_command(CLI::App& program) {
   command->add_option("-o,--output", options->folder,
                       "Folder to write to, and to continue in [renders/STUDY-NAME-calibration]");
   add_jobs(command, options->jobs,
-           "Runs at a time, each with one thread; the result does not depend on it");
+           "Runs at a time, each with one thread; with --launcher on each rank, 1 if left out; the "
+           "result does not depend on it");
+  auto launcher = std::make_shared<std::string>();
+  command
+      ->add_option("--launcher", *launcher,
+                   "Run the sweeps by this command, which starts several ranks, such as 'mpirun -n "
+                   "64'")
+      ->type_name("COMMAND");
   add_memory_limit(command, options->scene, "Memory of all runs at a time");
   command->add_flag("--quiet", options->quiet, "Print the answer, warnings and errors only");
-  set_action(command, [options, study] { return calibrate(*study, *options); });
+  set_action(command, [command, options, study, launcher] {
+    if (!launcher->empty() && command->count("--jobs") == 0) {
+      options->jobs = 1;
+    }
+    return calibrate(*study, *launcher, *options);
+  });
 }
 
 }  // namespace

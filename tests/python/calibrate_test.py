@@ -1,6 +1,8 @@
 """Calibration: hidden truths, what is refused, the command and the function."""
 
 import json
+import os
+import shutil
 import subprocess
 import unittest
 from pathlib import Path
@@ -94,6 +96,19 @@ class CalibrateTest(ScratchTest):
         before = {file: file.stat().st_mtime_ns for file in (self.folder / "found/runs").rglob("run.json")}
         self.assertEqual(self.study().returncode, 0)
         self.assertEqual(before, {file: file.stat().st_mtime_ns for file in (self.folder / "found/runs").rglob("run.json")})
+
+    def test_several_ranks_give_the_same(self):
+        if shutil.which("mpirun") is None or not Path(PROGRAM).with_name("clca-mpi").exists():
+            self.skipTest("no mpirun, or no clca-mpi")
+        allowed = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
+        self.study()
+        command = [PROGRAM, "calibrate", "study.yaml", "-o", "ranks", "--quiet", "--launcher"]
+        told = subprocess.run([*command, "mpirun --oversubscribe -n 3"], capture_output=True, text=True, env=os.environ | allowed)
+        self.assertEqual((told.returncode, told.stderr), (0, ""))
+        for name in ("calibration.json", "parameters.csv", "targets.csv", "likely.csv"):
+            self.assertEqual((self.folder / "ranks" / name).read_bytes(), (self.folder / "found" / name).read_bytes(), name)
+        told = subprocess.run([*command, "nosuch -n 3"], capture_output=True, text=True)
+        self.assertEqual((told.returncode, told.stderr), (1, "clca: error: no program 'nosuch -n 3' on the PATH\n"))
 
     def test_what_cannot_be_had_is_said(self):
         self.study(tests=[{"scene": "scene.yaml", "targets": {"flow.runout_99": [90, 0.5]}}])
