@@ -301,7 +301,7 @@ FillResult deposit_mixture(Box& box, const lattice::Rectangle& region, const Par
        part = (part + 1) % parts.weights.size()) {
     const std::size_t species = draw_species(state, parts.weights[part]);
     if (place_one(deposit, state, kinds_of(state, species),
-                  [&](lattice::Site site) { return parts.part_at(site) == part; })) {
+                  [&](lattice::Site site) { return parts.part_of(site) == part; })) {
       ++result.placed[species];
       full = 0;
     } else {

@@ -170,7 +170,7 @@ FillResult fill_with(Box& box, const lattice::Rectangle& region, const Mixture& 
     for (std::size_t part = 0; part < parts.weights.size(); ++part) {
       std::vector<lattice::Site> own;
       std::ranges::copy_if(sites, std::back_inserter(own),
-                           [&](lattice::Site site) { return parts.part_at(site) == part; });
+                           [&](lattice::Site site) { return parts.part_of(site) == part; });
       fill_part(box, region, own, parts.weights[part], result.placed);
     }
   }

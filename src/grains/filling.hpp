@@ -45,7 +45,7 @@ struct Parts {
   std::optional<lattice::Picture> picture;
 
   /// None where the picture is empty.
-  std::optional<std::size_t> part_at(lattice::Site site) const {
+  std::optional<std::size_t> part_of(lattice::Site site) const {
     if (!picture) {
       return 0;
     }

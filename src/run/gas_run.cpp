@@ -31,8 +31,8 @@ std::string case_name(double restitution) {
   return fmt::format("restitution-{}", restitution);
 }
 
-/// A gas that is being advanced in this process.
-struct GasAtWork {
+/// How far a gas is that this process advances.
+struct GasProgress {
   std::atomic<double> time = 0;
   std::atomic<std::uint64_t> participations = 0;
 };
@@ -103,7 +103,7 @@ class GasRun : public RunBase {
   std::uint64_t cases_logged_;          // by the lines of log.txt that were there
   std::atomic<double> collisions_ = 0;  // of gases that are not under way
   std::uint64_t gases_done_ = 0;
-  std::vector<GasAtWork> at_work_;          // one for each member of a case
+  std::vector<GasProgress> progress_;       // one for each member of a case
   std::atomic<int> startable_threads_ = 1;  // of each gas
   std::thread::id thread_ = std::this_thread::get_id();
   record::TimeEstimate forecast_;
@@ -166,7 +166,7 @@ void GasRun::run_case(record::GasCase& gas_case) {
     collisions_ += collisions(member.participations);
   }
   forecast_ = record::TimeEstimate();
-  at_work_ = std::vector<GasAtWork>(gas_case.members.size());
+  progress_ = std::vector<GasProgress>(gas_case.members.size());
   GasSlots slots(gas_case.members, checkpoint_writer(), [this] { save_course(); });
   const std::vector<GasShare> shares = shares_of(gas_case);
   ranks_.hand_out(
@@ -227,7 +227,7 @@ tasks::Pool<bool>::Work GasRun::work(record::GasCase& gas_case, GasSlots& slots)
                       return keep_going(number, *now.gas, gas_case.restitution, stop);
                     });
                 collisions_ += collisions(member.participations);
-                at_work_[number].time = 0;
+                progress_[number].time = 0;
                 const bool done = is_done(member);
                 slots.end(number, std::move(member));
                 return done;
@@ -251,8 +251,8 @@ tasks::Pool<bool>::Work GasRun::work(record::GasCase& gas_case, GasSlots& slots)
 
 bool GasRun::keep_going(std::size_t number, const boltzmann::Gas& gas, double restitution,
                         const std::atomic<int>& stop) {
-  at_work_[number].time = gas.time;
-  at_work_[number].participations = gas.participations;
+  progress_[number].time = gas.time;
+  progress_[number].participations = gas.participations;
   if (std::this_thread::get_id() == thread_ && progress_due()) {
     show_progress(restitution);
   }
@@ -266,7 +266,7 @@ void GasRun::show_progress(double restitution) {
   double sum = 0;
   double latest = 0;
   std::uint64_t participations = 0;
-  for (const GasAtWork& gas : at_work_) {
+  for (const GasProgress& gas : progress_) {
     const double time = gas.time;
     sum += time;
     latest = std::max(latest, time);

@@ -22,7 +22,7 @@ std::size_t offset_of(std::int32_t offset) {
 }
 
 void wake_owner(const World& world, StripWorker& worker, std::size_t index) {
-  const grains::Owner owner = world.occupancy.owner_shared(index);
+  const grains::Owner owner = world.occupancy.load_owner(index);
   if (grains::is_particle(owner)) {
     worker.waking.insert(grains::particle_id(owner));
   }
@@ -53,9 +53,8 @@ void change_sites(World& world, StripWorker& worker, const MoveProposal& proposa
   const std::size_t index = world.state.lattice.index(proposal.site);
   for (const Exchanges& exchanges : footprint.exchanges[proposal.move]) {
     for (const Exchange exchange : exchanges) {
-      occupancy.set_owner_shared(index + offset_of(exchange.entered),
-                                 grains::as_owner(proposal.id));
-      occupancy.set_owner_shared(index + offset_of(exchange.left), grains::kFree);
+      occupancy.store_owner(index + offset_of(exchange.entered), grains::as_owner(proposal.id));
+      occupancy.store_owner(index + offset_of(exchange.left), grains::kFree);
     }
   }
 }
@@ -67,7 +66,7 @@ void change_sites_one_by_one(World& world, StripWorker& worker, const MovePropos
   const auto change = [&](const std::vector<lattice::Offset>& offsets, grains::Owner owner) {
     for (const lattice::Offset offset : offsets) {
       const std::size_t index = site_index(world.state.lattice, proposal, offset);
-      world.occupancy.set_owner_shared(index, owner);
+      world.occupancy.store_owner(index, owner);
       world.occupancy.flip(world.occupancy.corner(world.state.lattice.site(index)), 1,
                            proposal.access);
     }

@@ -33,7 +33,7 @@ bool is_free(const World& world, std::uint32_t id, lattice::Direction direction)
 /// Where a particle goes that has pushed others, some of which rest: back from all of those,
 /// within 60 degrees, into free sites; kRest when it cannot. None: no such partner rests, it may go
 /// as it likes.
-std::optional<grains::Move> retreat(const World& world, std::uint32_t id) {
+std::optional<grains::Move> move_back(const World& world, std::uint32_t id) {
   const grains::State& state = world.state;
   std::vector<grains::Push> resting;
   for (const Overlap& overlap : world.overlaps(id, state.particles[id])) {
@@ -78,7 +78,7 @@ grains::Move provisional(const World& world, const ActiveRule& active, std::uint
     return passive_direction(world, id);
   }
   // Back from those that it has pushed itself, where they rest.
-  if (const auto back = retreat(world, id)) {
+  if (const auto back = move_back(world, id)) {
     return *back;
   }
   // Else the active rule.

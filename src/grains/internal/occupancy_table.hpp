@@ -56,15 +56,15 @@ class OccupancyTable {
     set_owner(index, kFree);
   }
 
-  // A move in parts: the sites that change between free and taken, and their owners. Functions with
-  // `shared` may be called while other threads change other sites.
+  // A move in parts: the sites that change between free and taken, and their owners. Owners may be
+  // loaded and stored while other threads change other sites.
   void flip(Bitboard::Corner at, std::uint64_t window, Access access) {
     taken_.flip(at, window, access);
   }
-  void set_owner_shared(std::size_t index, Owner owner) {
+  void store_owner(std::size_t index, Owner owner) {
     std::atomic_ref(inverted_owners_[index]).store(~owner, std::memory_order_relaxed);
   }
-  Owner owner_shared(std::size_t index) const {
+  Owner load_owner(std::size_t index) const {
     return ~std::atomic_ref(const_cast<Owner&>(inverted_owners_[index]))
                 .load(std::memory_order_relaxed);
   }
