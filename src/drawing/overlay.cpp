@@ -35,16 +35,9 @@ double mean_diameter(const scene::Scene& scene) {
   return mean(scene, [](const lattice::Shape& shape) { return shape.diameter(); });
 }
 
-/// The largest of 1, 2 and 5 times a power of ten that is not above `number` (positive).
-double rounded_down(double number) {
-  const double power = std::pow(10, std::floor(std::log10(number)));
-  const double leading = number / power;
-  return power * (leading < 2 ? 1 : leading < 5 ? 2 : 5);
-}
-
 /// `grain_weight`: in the unit of forces.
 double strongest_force(const scene::Scene& scene, double grain_weight) {
-  return scene.output.frames->force_scale.value_or(rounded_down(
+  return scene.output.frames->force_scale.value_or(render::round_length(
       2 * grain_weight * scene::contact_parameters(scene).fall_height / mean_diameter(scene)));
 }
 
@@ -89,8 +82,8 @@ OverlayScales overlay_scales(const scene::Scene& scene) {
     scales.step_velocity = conversion->velocity(1);
     scales.velocity_unit = {.one = conversion->velocity_unit, .several = conversion->velocity_unit};
   }
-  scales.highest_velocity =
-      frames.velocity_scale.value_or(rounded_down(scales.step_velocity * default_velocity(scene)));
+  scales.highest_velocity = frames.velocity_scale.value_or(
+      render::round_length(scales.step_velocity * default_velocity(scene)));
   if (conversion) {
     scales.highest_spin =
         2 * scales.highest_velocity / (mean_diameter(scene) * conversion->spacing);
@@ -163,17 +156,20 @@ Eigen::Vector2d to_point(const grains::State& state, const grains::Particle& fir
   return along;
 }
 
-/// Lines from centre to centre, or to the wall.
+/// From the centre of a grain to that of another, or to the point where it meets a wall.
+Eigen::Vector2d to_body(const grains::State& state, const grains::Particle& first,
+                        grains::Owner body, const Eigen::Vector2d& point) {
+  return grains::is_particle(body) ? between_centres(state, first, grains::particle_id(body))
+                                   : to_point(state, first, point);
+}
+
 DrawnOverlay contact_forces(const View& view, const std::vector<contact::Force>& forces,
                             const OverlayScales& scales) {
   const double grain_weight = scales.value_of(scene::kContactForceUnit, view.state);
   std::vector<render::ForceLine> lines;
   for (const contact::Force& force : forces) {
     const grains::Particle& upper = view.state.particles[force.upper];
-    const Eigen::Vector2d along =
-        grains::is_particle(force.other)
-            ? between_centres(view.state, upper, static_cast<std::size_t>(force.other))
-            : to_point(view.state, upper, force.point);
+    const Eigen::Vector2d along = to_body(view.state, upper, force.other, force.point);
     add_line(view.state, upper, along, grain_weight * force.along_normal, lines);
   }
   const double strongest = scales.strongest_force;
@@ -182,33 +178,25 @@ DrawnOverlay contact_forces(const View& view, const std::vector<contact::Force>&
                                                     scales.unit_of(scene::kContactForceUnit)))}};
 }
 
-DrawnOverlay weight(const View& view, measure::WeightRule rule, const OverlayScales& scales) {
+/// `overlay`: that of a rule; they have the order of measure::kWeightRules.
+DrawnOverlay weight(const View& view, scene::Overlay overlay, const OverlayScales& scales) {
+  const auto number =
+      static_cast<std::size_t>(overlay) - static_cast<std::size_t>(scene::Overlay::weight_inner);
+  const measure::WeightRule rule = measure::kWeightRules.at(number);
   const auto supported = measure::supported_grains(view.state, view.occupancy);
   return contact_forces(view, measure::weight_paths(view.state, supported, rule).forces, scales);
 }
 
-/// Lines from centre to centre, or to the overlap with a wall.
 DrawnOverlay overlaps(const View& view) {
   std::vector<render::ForceLine> lines;
   for (const measure::OverlapContact& contact : measure::contacts(view.state, view.occupancy)) {
     const grains::Particle& first = view.state.particles[contact.first];
-    const Eigen::Vector2d along =
-        grains::is_particle(contact.second)
-            ? between_centres(view.state, first, static_cast<std::size_t>(contact.second))
-            : to_point(view.state, first, contact.point);
+    const Eigen::Vector2d along = to_body(view.state, first, contact.second, contact.point);
     add_line(view.state, first, along, static_cast<double>(contact.sites), lines);
   }
   return {render::force_network(lines, kMaxOverlapSites),
           {render::force_key(kMaxOverlapSites,
                              fmt::format("{:g} overlapped sites", kMaxOverlapSites))}};
-}
-
-double heaviest(const std::vector<measure::Arrow>& arrows) {
-  double most = 0;
-  for (const measure::Arrow& arrow : arrows) {
-    most = std::max(most, arrow.weight);
-  }
-  return most;
 }
 
 DrawnOverlay arrows(const record::CycleRecord& cycles) {
@@ -217,10 +205,10 @@ DrawnOverlay arrows(const record::CycleRecord& cycles) {
     return {};
   }
   const std::vector<measure::Arrow> all = convection->arrows();
-  const double enough = kMinWeight * heaviest(all);
+  const auto heaviest = std::ranges::max_element(all, {}, &measure::Arrow::weight);
   std::vector<render::FieldArrow> field;
   for (const measure::Arrow& arrow : all) {
-    if (arrow.weight >= enough) {
+    if (arrow.weight >= kMinWeight * heaviest->weight) {
       field.push_back({arrow.centre, arrow.displacement});
     }
   }
@@ -287,18 +275,11 @@ DrawnOverlay overlay_of(scene::Overlay overlay, const View& view, const PictureH
       return view.cycles != nullptr ? arrows(*view.cycles) : DrawnOverlay();
     case scene::Overlay::velocity:
       return velocities(view.state, *history.window, scales);
-    case scene::Overlay::weight_inner:
-      return weight(view, measure::WeightRule::inner, scales);
-    case scene::Overlay::weight_outer:
-      return weight(view, measure::WeightRule::outer, scales);
-    case scene::Overlay::weight_pair:
-      return weight(view, measure::WeightRule::pair, scales);
-    case scene::Overlay::weight_q:
-      return weight(view, measure::WeightRule::q, scales);
     case scene::Overlay::none:
-      break;
+      return {};
+    default:
+      return weight(view, overlay, scales);
   }
-  return {};
 }
 
 }  // namespace clca::drawing

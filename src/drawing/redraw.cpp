@@ -4,12 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
+#include <span>
 #include <utility>
 
+#include "clca/render/contact_sheet.hpp"
+#include "clca/render/movie.hpp"
 #include "clca/scene/units.hpp"
+#include "clca/store/file.hpp"
 #include "clca/store/run_folder.hpp"
-#include "clca/store/summary.hpp"
-#include "drawing/picture_targets.hpp"
+#include "clca/tasks/threads.hpp"
 #include "drawing/run_drawing.hpp"
 #include "drawing/space_time.hpp"
 #include "record/internal/meter.hpp"
@@ -104,52 +109,108 @@ void choose_evenly(std::vector<double>& moments, const RedrawOptions& options) {
   });
 }
 
-/// The scene without the keys that only affect pictures.
-scene::Scene unpainted(scene::Scene scene) {
-  scene.title.clear();
-  scene.output.frames.reset();
-  scene.output.view.reset();
-  for (scene::Species& species : scene.species) {
-    species.color.reset();
-  }
-  return scene;
+void require_writable(const fs::path& file) {
+  const store::AtomicFile written(file);  // throws store::StoreError
 }
 
 }  // namespace
 
-scene::Scene drawn_scene(const fs::path& folder, const std::vector<scene::Override>& overrides) {
-  const store::RunSummary summary = store::read_summary(folder / store::kSummaryFile);
-  if (summary.kind == "boltzmann") {
-    throw RedrawError(fmt::format(
-        "{}: a run of the Boltzmann equation, of which there are figures only (clca plot)",
-        folder.string()));
+/// A movie file that appears when it is complete.
+class MovieTarget {
+ public:
+  /// All pictures are as wide as those of all drawings side by side. Throws RedrawError for a file
+  /// ending that is no movie format, render::MovieError, store::StoreError.
+  MovieTarget(const Drawings& drawings, const RedrawOptions& options, double rate)
+      : file_(options.movie), path_(options.movie) {
+    const auto format = render::movie_format(path_);
+    if (!format) {
+      throw RedrawError(fmt::format(
+          "{}: is not a movie; expected the ending .mp4, .webm, .webp, .gif or .png (animated)",
+          path_.string()));
+    }
+    int width = 0;
+    int height = 0;
+    for (const auto& drawing : drawings) {
+      width += drawing->painter().width();
+      height = std::max(height, drawing->painter().height());
+    }
+    movie_.emplace(file_.temporary_path(), *format, width, height, rate, options.stop);
   }
-  const fs::path file = folder / store::kSceneFile;
-  const scene::Scene stored = scene::parse_file(file);
-  std::vector<scene::Override> all = overrides;
-  if (!stored.output.frames) {
-    all.insert(all.begin(), "output.frames={}");
-  }
-  scene::Scene scene = scene::parse_file(file, all);
-  if (unpainted(scene) != unpainted(stored) || !scene.output.frames) {
-    throw RedrawError(
-        "what is drawn again can differ in output.frames, title and the colour of species only; "
-        "for all else, run the scene anew");
-  }
-  scene.name = summary.scene;
-  return scene;
-}
 
-image::Image picture(RunToDraw run, std::uint64_t step, double max_bytes) {
-  run.scene.output.frames->every = 1;  // each frame of the trajectory has one
-  RunDrawing drawing(run, {.from = step, .to = step}, max_bytes);
-  if (drawing.step(0) != step) {
-    throw RedrawError(fmt::format("{}: no frame of step {} in the trajectory; the nearest is of {}",
-                                  run.folder.string(), step, drawing.step(0)));
+  void add(const std::vector<Picture>& pictures) {
+    std::vector<render::Image> images;
+    std::ranges::transform(pictures, std::back_inserter(images), &Picture::image);
+    naming_file([&] { movie_->add(render::side_by_side(images)); });
   }
-  drawing.prepare();
-  return drawing.painter().rasterize(drawing.capture(0)).image;
-}
+  void finish() {
+    naming_file([&] { movie_->finish(); });
+    file_.finish();
+  }
+
+ private:
+  /// Errors name the movie, as ffmpeg only knows the temporary file.
+  template <class Act>
+  void naming_file(Act act) {
+    try {
+      act();
+    } catch (const render::MovieError& error) {
+      throw render::MovieError(fmt::format("cannot write {}: {}", path_.string(), error.what()));
+    }
+  }
+
+  store::AtomicFile file_;
+  fs::path path_;
+  std::optional<render::Movie> movie_;
+};
+
+/// A contact sheet; of many moments a selection. Of several runs each has a column.
+class SheetTarget {
+ public:
+  /// `moments`: their number. Throws RedrawError for an ending other than .png, store::StoreError.
+  SheetTarget(const Drawings& drawings, const RedrawOptions& options, std::size_t moments)
+      : drawings_(drawings), file_(options.sheet), columns_(options.columns), moments_(moments) {
+    if (file_.extension() != ".png") {
+      throw RedrawError(fmt::format("{}: a contact sheet ends in .png", file_.string()));
+    }
+    require_writable(file_);
+  }
+
+  /// Whether this moment (numbered from 0) is on the sheet.
+  bool shows(std::size_t number) const {
+    constexpr std::size_t kMaxRows = 6;
+    return is_among(number, moments_,
+                    kMaxRows * static_cast<std::size_t>(columns_) / drawings_.size());
+  }
+  /// The pictures of the runs at the next moment; left out if they look like those before.
+  void add(const std::vector<Picture>& pictures) {
+    std::vector<render::Tile> tiles;
+    for (std::size_t run = 0; run < pictures.size(); ++run) {
+      const RunDrawing& drawing = *drawings_[run];
+      const std::string& moment = pictures[run].moment;
+      tiles.push_back(drawing.painter().tile(pictures[run], render::cell_width(columns_)));
+      tiles.back().label =
+          drawings_.size() > 1 ? fmt::format("{}: {}", drawing.name(), moment) : moment;
+    }
+    const std::size_t before = tiles_.size() - std::min(tiles_.size(), tiles.size());
+    const auto last = std::span(tiles_).subspan(before);
+    if (!std::ranges::equal(last, tiles, {}, &render::Tile::view, &render::Tile::view)) {
+      std::ranges::move(tiles, std::back_inserter(tiles_));
+    }
+  }
+  void finish() const {
+    const scene::Scene& scene = drawings_.front()->scene();
+    const render::Image sheet = render::contact_sheet(
+        tiles_, columns_, render::cell_width(columns_), drawings_.size() > 1 ? "" : scene.title);
+    store::write_whole(file_, image::encode_png(sheet, scene_metadata(scene)));
+  }
+
+ private:
+  const Drawings& drawings_;
+  fs::path file_;
+  int columns_;
+  std::size_t moments_;
+  std::vector<render::Tile> tiles_;
+};
 
 class Redraw::Impl {
  public:
@@ -160,8 +221,14 @@ class Redraw::Impl {
   TimePicture over_time() { return space_time_->picture(); }
 
  private:
-  /// By run, that nearest to a moment.
+  /// Throws where a file cannot be written.
+  void open_targets();
+  /// By run, the number of the picture nearest to a moment.
   std::vector<std::size_t> pictures_at(double moment) const;
+  /// Draws the pictures of a moment for all that show it: they are captured here, and rasterized
+  /// and written on another thread.
+  void draw_moment(std::size_t number, const std::vector<std::size_t>& pictures);
+  std::string file_name(std::size_t run, std::size_t picture) const;
   /// Adds the pictures before this one to the picture over time, also those that no movie shows.
   void add_over_time(std::size_t end);
   bool stop_asked() const { return options_.stop != nullptr && options_.stop->load() != 0; }
@@ -172,8 +239,12 @@ class Redraw::Impl {
   std::vector<std::vector<double>> times_;  // by run, of its pictures
   std::vector<double> moments_;
   std::optional<SpaceTime> space_time_;
-  std::size_t over_time_ = 0;              // pictures that it has
-  std::optional<PictureTargets> targets_;  // once drawing begins
+  std::size_t over_time_ = 0;          // pictures that it has
+  std::vector<std::size_t> captured_;  // by run, the last picture
+  std::vector<Picture> pictures_;      // likewise
+  std::optional<MovieTarget> movie_;
+  std::optional<SheetTarget> sheet_;
+  tasks::Background writer_;  // last: at the end it waits for its thread, which uses the others
 };
 
 Redraw::Impl::Impl(const std::vector<RunToDraw>& runs, const RedrawOptions& options)
@@ -230,20 +301,14 @@ std::size_t Redraw::Impl::draw(const RedrawEvents& events) {
       drawing->share_arrow_scale();
     }
   }
-  targets_.emplace(drawings_, folders_, options_, moments_.size(),
-                   picture_rate(options_, moments_.size()));
-  if (space_time_) {
-    space_time_->require_writable();
-  }
+  open_targets();
   record::IntervalTimer timer(events.progress_interval);
   record::TimeEstimate estimate;
   std::size_t number = 0;
   for (; number < moments_.size() && !stop_asked(); ++number) {
     const std::vector<std::size_t> pictures = pictures_at(moments_[number]);
     add_over_time(pictures.front());
-    if (targets_->want(number)) {
-      targets_->add(number, pictures);
-    }
+    draw_moment(number, pictures);
     add_over_time(pictures.front() + 1);
     if (events.progress && timer.due()) {
       estimate.update(static_cast<double>(number + 1) / static_cast<double>(moments_.size()));
@@ -251,9 +316,74 @@ std::size_t Redraw::Impl::draw(const RedrawEvents& events) {
     }
   }
   if (number > 0) {
-    targets_->finish();
+    writer_.finish();
+    if (movie_) {
+      movie_->finish();
+    }
+    if (sheet_) {
+      sheet_->finish();
+    }
   }
   return number;
+}
+
+void Redraw::Impl::open_targets() {
+  captured_.assign(drawings_.size(), std::numeric_limits<std::size_t>::max());
+  pictures_.resize(drawings_.size());
+  if (!options_.movie.empty()) {
+    movie_.emplace(drawings_, options_, picture_rate(options_, moments_.size()));
+  }
+  if (!options_.sheet.empty()) {
+    sheet_.emplace(drawings_, options_, moments_.size());
+  }
+  for (std::size_t run = 0; run < drawings_.size(); ++run) {
+    if (folders_[run]) {
+      folders_[run]->create(file_name(run, 0));
+    }
+  }
+  if (space_time_) {
+    require_writable(options_.space_time->file);
+  }
+}
+
+std::string Redraw::Impl::file_name(std::size_t run, std::size_t picture) const {
+  const scene::Scene& scene = drawings_[run]->scene();
+  return store::frame_name(scene.name, drawings_[run]->step(picture), scene::step_digits(scene),
+                           options_.pdf ? ".pdf" : ".png");
+}
+
+void Redraw::Impl::draw_moment(std::size_t number, const std::vector<std::size_t>& pictures) {
+  const bool on_sheet = sheet_ && sheet_->shows(number);
+  const auto is_there = [](const auto& folder) { return folder.has_value(); };
+  if (!on_sheet && !movie_ && std::ranges::none_of(folders_, is_there)) {
+    return;
+  }
+  std::vector<std::optional<CapturedFrame>> frames(pictures.size());
+  for (std::size_t run = 0; run < pictures.size(); ++run) {
+    if (std::exchange(captured_[run], pictures[run]) != pictures[run]) {
+      frames[run] = drawings_[run]->capture(pictures[run]);
+    }
+  }
+  writer_.start([this, on_sheet, pictures, frames = std::move(frames)] {
+    for (std::size_t run = 0; run < pictures.size(); ++run) {
+      if (!frames[run]) {
+        continue;
+      }
+      FramePainter& painter = drawings_[run]->painter();
+      const Picture& picture = pictures_[run] = painter.rasterize(*frames[run]);
+      if (folders_[run]) {
+        folders_[run]->write(file_name(run, pictures[run]),
+                             options_.pdf ? painter.pdf(*frames[run])
+                                          : image::encode_png(picture.image, picture.text));
+      }
+    }
+    if (movie_) {
+      movie_->add(pictures_);
+    }
+    if (on_sheet) {
+      sheet_->add(pictures_);
+    }
+  });
 }
 
 std::vector<std::size_t> Redraw::Impl::pictures_at(double moment) const {

@@ -9,6 +9,8 @@
 
 #include "clca/model/initial_state.hpp"
 #include "clca/scene/contact.hpp"
+#include "clca/store/run_folder.hpp"
+#include "clca/store/summary.hpp"
 #include "clca/text/message.hpp"
 #include "drawing/overlay.hpp"
 
@@ -143,7 +145,52 @@ std::vector<contact::Vessel> vessels(const scene::Scene& scene, const std::vecto
   return result;
 }
 
+/// The scene without the keys that only affect pictures.
+scene::Scene unpainted(scene::Scene scene) {
+  scene.title.clear();
+  scene.output.frames.reset();
+  scene.output.view.reset();
+  for (scene::Species& species : scene.species) {
+    species.color.reset();
+  }
+  return scene;
+}
+
 }  // namespace
+
+scene::Scene drawn_scene(const fs::path& folder, const std::vector<scene::Override>& overrides) {
+  const store::RunSummary summary = store::read_summary(folder / store::kSummaryFile);
+  if (summary.kind == "boltzmann") {
+    throw RedrawError(fmt::format(
+        "{}: a run of the Boltzmann equation, of which there are figures only (clca plot)",
+        folder.string()));
+  }
+  const fs::path file = folder / store::kSceneFile;
+  const scene::Scene stored = scene::parse_file(file);
+  std::vector<scene::Override> all = overrides;
+  if (!stored.output.frames) {
+    all.insert(all.begin(), "output.frames={}");
+  }
+  scene::Scene scene = scene::parse_file(file, all);
+  if (unpainted(scene) != unpainted(stored) || !scene.output.frames) {
+    throw RedrawError(
+        "what is drawn again can differ in output.frames, title and the colour of species only; "
+        "for all else, run the scene anew");
+  }
+  scene.name = summary.scene;
+  return scene;
+}
+
+image::Image picture(RunToDraw run, std::uint64_t step, double max_bytes) {
+  run.scene.output.frames->every = 1;  // each frame of the trajectory has one
+  RunDrawing drawing(run, {.from = step, .to = step}, max_bytes);
+  if (drawing.step(0) != step) {
+    throw RedrawError(fmt::format("{}: no frame of step {} in the trajectory; the nearest is of {}",
+                                  run.folder.string(), step, drawing.step(0)));
+  }
+  drawing.prepare();
+  return drawing.painter().rasterize(drawing.capture(0)).image;
+}
 
 RunDrawing::RunDrawing(const RunToDraw& run, const RedrawOptions& options, double max_bytes)
     : name_(fs::absolute(run.folder / "").lexically_normal().parent_path().filename().string()),

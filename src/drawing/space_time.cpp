@@ -8,7 +8,6 @@
 
 #include "clca/measure/profile.hpp"
 #include "clca/render/painter.hpp"
-#include "clca/store/file.hpp"
 
 namespace clca::drawing {
 
@@ -198,10 +197,6 @@ SpaceTime::SpaceTime(const scene::Scene& scene, const grains::State& initial,
       means_(scene.output.frames->width.value_or(kUsualWidth),
              rows_of(scene, options_, part_, painter_.height()), options_.column ? 3 : 2,
              static_cast<double>(frames_.front().step), static_cast<double>(frames_.back().step)) {}
-
-void SpaceTime::require_writable() const {
-  const store::AtomicFile file(options_.file);
-}
 
 void SpaceTime::add(const View& view, const PictureHistory& history, std::size_t number) {
   const std::uint64_t next = frames_[std::min(number + 1, frames_.size() - 1)].step;

@@ -44,8 +44,6 @@ class SpaceTime {
   SpaceTime(const scene::Scene& scene, const grains::State& initial,
             const SpaceTimeOptions& options, std::vector<store::Trajectory::Frame> frames);
 
-  /// Throws store::StoreError if the file could not be written.
-  void require_writable() const;
   /// `view`: of the frame `number`.
   void add(const View& view, const PictureHistory& history, std::size_t number);
   /// Of the frames so far.

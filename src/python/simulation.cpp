@@ -76,7 +76,7 @@ py::list measures_now(const Simulation& simulation, const std::optional<std::str
                                          .derived = simulation.scene().derived};
   py::list result;
   for (const auto& [key, value] : simulation.measures(wanted)) {
-    const record::ShownQuantity what = known.find(key).value_or(record::ShownQuantity());
+    const auto what = known.find(key).value_or(store::ColumnSummary());
     result.append(py::make_tuple(key, value, what.name, what.unit, what.meaning));
   }
   return result;

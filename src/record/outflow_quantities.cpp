@@ -37,37 +37,36 @@ constexpr Quantity kClogged = {"clogged", "Clogged", "",
                                "at rest, particles hang over an outlet that they could have "
                                "passed; some outlet, if there are several"};
 
-Values per_step(const StageView& stage) {
-  return {stage.history.outflow.sites_per_step()};
-}
+using Rates = std::vector<std::pair<Quantity, double>>;
 
-std::optional<double> rate_over_time(const scene::Scene& scene, const measure::Outflow& outflow) {
-  const auto conversion = scene::conversion(scene);
-  return conversion ? std::optional(outflow.sites_per_step() / conversion->time_step)
-                    : std::nullopt;
-}
-
-Values per_time(const StageView& stage) {
-  const auto rate = rate_over_time(stage.scene, stage.history.outflow);
-  return rate ? Values{*rate} : Values{};
-}
-
-/// Kilograms and particles a second; empty without `units.density`.
-Values in_si(const scene::Scene& scene, const measure::Outflow& outflow) {
-  const auto conversion = scene::conversion(scene);
-  if (!conversion || !conversion->site) {
-    return {};
+/// Those that the units of the scene allow.
+Rates rates(const scene::Scene& scene, const measure::Outflow& outflow) {
+  const double per_step = outflow.sites_per_step();
+  Rates all = {{kPerStep, per_step}};
+  if (const auto conversion = scene::conversion(scene)) {
+    const double per_time = per_step / conversion->time_step;
+    all.emplace_back(kPerTime, per_time);
+    if (conversion->site) {
+      const measure::Discharge left = outflow.during_stage();
+      const double sites =
+          left.particles > 0 ? static_cast<double>(left.sites) / static_cast<double>(left.particles)
+                             : 1;
+      all.emplace_back(kMassPerTime, per_time * conversion->site->mass);
+      all.emplace_back(kParticlesPerTime, per_time / sites);
+    }
   }
-  const measure::Discharge left = outflow.during_stage();
-  const double rate = outflow.sites_per_step() / conversion->time_step;
-  const double sites = left.particles > 0
-                           ? static_cast<double>(left.sites) / static_cast<double>(left.particles)
-                           : 1;
-  return {rate * conversion->site->mass, rate / sites};
+  return all;
 }
 
-Values all_in_si(const StageView& stage) {
-  return in_si(stage.scene, stage.history.outflow);
+/// Of all outlets, `count` rates from `first` on, if the scene has them.
+template <std::size_t kFirst, std::size_t kCount>
+Values some_rates(const StageView& stage) {
+  const Rates all = rates(stage.scene, stage.history.outflow);
+  Values values;
+  for (std::size_t i = kFirst; i < std::min(kFirst + kCount, all.size()); ++i) {
+    values.emplace_back(all[i].second);
+  }
+  return values;
 }
 
 /// Of each outlet.
@@ -92,20 +91,6 @@ Values discharged(const StageView& stage) {
           std::find(outlets.begin(), outlets.end(), true) != outlets.end()};
 }
 
-/// What each outlet has of its own.
-std::vector<Quantity> own_quantities(const scene::Scene& scene) {
-  std::vector<Quantity> quantities = {kPerStep};
-  const auto conversion = scene::conversion(scene);
-  if (conversion) {
-    quantities.push_back(kPerTime);
-  }
-  if (conversion && conversion->site) {
-    quantities.insert(quantities.end(), {kMassPerTime, kParticlesPerTime});
-  }
-  quantities.push_back(kClogged);
-  return quantities;
-}
-
 std::string name_of(const Quantity& quantity, const scene::Outlet& outlet) {
   return std::string(quantity.key) + "." + outlet.name;
 }
@@ -126,18 +111,12 @@ Named discharged_apart(const StageView& stage) {
     results.emplace_back(names[i], static_cast<double>(values[i]));
   }
   const std::vector<bool> outlets = clogged(stage);
-  const std::vector<Quantity> own = own_quantities(scene);
   for (std::size_t outlet = 0; outlets.size() > 1 && outlet < outlets.size(); ++outlet) {
-    const measure::Outflow& outflow = stage.history.outlets[outlet];
-    Values of_outlet = {outflow.sites_per_step()};
-    if (const auto rate = rate_over_time(scene, outflow)) {
-      of_outlet.emplace_back(*rate);
+    const scene::Outlet& named = scene.outlets[outlet];
+    for (const auto& [quantity, rate] : rates(scene, stage.history.outlets[outlet])) {
+      results.emplace_back(name_of(quantity, named), rate);
     }
-    std::ranges::copy(in_si(scene, outflow), std::back_inserter(of_outlet));
-    of_outlet.emplace_back(bool{outlets[outlet]});
-    for (std::size_t i = 0; i < own.size(); ++i) {
-      results.emplace_back(name_of(own[i], scene.outlets[outlet]), of_outlet[i]);
-    }
+    results.emplace_back(name_of(kClogged, named), bool{outlets[outlet]});
   }
   return results;
 }
@@ -152,9 +131,10 @@ std::vector<std::string> names_by_outlet(const scene::Scene& scene) {
   }
   if (counts_apart(scene)) {
     for (const scene::Outlet& outlet : scene.outlets) {
-      for (const Quantity& quantity : own_quantities(scene)) {
+      for (const auto& [quantity, none] : rates(scene, {})) {
         names.push_back(name_of(quantity, outlet));
       }
+      names.push_back(name_of(kClogged, outlet));
     }
   }
   return names;
@@ -196,9 +176,12 @@ std::vector<std::uint64_t> discharge_values(const scene::Scene& scene,
 
 std::vector<QuantityGroup> outflow_quantities() {
   using scene::Measure;
-  return {{Measure::outflow, "", {kPerStep}, per_step},
-          {Measure::outflow, "model `contact`", {kPerTime}, per_time},
-          {Measure::outflow, "with `units.density`", {kMassPerTime, kParticlesPerTime}, all_in_si},
+  return {{Measure::outflow, "", {kPerStep}, some_rates<0, 1>},
+          {Measure::outflow, "model `contact`", {kPerTime}, some_rates<1, 1>},
+          {Measure::outflow,
+           "with `units.density`",
+           {kMassPerTime, kParticlesPerTime},
+           some_rates<2, 2>},
           {Measure::outflow,
            "with outlets",
            {{"discharged", "Discharged", "particles", "through an outlet, in the stage"},

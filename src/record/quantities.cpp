@@ -70,9 +70,20 @@ std::string_view part_of_vector(const Quantity& quantity, std::string_view colum
   return is_part && (end == "x" || end == "y") ? end : "";
 }
 
+store::ColumnSummary summary_of(std::string_view key, const Quantity& quantity,
+                                const std::optional<scene::Conversion>& units) {
+  const std::size_t dot = key.find('.');
+  return {.key = std::string(key),
+          .name = std::string(quantity.name),
+          .of = std::string(dot == std::string_view::npos ? part_of_vector(quantity, key)
+                                                          : key.substr(dot + 1)),
+          .unit = shown_unit(quantity.unit, units),
+          .meaning = std::string(quantity.meaning)};
+}
+
 /// KEY of a column KEY.NAME.
-const Quantity* find_of_each(std::string_view key) {
-  for (const TableInfo& table : all_tables()) {
+const Quantity* find_of_each(std::span<const TableInfo> tables, std::string_view key) {
+  for (const TableInfo& table : tables) {
     const auto found = std::ranges::find_if(
         table.of_each, [&](const auto& entry) { return entry.first.key == key; });
     if (found != table.of_each.end()) {
@@ -82,7 +93,7 @@ const Quantity* find_of_each(std::string_view key) {
   return nullptr;
 }
 
-const Quantity* find_column(const std::vector<TableInfo>& tables, std::string_view name) {
+const Quantity* find_column(std::span<const TableInfo> tables, std::string_view name) {
   for (const TableInfo& table : tables) {
     const auto found = std::ranges::find_if(table.columns, [&](const ColumnInfo& column) {
       return std::ranges::count(column.names(), name) > 0;
@@ -110,7 +121,7 @@ const Quantity* find_quantity(std::string_view key) {
     }
   }
   const Quantity* column = find_column(all_tables(), whole);
-  const Quantity* of_each = find_of_each(whole);
+  const Quantity* of_each = find_of_each(all_tables(), whole);
   const Quantity* first = whole == key ? column : of_each;
   const Quantity* second = whole == key ? of_each : column;
   return first != nullptr ? first : second != nullptr ? second : find_in(sweep_quantities(), whole);
@@ -161,13 +172,13 @@ std::vector<NamedQuantity> named_quantities() {
   return all;
 }
 
-std::optional<ShownQuantity> KnownQuantities::find(std::string_view key) const {
+std::optional<store::ColumnSummary> KnownQuantities::find(std::string_view key) const {
   const auto own = std::ranges::find(derived, key, &scene::DerivedMeasure::name);
   if (own != derived.end()) {
-    return ShownQuantity{.name = own->about.value_or(own->name),
-                         .of = {},
-                         .unit = own->unit == "1" ? "" : shown_unit(own->unit, units),
-                         .meaning = own->value};
+    return store::ColumnSummary{.key = own->name,
+                                .name = own->about.value_or(own->name),
+                                .unit = own->unit == "1" ? "" : shown_unit(own->unit, units),
+                                .meaning = own->value};
   }
   const Quantity* known = of == Of::gas     ? find_gas_quantity(key)
                           : of == Of::sweep ? find_sweep_quantity(key)
@@ -175,13 +186,9 @@ std::optional<ShownQuantity> KnownQuantities::find(std::string_view key) const {
   if (known == nullptr) {
     return std::nullopt;
   }
-  const std::size_t dot = key.find('.');
-  return ShownQuantity{.name = std::string(known->name),
-                       .of = std::string(dot == std::string_view::npos ? part_of_vector(*known, key)
-                                                                       : key.substr(dot + 1)),
-                       .unit = shown_unit(known->unit, units),
-                       .meaning = std::string(known->meaning),
-                       .of_floor = known->of_floor};
+  store::ColumnSummary summary = summary_of(key, *known, units);
+  summary.of_floor = known->of_floor;
+  return summary;
 }
 
 KnownQuantities known_quantities(const store::RunSummary& summary) {
@@ -193,17 +200,6 @@ KnownQuantities known_quantities(const store::RunSummary& summary) {
           .derived = summary.derived};
 }
 
-store::ColumnSummary column_summary(const std::string& key,
-                                    const std::optional<ShownQuantity>& found) {
-  return found ? store::ColumnSummary{.key = key,
-                                      .name = found->name,
-                                      .of = found->of,
-                                      .unit = found->unit,
-                                      .meaning = found->meaning,
-                                      .of_floor = found->of_floor}
-               : store::ColumnSummary{.key = key, .name = key};
-}
-
 std::vector<store::ColumnSummary> sweep_summary(const std::vector<std::string>& columns,
                                                 const KnownQuantities& known) {
   std::vector<store::ColumnSummary> result;
@@ -211,34 +207,21 @@ std::vector<store::ColumnSummary> sweep_summary(const std::vector<std::string>& 
     const std::size_t ending = key.ends_with(kErrorEnding) ? kErrorEnding.size() : 0;
     const std::string of = key.substr(0, key.size() - ending);
     const auto of_stage = known.find(of.substr(of.find('.') + 1));
-    result.push_back(column_summary(key, of_stage ? of_stage : known.find(of)));
+    const auto found = of_stage ? of_stage : known.find(of);
+    result.push_back(found.value_or(store::ColumnSummary{.key = key, .name = key}));
+    result.back().key = key;
   }
   return result;
 }
 
 std::vector<store::ColumnSummary> RunTable::summary() const {
   std::vector<store::ColumnSummary> result;
-  const auto add = [&](const std::string& name, const Quantity& quantity, std::string_view of) {
-    result.push_back({.key = name,
-                      .name = std::string(quantity.name),
-                      .of = std::string(of),
-                      .unit = shown_unit(quantity.unit, scope_.conversion),
-                      .meaning = std::string(quantity.meaning)});
-  };
   for (const std::string& name : table_.columns()) {
-    const auto column = std::ranges::find_if(info_.columns, [&](const ColumnInfo& info) {
-      return std::ranges::count(info.names(), name) > 0;
-    });
-    const std::string_view whole = std::string_view(name).substr(0, name.find('.'));
-    const auto of_each = std::ranges::find_if(
-        info_.of_each, [&](const auto& entry) { return entry.first.key == whole; });
-    if (column != info_.columns.end()) {
-      add(name, column->quantity, part_of_vector(column->quantity, name));
-    } else if (of_each != info_.of_each.end()) {
-      add(name, of_each->first, std::string_view(name).substr(whole.size() + 1));
-    } else {
-      result.push_back(column_summary(name, std::nullopt));
-    }
+    const Quantity* column = find_column({&info_, 1}, name);
+    const Quantity* known =
+        column != nullptr ? column : find_of_each({&info_, 1}, name.substr(0, name.find('.')));
+    result.push_back(known != nullptr ? summary_of(name, *known, scope_.conversion)
+                                      : store::ColumnSummary{.key = name, .name = name});
   }
   return result;
 }

@@ -13,9 +13,6 @@
 
 namespace clca::render {
 
-/// Largest of 1, 2 and 5 times a power of ten not above `length` (positive).
-double round_length(double length);
-
 /// Round numbers from `low` to `high`, at most `count` of them.
 std::vector<double> ticks(double low, double high, int count);
 

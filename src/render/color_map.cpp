@@ -5,72 +5,40 @@
 
 #include "clca/render/coloring.hpp"
 #include "render/colors.hpp"
+#include "render/samples.hpp"
 
 namespace clca::render {
 
 namespace {
 
 // Okabe & Ito 2008, "Color Universal Design", without black, the soft colours first.
-constexpr std::array<Rgb, 8> kOkabeIto = {{{86, 180, 233},
-                                           {230, 159, 0},
-                                           {0, 158, 115},
-                                           {213, 94, 0},
-                                           {0, 114, 178},
-                                           {204, 121, 167},
-                                           {240, 228, 66},
-                                           {153, 153, 153}}};
+constexpr std::array<Sample, 8> kOkabeIto = {0x56B4E9, 0xE69F00, 0x009E73, 0xD55E00,
+                                             0x0072B2, 0xCC79A7, 0xF0E442, 0x999999};
 
 // van der Walt & Smith 2015, "A better default colormap for Matplotlib" (viridis): every
 // seventeenth of its 256 entries.
-constexpr std::array<Rgb, 16> kViridis = {{{68, 1, 84},
-                                           {72, 26, 108},
-                                           {71, 47, 125},
-                                           {65, 68, 135},
-                                           {57, 86, 140},
-                                           {49, 104, 142},
-                                           {42, 120, 142},
-                                           {35, 136, 142},
-                                           {31, 152, 139},
-                                           {34, 168, 132},
-                                           {53, 183, 121},
-                                           {84, 197, 104},
-                                           {122, 209, 81},
-                                           {165, 219, 54},
-                                           {210, 226, 27},
-                                           {253, 231, 37}}};
+constexpr std::array<Sample, 16> kViridis = {
+    0x440154, 0x481A6C, 0x472F7D, 0x414487, 0x39568C, 0x31688E, 0x2A788E, 0x23888E,
+    0x1F988B, 0x22A884, 0x35B779, 0x54C568, 0x7AD151, 0xA5DB36, 0xD2E21B, 0xFDE725};
 
 // Moreland 2009, "Diverging color maps for scientific visualization": every sixteenth of its 257
 // entries.
-constexpr std::array<Rgb, 17> kCoolToWarm = {{{59, 76, 192},
-                                              {77, 104, 215},
-                                              {98, 130, 234},
-                                              {119, 154, 247},
-                                              {141, 176, 254},
-                                              {163, 194, 255},
-                                              {184, 208, 249},
-                                              {204, 217, 238},
-                                              {221, 221, 221},
-                                              {236, 211, 197},
-                                              {245, 196, 173},
-                                              {247, 177, 148},
-                                              {244, 154, 123},
-                                              {236, 127, 99},
-                                              {222, 96, 77},
-                                              {203, 62, 56},
-                                              {180, 4, 38}}};
+constexpr std::array<Sample, 17> kCoolToWarm = {
+    0x3B4CC0, 0x4D68D7, 0x6282EA, 0x779AF7, 0x8DB0FE, 0xA3C2FF, 0xB8D0F9, 0xCCD9EE, 0xDDDDDD,
+    0xECD3C5, 0xF5C4AD, 0xF7B194, 0xF49A7B, 0xEC7F63, 0xDE604D, 0xCB3E38, 0xB40426};
 
 /// No value, not even NaN, may index outside the table.
-Rgb interpolated(std::span<const Rgb> table, double share) {
+Rgb interpolated(std::span<const Sample> table, double share) {
   const double position =
       share > 0 ? std::min(share, 1.0) * static_cast<double>(table.size() - 1) : 0.0;
   const auto low = std::min(static_cast<std::size_t>(position), table.size() - 2);
-  return mixed(table[low], table[low + 1], position - static_cast<double>(low));
+  return mixed(unpacked(table[low]), unpacked(table[low + 1]), position - static_cast<double>(low));
 }
 
 }  // namespace
 
 Rgb palette_color(std::size_t number) {
-  return kOkabeIto[number % kOkabeIto.size()];
+  return unpacked(kOkabeIto[number % kOkabeIto.size()]);
 }
 
 Rgb map_color(double share) {

@@ -19,6 +19,7 @@
 #include "clca/render/painter.hpp"
 #include "clca/text/utf8.hpp"
 #include "render/colors.hpp"
+#include "render/samples.hpp"
 
 namespace clca::render {
 
@@ -85,28 +86,21 @@ Surface page_of(int width, int height, std::vector<std::uint8_t>& pdf) {
   return surface;
 }
 
-/// A row of pixels, 0x00RRGGBB each.
-std::uint32_t* row_of(cairo_surface_t* surface, int y) {
-  return reinterpret_cast<std::uint32_t*>(cairo_image_surface_get_data(surface) +
-                                          static_cast<std::ptrdiff_t>(y) *
-                                              cairo_image_surface_get_stride(surface));
+/// A row of pixels.
+Sample* row_of(cairo_surface_t* surface, int y) {
+  return reinterpret_cast<Sample*>(cairo_image_surface_get_data(surface) +
+                                   static_cast<std::ptrdiff_t>(y) *
+                                       cairo_image_surface_get_stride(surface));
 }
 
 Surface surface_of(const Image& image) {
   Surface surface = surface_of(image.width, image.height);
   for (int y = 0; y < image.height; ++y) {
-    std::uint32_t* row = row_of(surface.get(), y);
-    for (int x = 0; x < image.width; ++x) {
-      const Rgb pixel = image.at(x, y);
-      row[x] = (std::uint32_t{pixel.red} << 16U) | (std::uint32_t{pixel.green} << 8U) | pixel.blue;
-    }
+    const Rgb* pixels = image.pixels.data() + std::ptrdiff_t{y} * image.width;
+    std::transform(pixels, pixels + image.width, row_of(surface.get(), y), packed);
   }
   cairo_surface_mark_dirty(surface.get());
   return surface;
-}
-
-cairo_t* cairo_of(const std::shared_ptr<void>& cairo) {
-  return static_cast<cairo_t*>(cairo.get());
 }
 
 bool drawable(const Stroke& stroke) {
@@ -220,18 +214,18 @@ Graphics::Graphics(int width, int height)
       height_(height),
       cairo_(cairo_create(surface_of(width, height).get()), cairo_destroy) {
   set_color(kPaper);
-  cairo_paint(cairo_of(cairo_));
+  cairo_paint(cairo_.get());
 }
 
 Graphics::Graphics(Page /*page*/, int width, int height) : width_(width), height_(height) {
   cairo_.reset(cairo_create(page_of(width, height, pdf_).get()), cairo_destroy);
-  cairo_scale(cairo_of(cairo_), kPoints, kPoints);
+  cairo_scale(cairo_.get(), kPoints, kPoints);
   set_color(kPaper);
-  cairo_paint(cairo_of(cairo_));
+  cairo_paint(cairo_.get());
 }
 
 std::vector<std::uint8_t> Graphics::pdf(const std::string& title) {
-  cairo_surface_t* surface = cairo_get_target(cairo_of(cairo_));
+  cairo_surface_t* surface = cairo_get_target(cairo_.get());
   cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_TITLE, printable(title).c_str());
   cairo_surface_finish(surface);
   require_success(cairo_surface_status(surface), width_, height_);
@@ -239,32 +233,26 @@ std::vector<std::uint8_t> Graphics::pdf(const std::string& title) {
 }
 
 Image Graphics::image(const PixelBox& without) const {
-  cairo_surface_t* surface = cairo_get_target(cairo_of(cairo_));
+  cairo_surface_t* surface = cairo_get_target(cairo_.get());
   cairo_surface_flush(surface);
   Image image(width_, height_, kPaper);
   for (int y = 0; y < height_; ++y) {
     if (y >= without.y && y < without.y + without.height) {
       continue;
     }
-    const std::uint32_t* row = row_of(surface, y);
-    Rgb* pixels = &image.at(0, y);
-    for (int x = 0; x < width_; ++x) {
-      pixels[x] = {static_cast<std::uint8_t>(row[x] >> 16U),
-                   static_cast<std::uint8_t>(row[x] >> 8U), static_cast<std::uint8_t>(row[x])};
-    }
+    std::transform(row_of(surface, y), row_of(surface, y) + width_, &image.at(0, y), unpacked);
   }
   return image;
 }
 
 void Graphics::set_color(Rgb color) {
-  cairo_set_source_rgb(cairo_of(cairo_), color.red / 255.0, color.green / 255.0,
-                       color.blue / 255.0);
+  cairo_set_source_rgb(cairo_.get(), color.red / 255.0, color.green / 255.0, color.blue / 255.0);
 }
 
 void Graphics::fill_box(double left, double top, double right, double bottom, Rgb color) {
   set_color(color);
-  cairo_rectangle(cairo_of(cairo_), left, top, right - left, bottom - top);
-  cairo_fill(cairo_of(cairo_));
+  cairo_rectangle(cairo_.get(), left, top, right - left, bottom - top);
+  cairo_fill(cairo_.get());
 }
 
 void Graphics::fill_gradient(double left, double top, double right, double bottom,
@@ -275,26 +263,26 @@ void Graphics::fill_gradient(double left, double top, double right, double botto
         gradient, static_cast<double>(i) / static_cast<double>(colors.size() - 1),
         colors[i].red / 255.0, colors[i].green / 255.0, colors[i].blue / 255.0);
   }
-  cairo_set_source(cairo_of(cairo_), gradient);
+  cairo_set_source(cairo_.get(), gradient);
   cairo_pattern_destroy(gradient);
-  cairo_rectangle(cairo_of(cairo_), left, top, right - left, bottom - top);
-  cairo_fill(cairo_of(cairo_));
+  cairo_rectangle(cairo_.get(), left, top, right - left, bottom - top);
+  cairo_fill(cairo_.get());
 }
 
 void Graphics::fill_polygon(std::span<const Eigen::Vector2d> corners, Rgb fill, double line,
                             Rgb outline) {
-  cairo_save(cairo_of(cairo_));
+  cairo_save(cairo_.get());
   for (const Eigen::Vector2d& corner : corners) {
-    line_to(cairo_of(cairo_), corner);
+    line_to(cairo_.get(), corner);
   }
-  cairo_close_path(cairo_of(cairo_));
+  cairo_close_path(cairo_.get());
   set_color(fill);
-  cairo_fill_preserve(cairo_of(cairo_));
-  cairo_clip_preserve(cairo_of(cairo_));
+  cairo_fill_preserve(cairo_.get());
+  cairo_clip_preserve(cairo_.get());
   set_color(outline);
-  cairo_set_line_width(cairo_of(cairo_), 2 * line);
-  cairo_stroke(cairo_of(cairo_));
-  cairo_restore(cairo_of(cairo_));
+  cairo_set_line_width(cairo_.get(), 2 * line);
+  cairo_stroke(cairo_.get());
+  cairo_restore(cairo_.get());
 }
 
 void Graphics::draw_stroke(const Stroke& stroke) {
@@ -303,31 +291,31 @@ void Graphics::draw_stroke(const Stroke& stroke) {
   }
   set_color(stroke.color);
   if (stroke.arrow) {
-    arrow(cairo_of(cairo_), stroke);
+    arrow(cairo_.get(), stroke);
   } else {
-    straight_line(cairo_of(cairo_), stroke.from, stroke.to, stroke.width, CAIRO_LINE_CAP_ROUND);
+    straight_line(cairo_.get(), stroke.from, stroke.to, stroke.width, CAIRO_LINE_CAP_ROUND);
   }
 }
 
 void Graphics::fade(double share) {
   if (share > 0) {
-    cairo_set_source_rgba(cairo_of(cairo_), 1, 1, 1, std::min(share, 1.0));
-    cairo_paint(cairo_of(cairo_));
+    cairo_set_source_rgba(cairo_.get(), 1, 1, 1, std::min(share, 1.0));
+    cairo_paint(cairo_.get());
   }
 }
 
 void Graphics::draw_image(const Image& image, double left, double top, double width,
                           double height) {
   const Surface surface = surface_of(image);
-  cairo_save(cairo_of(cairo_));
-  cairo_rectangle(cairo_of(cairo_), left, top, width, height);
-  cairo_clip(cairo_of(cairo_));
-  cairo_translate(cairo_of(cairo_), left, top);
-  cairo_scale(cairo_of(cairo_), width / image.width, height / image.height);
-  cairo_set_source_surface(cairo_of(cairo_), surface.get(), 0, 0);
-  cairo_pattern_set_extend(cairo_get_source(cairo_of(cairo_)), CAIRO_EXTEND_PAD);
-  cairo_paint(cairo_of(cairo_));
-  cairo_restore(cairo_of(cairo_));
+  cairo_save(cairo_.get());
+  cairo_rectangle(cairo_.get(), left, top, width, height);
+  cairo_clip(cairo_.get());
+  cairo_translate(cairo_.get(), left, top);
+  cairo_scale(cairo_.get(), width / image.width, height / image.height);
+  cairo_set_source_surface(cairo_.get(), surface.get(), 0, 0);
+  cairo_pattern_set_extend(cairo_get_source(cairo_.get()), CAIRO_EXTEND_PAD);
+  cairo_paint(cairo_.get());
+  cairo_restore(cairo_.get());
 }
 
 Graphics::Text Graphics::text(std::string_view text, double size, double room) {
@@ -339,7 +327,7 @@ Graphics::Text Graphics::text(std::string_view text, double size, double room) {
   if (!fonts_) {
     require_memory();
     fonts_lock_ = std::unique_lock(fonts.mutex);
-    fonts_.reset(font_context(cairo_of(cairo_), fonts.map), g_object_unref);
+    fonts_.reset(font_context(cairo_.get(), fonts.map), g_object_unref);
   }
   if (fonts.sizes.insert(size).second || !is_ascii(text)) {  // Pango may look for other fonts
     if (const std::string problem = font_problem(); !problem.empty()) {
@@ -375,32 +363,29 @@ void Graphics::draw_text(const Text& text, double left, double baseline, Rgb col
   set_color(color);
   auto* layout = static_cast<PangoLayout*>(text.layout_.get());
   const double ascent = in_pixels(pango_layout_get_baseline(layout));
-  cairo_move_to(cairo_of(cairo_), left, std::round(baseline) - ascent);
-  pango_cairo_show_layout(cairo_of(cairo_), layout);
-  cairo_new_path(cairo_of(cairo_));
+  cairo_move_to(cairo_.get(), left, std::round(baseline) - ascent);
+  pango_cairo_show_layout(cairo_.get(), layout);
+  cairo_new_path(cairo_.get());
 }
 
 Graphics::Clip::Clip(Graphics& graphics, double left, double top, double width, double height)
     : graphics_(graphics) {
-  cairo_t* cairo = cairo_of(graphics.cairo_);
+  cairo_t* cairo = graphics.cairo_.get();
   cairo_save(cairo);
   cairo_rectangle(cairo, left, top, width, height);
   cairo_clip(cairo);
 }
 
 Graphics::Clip::~Clip() {
-  cairo_restore(cairo_of(graphics_.cairo_));
+  cairo_restore(graphics_.cairo_.get());
 }
 
-Graphics::Panel::Panel(Graphics& graphics, double left, double top, double width, double height,
-                       double turn)
-    : clip_(graphics, left, top, width, height) {
-  cairo_t* cairo = cairo_of(graphics.cairo_);
-  cairo_translate(cairo, left, top);
+void Graphics::move_into(const PixelBox& box, double turn) {
+  cairo_translate(cairo_.get(), box.x, box.y);
   if (turn != 0) {
-    cairo_translate(cairo, width / 2, height / 2);
-    cairo_rotate(cairo, -turn * std::numbers::pi / 180);
-    cairo_translate(cairo, -width / 2, -height / 2);
+    cairo_translate(cairo_.get(), box.width / 2.0, box.height / 2.0);
+    cairo_rotate(cairo_.get(), -turn * std::numbers::pi / 180);
+    cairo_translate(cairo_.get(), -box.width / 2.0, -box.height / 2.0);
   }
 }
 

@@ -15,6 +15,8 @@
 #include "clca/render/overlays.hpp"
 #include "clca/render/painter.hpp"
 
+struct _cairo;  // of Cairo, whose header only graphics.cpp includes
+
 namespace clca::render {
 
 /// Throws std::bad_alloc unless so much address space is free: OSMesa, GLib and fontconfig end
@@ -75,15 +77,9 @@ class Graphics {
     Graphics& graphics_;
   };
 
-  /// The same, with the upper left corner of the box as origin, and turned anticlockwise by `turn`
-  /// degrees about the middle of the box.
-  class Panel {
-   public:
-    Panel(Graphics& graphics, double left, double top, double width, double height, double turn);
-
-   private:
-    Clip clip_;
-  };
+  /// Up to the end of the Clip: the upper left corner of the box is the origin, and all that is
+  /// drawn is turned anticlockwise by `turn` degrees about its middle.
+  void move_into(const PixelBox& box, double turn);
 
  private:
   void set_color(Rgb color);
@@ -91,7 +87,7 @@ class Graphics {
   std::vector<std::uint8_t> pdf_;  ///< so far
   int width_;
   int height_;
-  std::shared_ptr<void> cairo_;  ///< cairo_t, whose header only graphics.cpp includes
+  std::shared_ptr<_cairo> cairo_;
   // From the first text on.
   std::unique_lock<std::recursive_mutex> fonts_lock_;
   std::shared_ptr<void> fonts_;  ///< PangoContext

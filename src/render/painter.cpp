@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "render/annotations.hpp"
-#include "render/bodies.hpp"
 #include "render/colors.hpp"
 #include "render/graphics.hpp"
 #include "render/layout.hpp"
@@ -47,6 +46,51 @@ void draw_overlay(Graphics& graphics, const Overlay& overlay, const PanelScale& 
     if (!drawn.arrow || moved_into_view(drawn, box, turn)) {
       graphics.draw_stroke(drawn);
     }
+  }
+}
+
+/// Overlapping particles: the lower id last, so that it lies on top.
+std::vector<Body> bodies_in_view(const Projection& projection, const grains::State& state,
+                                 const grains::Occupancy& occupancy, const Coloring& coloring) {
+  const lattice::Rectangle view = projection.view();
+  const double width = state.lattice.size().x();
+  std::vector<Body> bodies;
+  for (std::size_t id = state.particles.size(); id-- > 0;) {
+    const grains::Particle& particle = state.particles[id];
+    if (!particle.present) {
+      continue;
+    }
+    const lattice::Site home = {state.lattice.wrapped(particle.column), particle.row};
+    const Eigen::Vector2d at = lattice::position(home);
+    const double reach = state.shape(particle).diameter() + 1;
+    // At a periodic boundary a particle appears at both sides.
+    const int images = state.lattice.periodic() ? 1 : 0;
+    for (int image = -images; image <= images; ++image) {
+      const double x = at.x() + image * width;
+      const bool in_box = images == 0 || (x + reach > -1 && x - reach < width);
+      if (in_box && x + reach > view.left && x - reach < view.right &&
+          at.y() + reach > view.bottom && at.y() - reach < view.top) {
+        GridPoint place = grid_point(home);
+        place.u += 2 * state.lattice.columns() * image;
+        bodies.push_back({particle.kind, place, color(coloring, state, occupancy, id)});
+      }
+    }
+  }
+  return bodies;
+}
+
+void draw_bodies(Graphics& graphics, std::span<const Body> bodies,
+                 std::span<const Outline> outlines, const Projection& projection,
+                 const PanelScale& panel) {
+  std::vector<Eigen::Vector2d> corners;
+  for (const Body& body : bodies) {
+    corners.clear();
+    for (const GridPoint corner : outlines[body.kind]) {
+      corners.push_back(
+          panel.pixel(position(GridPoint{body.place.u + corner.u, body.place.v + corner.v})));
+    }
+    graphics.fill_polygon(corners, body.fill, projection.outline_width * panel.scale,
+                          outline_color(body.fill, projection.outline_strength));
   }
 }
 
@@ -156,7 +200,8 @@ class Painter::Impl {
             const Overlay& overlay, double turn, DrawParticles draw_particles) const {
     const PixelBox& box = layout_.panel;
     {
-      const Graphics::Panel panel(graphics, box.x, box.y, box.width, box.height, turn);
+      const Graphics::Clip clip(graphics, box.x, box.y, box.width, box.height);
+      graphics.move_into(box, turn);
       draw_particles();
       draw_overlay(graphics, overlay, panel_scale(), box, turn);
     }
@@ -181,7 +226,7 @@ class Painter::Impl {
     const Eigen::Vector2d low = in_panel(box.left, box.top);
     const Eigen::Vector2d high = in_panel(box.right, box.bottom);
     const Graphics::Clip clip(graphics, low.x(), low.y(), high.x() - low.x(), high.y() - low.y());
-    render::draw(graphics, captured.bodies, outlines_, projection_, panel_scale());
+    draw_bodies(graphics, captured.bodies, outlines_, projection_, panel_scale());
   }
 
   Style style_;

@@ -6,8 +6,16 @@
 
 #include "clca/lattice/region.hpp"
 #include "clca/render/body.hpp"
+#include "clca/render/image.hpp"
 
 namespace clca::render {
+
+/// A particle in view.
+struct Body {
+  std::uint16_t kind = 0;
+  GridPoint place;  ///< of the reference site
+  Rgb fill;
+};
 
 /// A rectangle of samples, the lower left one first.
 struct SampleBox {

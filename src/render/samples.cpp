@@ -6,11 +6,6 @@ namespace clca::render {
 
 namespace {
 
-constexpr Rgb unpacked(Sample color) {
-  return {static_cast<std::uint8_t>(color >> 16U), static_cast<std::uint8_t>(color >> 8U),
-          static_cast<std::uint8_t>(color)};
-}
-
 template <std::size_t kCount>
 void set_means(std::span<Rgb> pixels, const Sample* samples, std::size_t pitch) {
   constexpr std::uint32_t kAll = kCount * kCount;

@@ -17,6 +17,11 @@ constexpr Sample packed(Rgb color) {
   return (Sample{color.red} << 16U) | (Sample{color.green} << 8U) | color.blue;
 }
 
+constexpr Rgb unpacked(Sample color) {
+  return {static_cast<std::uint8_t>(color >> 16U), static_cast<std::uint8_t>(color >> 8U),
+          static_cast<std::uint8_t>(color)};
+}
+
 /// Sets the pixels of a row to the means of `count` x `count` samples, 1 to 4. `samples`: the
 /// lowest row of them; the others are `pitch` apart.
 void set_means(std::span<Rgb> pixels, const Sample* samples, std::size_t pitch, int count);

@@ -186,7 +186,8 @@ store::RunSummary RunBase::summary(const std::string& status) const {
   for (const store::StageSummary& stage : summary.stages) {
     for (const auto& [key, value] : stage.measures) {
       if (keys.insert(key).second) {
-        summary.measures.push_back(record::column_summary(key, known.find(key)));
+        summary.measures.push_back(
+            known.find(key).value_or(store::ColumnSummary{.key = key, .name = key}));
       }
     }
   }

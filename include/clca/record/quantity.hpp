@@ -44,15 +44,6 @@ struct NamedQuantity {
 /// All that are declared; a name may come several times.
 std::vector<NamedQuantity> named_quantities();
 
-/// A quantity of one run or sweep.
-struct ShownQuantity {
-  std::string name;     ///< in words
-  std::string of;       ///< the outlet or wall that it is of, or x, y of a vector; empty: the whole
-  std::string unit;     ///< as the run has it; of a pure number empty
-  std::string meaning;  ///< may be empty
-  bool of_floor = false;  ///< as Quantity::of_floor
-};
-
 /// What is known of the quantities of one run or sweep.
 struct KnownQuantities {
   enum class Of : std::uint8_t { run, gas, sweep };
@@ -62,14 +53,11 @@ struct KnownQuantities {
   std::vector<scene::DerivedMeasure> derived = {};
 
   /// One that is declared, or that the scene derives.
-  std::optional<ShownQuantity> find(std::string_view key) const;
+  std::optional<store::ColumnSummary> find(std::string_view key) const;
 };
 
 KnownQuantities known_quantities(const store::RunSummary& summary);
 
-/// A measure or a column, in words. `found`: what is known of it, if anything.
-store::ColumnSummary column_summary(const std::string& key,
-                                    const std::optional<ShownQuantity>& found);
 /// The columns of a table of a sweep over runs: `known` of these.
 std::vector<store::ColumnSummary> sweep_summary(const std::vector<std::string>& columns,
                                                 const KnownQuantities& known);

@@ -64,6 +64,9 @@ std::string to_text(const Legend& legend);
 /// Empty where the text is none of to_text().
 Legend legend_of(const std::string& text);
 
+/// Largest of 1, 2 and 5 times a power of ten not above `length` (positive).
+double round_length(double length);
+
 /// Of lengths in metres.
 struct LengthUnit {
   const char* name = "";

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "clca/grains/state.hpp"
-#include "render/bodies.hpp"
 #include "render/projection.hpp"
 #include "render/samples.hpp"
 

@@ -8,13 +8,12 @@
 
 #include "clca/image/png.hpp"
 #include "clca/process/program.hpp"
-#include "clca/render/coloring.hpp"
 #include "clca/render/difference.hpp"
 #include "clca/run/run.hpp"
 #include "clca/scene/parse.hpp"
 #include "clca/store/file.hpp"
 #include "drawing/run_drawing.hpp"
-#include "drawing/space_time.hpp"
+#include "drawn_scenes.hpp"
 #include "render/graphics.hpp"
 #include "support/missing.hpp"
 #include "support/runs.hpp"
@@ -36,27 +35,6 @@ std::set<std::string> names(const fs::path& folder) {
   result.erase(".clca.manifest");
   return result;
 }
-
-/// Two stages, two species, a wall that is removed, an outlet and a source that drains into it.
-const std::string kDrained = R"(clca: 1
-title: Drained
-box: {width: 60, height: 70}
-species:
-  small: {shape: {hexagon: 1}}
-  rod: {shape: {rod: {radius: 0, length: 3}}, orientations: any}
-walls:
-  gate: {box: [30, 0, 31, 60]}
-sources:
-  tap: {at: [15, 60], rate: 0.3}
-outlets:
-  drain: {region: [45, 0, 60, 12]}
-stages:
-  - name: packing
-    fill: {region: [0, 0, 30, 45], counts: {small: 60, rod: 40}}
-  - {name: flow, remove: [gate], until: {steps: 60}}
-  - {name: tapped, sources: [tap], until: {steps: 60}}
-output: {frames: {every: 10, width: 200, height: 160, supersampling: 1}}
-)";
 
 const std::string kPushed = R"(clca: 1
 box: {width: 50, height: 60}
@@ -86,15 +64,24 @@ class RedrawTest : public ::testing::Test {
     const fs::path run = scratch.path() / "run";
     const fs::path again = scratch.path() / "again";
     const scene::Scene scene = parse(text, settings);
-    testing::run_and_store(scene, run, 5);
+    if (scene.output.trajectory) {
+      run::run(scene, {.folder = run});
+    } else {
+      testing::run_and_store(scene, run, 5);
+    }
     Redraw redraw({{scene, run, store::OutputFolder(again)}}, {});
     EXPECT_EQ(redraw.draw(), redraw.moments());
     ASSERT_EQ(names(again), names(run / "frames"));
     ASSERT_GT(names(again).size(), 5U);
+    expect_pictures_of(run, again);
+  }
+  /// The pictures in a folder have the bytes of those that the run has drawn.
+  static void expect_pictures_of(const fs::path& run, const fs::path& again) {
     for (const std::string& name : names(again)) {
       EXPECT_EQ(testing::bytes_of(again / name), testing::bytes_of(run / "frames" / name)) << name;
     }
   }
+  fs::path at(const char* name) const { return folder_.path() / name; }
 
   testing::ScratchFolder folder_;
 };
@@ -120,19 +107,17 @@ TEST_F(RedrawTest, GivesTheBytesOfTheRunsOwnPicturesOfVelocities) {
 
 TEST_F(RedrawTest, VelocitiesAreThoseSinceThePictureBeforeEvenIfItIsNotDrawn) {
   const scene::Scene scene = parse(kDrained, {"output.frames.overlay=velocity"});
-  const fs::path run = folder_.path() / "run";
-  const fs::path some = folder_.path() / "some";
+  const fs::path run = at("run");
+  const fs::path some = at("some");
   const std::uint64_t steps = testing::run_and_store(scene, run, 5).steps;
   Redraw({{scene, run, store::OutputFolder(some)}}, {.from = steps - 15}).draw();
   ASSERT_EQ(names(some).size(), 2U);
-  for (const std::string& name : names(some)) {
-    EXPECT_EQ(testing::bytes_of(some / name), testing::bytes_of(run / "frames" / name)) << name;
-  }
+  expect_pictures_of(run, some);
 }
 
 TEST_F(RedrawTest, ArrowsOfAMovieHaveOneScale) {
   const scene::Scene scene = parse(kDrained, {"output.frames.overlay=velocity"});
-  const fs::path run = folder_.path() / "run";
+  const fs::path run = at("run");
   testing::run_and_store(scene, run, 5);
   RunDrawing drawing({scene, run}, {}, 1e9);
   drawing.prepare();
@@ -170,27 +155,16 @@ output:
 TEST_F(RedrawTest, GivesTheBytesOfTheRunsOwnPicturesOfTheContactModel) {
   for (const char* key : {"color_by=force", "color_by=pressure", "color_by=speed", "color_by=spin",
                           "overlay=forces", "overlay=velocity"}) {
-    const testing::ScratchFolder scratch;
-    const fs::path folder = scratch.path() / "run";
-    const fs::path again = scratch.path() / "again";
-    const scene::Scene scene = parse(kContacts, {std::string("output.frames.") + key});
-    run::run(scene, {.folder = folder});
-    Redraw({{scene, folder, store::OutputFolder(again)}}, {}).draw();
-    ASSERT_EQ(names(again), names(folder / "frames"));
-    ASSERT_GT(names(again).size(), 10U);
-    for (const std::string& name : names(again)) {
-      EXPECT_EQ(testing::bytes_of(again / name), testing::bytes_of(folder / "frames" / name))
-          << key << ", " << name;
-    }
+    expect_same_pictures(kContacts, {std::string("output.frames.") + key});
   }
 }
 
 TEST_F(RedrawTest, ATrajectoryWithoutContactsShowsNoForcesOfTheContactModel) {
   const scene::Scene scene =
       parse(kContacts, {"output.trajectory.contacts=false", "output.frames.overlay=forces"});
-  run::run(scene, {.folder = folder_.path() / "run"});
+  run::run(scene, {.folder = at("run")});
   try {
-    const Redraw none({{scene, folder_.path() / "run"}}, {});
+    const Redraw none({{scene, at("run")}}, {});
     FAIL() << "no error";
   } catch (const RedrawError& error) {
     EXPECT_THAT(error.what(),
@@ -202,12 +176,11 @@ TEST_F(RedrawTest, ATrajectoryWithoutContactsShowsNoForcesOfTheContactModel) {
 
 TEST_F(RedrawTest, DrawsStepsOfARangeOnlyOrTheNearestOneAndSaysSo) {
   const scene::Scene scene = parse(kDrained);
-  testing::run_and_store(scene, folder_.path() / "run", 10);
-  const std::vector<RunToDraw> runs = {
-      {scene, folder_.path() / "run", store::OutputFolder(folder_.path() / "some")}};
+  testing::run_and_store(scene, at("run"), 10);
+  const std::vector<RunToDraw> runs = {{scene, at("run"), store::OutputFolder(at("some"))}};
   RedrawOptions options = {.from = 10, .to = 20};
   Redraw(runs, options).draw();
-  EXPECT_THAT(names(folder_.path() / "some"), ElementsAre("tried-000010.png", "tried-000020.png"));
+  EXPECT_THAT(names(at("some")), ElementsAre("tried-000010.png", "tried-000020.png"));
   options.from = 16;
   options.to = 19;
   std::string warning;
@@ -220,25 +193,13 @@ TEST_F(RedrawTest, DrawsStepsOfARangeOnlyOrTheNearestOneAndSaysSo) {
   EXPECT_THROW(Redraw(runs, options), RedrawError) << "a range that ends before it begins";
 }
 
-/// A column of grains that falls, and lies on the floor from some step on.
-const std::string kFalling = R"(clca: 1
-box: {width: 20, height: 60}
-species: {grain: {shape: {hexagon: 1}, color: "#102030"}}
-walls: {table: {box: [0, 8, 20, 9]}}
-stages:
-  - {name: fall, fill: {region: [5, 40, 14, 60], counts: {grain: 6}}, until: {steps: 60}}
-  - {name: again, remove: [table], until: {steps: 40}}
-output: {frames: {width: 100, height: 60, caption: false}, trajectory: {every: 7}}
-)";
-
 TEST_F(RedrawTest, DrawsAStageAloneFromItsFirstFrame) {
   const scene::Scene scene = parse(kFalling, {"output.frames.every=1000"});
-  testing::run_and_store(scene, folder_.path() / "run", 7);
-  const std::vector<RunToDraw> runs = {
-      {scene, folder_.path() / "run", store::OutputFolder(folder_.path() / "some")}};
+  testing::run_and_store(scene, at("run"), 7);
+  const std::vector<RunToDraw> runs = {{scene, at("run"), store::OutputFolder(at("some"))}};
   RedrawOptions options = {.stage = "again"};
   Redraw(runs, options).draw();
-  EXPECT_THAT(names(folder_.path() / "some"), ElementsAre("tried-000060.png", "tried-000100.png"));
+  EXPECT_THAT(names(at("some")), ElementsAre("tried-000060.png", "tried-000100.png"));
   options.to = 50;
   EXPECT_THROW(Redraw(runs, options), RedrawError) << "a range before the stage";
   EXPECT_THROW(Redraw(runs, {.stage = "agian"}), RedrawError);
@@ -246,9 +207,9 @@ TEST_F(RedrawTest, DrawsAStageAloneFromItsFirstFrame) {
 
 TEST_F(RedrawTest, AMovieOfAGivenLengthHasPicturesEvenlyChosen) {
   const scene::Scene scene = parse(kDrained, {"output.frames.every=1"});
-  testing::run_and_store(scene, folder_.path() / "run", 1);
-  const std::vector<RunToDraw> runs = {{scene, folder_.path() / "run"}};
-  RedrawOptions options = {.movie = folder_.path() / "a.png", .frames_per_second = 10};
+  testing::run_and_store(scene, at("run"), 1);
+  const std::vector<RunToDraw> runs = {{scene, at("run")}};
+  RedrawOptions options = {.movie = at("a.png"), .frames_per_second = 10};
   const std::size_t all = Redraw(runs, options).moments();
   ASSERT_GT(all, 24U);
   options.duration = 1.2;
@@ -258,11 +219,11 @@ TEST_F(RedrawTest, AMovieOfAGivenLengthHasPicturesEvenlyChosen) {
 }
 
 TEST_F(RedrawTest, AContactSheetLeavesOutPicturesThatLookLikeTheOneBefore) {
-  const fs::path run = folder_.path() / "run";
+  const fs::path run = at("run");
   const scene::Scene scene = parse(kFalling, {"output.frames.every=7"});
   run::run(scene, {.folder = run});
   const auto height_of_sheet = [&](std::uint64_t from, std::uint64_t to) {
-    const fs::path sheet = folder_.path() / "sheet.png";
+    const fs::path sheet = at("sheet.png");
     Redraw({{scene, run}}, {.sheet = sheet, .columns = 1, .from = from, .to = to}).draw();
     return image::decode_png(testing::bytes_of(sheet)).image.height;
   };
@@ -273,9 +234,9 @@ TEST_F(RedrawTest, AContactSheetLeavesOutPicturesThatLookLikeTheOneBefore) {
 
 TEST_F(RedrawTest, AContactSheetShowsPicturesEvenlyChosenWithoutWritingThem) {
   const scene::Scene scene = parse(kDrained, {"output.frames.every=1"});
-  testing::run_and_store(scene, folder_.path() / "run", 2);
-  const fs::path sheet = folder_.path() / "sheet.png";
-  Redraw redraw({{scene, folder_.path() / "run"}}, {.sheet = sheet, .columns = 4});
+  testing::run_and_store(scene, at("run"), 2);
+  const fs::path sheet = at("sheet.png");
+  Redraw redraw({{scene, at("run")}}, {.sheet = sheet, .columns = 4});
   EXPECT_GT(redraw.draw(), 24U);
   const image::DecodedPng png = image::decode_png(testing::bytes_of(sheet));
   EXPECT_EQ(png.text.at("Title"), "Drained");
@@ -283,13 +244,13 @@ TEST_F(RedrawTest, AContactSheetShowsPicturesEvenlyChosenWithoutWritingThem) {
   EXPECT_GT(png.image.height, 6 * 384);
   EXPECT_LT(png.image.height,
             6 * (672 + 100) + 200);  // a view is at most 1.4 times as high as wide
-  EXPECT_FALSE(fs::exists(folder_.path() / "run/render"));
+  EXPECT_FALSE(fs::exists(at("run/render")));
 }
 
 TEST_F(RedrawTest, TilesOfASheetLookAsThePicturesMadeSmaller) {
   const scene::Scene scene =
       parse(kDrained, {"output.frames={every: 20, width: 1280, view: [0, 0, 40, 20]}"});
-  const fs::path run_folder = folder_.path() / "run";
+  const fs::path run_folder = at("run");
   testing::run_and_store(scene, run_folder, 2);
   const auto sheet = [&](const char* name, const std::optional<store::OutputFolder>& pictures) {
     const fs::path file = folder_.path() / name;
@@ -297,160 +258,28 @@ TEST_F(RedrawTest, TilesOfASheetLookAsThePicturesMadeSmaller) {
     return image::decode_png(testing::bytes_of(file)).image;
   };
   const image::Image small = sheet("small.png", std::nullopt);
-  const image::Image made_smaller =
-      sheet("smaller.png", store::OutputFolder(folder_.path() / "pictures"));
+  const image::Image made_smaller = sheet("smaller.png", store::OutputFolder(at("pictures")));
   ASSERT_EQ(small.width, made_smaller.width);
   ASSERT_EQ(small.height, made_smaller.height);
   EXPECT_LT(render::difference_of(small, made_smaller, 64).pixels, small.pixels.size() / 1000);
 }
 
-/// A line of two places.
-Eigen::ArrayXXd line(double low, double high) {
-  Eigen::ArrayXXd values(1, 2);
-  values << low, high;
-  return values;
-}
-
-TEST(TimeMeans, HoldsEachLineAsLongAsItLasts) {
-  TimeMeans means(10, 2, 1, 100, 200);
-  means.add(100, 130, line(1, 5));
-  means.add(130, 200, line(2, 6));
-  for (int column = 0; column < 10; ++column) {
-    EXPECT_NEAR(means.mean(column, 0)[0], column < 3 ? 1 : 2, 1e-12) << column;
-    EXPECT_NEAR(means.mean(column, 1)[0], column < 3 ? 5 : 6, 1e-12) << column;
-  }
-}
-
-TEST(TimeMeans, ManyLinesInAPixelCountByTheirTime) {
-  TimeMeans means(2, 2, 1, 0, 20);
-  means.add(0, 2, line(1, 0));
-  means.add(2, 3, line(4, 0));
-  means.add(3, 14, line(10, 0));
-  EXPECT_NEAR(means.mean(0, 0)[0], (2 * 1 + 1 * 4 + 7 * 10) / 10.0, 1e-12);
-  EXPECT_NEAR(means.mean(1, 0)[0], 10, 1e-12);  // of what is known
-}
-
-TEST(TimeMeans, KnowsWhereThereIsNothing) {
-  TimeMeans means(4, 2, 1, 0, 4);
-  means.add(-5, 2, line(1, 1));
-  means.add(4, 4, line(1, 1));
-  means.add(4, 9, line(1, 1));
-  EXPECT_TRUE(means.is_known(0));
-  EXPECT_TRUE(means.is_known(1));
-  EXPECT_FALSE(means.is_known(2));
-  EXPECT_FALSE(means.is_known(3));
-}
-
-TEST_F(RedrawTest, AColumnOverTimeHoldsEachFrameUntilTheNext) {
-  const scene::Scene scene = parse(kFalling, {"output.frames.every=7"});
-  const fs::path run = folder_.path() / "run";
-  run::run(scene, {.folder = run});
-  Redraw redraw({{scene, run}}, {.space_time = SpaceTimeOptions{
-                                     .file = folder_.path() / "a.png", .column = 10, .slit = 20}});
-  EXPECT_GT(redraw.draw(), 10U);
-  const image::Image image = redraw.over_time().content;
-  ASSERT_EQ(image.width, 100);  // a pixel a step
-  const auto same = [&](int one, int other) {
-    for (int y = 0; y < image.height; ++y) {
-      if (image.at(one, y) != image.at(other, y)) {
-        return false;
-      }
-    }
-    return true;
-  };
-  for (int x = 0; x < 56; ++x) {
-    EXPECT_TRUE(same(x, x / 7 * 7)) << x;
-  }
-  EXPECT_FALSE(same(0, 7));
-  EXPECT_FALSE(same(7, 14));
-  // The table stands until it is removed at step 60. The picture shows y = -0.5 to 61.
-  const int table = image.height - 1 - static_cast<int>((8.2 + 0.5) / 61.5 * image.height);
-  EXPECT_EQ(image.at(57, table), image.at(0, table));
-  EXPECT_NE(image.at(63, table), image.at(0, table));
-}
-
-TEST_F(RedrawTest, APictureOverTimeHasAllPicturesWhateverAMovieBesideItShows) {
-  const scene::Scene scene = parse(kFalling, {"output.frames.every=7"});
-  const fs::path run = folder_.path() / "run";
-  run::run(scene, {.folder = run});
-  const auto over_time = [&](const fs::path& movie, std::optional<double> duration) {
-    Redraw redraw({{scene, run}},
-                  {.movie = movie,
-                   .frames_per_second = 10,
-                   .duration = duration,
-                   .space_time = SpaceTimeOptions{
-                       .file = folder_.path() / "column.png", .column = 10, .slit = 20}});
-    redraw.draw();
-    return redraw.over_time().content;
-  };
-  EXPECT_EQ(over_time(folder_.path() / "movie.png", 0.5), over_time("", {}));
-}
-
-TEST_F(RedrawTest, TheSurfaceOverTimeIsWhiteWhereThereAreNoGrains) {
-  const scene::Scene scene = parse(kFalling, {"output.frames.every=7"});
-  const fs::path run = folder_.path() / "run";
-  run::run(scene, {.folder = run});
-  Redraw redraw({{scene, run}},
-                {.space_time = SpaceTimeOptions{.file = folder_.path() / "surface.png"}});
-  redraw.draw();
-  const image::Image image = redraw.over_time().content;
-  const image::Rgb white = {255, 255, 255};
-  EXPECT_EQ(image.at(0, 0), white);
-  EXPECT_EQ(image.at(0, image.height - 1), white);
-  EXPECT_GT(std::count(image.pixels.begin(), image.pixels.end(), render::map_color(1)), 0);
-}
-
-TEST_F(RedrawTest, WhatCannotBeShownOverTimeIsRefused) {
-  const scene::Scene scene = parse(kFalling);
-  const fs::path run = folder_.path() / "run";
-  run::run(scene, {.folder = run});
-  const auto refusal = [&](const SpaceTimeOptions& options, const std::vector<std::string>& keys,
-                           std::uint64_t to = 100) {
-    try {
-      const Redraw none({{parse(kFalling, keys), run}}, {.space_time = options, .to = to});
-    } catch (const RedrawError& error) {
-      return std::string(error.what());
-    }
-    return std::string();
-  };
-  const fs::path file = folder_.path() / "a.png";
-  EXPECT_EQ(refusal({.file = file, .column = 10}, {}), "");
-  EXPECT_THAT(refusal({.file = folder_.path() / "a.pdf", .column = 10}, {}),
-              HasSubstr("a.pdf: a picture over time ends in .png"));
-  EXPECT_THAT(refusal({.file = file, .column = 21}, {}),
-              HasSubstr("the column at x = 21 reaches beyond the box in view"));
-  EXPECT_THAT(refusal({.file = file, .column = 10, .slit = 30}, {}),
-              HasSubstr("expected a slit above 0 and up to"));
-  EXPECT_THAT(refusal({.file = file, .column = 1, .slit = 10}, {}), HasSubstr("beyond the box"));
-  EXPECT_THAT(refusal({.file = file, .column = 10}, {}, 0), HasSubstr("needs frames of two steps"));
-  EXPECT_THAT(refusal({.file = file, .column = 10}, {"output.frames.view=[30, 0, 40, 10]"}),
-              HasSubstr("shows nothing of the box"));
-  EXPECT_THAT(refusal({.file = file, .column = 10}, {"output.frames.color_by=displacement"}),
-              HasSubstr("another colour bar in each stage"));
-  EXPECT_EQ(refusal({.file = file}, {"output.frames.color_by=displacement"}), "");
-  EXPECT_EQ(refusal({.file = file, .column = 10}, {"output.frames.color_by=displacement"}, 50), "");
-  EXPECT_FALSE(fs::exists(file));
-}
-
 TEST_F(RedrawTest, AskedToStopItLeavesWhatIsDrawnWhole) {
   const scene::Scene scene = parse(kDrained, {"output.frames.every=1"});
-  testing::run_and_store(scene, folder_.path() / "run", 1);
+  testing::run_and_store(scene, at("run"), 1);
   std::atomic<int> stop = 0;
-  Redraw redraw({{scene, folder_.path() / "run", store::OutputFolder(folder_.path() / "some")}},
-                {.sheet = folder_.path() / "sheet.png", .stop = &stop});
+  Redraw redraw({{scene, at("run"), store::OutputFolder(at("some"))}},
+                {.sheet = at("sheet.png"), .stop = &stop});
   const std::size_t drawn =
       redraw.draw({.progress = [&](const RedrawProgress&) { stop = 2; }, .progress_interval = {}});
   EXPECT_GT(drawn, 0U);
   EXPECT_LT(drawn, redraw.moments());
-  EXPECT_EQ(names(folder_.path() / "some").size(), drawn);
-  image::decode_png(testing::bytes_of(folder_.path() / "sheet.png"));
+  EXPECT_EQ(names(at("some")).size(), drawn);
+  image::decode_png(testing::bytes_of(at("sheet.png")));
 
   stop = 2;
-  EXPECT_EQ(Redraw({{scene, folder_.path() / "run"}},
-                   {.sheet = folder_.path() / "none.png", .stop = &stop})
-                .draw(),
-            0U);
-  EXPECT_FALSE(fs::exists(folder_.path() / "none.png"));
+  EXPECT_EQ(Redraw({{scene, at("run")}}, {.sheet = at("none.png"), .stop = &stop}).draw(), 0U);
+  EXPECT_FALSE(fs::exists(at("none.png")));
 }
 
 TEST_F(RedrawTest, SeveralRunsShareTheEndsOfTheirColourBars) {
@@ -460,41 +289,37 @@ TEST_F(RedrawTest, SeveralRunsShareTheEndsOfTheirColourBars) {
   std::vector<std::string> settings = look;
   settings.emplace_back("stages.packing.fill={region: [0, 0, 30, 20], counts: {small: 20}}");
   const scene::Scene lower = parse(kDrained, settings);
-  testing::run_and_store(high, folder_.path() / "high", 10);
-  testing::run_and_store(lower, folder_.path() / "lower", 10);
+  testing::run_and_store(high, at("high"), 10);
+  testing::run_and_store(lower, at("lower"), 10);
   const auto last_picture = [&](const std::vector<RunToDraw>& runs) {
     Redraw(runs, {.to = 20}).draw();
     const fs::path folder = runs.back().pictures->path();
     return image::decode_png(testing::bytes_of(folder / *names(folder).rbegin())).image;
   };
-  const auto together = last_picture(
-      {{high, folder_.path() / "high"},
-       {lower, folder_.path() / "lower", store::OutputFolder(folder_.path() / "together")}});
-  const auto alone = last_picture(
-      {{lower, folder_.path() / "lower", store::OutputFolder(folder_.path() / "alone")}});
+  const auto together =
+      last_picture({{high, at("high")}, {lower, at("lower"), store::OutputFolder(at("together"))}});
+  const auto alone = last_picture({{lower, at("lower"), store::OutputFolder(at("alone"))}});
   EXPECT_NE(together, alone);
   // A range in the scene is that of both.
   settings.emplace_back("output.frames.range=[0,7]");
   const scene::Scene ranged = parse(kDrained, settings);
-  EXPECT_EQ(last_picture({{high, folder_.path() / "high"},
-                          {ranged, folder_.path() / "lower",
-                           store::OutputFolder(folder_.path() / "ranged")}}),
-            last_picture({{ranged, folder_.path() / "lower",
-                           store::OutputFolder(folder_.path() / "ranged-alone")}}));
+  EXPECT_EQ(
+      last_picture({{high, at("high")}, {ranged, at("lower"), store::OutputFolder(at("ranged"))}}),
+      last_picture({{ranged, at("lower"), store::OutputFolder(at("ranged-alone"))}}));
 }
 
 TEST_F(RedrawTest, SeveralRunsStandSideBySideAtEqualSteps) {
   const scene::Scene often = parse(kDrained, {"output.frames.every=10"});
   const scene::Scene rarely =
       parse(kDrained, {"output.frames.every=25", "output.frames.width=120", "title=Rare"});
-  testing::run_and_store(often, folder_.path() / "often", 5);
-  testing::run_and_store(rarely, folder_.path() / "rarely", 5);
-  const fs::path sheet = folder_.path() / "sheet.png";
-  const fs::path movie = folder_.path() / "movie.png";
-  Redraw redraw({{often, folder_.path() / "often"}, {rarely, folder_.path() / "rarely"}},
+  testing::run_and_store(often, at("often"), 5);
+  testing::run_and_store(rarely, at("rarely"), 5);
+  const fs::path sheet = at("sheet.png");
+  const fs::path movie = at("movie.png");
+  Redraw redraw({{often, at("often")}, {rarely, at("rarely")}},
                 {.movie = movie, .sheet = sheet, .columns = 9});
   EXPECT_EQ(redraw.draw(), redraw.moments());
-  const Redraw alone({{often, folder_.path() / "often"}}, {});
+  const Redraw alone({{often, at("often")}}, {});
   EXPECT_GE(redraw.moments(), alone.moments());  // all of its moments and some of the other
   const image::Image picture = image::decode_png(testing::bytes_of(movie)).image;
   EXPECT_EQ(picture.width, 200 + 120);

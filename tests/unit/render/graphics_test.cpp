@@ -164,7 +164,8 @@ TEST(Graphics, TurnsAPanelAboutItsMiddle) {
   }
   Graphics graphics(50, 40);
   {
-    const Graphics::Panel panel(graphics, 10, 5, 30, 30, 90);
+    const Graphics::Clip clip(graphics, 10, 5, 30, 30);
+    graphics.move_into({.x = 10, .y = 5, .width = 30, .height = 30}, 90);
     graphics.draw_image(image, 0, 0, 30, 30);
   }
   const Image picture = graphics.image();
