@@ -21,15 +21,14 @@ from ._table import Table, Value
 
 if TYPE_CHECKING:
     from ._compare import compare
-    from ._scene import Scene
+    from ._scene import Scene, resume, run, sweep
     from ._simulation import Gas, Simulation
-    from ._start import resume, run, sweep
 
     __version__: str
 
 # Loaded when it is asked for: what runs and steps is compiled, and folders can be read without it.
-_LATER = {"compare": "_compare", "Gas": "_simulation", "Scene": "_scene", "Simulation": "_simulation"}
-_LATER |= dict.fromkeys(("resume", "run", "sweep"), "_start")
+_LATER = {"compare": "_compare", "Gas": "_simulation", "Simulation": "_simulation"}
+_LATER |= dict.fromkeys(("Scene", "resume", "run", "sweep"), "_scene")
 
 
 def __getattr__(name: str) -> Any:

@@ -6,7 +6,6 @@ import os
 import signal
 import sys
 
-COMMANDS = ("calibrate", "compare", "export", "plot", "report", "space_time")  # the function command() of the module of that name
 PACKAGES = ("gsd", "h5py", "jinja2", "matplotlib", "numpy", "scipy", "sklearn", "yaml")  # python3-NAME of Debian
 PIP = {"sklearn": "scikit-learn", "yaml": "PyYAML"}  # where it has another name
 
@@ -32,10 +31,7 @@ def main() -> int:
     except ImportError as error:
         return missing(error)
     try:
-        name, options = sys.argv[1], json.loads(sys.argv[2])
-        if name not in COMMANDS:
-            raise Error(f"no command {name}")
-        importlib.import_module(f"clca._{name}").command(options, *sys.argv[3:])
+        importlib.import_module(f"clca._{sys.argv[1]}").command(json.loads(sys.argv[2]), *sys.argv[3:])
     except Error as error:
         line = str(error)
         if error.line is None:

@@ -142,10 +142,8 @@ def plain(name: str, value: Any) -> Any:
         return [plain(name, one) for one in value]
     if isinstance(value, (numpy.generic, numpy.ndarray)):
         return plain(name, value.tolist())
-    if isinstance(value, os.PathLike):
+    if isinstance(value, (str, os.PathLike)):
         return text(name, os.fspath(value))
-    if isinstance(value, str):
-        return text(name, value)
     if not isinstance(value, (bool, int, float)):
         raise refused(name, "what a scene can have", value)
     return value

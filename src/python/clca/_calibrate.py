@@ -123,8 +123,7 @@ def tables_of(answer: Answer) -> dict[str, Rows]:
 
 def rank_correlations(points: Numbers) -> Numbers:
     """D x D, of the columns, from -1 to 1: also where one falls with the other along a curve."""
-    found: Numbers = numpy.atleast_2d(numpy.corrcoef(points.argsort(0).argsort(0), rowvar=False))
-    return found
+    return numpy.atleast_2d(numpy.corrcoef(points.argsort(0).argsort(0), rowvar=False))
 
 
 def notes_of(answer: Answer, tables: Mapping[str, Rows], correlations: Numbers) -> Iterator[str]:
@@ -238,7 +237,7 @@ def calibrate(
     by default; runs that are there already are not run again. `jobs` and `progress` (of each round) are as for `sweep`.
     Throws Error. It needs SciPy and scikit-learn.
     """
-    from ._start import sweep
+    from ._scene import sweep
 
     if (scene is None) == (not tests):
         raise ArgumentError("calibrate: either a scene with targets, or tests")

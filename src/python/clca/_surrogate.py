@@ -49,8 +49,7 @@ def sobol(dimensions: int, count: int, seed: int) -> Numbers:
     """Points that fill the unit cube evenly. `count` is a power of two."""
     from scipy.stats import qmc  # type: ignore[import]
 
-    found: Numbers = qmc.Sobol(dimensions, seed=seed).random(count)
-    return found
+    return numpy.asarray(qmc.Sobol(dimensions, seed=seed).random(count))
 
 
 class Likely(NamedTuple):
@@ -61,12 +60,10 @@ class Likely(NamedTuple):
     misfits: Numbers  #: for each point and target: from the target, in standard deviations of both together
 
     def best(self) -> Numbers:
-        found: Numbers = self.points[self.weights.argmax()]
-        return found
+        return numpy.asarray(self.points[self.weights.argmax()])
 
     def mean(self) -> Numbers:
-        found: Numbers = self.weights @ self.points
-        return found
+        return numpy.asarray(self.weights @ self.points)
 
     def quantile(self, share: float) -> Numbers:
         found = []
@@ -80,8 +77,7 @@ class Likely(NamedTuple):
         """So many different points or fewer, by their probability."""
         generator = numpy.random.default_rng(seed)
         count = min(count, int((self.weights > 0).sum()))
-        found: Numbers = self.points[generator.choice(len(self.points), count, replace=False, p=self.weights)]
-        return found
+        return numpy.asarray(generator.choice(self.points, count, replace=False, p=self.weights))
 
 
 def likely(surrogates: Sequence[Surrogate], targets: Sequence[tuple[float, float]], dimensions: int) -> Likely:
