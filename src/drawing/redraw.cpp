@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "clca/scene/resolve.hpp"
 #include "clca/scene/units.hpp"
 #include "clca/store/run_folder.hpp"
 #include "clca/store/summary.hpp"
@@ -104,15 +105,15 @@ void choose_evenly(std::vector<double>& moments, const RedrawOptions& options) {
   });
 }
 
-/// The scene without the keys that only affect pictures.
-scene::Scene unpainted(scene::Scene scene) {
+/// The text of the scene without the keys that only affect pictures.
+std::string unpainted(scene::Scene scene) {
   scene.title.clear();
   scene.output.frames.reset();
   scene.output.view.reset();
   for (scene::Species& species : scene.species) {
     species.color.reset();
   }
-  return scene;
+  return scene::to_yaml(scene);
 }
 
 }  // namespace
