@@ -47,7 +47,7 @@ class Run : public RunBase {
   Run(const scene::Scene& scene, const RunOptions& options, const RunEvents& events,
       std::optional<store::RunFolder> folder = {})
       : Run(scene, options, events, first_state(scene)) {
-    prepare();
+    history_ = prepare_stage(model_, scene_, 0);
     store::Checkpoint start = checkpoint();
     reflection::encode(kWantedPictures, options.pictures, start.fields);
     begin(std::move(folder), start);
@@ -82,8 +82,6 @@ class Run : public RunBase {
   void go_on(SavedRun& saved, SavedParts& parts);
   void carry_out() override;
   void complete_summary(store::RunSummary& summary) const override;
-  /// Counts what has left before the stage, then prepares it: its fill may be in outlets.
-  void prepare();
   void begin_stage();
   void run_stage();
   /// Runs steps until the stage ends; returns the reason.
@@ -146,17 +144,9 @@ void Run::carry_out() {
   }
 }
 
-void Run::prepare() {
-  // Those of another run may have been in outlets when this one took them.
-  history_ = course_.stage > 0
-                 ? record::StageHistory(scene_, model_.state())
-                 : record::StageHistory(scene_, model::grains_of(model::empty_state(scene_)));
-  prepare_stage(model_, scene_, stage());
-}
-
 void Run::begin_stage() {
   if (course_.stage > 0) {
-    prepare();
+    history_ = prepare_stage(model_, scene_, course_.stage);
   }
   history_.begin(model_.state());
   tell(fmt::format("stage {}: begins at step {} with {} particles", stage().name,
@@ -332,7 +322,7 @@ std::unique_ptr<Run> resumed_run(const scene::Scene& scene, RunOptions options,
 void check_start(const scene::Scene& scene) {
   scene::check_room(scene);
   model::SceneModel model(scene, first_state(scene), {});
-  prepare_stage(model, scene, scene.stages.front());
+  prepare_stage(model, scene, 0);
   if (scene.output.frames) {
     const drawing::FramePainter painter(scene, model.state(), {});
   }

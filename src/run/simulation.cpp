@@ -123,10 +123,8 @@ struct Simulation::Impl {
     if (model.use_count() > 1) {  // somebody holds the state
       model = std::make_shared<model::SceneModel>(scene, model->copied_state(), options);
     }
-    history = number > 0 ? record::StageHistory(scene, model->state())
-                         : record::StageHistory(scene, model::grains_of(model::empty_state(scene)));
     model->grains().set_interruption(interruption);
-    prepare_stage(*model, scene, stage());
+    history = prepare_stage(*model, scene, number);
     history.begin(model->state());
     moving = 0;
     stepped = 0;

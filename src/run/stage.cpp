@@ -68,7 +68,13 @@ bool has_stalled(const grains::State& state) {
 
 }  // namespace
 
-void prepare_stage(model::SceneModel& model, const scene::Scene& scene, const scene::Stage& stage) {
+record::StageHistory prepare_stage(model::SceneModel& model, const scene::Scene& scene,
+                                   std::size_t number) {
+  const scene::Stage& stage = scene.stages[number];
+  // Particles of another run may have been in outlets when this one took them.
+  record::StageHistory history =
+      number > 0 ? record::StageHistory(scene, model.state())
+                 : record::StageHistory(scene, model::grains_of(model::empty_state(scene)));
   model.set_rules(stage);
   for (const std::size_t wall : stage.remove) {
     model.grains().remove_wall(wall);
@@ -87,6 +93,7 @@ void prepare_stage(model::SceneModel& model, const scene::Scene& scene, const sc
   }
   model.set_vessel(stage);
   model.grains().mark_origins();
+  return history;
 }
 
 std::string to_text(StageEnd end) {

@@ -18,9 +18,10 @@ namespace clca::run {
 model::ModelState first_state(const scene::Scene& scene);
 
 /// Removes and inserts walls, fills, opens and closes sources, starts walls and the vessel, marks
-/// the origins.
+/// the origins. The history counts what has left before: the fill may be in outlets.
 /// Throws scene::SceneError if a wall would overlap particles or the fill does not fit.
-void prepare_stage(model::SceneModel& model, const scene::Scene& scene, const scene::Stage& stage);
+record::StageHistory prepare_stage(model::SceneModel& model, const scene::Scene& scene,
+                                   std::size_t number);
 
 /// Why a stage has ended. `stalled`: settled, with a wall that is due to move and blocked.
 enum class StageEnd : std::uint8_t {

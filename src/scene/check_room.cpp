@@ -14,10 +14,6 @@ namespace clca::scene {
 
 namespace {
 
-[[noreturn]] void refuse(const std::string& location, const std::string& message) {
-  throw SceneError(fmt::format("{}: error: {}", location, message));
-}
-
 /// Whether `found` returns true for a site in the rectangle; from below, from the left.
 template <class Found>
 bool any_site(const lattice::Lattice& lattice, const lattice::Rectangle& rectangle, Found found) {
@@ -89,8 +85,9 @@ void check_fill(const Scene& scene, const lattice::Lattice& lattice, const Stage
       wanted += static_cast<double>(fill.counts[i]) * static_cast<double>(species.shape.size());
     }
     if (has_species(fill, i) && !finds_room(lattice, fill.region, species, free)) {
-      refuse(fill.location, fmt::format("stages.{}.fill: no {} fits into the region; enlarge it",
-                                        stage.name, species.name));
+      throw_error(fill.location,
+                  fmt::format("stages.{}.fill: no {} fits into the region; enlarge it", stage.name,
+                              species.name));
     }
   }
   double sites = 0;
@@ -99,7 +96,7 @@ void check_fill(const Scene& scene, const lattice::Lattice& lattice, const Stage
     return false;
   });
   if (wanted > sites) {
-    refuse(
+    throw_error(
         fill.location,
         fmt::format("stages.{}.fill: the counts take {:.0f} sites and the region has {:.0f} that "
                     "no wall covers; enlarge the region, lower the counts or fill in several "
@@ -118,10 +115,11 @@ void check_room(const Scene& scene) {
           return finds_room(lattice, outlet.region, species, [](lattice::Site) { return true; });
         });
     if (!any) {
-      refuse(outlet.location,
-             fmt::format("outlets.{}: no particle fits into the region, and only those that lie "
-                         "wholly inside are removed; enlarge it",
-                         outlet.name));
+      throw_error(
+          outlet.location,
+          fmt::format("outlets.{}: no particle fits into the region, and only those that lie "
+                      "wholly inside are removed; enlarge it",
+                      outlet.name));
     }
   }
   const std::vector<std::vector<bool>> there = walls_present_by_stage(scene);

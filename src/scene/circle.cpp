@@ -95,27 +95,29 @@ void check_length(double length) {
   }
 }
 
-Band band_of(const Disc& disc) {
-  lattice::nearest_site(disc.centre);  // throws where it is too far
-  check_length(disc.radius);
-  return {.centre = disc.centre, .outer = disc.radius + kOnEdge};
+/// A disc is a ring without a hole.
+Ring ring_of(const Circle& circle) {
+  if (const auto* disc = std::get_if<Disc>(&circle)) {
+    return {.centre = disc->centre, .radius = 0, .thickness = disc->radius};
+  }
+  const auto* arc = std::get_if<Arc>(&circle);
+  return arc != nullptr ? arc->ring : std::get<Ring>(circle);
 }
 
-Band band_of(const Ring& ring) {
-  lattice::nearest_site(ring.centre);
+Band band_of(const Circle& circle) {
+  const Ring ring = ring_of(circle);
+  lattice::nearest_site(ring.centre);  // throws where it is too far
   check_length(ring.radius);
   check_length(ring.thickness);
-  return {.centre = ring.centre,
-          .inner = std::max(0.0, ring.radius - kOnEdge),
-          .outer = ring.radius + ring.thickness + kOnEdge};
-}
-
-Band band_of(const Arc& arc) {
-  Band band = band_of(arc.ring);
-  if (!(std::abs(arc.from) < kTooLong && arc.to > arc.from && arc.to - arc.from < 360)) {
-    throw std::invalid_argument("an arc ends less than 360 degrees after it begins");
+  Band band = {.centre = ring.centre,
+               .inner = std::max(0.0, ring.radius - kOnEdge),
+               .outer = ring.radius + ring.thickness + kOnEdge};
+  if (const auto* arc = std::get_if<Arc>(&circle)) {
+    if (!(std::abs(arc->from) < kTooLong && arc->to > arc->from && arc->to - arc->from < 360)) {
+      throw std::invalid_argument("an arc ends less than 360 degrees after it begins");
+    }
+    band.sector = Sector(*arc);
   }
-  band.sector = Sector(arc);
   return band;
 }
 
@@ -166,53 +168,26 @@ bool visit_sites(const SweptRegion& swept_region, const Band& band, const Visit&
   return false;
 }
 
-template <class Form>
-std::vector<Site> gathered(const SweptRegion& swept_region, const Form& form) {
+}  // namespace
+
+std::vector<Site> sites_in(const SweptRegion& swept_region, const Circle& circle) {
   std::vector<Site> sites;
-  visit_sites(swept_region, band_of(form), [&](Site site) {
+  visit_sites(swept_region, band_of(circle), [&](Site site) {
     sites.push_back(site);
     return false;
   });
   return sites;
 }
 
-template <class Form>
-bool empty(const SweptRegion& swept_region, const Form& form) {
-  return !visit_sites(swept_region, band_of(form), [](Site) { return true; });
+bool holds_no_site(const Lattice& lattice, const Circle& circle) {
+  return !visit_sites(SweptRegion(lattice), band_of(circle), [](Site) { return true; });
 }
 
-}  // namespace
-
-std::vector<Site> sites_in(const SweptRegion& swept_region, const Disc& disc) {
-  return gathered(swept_region, disc);
-}
-std::vector<Site> sites_in(const SweptRegion& swept_region, const Ring& ring) {
-  return gathered(swept_region, ring);
-}
-std::vector<Site> sites_in(const SweptRegion& swept_region, const Arc& arc) {
-  return gathered(swept_region, arc);
-}
-
-bool holds_no_site(const Lattice& lattice, const Disc& disc) {
-  return empty(SweptRegion(lattice), disc);
-}
-bool holds_no_site(const Lattice& lattice, const Ring& ring) {
-  return empty(SweptRegion(lattice), ring);
-}
-bool holds_no_site(const Lattice& lattice, const Arc& arc) {
-  return empty(SweptRegion(lattice), arc);
-}
-
-Rectangle around(const Disc& disc) {
-  const double reach = disc.radius + 1;
-  return {disc.centre.x() - reach, disc.centre.y() - reach, disc.centre.x() + reach,
-          disc.centre.y() + reach};
-}
-Rectangle around(const Ring& ring) {
-  return around(Disc{ring.centre, ring.radius + ring.thickness});
-}
-Rectangle around(const Arc& arc) {
-  return around(arc.ring);
+Rectangle around(const Circle& circle) {
+  const Ring ring = ring_of(circle);
+  const double reach = ring.radius + ring.thickness + 1;
+  return {ring.centre.x() - reach, ring.centre.y() - reach, ring.centre.x() + reach,
+          ring.centre.y() + reach};
 }
 
 }  // namespace clca::scene

@@ -195,17 +195,9 @@ void TreeBuilder::check_closing_quote(const YAML::Mark& mark) const {
   if (quote != '"' && quote != '\'') {
     return;  // a block of lines after '|' or '>'
   }
-  for (std::size_t i = 1; i < text.size(); ++i) {
-    if (text[i] == quote) {
-      if (quote == '"' || i + 1 >= text.size() || text[i + 1] != quote) {
-        return;
-      }
-      ++i;  // '' is a quote inside quotes
-    } else if (text[i] == '\\' && quote == '"') {
-      ++i;
-    }
+  if (source_.end_of_quote(position(mark)) == source_.text().size()) {
+    fail(location(mark), "the quote that opens here is not closed");
   }
-  fail(location(mark), "the quote that opens here is not closed");
 }
 
 void TreeBuilder::open(Value::Kind kind, const YAML::Mark& mark, bool bracketed) {

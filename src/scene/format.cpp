@@ -12,16 +12,6 @@ namespace clca::scene {
 
 namespace {
 
-std::vector<std::string> path_keys(std::string_view path) {
-  std::vector<std::string> parts;
-  for (std::size_t start = 0; start < path.size();) {
-    const std::size_t dot = std::min(path.find('.', start), path.size());
-    parts.emplace_back(path.substr(start, dot - start));
-    start = dot + 1;
-  }
-  return parts;
-}
-
 /// A key and how users write where it is.
 struct FoundKey {
   const KeyDescription* key = nullptr;  ///< none at the top
@@ -67,7 +57,8 @@ std::vector<std::string> paths_anywhere(std::string_view name) {
 std::vector<FoundKey> found_keys(std::string_view path) {
   constexpr std::string_view kGasOnly = "boltzmann:";
   const bool gas_only = path.starts_with(kGasOnly);
-  const std::vector<std::string> parts = path_keys(path.substr(gas_only ? kGasOnly.size() : 0));
+  path.remove_suffix(path.ends_with('.') ? 1 : 0);
+  const std::vector<std::string> parts = parts_of_path(path.substr(gas_only ? kGasOnly.size() : 0));
   const std::vector<Descriptions> tops =
       gas_only ? std::vector{boltzmann_type().keys}
                : std::vector{scene_type().keys, boltzmann_type().keys};
@@ -200,7 +191,8 @@ std::string explain(std::string_view path) {
 
 std::vector<KeyName> keys_beginning(std::string_view begun) {
   const std::size_t length = begun.rfind('.') + 1;  // 0 without a dot
-  const std::vector<std::string> parents = path_keys(begun.substr(0, length));
+  const std::vector<std::string> parents =
+      parts_of_path(begun.substr(0, std::max<std::size_t>(length, 1) - 1));
   std::vector<KeyName> names;
   for (const Descriptions& top : {scene_type().keys, boltzmann_type().keys}) {
     const FoundKey found = find(top, parents);
@@ -224,7 +216,7 @@ std::vector<KeyName> keys_beginning(std::string_view begun) {
 std::vector<std::string> words_of(std::string_view path) {
   std::vector<std::string> words;
   for (const Descriptions& top : {scene_type().keys, boltzmann_type().keys}) {
-    const FoundKey found = find(top, path_keys(path));
+    const FoundKey found = find(top, parts_of_path(path));
     if (found.key != nullptr) {
       add_words(found.key->schema(), words);
     }

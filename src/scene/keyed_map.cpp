@@ -229,8 +229,18 @@ std::string join_path(std::string_view path, std::string_view key) {
   return path.empty() ? text::printable(key) : fmt::format("{}.{}", path, text::printable(key));
 }
 
-FileReference reference(const Place& place) {
-  return FileReference(to_string(place.value.location));
+std::vector<std::string> parts_of_path(std::string_view path) {
+  std::vector<std::string> parts;
+  for (std::size_t start = 0; !path.empty() && start <= path.size();) {
+    const std::size_t dot = std::min(path.find('.', start), path.size());
+    parts.emplace_back(path.substr(start, dot - start));
+    start = dot + 1;
+  }
+  return parts;
+}
+
+std::string reference(const Place& place) {
+  return to_string(place.value.location);
 }
 
 KeyedMap::KeyedMap(const Place& map, std::span<const std::string_view> keys) : Place(map) {

@@ -62,8 +62,11 @@ bool is_word(const Place& place, std::string_view word, std::string_view phrase)
 /// `path.key`, or `key` alone at the top.
 std::string join_path(std::string_view path, std::string_view key);
 
+/// What stands between the dots of a path.
+std::vector<std::string> parts_of_path(std::string_view path);
+
 /// Where a value is, for messages about the scene once it has been read.
-FileReference reference(const Place& place);
+std::string reference(const Place& place);
 
 /// A map with known keys.
 struct KeyedMap : Place {

@@ -50,7 +50,7 @@ Type<DerivedMeasure> derived_type() {
     read(place, derived);
     const Value* value = place.value.find("value");
     static_cast<DerivedMeasure*>(derived)->location =
-        FileReference(to_string((value != nullptr ? *value : place.value).location));
+        to_string((value != nullptr ? *value : place.value).location);
   };
   return type;
 }
@@ -121,13 +121,11 @@ std::optional<Value> measures_text(const Scene& scene) {
 /// The number at a path of maps; none if there is no number.
 std::optional<double> number_at(const Value& root, std::string_view path) {
   const Value* at = &root;
-  for (std::size_t begin = 0; begin <= path.size();) {
-    const std::size_t end = std::min(path.find('.', begin), path.size());
-    at = at->find(path.substr(begin, end - begin));
+  for (const std::string& key : parts_of_path(path)) {
+    at = at->find(key);
     if (at == nullptr) {
       return std::nullopt;
     }
-    begin = end + 1;
   }
   return at->is(Value::Kind::scalar) ? to_number(at->text) : std::nullopt;
 }

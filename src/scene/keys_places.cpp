@@ -90,25 +90,10 @@ Type<std::vector<Outlet>> outlets_type() {
 }
 
 Type<std::vector<Probe>> probes_type() {
-  const Type<lattice::Rectangle> edges = region();
-  return own_type<std::vector<Probe>>(
-      edges.allowed + " by name", named_schema(edges.schema),
-      [=](const Place& place) {
-        std::vector<Probe> probes;
-        for (const Entry& entry : read_named(place)) {
-          const Place inside = place.inside(entry);
-          probes.push_back({.name = entry.key, .region = edges.read(inside)});
-          check_region(probes.back().region, inside);
-        }
-        return probes;
-      },
-      [=](const std::vector<Probe>& probes, const Scene& scene) {
-        Value map = Value::map();
-        for (const Probe& probe : probes) {
-          map.add(probe.name, edges.text(probe.region, scene));
-        }
-        return map;
-      });
+  const Type<lattice::Rectangle> edges = region().checked(check_region);
+  auto type = by_name("probes", as(&Probe::region, edges));
+  type.allowed = edges.allowed + " by name";
+  return type;
 }
 
 Type<std::vector<Line>> lines_type() {

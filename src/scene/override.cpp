@@ -16,20 +16,6 @@ namespace {
 
 constexpr std::size_t kMaxPathDepth = 32;
 
-/// The parts of a dotted path.
-std::vector<std::string> split(std::string_view path, const TextLocation& location) {
-  std::vector<std::string> parts;
-  for (std::size_t start = 0; start <= path.size();) {
-    const std::size_t dot = std::min(path.find('.', start), path.size());
-    parts.emplace_back(path.substr(start, dot - start));
-    if (parts.back().empty()) {
-      fail(location, "expected KEY=VALUE with a key like rules.inertia");
-    }
-    start = dot + 1;
-  }
-  return parts;
-}
-
 /// True for the maps that hold one key out of several: a new key takes the place of the old one.
 bool is_choice(const std::vector<std::string>& parts, std::size_t depth) {
   return depth == 3 && ((parts[0] == "stages" && (parts[2] == "until" || parts[2] == "vessel")) ||
@@ -144,11 +130,11 @@ void apply_override(Value& root, const std::string& text, std::string_view optio
   const auto origin = std::make_shared<const Origin>(Origin{
       fmt::format("{} {}{}", option, text::shortened(text.substr(0, equals)), value_shown), false});
   const TextLocation location = {origin, 1, 1};
-  if (equals == std::string::npos || equals == 0) {
+  const std::string_view whole = text;
+  std::vector<std::string> parts = parts_of_path(whole.substr(0, equals));
+  if (equals == std::string::npos || parts.empty() || std::ranges::count(parts, "") > 0) {
     fail(location, "expected KEY=VALUE with a key like rules.inertia");
   }
-  const std::string_view whole = text;
-  std::vector<std::string> parts = split(whole.substr(0, equals), location);
   if (parts.size() > kMaxPathDepth) {
     fail(location, "a key of more than {} parts", kMaxPathDepth);
   }

@@ -20,28 +20,21 @@ namespace clca::scene {
 
 namespace {
 
-bool contains(const std::vector<std::string_view>& words, std::string_view word) {
-  return std::find(words.begin(), words.end(), word) != words.end();
-}
-
 /// A misspelt `boltzmann` makes no scene of grains.
 bool stands_for_boltzmann(const Entry& entry) {
   constexpr std::array<std::string_view, 1> kBlock = {"boltzmann"};
   return text::nearest(entry.key, kBlock).has_value();
 }
 
-/// Which of the two kinds of scenes a text is.
-enum class Kind { automaton, boltzmann };
-
-/// By the keys of the map. Throws SceneError where they belong to both kinds.
-Kind kind_of(const Value& root) {
+/// By the keys of the map. Throws SceneError where they belong to both kinds of scenes.
+bool is_boltzmann(const Value& root) {
   const std::vector<std::string_view> automaton_keys = names_of(*scene_type().keys);
   const std::vector<std::string_view> boltzmann_keys = names_of(*boltzmann_type().keys);
   const Entry* automaton = nullptr;
   const Entry* boltzmann = nullptr;
   for (const Entry& entry : root.entries) {
-    const bool in_automaton = contains(automaton_keys, entry.key);
-    const bool in_boltzmann = contains(boltzmann_keys, entry.key);
+    const bool in_automaton = std::ranges::count(automaton_keys, entry.key) > 0;
+    const bool in_boltzmann = std::ranges::count(boltzmann_keys, entry.key) > 0;
     if (in_automaton && !in_boltzmann && automaton == nullptr) {
       automaton = &entry;
     } else if (in_boltzmann && !in_automaton) {
@@ -57,7 +50,7 @@ Kind kind_of(const Value& root) {
   }
   const bool misspelt = automaton == nullptr &&
                         std::any_of(root.entries.begin(), root.entries.end(), stands_for_boltzmann);
-  return boltzmann != nullptr || misspelt ? Kind::boltzmann : Kind::automaton;
+  return boltzmann != nullptr || misspelt;
 }
 
 /// What the run is called, and its files.
@@ -144,9 +137,9 @@ AnyScene parse_any(std::string_view text, const std::string& file,
     apply_override(root, text_of_override, "--vary");
   }
   evaluate_expressions(root);
-  const Kind kind = kind_of(root);
-  leave_out_none(root, kind == Kind::boltzmann ? *boltzmann_type().keys : *scene_type().keys);
-  if (kind == Kind::boltzmann) {
+  const bool gas = is_boltzmann(root);
+  leave_out_none(root, gas ? *boltzmann_type().keys : *scene_type().keys);
+  if (gas) {
     return read_boltzmann_scene(root, file);
   }
   return read_scene(std::move(root), file);

@@ -13,31 +13,25 @@ namespace clca::scene {
 
 namespace {
 
-/// The schema, or an empty one, with a further member.
-Schema extended(const Schema& schema, const std::string& name, const Schema& value) {
-  return [=] {
-    Json result = schema ? schema() : Json();
-    result[name] = value();
-    return result;
-  };
-}
-
+/// The schema with a further member.
 Schema extended(const Schema& schema, const std::string& name, const Json& value) {
-  return extended(schema, name, Schema([=] { return value; }));
-}
-
-Schema of_type(const std::string& type) {
-  return extended({}, "type", Json(type));
-}
-
-Schema list_of_schemas(const std::vector<Schema>& schemas) {
   return [=] {
-    Json result = Json::array();
-    for (const Schema& schema : schemas) {
-      result.push_back(schema());
-    }
+    Json result = schema();
+    result[name] = value;
     return result;
   };
+}
+
+Schema of_range(std::string_view type, const Json& low, const Json& high) {
+  return [=] { return Json{{"type", type}, {"minimum", low}, {"maximum", high}}; };
+}
+
+Json list_of_schemas(const std::vector<Schema>& schemas) {
+  Json result = Json::array();
+  for (const Schema& schema : schemas) {
+    result.push_back(schema());
+  }
+  return result;
 }
 
 Schema sized(const Schema& array, std::size_t least, std::size_t most) {
@@ -67,15 +61,15 @@ Schema schema(std::string_view text) {
 }
 
 Schema with(const Schema& schema, const std::string& name, std::uint64_t number) {
-  return extended(schema, name, Json(number));
+  return extended(schema, name, number);
 }
 
 Schema number_schema(double low, double high) {
-  return extended(extended(of_type("number"), "minimum", Json(low)), "maximum", Json(high));
+  return of_range("number", low, high);
 }
 
 Schema above_zero_schema(double high) {
-  return extended(with(of_type("number"), "exclusiveMinimum", 0), "maximum", Json(high));
+  return [=] { return Json{{"type", "number"}, {"exclusiveMinimum", 0}, {"maximum", high}}; };
 }
 
 Schema number_or_text(const Schema& number, const std::string& pattern) {
@@ -83,42 +77,38 @@ Schema number_or_text(const Schema& number, const std::string& pattern) {
 }
 
 Schema integer_schema(std::int64_t low, std::int64_t high) {
-  return extended(extended(of_type("integer"), "minimum", Json(low)), "maximum", Json(high));
+  return of_range("integer", low, high);
 }
 
 Schema count_schema(std::uint64_t low, std::uint64_t high) {
   // Readers of schemas take whole numbers as signed ones.
   constexpr std::uint64_t kMaxSigned = std::numeric_limits<std::int64_t>::max();
-  return extended(with(of_type("integer"), "minimum", low), "maximum",
-                  high > kMaxSigned ? Json(static_cast<double>(high)) : Json(high));
+  return of_range("integer", low, high > kMaxSigned ? Json(static_cast<double>(high)) : Json(high));
 }
 
 Schema text_schema(const std::string& pattern) {
-  return extended(of_type("string"), "pattern", Json(pattern));
+  return [=] { return Json{{"type", "string"}, {"pattern", pattern}}; };
 }
 
 Schema scalar_schema(const std::string& pattern) {
-  Schema any = schema(R"({"type": ["string", "number", "boolean"]})");
-  if (!pattern.empty()) {
-    any = extended(any, "pattern", Json(pattern));
-  }
-  return any;
+  const Schema any = schema(R"({"type": ["string", "number", "boolean"]})");
+  return pattern.empty() ? any : extended(any, "pattern", pattern);
 }
 
 Schema word_schema(const std::string& word) {
-  return extended({}, "const", Json(word));
+  return [=] { return Json{{"const", word}}; };
 }
 
 Schema choice_schema(const std::vector<std::string_view>& words) {
-  return extended({}, "enum", Json(words));
+  return [=] { return Json{{"enum", words}}; };
 }
 
 Schema any_of(const std::vector<Schema>& schemas) {
-  return extended({}, "anyOf", list_of_schemas(schemas));
+  return [=] { return Json{{"anyOf", list_of_schemas(schemas)}}; };
 }
 
 Schema array_schema(const Schema& item) {
-  return extended(of_type("array"), "items", item);
+  return [=] { return Json{{"type", "array"}, {"items", item()}}; };
 }
 
 Schema array_schema(const Schema& item, std::size_t least, std::size_t most) {
@@ -126,19 +116,22 @@ Schema array_schema(const Schema& item, std::size_t least, std::size_t most) {
 }
 
 Schema tuple_schema(const std::vector<Schema>& items) {
-  return sized(array_schema(list_of_schemas(items)), items.size(), items.size());
+  return sized(array_schema([=] { return list_of_schemas(items); }), items.size(), items.size());
 }
 
 Schema unique(const Schema& array) {
-  return extended(array, "uniqueItems", Json(true));
+  return extended(array, "uniqueItems", true);
 }
 
 Schema object_schema(const Schema& value, const std::string& pattern) {
-  const Schema object = of_type("object");
-  return extended(pattern.empty()
-                      ? object
-                      : extended(object, "propertyNames", extended({}, "pattern", Json(pattern))),
-                  "additionalProperties", value);
+  return [=] {
+    Json object = {{"type", "object"}};
+    if (!pattern.empty()) {
+      object["propertyNames"] = {{"pattern", pattern}};
+    }
+    object["additionalProperties"] = value();
+    return object;
+  };
 }
 
 Schema named_schema(const Schema& value, std::size_t least) {

@@ -128,11 +128,14 @@ void SourceText::check_brackets() const {
 
 std::size_t SourceText::end_of_quote(std::size_t begin) const {
   const char quote = text_[begin];
-  std::size_t i = begin + 1;
-  while (i < text_.size() && text_[i] != quote) {
-    i += quote == '"' && text_[i] == '\\' ? 2 : 1;
+  for (std::size_t i = begin + 1; i < text_.size(); ++i) {
+    const bool is_doubled = quote == '\'' && text_.substr(i, 2) == "''";  // a quote inside quotes
+    if (text_[i] == quote && !is_doubled) {
+      return i;
+    }
+    i += is_doubled || (quote == '"' && text_[i] == '\\') ? 1 : 0;
   }
-  return i;
+  return text_.size();
 }
 
 }  // namespace clca::scene

@@ -23,14 +23,14 @@ class SourceText {
   std::string_view text() const { return text_; }
   /// The location of the byte at `position`.
   TextLocation location(std::size_t position) const;
+  /// Where the quote that opens at `begin` closes; the size of the text if it does not.
+  std::size_t end_of_quote(std::size_t begin) const;
 
  private:
   std::size_t characters_before(std::size_t position) const;
   void check_characters() const;
   void check_directives() const;
   void check_brackets() const;
-  /// Where the quote that opens at `begin` closes.
-  std::size_t end_of_quote(std::size_t begin) const;
   void check_character(std::size_t position, std::size_t length) const;
 
   std::string_view text_;

@@ -67,6 +67,93 @@ const image::Image& read_picture(const Place& place);
 Type<std::vector<std::string>> rows_type(bool (*allowed)(char letter), const std::string& about,
                                          const std::string& pattern);
 
+/// `word`, for which `is_word` holds and which stands for no value, or a value of the type;
+/// `between` them in descriptions.
+template <class T>
+Type<std::optional<T>> or_word(const std::string& word, std::string_view between,
+                               const Type<T>& type,
+                               const std::function<bool(const Place& place)>& is_word) {
+  auto result = own_type<std::optional<T>>(
+      fmt::format("`{}`{}{}", word, between, type.allowed),
+      any_of({word_schema(word), type.schema}),
+      [=](const Place& place) {
+        return is_word(place) ? std::nullopt : std::optional<T>(type.read(place));
+      },
+      [=](const std::optional<T>& value, const Scene& scene) {
+        return value ? type.text(*value, scene) : Value::scalar(word);
+      });
+  result.keys = type.keys;
+  return result;
+}
+
+/// `none`, or a value of the type.
+template <class T>
+Type<std::optional<T>> or_none(const Type<T>& type) {
+  return or_word("none", ", ", type, is_none);
+}
+
+using PathOfItem = std::string (*)(const Place& item, std::size_t index);
+/// A list of `least` to `most` such values; `path_of` an item in messages is that of the list
+/// unless it is given.
+template <class T>
+Type<std::vector<T>> list_of(const Type<T>& item, std::size_t least, std::size_t most,
+                             PathOfItem path_of = nullptr) {
+  AnyType type = {.allowed = {}, .schema = array_schema(item.schema, least, most)};
+  // Into the list of the scene itself, as items may look at those before them.
+  type.read_into = [=](const Place& place, void* result) {
+    std::size_t index = 0;
+    for (Place& entry : read_list(place, least, most)) {
+      entry.path = path_of == nullptr ? entry.path : path_of(entry, index++);
+      item.read_into(entry, &static_cast<std::vector<T>*>(result)->emplace_back());
+    }
+  };
+  type.text_of = any_text<std::vector<T>>([=](const std::vector<T>& values, const Scene& scene) {
+    Value result = Value::list();
+    for (const T& value : values) {
+      result.items.push_back(item.text(value, scene));
+    }
+    return result;
+  });
+  type.keys = item.keys;
+  type.is_collection = item.keys != nullptr;
+  return Type<std::vector<T>>(type);
+}
+
+/// Things by the names that the scene gives them; `name` is a member of each.
+template <class Owner>
+Type<std::vector<Owner>> by_name(const std::string& section, const Type<Owner>& thing,
+                                 std::size_t least = 0) {
+  AnyType type = {.allowed = "map of names", .schema = named_schema(thing.schema, least)};
+  type.read_into = [=](const Place& place, void* result) {  // likewise
+    auto& things = *static_cast<std::vector<Owner>*>(result);
+    for (const Entry& entry : read_named(place)) {
+      Owner& added = things.emplace_back();
+      thing.read_into({entry.value, join_path(section, entry.key), place.scene}, &added);
+      added.name = entry.key;
+    }
+    if (things.size() < least) {
+      fail(place, "expected at least one");
+    }
+  };
+  type.text_of =
+      any_text<std::vector<Owner>>([=](const std::vector<Owner>& things, const Scene& scene) {
+        Value result = Value::map();
+        result.in_lines = thing.keys != nullptr;
+        for (const Owner& value : things) {
+          result.add(value.name, thing.text(value, scene));
+        }
+        return result;
+      });
+  type.keys = thing.keys;
+  type.is_collection = thing.keys != nullptr;
+  return Type<std::vector<Owner>>(type);
+}
+template <class Owner>
+Type<std::vector<Owner>> by_name(const std::string& section, const Map<Owner>& map,
+                                 std::size_t least = 0) {
+  return by_name(section, type_of(map), least);
+}
+
 /// Values of another type: `from` these, and back `to` these.
 template <class T, class Other, class From, class To>
 Type<T> converted(std::string_view allowed, const Type<Other>& type, const From& from,

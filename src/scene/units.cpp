@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include "clca/contact/contact_model.hpp"
 #include "clca/lattice/lattice.hpp"
@@ -24,22 +26,15 @@ std::optional<SiUnit> Conversion::si(std::string_view unit) const {
   if (!site) {
     return std::nullopt;
   }
-  if (unit == kForceUnit) {
-    return SiUnit{"N", site->weight};
-  }
-  if (unit == kContactForceUnit) {
-    return SiUnit{"N", site->weight * mean_mass};
-  }
-  if (unit == kStressUnit) {
-    return SiUnit{"N/m", site->weight * mean_mass / spacing};
-  }
-  if (unit == kEnergyUnit) {
-    return SiUnit{"J", site->weight * spacing};
-  }
-  if (unit == kMomentUnit) {
-    return SiUnit{"N m", site->weight * spacing};
-  }
-  return std::nullopt;
+  const double grain_weight = site->weight * mean_mass;
+  const std::array<std::pair<std::string_view, SiUnit>, 5> known = {
+      {{kForceUnit, {"N", site->weight}},
+       {kContactForceUnit, {"N", grain_weight}},
+       {kStressUnit, {"N/m", grain_weight / spacing}},
+       {kEnergyUnit, {"J", site->weight * spacing}},
+       {kMomentUnit, {"N m", site->weight * spacing}}}};
+  const auto found = std::ranges::find(known, unit, &decltype(known)::value_type::first);
+  return found != known.end() ? std::optional(found->second) : std::nullopt;
 }
 
 double Conversion::in_si(double value, std::string_view unit) const {

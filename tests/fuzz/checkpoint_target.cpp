@@ -58,7 +58,7 @@ stages:
 reflection::Columns saved_columns() {
   const scene::Scene& scene = contact_scene();
   model::SceneModel model(scene, run::first_state(scene), {});
-  run::prepare_stage(model, scene, scene.stages.front());
+  run::prepare_stage(model, scene, 0);
   for (std::uint64_t step = 0; step < *scene::steps_of(scene.stages.front().until); ++step) {
     model.grains().step();
   }

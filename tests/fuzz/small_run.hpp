@@ -42,7 +42,7 @@ inline std::vector<SmallFrame> small_run() {
   model::SceneModel model(scene, run::first_state(scene), {});
   std::vector<SmallFrame> frames;
   for (std::size_t stage = 0; stage < scene.stages.size(); ++stage) {
-    run::prepare_stage(model, scene, scene.stages[stage]);
+    run::prepare_stage(model, scene, stage);
     frames.push_back({model.state(), stage, true});
     const std::uint64_t steps = std::get<scene::UntilSteps>(scene.stages[stage].until).steps;
     for (std::uint64_t step = 1; step <= steps; ++step) {

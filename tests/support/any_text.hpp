@@ -57,8 +57,11 @@ inline std::string trouble_with_text(std::string_view text,
     if (const auto* scene = std::get_if<Scene>(&any)) {
       check_walls_of(*scene);
     }
-    const std::string again = std::visit([](const auto& scene) { return to_yaml(scene); }, any);
-    return parse_any(again, "scene.yaml") == any ? "" : "differs after a round trip";
+    const auto text_of = [](const AnyScene& read) {
+      return std::visit([](const auto& scene) { return to_yaml(scene); }, read);
+    };
+    const std::string written = text_of(any);
+    return text_of(parse_any(written, "scene.yaml")) == written ? "" : "differs after a round trip";
   } catch (const SceneError& error) {
     return trouble_with_message(error.what());
   }

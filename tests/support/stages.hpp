@@ -11,7 +11,7 @@ namespace clca::testing {
 inline grains::State stage_begun(const scene::Scene& scene, std::size_t stage,
                                  grains::State state) {
   model::SceneModel model(scene, std::move(state), {});
-  run::prepare_stage(model, scene, scene.stages.at(stage));
+  run::prepare_stage(model, scene, stage);
   return model.state();
 }
 

@@ -12,7 +12,7 @@ store::RunSummary run_and_store(const scene::Scene& scene, const std::filesystem
   model::SceneModel model(scene, run::first_state(scene), {});
   store::TrajectoryWriter writer(store::OutputFolder(folder), scene, model.state(), {});
   for (std::size_t stage = 0; stage < summary.stages.size(); ++stage) {
-    run::prepare_stage(model, scene, scene.stages[stage]);
+    run::prepare_stage(model, scene, stage);
     writer.add(model.state(), stage, true,
                {.velocities = model.velocities(), .spins = model.spins()});
     const std::uint64_t steps = summary.stages[stage].steps;

@@ -67,7 +67,7 @@ inline void play(const scene::Scene& scene, std::uint64_t every,
                  const std::function<void(const grains::State&, std::size_t, bool)>& take) {
   model::SceneModel model(scene, run::first_state(scene), {});
   for (std::size_t stage = 0; stage < scene.stages.size(); ++stage) {
-    run::prepare_stage(model, scene, scene.stages[stage]);
+    run::prepare_stage(model, scene, stage);
     take(model.state(), stage, true);
     const std::uint64_t steps = std::get<scene::UntilSteps>(scene.stages[stage].until).steps;
     for (std::uint64_t step = 1; step <= steps; ++step) {

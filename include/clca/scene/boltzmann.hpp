@@ -16,14 +16,10 @@ namespace clca::scene {
 
 struct QuantileBins {
   int count = 20;
-
-  bool operator==(const QuantileBins&) const = default;
 };
 struct UniformBins {
   double width = 0.5;
   double end = 15;
-
-  bool operator==(const UniformBins&) const = default;
 };
 using BinsSpec = std::variant<QuantileBins, UniformBins>;
 
@@ -31,8 +27,8 @@ using BinsSpec = std::variant<QuantileBins, UniformBins>;
 inline constexpr double kSameTime = 1e-9;
 
 struct BoltzmannScene {
-  FileReference name;  ///< of the file, without folder and ending
-  std::string title;   ///< the name where the file gives none
+  std::string name;   ///< of the file, without folder and ending
+  std::string title;  ///< the name where the file gives none
   std::uint64_t seed = 1;
   std::uint64_t particles = 10'000;
   boltzmann::Initial initial = boltzmann::Initial::gaussian;
@@ -52,9 +48,7 @@ struct BoltzmannScene {
   std::vector<double> histograms;  ///< times, ascending, none beyond `until`
   BinsSpec bins;
   std::optional<Checkpoints> checkpoint;
-  FileReference location;  ///< FILE:LINE:COLUMN of the block `boltzmann`, for messages
-
-  bool operator==(const BoltzmannScene&) const = default;
+  std::string location;  ///< FILE:LINE:COLUMN of the block `boltzmann`, for messages
 };
 
 /// What each gas of the ensemble begins with.

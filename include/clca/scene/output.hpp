@@ -6,26 +6,12 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "clca/lattice/region.hpp"
 #include "clca/statistics/sample.hpp"
 
 namespace clca::scene {
-
-/// The name of a file, or a location in it (FILE:LINE:COLUMN), for messages. Comparison ignores it.
-struct FileReference : std::string {
-  FileReference() = default;
-  explicit FileReference(std::string text) : std::string(std::move(text)) {}
-  FileReference& operator=(std::string text) {
-    std::string::operator=(std::move(text));
-    return *this;
-  }
-  friend bool operator==(const FileReference& /*one*/, const FileReference& /*other*/) {
-    return true;
-  }
-};
 
 enum class Measure : std::uint8_t {
   profile,
@@ -49,9 +35,7 @@ struct DerivedMeasure {
   std::string value;                 ///< an expression of measures and numbers, after `=`
   std::string unit = "1";            ///< of a pure number 1
   std::optional<std::string> about;  ///< what it is, in words
-  FileReference location;            ///< of the value
-
-  bool operator==(const DerivedMeasure&) const = default;
+  std::string location;              ///< of the value
 };
 
 enum class ColorBy : std::uint8_t {
@@ -101,7 +85,7 @@ struct Frames {
   /// Speed of the longest arrow, in the unit of velocity of the tables; none: from the model.
   std::optional<double> velocity_scale = {};
   Overlay overlay = Overlay::none;  ///< drawn over the particles
-  FileReference location;           ///< FILE:LINE:COLUMN, for messages
+  std::string location;             ///< FILE:LINE:COLUMN, for messages
 
   bool operator==(const Frames&) const = default;
 };
@@ -109,40 +93,30 @@ struct Frames {
 struct Series {
   std::uint64_t every = 1;
   bool forces = false;  ///< of Model::contact: on each wall and side of the box
-
-  bool operator==(const Series&) const = default;
 };
 
 /// Means over square cells of the plane.
 struct Fields {
   double cell = 8;  ///< side of a cell
   std::uint64_t every = 100;
-
-  bool operator==(const Fields&) const = default;
 };
 
 /// Sampling of contacts for means over time.
 struct Contacts {
   std::uint64_t every = 1;
   std::uint64_t window = 100;  ///< steps of a mean of the contact model
-
-  bool operator==(const Contacts&) const = default;
 };
 
 /// Trajectory frames: at the start and end of each stage and at regular intervals.
 struct TrajectoryOutput {
   std::uint64_t every = 10;
   bool contacts = false;  ///< of Model::contact: with the forces of each contact
-
-  bool operator==(const TrajectoryOutput&) const = default;
 };
 
 /// When to save checkpoints, besides at the end or interruption of a run.
 struct Checkpoints {
   std::optional<std::uint64_t> every;  ///< steps; a gas counts none
   std::optional<double> seconds;       ///< by the clock
-
-  bool operator==(const Checkpoints&) const = default;
 };
 
 /// Default if the scene does not specify it.
@@ -156,8 +130,6 @@ struct Output {
   std::optional<Contacts> contacts;
   std::optional<TrajectoryOutput> trajectory;
   std::optional<Checkpoints> checkpoint;
-
-  bool operator==(const Output&) const = default;
 };
 
 /// The names of measures in an expression, as they come: all names but functions and constants. One

@@ -1,7 +1,7 @@
 #pragma once
 // A scene: all parameters of a run as validated values. Lengths in lattice spacings from the lower
 // left site, time in steps, angles in degrees.
-// Comparison ignores file name and locations.
+// `location`: FILE:LINE:COLUMN, for messages.
 
 #include <cstdint>
 #include <map>
@@ -30,47 +30,31 @@ struct Box {
   double width = 0;
   double height = 0;
   bool periodic = false;
-  FileReference location;  ///< FILE:LINE:COLUMN of the box, for messages; so for all of this name
-
-  bool operator==(const Box&) const = default;
+  std::string location;
 };
 
 struct HexagonSpec {
   int radius = 0;
-
-  bool operator==(const HexagonSpec&) const = default;
 };
 struct DiscSpec {
   double radius = 0;
-
-  bool operator==(const DiscSpec&) const = default;
 };
 struct SitesSpec {
   std::vector<lattice::Axial> sites;
-
-  bool operator==(const SitesSpec&) const = default;
 };
 struct PolygonSpec {
   std::vector<lattice::Axial> corners;
-
-  bool operator==(const PolygonSpec&) const = default;
 };
 struct RectangleSpec {
   double width = 0;  ///< lattice spacings
   double height = 0;
-
-  bool operator==(const RectangleSpec&) const = default;
 };
 struct OutlineSpec {
   std::vector<Eigen::Vector2d> corners;  ///< lattice spacings
-
-  bool operator==(const OutlineSpec&) const = default;
 };
 struct RodSpec {
   int radius = 0;
   int length = 1;
-
-  bool operator==(const RodSpec&) const = default;
 };
 using ShapeSpec = std::variant<HexagonSpec, DiscSpec, RectangleSpec, OutlineSpec, SitesSpec,
                                PolygonSpec, RodSpec>;
@@ -82,8 +66,6 @@ struct Species {
   std::vector<int> orientations = {0};  ///< degrees clockwise, multiples of 60
   std::optional<image::Rgb> color;      ///< none: from the default palette
   double sieve = 1;                     ///< of Model::voids, see voids::Rules
-
-  bool operator==(const Species&) const = default;
 };
 
 /// The model that moves the grains.
@@ -95,8 +77,6 @@ struct Units {
   double gravity = 9.81;  ///< metres per second squared
   /// Kilograms per square metre of grains; none: masses have no unit.
   std::optional<double> density = {};
-
-  bool operator==(const Units&) const = default;
 };
 
 using WallPart =
@@ -109,9 +89,7 @@ struct Wall {
   std::optional<grains::WallMotion> motion = {};
   grains::Passive passive = grains::Passive::rigid;  ///< of one that moves
   std::optional<double> friction = {};  ///< of Model::contact; none: Parameters::wall_friction
-  FileReference location = {};
-
-  bool operator==(const Wall&) const = default;
+  std::string location = {};
 };
 
 struct Source {
@@ -120,24 +98,18 @@ struct Source {
   std::vector<std::uint32_t> weights;  ///< per species, not all zero
   double rate = 0;                     ///< particles per step
   std::optional<std::uint64_t> count;  ///< none: goes on for ever
-
-  bool operator==(const Source&) const = default;
 };
 
 struct Outlet {
   std::string name;
   lattice::Rectangle region;
-  FileReference location = {};
-
-  bool operator==(const Outlet&) const = default;
+  std::string location = {};
 };
 
 /// A region of the box that is observed; see clca/measure/probe.hpp.
 struct Probe {
   std::string name;
   lattice::Rectangle region;
-
-  bool operator==(const Probe&) const = default;
 };
 
 /// A straight line from `from` to `to` across which velocities are measured, in parts of equal
@@ -147,8 +119,6 @@ struct Line {
   Eigen::Vector2d from;
   Eigen::Vector2d to;
   int parts = 20;
-
-  bool operator==(const Line&) const = default;
 };
 
 /// Random sequential addition (grains then fall), or sequential deposition (a packing at rest); see
@@ -159,8 +129,6 @@ enum class FillMethod : std::uint8_t { random, deposition };
 struct FillPicture {
   std::vector<std::string> rows;                       ///< as in grains::Mixture
   std::map<char, std::vector<std::uint32_t>> weights;  ///< by pixel
-
-  bool operator==(const FillPicture&) const = default;
 };
 
 /// Has counts, or a mix, or a picture: without counts the region is filled until it is full.
@@ -171,37 +139,25 @@ struct Fill {
   std::vector<std::uint32_t> mix;   ///< weights per species, or empty
   std::optional<FillPicture> picture;
   std::optional<double> level;  ///< mean height of the surface where a deposited mix ends
-  FileReference location;
-
-  bool operator==(const Fill&) const = default;
+  std::string location;
 };
 
-struct UntilSettled {
-  bool operator==(const UntilSettled&) const = default;
-};
+struct UntilSettled {};
 struct UntilSteps {
   std::uint64_t steps = 0;
-
-  bool operator==(const UntilSteps&) const = default;
 };
 /// Ends when this share of all particles present or emitted during the stage has left.
 struct UntilDischarged {
   double share = 0;
-
-  bool operator==(const UntilDischarged&) const = default;
 };
 /// Ends when all periodic walls have completed this many cycles.
 struct UntilCycles {
   std::uint64_t cycles = 0;
-
-  bool operator==(const UntilCycles&) const = default;
 };
 /// Contact model only.
 struct UntilTime {
   double time = 0;          ///< in the unit of time of Conversion
   std::uint64_t steps = 0;  ///< that it takes
-
-  bool operator==(const UntilTime&) const = default;
 };
 using Until = std::variant<UntilSettled, UntilSteps, UntilDischarged, UntilCycles, UntilTime>;
 
@@ -218,23 +174,17 @@ std::optional<std::uint64_t> steps_of(const Until& until);
 struct Tilt {
   double to = 0;
   std::optional<double> rate;
-
-  bool operator==(const Tilt&) const = default;
 };
 /// Turns continuously with `rate` turns per unit of time; positive is anticlockwise.
 struct Rotate {
   double rate = 0;
   std::optional<Eigen::Vector2d> centre;  ///< none: of the box
-
-  bool operator==(const Rotate&) const = default;
 };
 /// Sinusoidal shaking.
 struct VesselShake {
   double gamma = 0;      ///< greatest acceleration over that of gravity
   double amplitude = 0;  ///< in lattice spacings
   bool sideways = false;
-
-  bool operator==(const VesselShake&) const = default;
 };
 /// Of Model::contact.
 using VesselMotion = std::variant<Tilt, Rotate, VesselShake>;
@@ -252,9 +202,7 @@ struct Stage {
   std::optional<contact::Parameters> contact = {};  ///< differ in friction and restitution only
   Until until;
   std::uint64_t max_steps = 1'000'000;
-  FileReference insert_location;  ///< of the list `insert`
-
-  bool operator==(const Stage&) const = default;
+  std::string insert_location;  ///< of the list `insert`
 };
 
 /// Whether the vessel rotates or is shaken in the stage, and so has cycles.
@@ -266,17 +214,13 @@ struct Begin {
   std::optional<std::uint64_t> step;   ///< of its trajectory; none: its end
   std::optional<std::uint64_t> state;  ///< hash; another state is refused
   std::uint64_t particles = 0;         ///< in that state; 0 until run::find_begin()
-  FileReference location;
-
-  bool operator==(const Begin& other) const {
-    return run == other.run && step == other.step && state == other.state;
-  }
+  std::string location;
 };
 
 struct Scene {
-  FileReference name;    ///< of the file, without folder and ending
-  FileReference folder;  ///< of the file; relative paths in the scene begin there
-  std::string title;     ///< the name where the file gives none
+  std::string name;    ///< of the file, without folder and ending
+  std::string folder;  ///< of the file; relative paths in the scene begin there
+  std::string title;   ///< the name where the file gives none
   std::uint64_t seed = 1;
   Model model = Model::automaton;
   std::optional<Begin> begin;  ///< none: an empty box
@@ -296,8 +240,6 @@ struct Scene {
   std::vector<Measure> measures;
   std::vector<DerivedMeasure> derived;  ///< each from those before it, too
   Output output;
-
-  bool operator==(const Scene&) const = default;
 };
 
 /// Of the steps in file names, at least six, so that the names are in the order of the steps. A

@@ -28,8 +28,6 @@ struct SiUnit {
 struct SiteMass {
   double mass = 0;    ///< kilograms
   double weight = 0;  ///< newtons
-
-  bool operator==(const SiteMass&) const = default;
 };
 
 /// Metres and seconds if the scene has units, else units derived from lattice spacing and gravity.
@@ -41,8 +39,6 @@ struct Conversion {
   double time_step = 1;               ///< in the unit of time
   std::optional<SiteMass> site = {};  ///< if the scene has units with a density
   double mean_mass = 1;               ///< sites of the grain whose weight is a unit
-
-  bool operator==(const Conversion&) const = default;
 
   /// Time of a step, in the unit of time.
   double time(std::uint64_t steps) const { return static_cast<double>(steps) * time_step; }

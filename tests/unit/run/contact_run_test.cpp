@@ -396,7 +396,7 @@ output: {series: {every: 1}}
 TEST_F(ContactRunTest, EnergyThatFallsWithoutEndIsMeasuredByItsFall) {
   const auto scene = small();
   model::SceneModel model(scene, first_state(scene), {});
-  prepare_stage(model, scene, scene.stages.front());
+  prepare_stage(model, scene, 0);
   record::EnergyRecord record(scene);
   record.begin(scene.stages.front(), model);
   const auto energy = model.contact()->energy();
@@ -410,7 +410,7 @@ TEST_F(ContactRunTest, EnergyThatFallsWithoutEndIsMeasuredByItsFall) {
 TEST_F(ContactRunTest, EnergyThatGrowsIsToldOnce) {
   const auto scene = small();
   model::SceneModel model(scene, first_state(scene), {});
-  prepare_stage(model, scene, scene.stages.front());
+  prepare_stage(model, scene, 0);
   record::EnergyRecord record(scene);
   record.begin(scene.stages.front(), model);
   const auto energy = model.contact()->energy();

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <sstream>
 
+#include "clca/scene/parse.hpp"
+#include "clca/scene/resolve.hpp"
+
 namespace clca::scene::testing {
 
 namespace {
@@ -105,6 +108,10 @@ std::string contact_with(std::string_view part) {
 
 std::string gas_with(std::string_view part) {
   return text_with(small_gas(), part);
+}
+
+std::string reparsed(const Scene& scene) {
+  return to_yaml(parse(to_yaml(scene), "scene.yaml"));
 }
 
 }  // namespace clca::scene::testing

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "clca/scene/scene.hpp"
+
 namespace clca::scene::testing {
 
 /// Who can know that the scene is wrong: the schema too, or only the parser and check_walls.
@@ -59,5 +61,8 @@ std::string scene_with(std::string_view part);
 /// The same with small_contact() and with small_gas().
 std::string contact_with(std::string_view part);
 std::string gas_with(std::string_view part);
+
+/// What the scene says once it has been written and read again.
+std::string reparsed(const Scene& scene);
 
 }  // namespace clca::scene::testing

@@ -45,7 +45,7 @@ constexpr std::string_view kEverything =
 TEST(ParseContact, IsTheAutomatonUnlessTheSceneSaysOtherwise) {
   const Scene scene = parse(testing::small_scene(), "scene.yaml");
   EXPECT_EQ(scene.model, Model::automaton);
-  EXPECT_EQ(scene, parse(testing::scene_with("model: automaton"), "scene.yaml"));
+  EXPECT_EQ(to_yaml(scene), to_yaml(parse(testing::scene_with("model: automaton"), "scene.yaml")));
 }
 
 TEST(ParseContact, FillsInTheDefaults) {
@@ -95,8 +95,8 @@ TEST(ParseContact, TakesTheScenesOfTheAutomatonWithoutRulesOrMotion) {
 TEST(ParseContact, TakesOverrides) {
   EXPECT_EQ(contact_with("", {"contact.friction=0.1"}).contact.friction, 0.1);
   EXPECT_EQ(contact_with("", {"walls.left.friction=0.1"}).walls[0].friction, 0.1);
-  EXPECT_EQ(contact_with("contact: {fall_height: 9}", {"contact.fall_height=auto"}),
-            contact_with(""));
+  const Scene scene = contact_with("contact: {fall_height: 9}", {"contact.fall_height=auto"});
+  EXPECT_EQ(to_yaml(scene), to_yaml(contact_with("")));
 }
 
 TEST(ParseContact, NamesAnOverrideThatTheModelDoesNotHave) {
@@ -126,7 +126,7 @@ TEST(ParseContact, AveragesForcesOverAWindow) {
   EXPECT_EQ(contacts.window, 50U);
   EXPECT_EQ(contact_with("", {"output.contacts={}"}).output.contacts->window, 100U);
   const Scene scene = contact_with("", {"output.contacts={every: 2, window: 50}"});
-  EXPECT_EQ(parse(to_yaml(scene), "scene.yaml"), scene);
+  EXPECT_EQ(testing::reparsed(scene), to_yaml(scene));
 }
 
 TEST(ParseContact, TheAutomatonHasNoWindow) {
@@ -142,7 +142,7 @@ TEST(ParseContact, TheAutomatonHasNoWindow) {
 TEST(ParseContact, ToYamlAndBackIsTheSameScene) {
   for (const std::string_view part : {std::string_view(""), kEverything}) {
     const Scene scene = contact_with(part);
-    EXPECT_EQ(parse(to_yaml(scene), "scene.yaml"), scene) << to_yaml(scene);
+    EXPECT_EQ(testing::reparsed(scene), to_yaml(scene));
   }
 }
 
@@ -174,7 +174,7 @@ TEST(ParseContact, ScenesDifferWhenAPartOfTheModelDiffers) {
         "contact: {rolling: free}", "contact: {rolling_friction: 0.4}", "contact: {restitution: 0}",
         "contact: {sweeps: 4}", "contact: {resolution: 1}", "contact: {fall_height: 50}",
         "walls: {left: {box: [0, 0, 1, 50], friction: 0.4}, right: {box: [50, 0, 51, 50]}}"}) {
-    EXPECT_NE(contact_with(part), scene) << part;
+    EXPECT_NE(to_yaml(contact_with(part)), to_yaml(scene)) << part;
   }
 }
 

@@ -70,7 +70,7 @@ TEST(Derived, HasTheNumbersOfNamesAndOfKeysInItsExpression) {
   EXPECT_EQ(scene.derived[1].about, "Twice it");
   EXPECT_EQ(scene.derived[2].value, "=100*0.9 + discharged.drain");
   EXPECT_EQ(scene.measures.size(), 11U) << "beside all others";
-  EXPECT_EQ(parse(to_yaml(scene), "scene.yaml"), scene);
+  EXPECT_EQ(testing::reparsed(scene), to_yaml(scene));
 }
 
 TEST(Derived, StandsInTheListOfMeasuresToo) {

@@ -46,8 +46,79 @@ constexpr std::string_view kEverything =
 TEST(ToYaml, ParsesToTheSameScene) {
   for (const std::string_view part : {std::string_view(""), kEverything}) {
     const Scene scene = scene_with(part);
-    EXPECT_EQ(parse(to_yaml(scene), "scene.yaml"), scene) << to_yaml(scene);
+    EXPECT_EQ(testing::reparsed(scene), to_yaml(scene));
   }
+}
+
+TEST(ToYaml, ShowsEverythingThatIsGiven) {
+  EXPECT_EQ(to_yaml(scene_with(kEverything)), R"(clca: 1
+title: "Say \"\\\" in Köln: # {a, b}"
+seed: 1
+model: automaton
+begin: {run: "/a/\"b\" c", step: 12, state: "00e4000000000a1f"}
+box: {width: 99.9, height: 50.25, periodic: true}
+
+species:
+  small: {shape: {sites: [[0, 0], [-1, 1]]}, orientations: any, color: "#01ffa0"}
+  "null": {shape: {polygon: [[0, 0], [2, 0], [0, 2]]}, orientations: [60]}
+  "-rod": {shape: {rod: {radius: 1, length: 3}}, orientations: [0]}
+
+rules:
+  inertia: 0.1
+  scatter: 0.001
+  candidates: downward
+  gravity: up
+  update_priority: [gravity, rest, inertia]
+  ties: direction
+
+walls:
+  left: {line: {from: [0.1, 0], to: [30, 5], thickness: 0}}
+  right: {box: [1, 1, 9, 9]}
+  rock: {disc: {centre: [40.1, 3], radius: 0.7}}
+  drum: {ring: {centre: [70, 25], radius: 9.3, thickness: 1}}
+  maze: {picture: {rows: ["#.#", "..#"], box: [5, 5, 30, 25.5]}}
+  bowl: {arc: {centre: [70, 25], radius: 2.5, thickness: 1.1, from: -90.5, to: 33}}
+
+sources:
+  spout: {region: [1, 1, 9, 9], species: {"-rod": 7}, rate: 1e-06}
+  rain: {at: [9, 9.5], species: {small: 1, "null": 1, "-rod": 1}, rate: 3, count: 5}
+
+outlets:
+  drain: {region: [0, 0, 50, 10]}
+
+stages:
+  - name: first
+    fill: {method: random, region: [0, 0, 50, 50], counts: {small: 1, "null": 5}}
+    until: settled
+    max_steps: 1000000
+  - name: 2
+    remove: [right]
+    sources: [spout, rain]
+    until: {discharged: 0.3}
+    max_steps: 1000000
+  - name: "-3"
+    until: {steps: 9}
+    max_steps: 1000000
+
+measure: []
+
+output:
+  frames:
+    every: 10
+    color_by: species
+    layers: 8
+    view: [-1, -2, 3.5, 4]
+    drawing: lookup
+    supersampling: 2
+    caption: false
+    style: screen
+    overlay: none
+  series: none
+  fields: none
+  contacts: none
+  trajectory: {every: 3}
+  checkpoint: {seconds: 60}
+)");
 }
 
 TEST(ToYaml, ParsesToTheSameSceneForEverySceneInTheTree) {
@@ -56,7 +127,8 @@ TEST(ToYaml, ParsesToTheSameSceneForEverySceneInTheTree) {
     if (entry.path().extension() == ".yaml") {
       const AnyScene any = parse_any_file(entry.path());
       const std::string text = std::visit([](const auto& scene) { return to_yaml(scene); }, any);
-      EXPECT_EQ(parse_any(text, entry.path()), any) << entry.path();
+      const AnyScene again = parse_any(text, entry.path());
+      EXPECT_EQ(std::visit([](const auto& scene) { return to_yaml(scene); }, again), text);
     }
   }
 }
@@ -133,7 +205,7 @@ TEST(Scenes, DifferWhenAnyPartDiffers) {
         "to: 91}}}",
         "measure: [repose]", "output: {frames: {every: 11}, series: {every: 1}}",
         "output: {frames: {every: 10}, series: {every: 1}, trajectory: {every: 10}}"}) {
-    EXPECT_NE(scene_with(part), scene) << part;
+    EXPECT_NE(to_yaml(scene_with(part)), to_yaml(scene)) << part;
   }
 }
 

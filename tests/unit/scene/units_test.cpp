@@ -53,7 +53,8 @@ TEST(Units, TakeALengthInMetresCentimetresMillimetresOrMicrometres) {
   });
   for (const auto& [text, metres] : kLengths) {
     const Scene scene = contact_with("units: {spacing: " + std::string(text) + "}");
-    EXPECT_EQ(scene.units, (Units{.spacing = metres, .gravity = 9.81})) << text;
+    EXPECT_EQ(scene.units->spacing, metres) << text;
+    EXPECT_EQ(scene.units->gravity, 9.81) << text;
   }
 }
 
@@ -108,20 +109,18 @@ TEST(Units, WithADensityHaveTheMassAndTheWeightOfASite) {
   EXPECT_DOUBLE_EQ(units.in_si(2, kMomentUnit), 2 * units.site->weight * 0.001);
   EXPECT_EQ(units.in_si(2, "spacings"), 2);
   EXPECT_FALSE(conversion(contact_with("units: {spacing: 1 mm}"))->si(kForceUnit));
-  EXPECT_EQ(parse(to_yaml(scene), "resolved.yaml").units, scene.units);
+  EXPECT_EQ(testing::reparsed(scene), to_yaml(scene));
 }
 
 TEST(Units, AreNoneUnlessTheSceneGivesThem) {
   EXPECT_FALSE(contact_with("").units.has_value());
-  EXPECT_NE(contact_with(""), contact_with("units: {spacing: 1 m}"));
-  EXPECT_NE(contact_with("units: {spacing: 1 m, gravity: 1.62}"),
-            contact_with("units: {spacing: 1 m}"));
+  EXPECT_EQ(contact_with("units: {spacing: 1 m, gravity: 1.62}").units->gravity, 1.62);
 }
 
 TEST(Units, ToYamlAndBackAreTheSame) {
   for (const char* units : {"{spacing: 1 mm}", "{spacing: 0.7 um, gravity: 1.62}"}) {
     const Scene scene = contact_with("units: " + std::string(units));
-    EXPECT_EQ(parse(to_yaml(scene), "scene.yaml"), scene) << to_yaml(scene);
+    EXPECT_EQ(testing::reparsed(scene), to_yaml(scene));
   }
   EXPECT_THAT(to_yaml(contact_with("units: {spacing: 1 mm}")),
               HasSubstr("\nunits: {spacing: 0.001 m, gravity: 9.81}\n\nwalls:"));
@@ -129,9 +128,10 @@ TEST(Units, ToYamlAndBackAreTheSame) {
 }
 
 TEST(Units, TakeOverrides) {
-  const Scene expected = contact_with("units: {spacing: 2 mm, gravity: 1.62}");
-  EXPECT_EQ(contact_with("units: {spacing: 1 mm, gravity: 1.62}", {"units.spacing=2mm"}), expected);
-  EXPECT_EQ(contact_with("", {"units={spacing: 2 mm}", "units.gravity=1.62"}), expected);
+  const std::string expected = to_yaml(contact_with("units: {spacing: 2 mm, gravity: 1.62}"));
+  EXPECT_EQ(to_yaml(contact_with("units: {spacing: 1 mm, gravity: 1.62}", {"units.spacing=2mm"})),
+            expected);
+  EXPECT_EQ(to_yaml(contact_with("", {"units={spacing: 2 mm}", "units.gravity=1.62"})), expected);
 }
 
 TEST(Conversion, OfASceneWithUnitsIsToMetresAndSeconds) {
@@ -187,7 +187,9 @@ TEST(UntilTime, TakesTheStepsThatItNeedsRoundedUp) {
     EXPECT_EQ(steps_until(units.time(steps), units), static_cast<double>(steps));
   }
   const Scene scene = contact_with("contact: {fall_height: 80}\n" + std::string(kUntilTime));
-  EXPECT_EQ(scene.stages[0].until, Until(UntilTime{.time = 2.5, .steps = 80}));
+  const auto& until = std::get<UntilTime>(scene.stages[0].until);
+  EXPECT_EQ(until.time, 2.5);
+  EXPECT_EQ(until.steps, 80);
   EXPECT_EQ(steps_of(scene.stages[0].until), 80U);
   const Scene real = contact_with("contact: {fall_height: 80}\nunits: {spacing: 1 cm}\n" +
                                   std::string(kUntilTime));
@@ -199,7 +201,7 @@ TEST(UntilTime, ToYamlAndBackIsTheSame) {
   for (const char* units : {"", "units: {spacing: 1 mm}\n"}) {
     const Scene scene = contact_with(units + std::string(kUntilTime));
     EXPECT_THAT(to_yaml(scene), HasSubstr("until: {time: 2.5}"));
-    EXPECT_EQ(parse(to_yaml(scene), "scene.yaml"), scene);
+    EXPECT_EQ(testing::reparsed(scene), to_yaml(scene));
   }
 }
 

@@ -116,7 +116,7 @@ output: {trajectory: {every: 20, contacts: true}}
                                           "rain.yaml");
   model::SceneModel model(scene, run::first_state(scene), {});
   TrajectoryWriter writer(OutputFolder(run()), scene, model.state(), {});
-  run::prepare_stage(model, scene, scene.stages.front());
+  run::prepare_stage(model, scene, 0);
   std::vector<ContactFrame> shown;
   for (int step = 0; step <= 200; ++step) {
     if (step % 20 == 0) {
@@ -228,7 +228,7 @@ TEST_F(TrajectoryTest, ARunDoesNotGoOnWithPartsThatAreNotItsOwn) {
 TEST_F(TrajectoryTest, WhatIsInMemoryIsWrittenWhenItIsMuch) {
   const scene::Scene scene = testing::plate_scene();
   model::SceneModel model(scene, run::first_state(scene), {});
-  run::prepare_stage(model, scene, scene.stages.front());
+  run::prepare_stage(model, scene, 0);
   TrajectoryWriter writer(OutputFolder(run()), scene, model.state(), {});
   constexpr std::size_t kMaxFrames = (std::size_t{16} << 20U) / (std::size_t{80} * 33);
   for (std::size_t frame = 0; frame <= kMaxFrames; ++frame) {
