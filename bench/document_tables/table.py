@@ -32,11 +32,11 @@ def number(value, decimals):
 
 def bare(values, decimals):
     """The mean alone; of yes and no how many are yes."""
-    mean, count = statistics.mean(values), len(values)
+    mean, count = statistics.fmean(values), len(values)
     if isinstance(values[0], bool):
         share = (sum(values) + 1) / (count + 2)  # of none or of all another sample may have some, or some not
         return Cell(f"{sum(values)} of {count}", mean, math.sqrt(share * (1 - share)), count)
-    return Cell(number(mean, decimals), mean, statistics.stdev(values) if count > 1 else 0.0, count)
+    return Cell(number(mean, decimals), mean, statistics.stdev(map(float, values)) if count > 1 else 0.0, count)
 
 
 def scattered(values, decimals):

@@ -11,7 +11,6 @@
 
 #include "clca/render/contact_sheet.hpp"
 #include "clca/render/movie.hpp"
-#include "clca/scene/resolve.hpp"
 #include "clca/scene/units.hpp"
 #include "clca/store/file.hpp"
 #include "clca/store/run_folder.hpp"
@@ -112,17 +111,6 @@ void choose_evenly(std::vector<double>& moments, const RedrawOptions& options) {
 
 void require_writable(const fs::path& file) {
   const store::AtomicFile written(file);  // throws store::StoreError
-}
-
-/// The text of the scene without the keys that only affect pictures.
-std::string unpainted(scene::Scene scene) {
-  scene.title.clear();
-  scene.output.frames.reset();
-  scene.output.view.reset();
-  for (scene::Species& species : scene.species) {
-    species.color.reset();
-  }
-  return scene::to_yaml(scene);
 }
 
 }  // namespace

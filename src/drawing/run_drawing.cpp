@@ -145,15 +145,15 @@ std::vector<contact::Vessel> vessels(const scene::Scene& scene, const std::vecto
   return result;
 }
 
-/// The scene without the keys that only affect pictures.
-scene::Scene unpainted(scene::Scene scene) {
+/// The text of the scene without the keys that only affect pictures.
+std::string unpainted(scene::Scene scene) {
   scene.title.clear();
   scene.output.frames.reset();
   scene.output.view.reset();
   for (scene::Species& species : scene.species) {
     species.color.reset();
   }
-  return scene;
+  return scene::to_yaml(scene);
 }
 
 }  // namespace

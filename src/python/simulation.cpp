@@ -15,7 +15,7 @@
 #include "clca/scene/format.hpp"
 #include "clca/scene/resolve.hpp"
 #include "clca/scene/units.hpp"
-#include "clca/store/datasets.hpp"
+#include "clca/store/trajectory.hpp"
 #include "clca/text/input_error.hpp"
 #include "python/arrays.hpp"
 #include "python/interrupt.hpp"

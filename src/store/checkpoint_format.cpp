@@ -20,6 +20,7 @@
 #include <array>
 #include <bit>
 #include <cstring>
+#include <new>
 #include <set>
 #include <stdexcept>
 #include <string_view>
@@ -37,15 +38,11 @@ using Bytes = std::span<const std::uint8_t>;
 static_assert(std::endian::native == std::endian::little, "numbers are copied as they are");
 
 constexpr FileKind kCheckpointKind = {"checkpoint", 2};
-constexpr std::array<std::string_view, 4> kTexts = {"kind", "scene_name", "scene", "summary"};
-
-template <class AnyCheckpoint>
-auto& text_of(AnyCheckpoint& checkpoint, std::string_view name) {
-  return name == kTexts[0]   ? checkpoint.kind
-         : name == kTexts[1] ? checkpoint.scene_name
-         : name == kTexts[2] ? checkpoint.scene
-                             : checkpoint.summary;
-}
+using Text = std::pair<std::string_view, std::string Checkpoint::*>;
+constexpr std::array<Text, 4> kTexts = {{{"kind", &Checkpoint::kind},
+                                         {"scene_name", &Checkpoint::scene_name},
+                                         {"scene", &Checkpoint::scene},
+                                         {"summary", &Checkpoint::summary}}};
 
 void require(bool holds, const char* reason) {
   if (!holds) {
@@ -81,33 +78,21 @@ void for_each_byte(std::size_t block_bytes, std::size_t number_bytes, Move move)
   }
 }
 
+/// Writes entries one after the other.
 class Writer {
  public:
-  Writer() {
-    constexpr int kLevel = 1;  // more costs time and gains little on sorted bytes
-    if (::deflateInit(&stream_, kLevel) != Z_OK) {
-      throw std::bad_alloc();
-    }
-  }
-  ~Writer() { ::deflateEnd(&stream_); }
-  Writer(const Writer&) = delete;
-  Writer& operator=(const Writer&) = delete;
-
   const std::vector<std::uint8_t>& content() const { return content_; }
 
   template <class Values>
   void add(std::size_t type, std::string_view name, const Values& values) {
+    const auto [bytes, number_bytes] = memory_of(values);
+    const std::vector<std::uint8_t> data = compressed(bytes, number_bytes);
     put(static_cast<std::uint8_t>(type));
     put(static_cast<std::uint16_t>(name.size()));
     put(static_cast<std::uint64_t>(values.size()));
-    const std::size_t length_at = content_.size();
-    put(std::uint64_t{0});
+    put(static_cast<std::uint64_t>(data.size()));
     content_.insert(content_.end(), name.begin(), name.end());
-    const std::size_t data_at = content_.size();
-    const auto [bytes, number_bytes] = memory_of(values);
-    add_data(bytes, number_bytes);
-    const std::uint64_t length = content_.size() - data_at;
-    std::memcpy(&content_[length_at], &length, sizeof length);
+    content_.insert(content_.end(), data.begin(), data.end());
   }
 
  private:
@@ -118,32 +103,25 @@ class Writer {
   }
 
   /// Nothing for no bytes.
-  void add_data(Bytes bytes, std::size_t number_bytes) {
+  static std::vector<std::uint8_t> compressed(Bytes bytes, std::size_t number_bytes) {
+    constexpr int kLevel = 1;  // more costs time and gains little on sorted bytes
+    std::vector<std::uint8_t> sorted(bytes.size());
+    std::uint8_t* to = sorted.data();
     for_each_block(bytes, number_bytes, [&](Bytes block) {
-      sorted_.resize(block.size());
       for_each_byte(block.size(), number_bytes,
-                    [&](std::size_t to, std::size_t from) { sorted_[to] = block[from]; });
-      compress(&block.back() == &bytes.back());
+                    [&](std::size_t at, std::size_t from) { to[at] = block[from]; });
+      to += block.size();
     });
-  }
-
-  void compress(bool last) {
-    std::array<std::uint8_t, 1U << 16U> piece;  // NOLINT(*-member-init): written, then read
-    stream_.next_in = sorted_.data();
-    stream_.avail_in = static_cast<uInt>(sorted_.size());
-    do {
-      stream_.next_out = piece.data();
-      stream_.avail_out = static_cast<uInt>(piece.size());
-      ::deflate(&stream_, last ? Z_FINISH : Z_NO_FLUSH);
-      content_.insert(content_.end(), piece.data(), stream_.next_out);
-    } while (stream_.avail_out == 0);
-    if (last) {
-      ::deflateReset(&stream_);
+    uLongf length = bytes.empty() ? 0 : ::compressBound(sorted.size());
+    std::vector<std::uint8_t> data(length);
+    if (length > 0 &&
+        ::compress2(data.data(), &length, sorted.data(), sorted.size(), kLevel) != Z_OK) {
+      throw std::bad_alloc();
     }
+    data.resize(length);
+    return data;
   }
 
-  z_stream stream_{};
-  std::vector<std::uint8_t> sorted_;  // a block
   std::vector<std::uint8_t> content_;
 };
 
@@ -232,8 +210,8 @@ reflection::Column column_of(std::size_t type, std::index_sequence<kIndex...> /*
 
 std::vector<std::uint8_t> checkpoint_bytes(const Checkpoint& checkpoint) {
   Writer writer;
-  for (const std::string_view name : kTexts) {
-    writer.add(0, name, text_of(checkpoint, name));
+  for (const auto& [name, text] : kTexts) {
+    writer.add(0, name, checkpoint.*text);
   }
   for (const auto& [name, column] : checkpoint.fields) {
     std::visit([&, type = column.index() + 1, path = std::string_view(name)](
@@ -250,9 +228,9 @@ Checkpoint parse_checkpoint(Bytes file, double max_bytes) {
   for (const Entry& entry : entries_of(content_of(kCheckpointKind, file),
                                        max_bytes - static_cast<double>(file.size()))) {
     if (entry.type == 0) {
-      require(std::find(kTexts.begin(), kTexts.end(), entry.name) != kTexts.end(),
-              "a text of an unknown name");
-      entry.read_into(text_of(checkpoint, entry.name));
+      const auto* text = std::ranges::find(kTexts, entry.name, &Text::first);
+      require(text != kTexts.end(), "a text of an unknown name");
+      entry.read_into(checkpoint.*text->second);
       ++texts;
     } else {
       reflection::Column& column = checkpoint.fields[std::string(entry.name)];

@@ -15,7 +15,6 @@
 #include "grains/internal/occupancy_table.hpp"
 #include "store/trajectory_files.hpp"
 #include "store/trajectory_part.hpp"
-#include "store/trajectory_tables.hpp"
 
 namespace clca::store {
 

@@ -8,7 +8,6 @@
 #include "clca/store/trajectory.hpp"
 #include "store/trajectory_files.hpp"
 #include "store/trajectory_part.hpp"
-#include "store/trajectory_tables.hpp"
 
 namespace clca::store {
 

@@ -16,7 +16,6 @@
 #include "store/hdf5_file.hpp"
 #include "store/trajectory_files.hpp"
 #include "store/trajectory_part.hpp"
-#include "store/trajectory_tables.hpp"
 
 namespace {
 

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "clca/contact/force.hpp"
@@ -32,6 +33,21 @@ struct ContactFrame {
 
 /// The datasets of a trajectory as a table in Markdown: dataset, rows, type, unit, what.
 std::string datasets_table();
+
+/// A dataset of docs/trajectory.md, in memory.
+struct Dataset {
+  std::string path;
+  std::size_t columns = 1;  ///< numbers in a row
+  std::variant<std::vector<std::uint8_t>, std::vector<std::uint16_t>, std::vector<std::uint32_t>,
+               std::vector<std::uint64_t>, std::vector<std::int32_t>, std::vector<double>,
+               std::vector<std::string>>
+      values;
+};
+
+/// Of a trajectory that has this frame alone, with contacts; but for `scene/name` and
+/// `scene/units`.
+std::vector<Dataset> datasets(const scene::Scene& scene, const grains::State& state,
+                              std::size_t stage, const ContactFrame& contact);
 
 /// Writes the trajectory of a run. Not for several threads at once.
 class TrajectoryWriter {

@@ -11,7 +11,6 @@
 #include "clca/store/file.hpp"
 #include "clca/store/trajectory.hpp"
 #include "store/trajectory_part.hpp"
-#include "store/trajectory_tables.hpp"
 #include "support/runs.hpp"
 #include "support/states.hpp"
 #include "support/trajectories.hpp"
