@@ -328,7 +328,7 @@ class ReportTest(PageTest):
             (1e308, infinity, "1.00 × 10³⁰⁸"), (-1e308, None, "−1.00 × 10³⁰⁸"), (1e-320, None, "1.00 × 10⁻³²⁰"), (infinity, None, "∞"),
             (0.75, 1e300, "1 ± 1.00 × 10³⁰⁰"), (math.nan, 1.0, "–"), (None, None, "–"), (True, None, "yes"), (9.9999e9, 1e7, "1.00 × 10¹⁰ ± 1.00 × 10⁷"),
         ):
-            rows, _ = _report.rows_of([{"x": (number, error)}], lambda key: clca._table.Quantity(key))
+            rows, _ = _report.measured_rows([{"x": (number, error)}], lambda key: clca._table.Quantity(key))
             self.assertEqual(" ± ".join(filter(None, rows[0][2][0])), text, number)
 
     def test_a_page_needs_no_compiled_part(self):

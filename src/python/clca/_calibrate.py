@@ -121,11 +121,6 @@ def tables_of(answer: Answer) -> dict[str, Rows]:
     }
 
 
-def rank_correlations(points: Numbers) -> Numbers:
-    """D x D, of the columns, from -1 to 1: also where one falls with the other along a curve."""
-    return numpy.atleast_2d(numpy.corrcoef(points.argsort(0).argsort(0), rowvar=False))
-
-
 def notes_of(answer: Answer, tables: Mapping[str, Rows], correlations: Numbers) -> Iterator[str]:
     """What has to be known beside the numbers."""
     vary = answer.study.vary
@@ -153,7 +148,9 @@ def notes_of(answer: Answer, tables: Mapping[str, Rows], correlations: Numbers) 
 def content_of(answer: Answer) -> tuple[dict[str, Any], dict[str, Rows]]:
     """What is written about an answer: calibration.json, and the rows of each table."""
     study, tables = answer.study, tables_of(answer)
-    correlations = rank_correlations(numpy.array([list(row.values()) for row in tables["likely"]]))
+    points = numpy.array([list(row.values()) for row in tables["likely"]])
+    # Of ranks: also where one parameter falls with the other along a curve.
+    correlations = numpy.atleast_2d(numpy.corrcoef(points.argsort(0).argsort(0), rowvar=False))
     likely = {key: (key, "equally likely values, a row each") for key in study.vary}
     meanings = {"parameters": PARAMETERS, "targets": TARGETS, "likely": likely}
     tests = []

@@ -13,6 +13,7 @@ from typing import Any, NamedTuple
 
 import numpy
 from matplotlib import cm, cycler, font_manager, ft2font, rc_context, rcParams, rcParamsDefault, ticker  # type: ignore[import]
+from matplotlib.artist import setp  # type: ignore[import]
 from matplotlib.backends.backend_agg import FigureCanvasAgg  # type: ignore[import]
 from matplotlib.colors import LinearSegmentedColormap, Normalize, to_rgba  # type: ignore[import]
 from matplotlib.figure import Figure  # type: ignore[import]
@@ -321,11 +322,9 @@ def page(chart: Chart, look: Look, width: float, height: float | None, letter: f
 
 
 def aspect_of(panel: Panel) -> float | None:
-    """Height over width, where both axes have one scale."""
-    x, y = panel.x, panel.y
-    if not panel.equal or x.low is None or x.high is None or y.low is None or y.high is None:
-        return None
-    return float((y.high - y.low) / (x.high - x.low))
+    """Height over width, where both axes have one scale and limits."""
+    wide, high = (math.nan if axis.low is None or axis.high is None else axis.high - axis.low for axis in (panel.x, panel.y))
+    return float(high / wide) if panel.equal else None
 
 
 def legend_of(axes: Sequence[Sequence[Any]], panels: Sequence[Panel]) -> tuple[list[Any], list[str]]:
@@ -373,9 +372,7 @@ def tidy_ticks(ax: Any, panel: Panel, wide: float, letter: float) -> None:
     width = 0.6 * letter / 72  # of a letter
     if panel.x.words:
         if sum(len(word) + 2 for word in panel.x.words) * width > wide:
-            ax.tick_params(axis="x", labelrotation=30)
-            for text in ax.get_xticklabels():
-                text.set_ha("right")
+            setp(ax.get_xticklabels(), rotation=30, ha="right")
     elif not panel.x.log:
         count = max(2, min(9, int(wide / (7 * width))))
         ax.xaxis.set_major_locator(ticker.MaxNLocator(count, steps=[1, 2, 2.5, 5, 10]))

@@ -77,12 +77,10 @@ def of_grains(run: Run, stage: str | None) -> tuple[str, list[Distribution]]:
     if stage is not None and stage not in found:
         raise Error(f"{run.folder}: no fluctuation table of a stage '{stage}'; there are {', '.join(found)}")
     stage = stage or found[-1]
-    samples = run.stages[stage].measures.get("fluctuation_samples", math.nan)
-    if not 1 <= samples < 2**64:
-        raise Error(f"{run.folder / 'run.json'}: stage {stage} has no measure fluctuation_samples")
+    samples = int(run.stages[stage].measures["fluctuation_samples"])
     table = run.table(f"fluctuation-{stage}")
     columns = {"automaton": "share", "automaton_local": "share_local"}
-    return stage, [Distribution(name, shares_of(table, key), int(samples)) for name, key in columns.items()]
+    return stage, [Distribution(name, shares_of(table, key), samples) for name, key in columns.items()]
 
 
 def of_gas(run: Run, time: float | None, restitution: float | None) -> tuple[float, list[Distribution]]:

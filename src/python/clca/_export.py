@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterable, Iterator
 from importlib.metadata import version
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 from xml.sax.saxutils import quoteattr
 
 import h5py  # type: ignore[import]
@@ -19,11 +19,9 @@ from numpy.typing import NDArray
 
 from . import _answer
 from ._error import ArgumentError, Error, WriteError
+from ._folder import Run, check_free
 from ._frames import Frame, Frames
 from ._trajectory import PITCH, axial, in_h5py, slices, trajectory_in, trapezoids
-
-if TYPE_CHECKING:
-    from ._folder import Run
 
 MANY = 1 << 14  # particles that are written together
 VECTORS = ("position", "velocity", "displacement", "image")
@@ -439,8 +437,6 @@ FORMATS: dict[str, tuple[Callable[[Source, Target], None], str]] = {
 
 def write(source: Source, form: str, target: Target) -> None:
     """Throws Error, WriteError where the file cannot be written."""
-    from ._folder import check_free
-
     check_free(target.file)
     try:
         FORMATS[form][0](source, target)
@@ -471,8 +467,6 @@ def export(run: Run, form: str, path: Path | None, first: int | None, last: int 
 
 def command(options: dict[str, Any], folder: str, path: str) -> None:
     """Writes what the command asks for; the program has made the file, and gives it its name."""
-    from ._folder import Run
-
     first, last, every = (int(options[key]) if key in options else None for key in ("from", "to", "every"))
     source = Source(Run(folder), first, last, every or 1)
     write(source, options["format"], Target(Path(path), Path(options["output"]), _answer.parts))

@@ -686,15 +686,13 @@ def chosen(folder: Run | Sweep, only: Sequence[str], choice: Choice) -> list[Cha
         raise Error(f"{folder.folder}: {nothing if there_is else 'no tables that a figure could be drawn from'}")
     known = names_of(possible)
     rows = {row.name: row for row in FIGURES}
-    for name in only:
-        if name not in known and name in names_of(charts(folder)):
+    for name in (one for one in only if one not in known):
+        if name in names_of(charts(folder)):
             raise Error(f"{folder.folder}: the figure '{name}' has {nothing}")
-        if name in rows and name not in known:
-            row = rows[name]
+        if row := rows.get(name):
             columns = ", ".join(filter(None, (row.x, row.y, *row.needs)))
             needs = f"which needs {row.table}.csv: {columns}"
             raise Error(f"{folder.folder}: the tables do not allow the figure '{name}', {needs}")
-        if name not in known:
-            there = ", ".join(chart.name for chart in possible)
-            raise Error(f"{folder.folder}: no figure '{name}' (there are: {there})")
+        there = ", ".join(chart.name for chart in possible)
+        raise Error(f"{folder.folder}: no figure '{name}' (there are: {there})")
     return [chart for chart in possible if not only or chart.name in only or chart.source in only]

@@ -51,6 +51,11 @@ class Look(NamedTuple):
     bodies: dict[int, str]  #: what `other` of a contact is
 
 
+def column(name: str, said: str) -> Any:
+    """A property of a frame: that column of its particles."""
+    return property(lambda frame: frame.particles[name], doc=said)
+
+
 class Frame:
     """The particles that are in the box at one step, by ascending id. Arrays cannot be written.
 
@@ -86,36 +91,19 @@ class Frame:
         """All of the following that is a number, as one structured array of `N` rows."""
         return self._data[0]
 
-    @property
-    def ids(self) -> NDArray[numpy.uint32]:
-        """N: for life."""
-        return self.particles["id"]
-
-    @property
-    def positions(self) -> NDArray[numpy.float64]:
-        """N x 2: centres of mass, in the box."""
-        return self.particles["position"]
-
-    @property
-    def velocities(self) -> NDArray[numpy.float64]:
-        """N x 2: see `units`. Of the automaton the last move, in spacings a step."""
-        return self.particles["velocity"]
-
-    @property
-    def angular_velocities(self) -> NDArray[numpy.float64]:
-        """N: anticlockwise, radians per unit of `time`; 0 but of the contact model. NaN of a file of an earlier version.
-        """
-        return self.particles["angular_velocity"]
-
-    @property
-    def displacements(self) -> NDArray[numpy.float64]:
-        """N x 2: since the stage began or the particle entered, across a periodic boundary, too."""
-        return self.particles["displacement"]
-
-    @property
-    def kinds(self) -> NDArray[numpy.uint16]:
-        """N: which of the kinds of the run."""
-        return self.particles["kind"]
+    ids: NDArray[numpy.uint32] = column("id", "N: for life.")
+    positions: NDArray[numpy.float64] = column("position", "N x 2: centres of mass, in the box.")
+    velocities: NDArray[numpy.float64] = column(
+        "velocity", "N x 2: see `units`. Of the automaton the last move, in spacings a step."
+    )
+    angular_velocities: NDArray[numpy.float64] = column(
+        "angular_velocity",
+        "N: anticlockwise, radians per unit of `time`; 0 but of the contact model. NaN of a file of an earlier version.",
+    )
+    displacements: NDArray[numpy.float64] = column(
+        "displacement", "N x 2: since the stage began or the particle entered, across a periodic boundary, too."
+    )
+    kinds: NDArray[numpy.uint16] = column("kind", "N: which of the kinds of the run.")
 
     @property
     def species(self) -> NDArray[numpy.str_]:

@@ -27,7 +27,7 @@ from ._figures import charts
 from ._folder import Run, Sweep, check_free, open, write_file
 from ._notebook import MEDIA, png
 from ._sweep_figures import VESSEL_ANGLE
-from ._table import Quantity, Table, check_regular, quantities
+from ._table import Quantity, Table, check_regular, quantities, rows_of
 
 T = TypeVar("T")
 TEMPLATES = Path(__file__).parent / "templates"
@@ -59,7 +59,7 @@ def evenly(items: Sequence[T], count: int) -> list[T]:
 
 
 def files_in(folder: Path) -> list[Path]:
-    return sorted(file for file in folder.iterdir() if file.is_file()) if folder.is_dir() else []
+    return sorted(filter(Path.is_file, folder.glob("*")))
 
 
 # Numbers
@@ -110,7 +110,7 @@ Row = tuple[str, Quantity, list[tuple[str, str]]]  # the key of a measure, what 
 Measured = tuple[Any, float | None]  # a number, yes or no, or None, and its standard error
 
 
-def rows_of(columns: Sequence[dict[str, Measured]], of: Callable[[str], Quantity]) -> tuple[list[Row], bool]:
+def measured_rows(columns: Sequence[dict[str, Measured]], of: Callable[[str], Quantity]) -> tuple[list[Row], bool]:
     """A row for each measure; whether a vessel is turned: then what is measured along its floor is left out."""
     angles = [column.get(VESSEL_ANGLE, (None, None))[0] for column in columns]
     turned = [angle is not None and abs(angle) > 0 for angle in angles]
@@ -193,8 +193,6 @@ class Page:
                 else:
                     content = {"url": self.data("image/png", rendered(untitled, Look(width=2 * WIDTH)))}
                 figures.append({"name": chart.name, "about": chart.about, **content})
-            except ImportError:
-                raise
             except Exception as error:  # the rest of the page is worth having
                 self.warn(f"figure {chart.name} is left out: {error}")
         progress("")
@@ -341,14 +339,14 @@ def walls_of(page: Page, run: Run) -> Iterator[tuple[str, list[str], list[tuple[
 
 
 def measures_of(run: Run) -> tuple[list[dict[str, Any]], list[Row], bool]:
-    """The stages that are shown, and rows of their measures as of rows_of()."""
+    """The stages that are shown, and rows of their measures as of measured_rows()."""
     stages = evenly(run.summary["stages"], MOST_STAGES)
     known = quantities(run.summary.get("measures", []))
     columns = [
         {key: (value, of.get(f"{key}_se")) for key, value in of.items() if not key.endswith("_se")}
         for of in (stage["measures"] for stage in stages)
     ]
-    return stages, *rows_of(columns, lambda key: known.get(key, Quantity(key)))
+    return stages, *measured_rows(columns, lambda key: known.get(key, Quantity(key)))
 
 
 def run_page(page: Page, run: Run, most: int | None) -> bytes:
@@ -365,28 +363,23 @@ def run_page(page: Page, run: Run, most: int | None) -> bytes:
 # Sweeps
 
 
-def rows(table: Table, *names: str) -> list[tuple[Any, ...]]:
-    """Of these columns. Throws Error."""
-    return list(zip(*(table[name].tolist() for name in names))) if names else [()] * len(table)
-
-
 def combinations_of(sweep: Sweep) -> tuple[list[str], list[tuple[str, list[Row], bool]]]:
     """Combinations as KEY=VALUE, a line each; of each stage its name, rows, and whether a vessel is turned."""
     table = sweep.measures
-    values = rows(table, *sweep.keys)
+    values = rows_of(table, sweep.keys)
     names = ["\n".join(f"{key}={plain(value)}" for key, value in zip(sweep.keys, row)) for row in values]
     shown = evenly(list(dict.fromkeys(names)), MOST_COLUMNS)
     cells: dict[str, dict[str, dict[str, Measured]]] = {}
-    for name, (stage, measure, mean, error) in zip(names, rows(table, "stage", "measure", "mean", "standard_error")):
+    for name, (stage, measure, mean, error) in zip(names, rows_of(table, ("stage", "measure", "mean", "standard_error"))):
         cells.setdefault(stage, {name: {} for name in shown}).setdefault(name, {})[measure] = (mean, error)
-    stages = [(stage, *rows_of([of[name] for name in shown], sweep._measure)) for stage, of in cells.items()]
+    stages = [(stage, *measured_rows([of[name] for name in shown], sweep._measure)) for stage, of in cells.items()]
     return [name or "Mean" for name in shown], stages
 
 
 def sweep_page(page: Page, sweep: Sweep) -> bytes:
     runs = sweep.runs
     names = [*sweep.keys, "seed", "status", "steps", "state_hash", "error"]
-    shown = [list(map(plain, row)) for row in rows(runs[:MOST_RUNS], *names)]
+    shown = [list(map(plain, row)) for row in rows_of(runs[:MOST_RUNS], names)]
     try:
         (combinations, stages), notes = combinations_of(sweep), sweep.notes
     except Error as error:

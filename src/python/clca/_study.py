@@ -137,8 +137,6 @@ def read_study(file: Path) -> Study:
     marks: dict[Place, Any] = {}  # of keys and items
 
     def refuse(place: Place, text: str) -> Error:
-        while place not in marks:  # it is missing
-            place = place[:-1]
         return wrong(marks[place], text)
 
     def value_of(node: Any, place: Place = ()) -> Any:
@@ -157,8 +155,6 @@ def read_study(file: Path) -> Study:
         return found
 
     try:
-        if file.stat().st_size > 1 << 20:
-            raise Error(f"cannot read {file}: it is larger than 1 MiB")
         text = file.read_text("utf-8")
         for event in yaml.parse(text):
             if isinstance(event, yaml.AliasEvent):

@@ -13,7 +13,7 @@ from ._chart import MOST_COLORS, Axis, Chart, Curve, Panel, running_mean
 from ._error import Error
 from ._figures import LABEL, Choice, Source, has, logged, suggestion, text_of
 from ._folder import Sweep
-from ._table import Table, is_numeric
+from ._table import Table, is_numeric, rows_of
 
 MOST_PANELS = 16
 MOST_WORDS = 72  # letters under an axis
@@ -54,9 +54,7 @@ class Keys:
 
     def combinations(self, rows: Table, keys: Sequence[str]) -> list[tuple[Cell, Table]]:
         """The rows of each combination of values that is there, in order."""
-        if not keys:
-            return [((), rows)]
-        cells = list(zip(*(rows[key].tolist() for key in keys)))
+        cells = rows_of(rows, keys)
         there = sorted(set(cells), key=lambda cell: [self.values[key].index(value) for key, value in zip(keys, cell)])
         return [(cell, rows[numpy.array([one == cell for one in cells])]) for cell in there]
 
@@ -133,7 +131,7 @@ def measure_charts(source: Source, sweep: Sweep, table: Table) -> list[Chart]:
         return Curve(name, x[order], rows["mean"], rows["low"], rows["high"], left, right, style="bars")
 
     charts = []
-    for stage, measure in dict.fromkeys(zip(map(str, table["stage"]), map(str, table["measure"]))):
+    for stage, measure in dict.fromkeys(rows_of(table, ("stage", "measure"))):
         if not (measure in choice.y if choice.y else measure != x_name) or not set(stage + measure) <= LABEL:
             continue
         rows = table[(table["stage"] == stage) & (table["measure"] == measure) & numpy.isfinite(table["mean"])]
@@ -192,7 +190,7 @@ def mean_charts(source: Source, sweep: Sweep, name: str) -> list[Chart]:
         return Curve(label, those[x], means, means - error, means + error, style=style)
 
     charts = []
-    cells = list(zip(*(map(str, table[group]) for group in groups))) if groups else [()] * len(table)
+    cells = rows_of(table, groups)
     for group in dict.fromkeys(cells):
         rows = table[numpy.array([cell == group for cell in cells])]
         group_name = "-".join(group)

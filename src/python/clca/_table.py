@@ -149,6 +149,11 @@ class Table(numpy.ndarray[Any, numpy.dtype[Any]]):
         return pandas.DataFrame({name: self[name] for name in self.names})
 
 
+def rows_of(table: Table, names: Sequence[str]) -> list[tuple[Any, ...]]:
+    """The cells of these columns, row by row. Throws Error."""
+    return list(zip(*(table[name].tolist() for name in names))) if names else [()] * len(table)
+
+
 def is_numeric(cells: NDArray[Any]) -> bool:
     return cells.dtype.kind in "if"
 
