@@ -14,7 +14,7 @@ double read_length(const Place& place) {
   const std::string_view text = place.value.text;
   const std::size_t end = text.find_last_of("0123456789.") + 1;
   const std::size_t unit_begin = std::min(text.find_first_not_of(' ', end), text.size());
-  const auto number = to_number(text.substr(0, end));
+  const auto number = number_in<double>(text.substr(0, end));
   for (const Named<double>& unit : kLengthUnits) {
     const double length = number.value_or(0) / unit.value;
     if (text.substr(unit_begin) == unit.name && length >= kMinSpacing && length <= kMaxSpacing) {
