@@ -22,13 +22,13 @@ scene::Override begin_override(const std::string& folder) {
 }
 
 std::string standard_input() {
-  constexpr auto kMaxSize = static_cast<std::streamsize>(scene::kMaxSceneBytes);
-  std::string text(scene::kMaxSceneBytes + 1, '\0');
+  constexpr auto kMaxSize = static_cast<std::streamsize>(document::kMaxBytes);
+  std::string text(document::kMaxBytes + 1, '\0');
   std::cin.read(text.data(), kMaxSize + 1);
   if (std::cin.gcount() > kMaxSize || std::cin.bad()) {
     throw scene::SceneError(
         fmt::format("stdin:1:1: error: standard input cannot be read or is larger than {} MiB",
-                    scene::kMaxSceneBytes >> 20U));
+                    document::kMaxBytes >> 20U));
   }
   text.resize(static_cast<std::size_t>(std::cin.gcount()));
   return text;

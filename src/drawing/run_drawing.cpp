@@ -9,6 +9,7 @@
 
 #include "clca/model/initial_state.hpp"
 #include "clca/scene/contact.hpp"
+#include "clca/scene/resolve.hpp"
 #include "clca/store/run_folder.hpp"
 #include "clca/store/summary.hpp"
 #include "clca/text/message.hpp"

@@ -35,7 +35,7 @@ void check(const std::vector<VariedKeys>& varied, const std::vector<std::uint64_
         throw std::invalid_argument(fmt::format("{}: expected {} values, found {}",
                                                 fmt::join(keys, ", "), keys.size(), row.size()));
       }
-      std::transform(row.begin(), row.end(), row.begin(), scene::canonical_value);
+      std::transform(row.begin(), row.end(), row.begin(), document::canonical_value);
       known.insert(std::move(row));
     }
     if (rows.empty() || known.size() < rows.size()) {

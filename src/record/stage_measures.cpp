@@ -8,6 +8,7 @@
 #include <map>
 #include <stdexcept>
 
+#include "clca/document/expression.hpp"
 #include "clca/measure/coordination.hpp"
 #include "clca/measure/displacement.hpp"
 #include "clca/measure/profile.hpp"
@@ -222,7 +223,7 @@ void add_derived(std::vector<store::NamedMeasure>& results, const StageView& sta
   };
   for (const scene::DerivedMeasure& derived : stage.scene.derived) {
     results.emplace_back(derived.name,
-                         store::value_or_null(scene::value_of(derived.value, number_of)));
+                         store::value_or_null(document::value_of(derived.value, number_of)));
     note(results.back());
   }
 }
@@ -296,7 +297,7 @@ void check_derived(const scene::Scene& scene) {
     if (find_quantity(derived.name) != nullptr) {
       refuse("there is a quantity of this name; give it another one");
     }
-    for (const std::string& name : scene::names_in(derived.value, is_known)) {
+    for (const std::string& name : document::names_in(derived.value, is_known)) {
       if (!is_known(name)) {
         const std::vector<std::string_view> names(known.begin(), known.end());
         refuse(fmt::format("unknown measure {} in {}{}", text::shown(name),

@@ -58,7 +58,8 @@ std::vector<FoundKey> found_keys(std::string_view path) {
   constexpr std::string_view kGasOnly = "boltzmann:";
   const bool gas_only = path.starts_with(kGasOnly);
   path.remove_suffix(path.ends_with('.') ? 1 : 0);
-  const std::vector<std::string> parts = parts_of_path(path.substr(gas_only ? kGasOnly.size() : 0));
+  const std::vector<std::string> parts =
+      document::parts_of_path(path.substr(gas_only ? kGasOnly.size() : 0));
   const std::vector<Descriptions> tops =
       gas_only ? std::vector{boltzmann_type().keys}
                : std::vector{scene_type().keys, boltzmann_type().keys};
@@ -192,7 +193,7 @@ std::string explain(std::string_view path) {
 std::vector<KeyName> keys_beginning(std::string_view begun) {
   const std::size_t length = begun.rfind('.') + 1;  // 0 without a dot
   const std::vector<std::string> parents =
-      parts_of_path(begun.substr(0, std::max<std::size_t>(length, 1) - 1));
+      document::parts_of_path(begun.substr(0, std::max<std::size_t>(length, 1) - 1));
   std::vector<KeyName> names;
   for (const Descriptions& top : {scene_type().keys, boltzmann_type().keys}) {
     const FoundKey found = find(top, parents);
@@ -216,7 +217,7 @@ std::vector<KeyName> keys_beginning(std::string_view begun) {
 std::vector<std::string> words_of(std::string_view path) {
   std::vector<std::string> words;
   for (const Descriptions& top : {scene_type().keys, boltzmann_type().keys}) {
-    const FoundKey found = find(top, parts_of_path(path));
+    const FoundKey found = find(top, document::parts_of_path(path));
     if (found.key != nullptr) {
       add_words(found.key->schema(), words);
     }

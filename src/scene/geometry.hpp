@@ -8,7 +8,7 @@
 #include "clca/lattice/lattice.hpp"
 #include "clca/lattice/region.hpp"
 #include "clca/scene/scene.hpp"
-#include "scene/value.hpp"
+#include "scene/place.hpp"
 
 namespace clca::scene {
 

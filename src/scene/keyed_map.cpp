@@ -3,11 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
-#include <system_error>
 
 #include "clca/text/message.hpp"
 #include "clca/text/utf8.hpp"
+#include "document/internal/document.hpp"
 #include "scene/limits.hpp"
 #include "scene/schema.hpp"
 #include "scene/sections.hpp"
@@ -16,39 +15,9 @@ namespace clca::scene {
 
 namespace {
 
-/// Digits without a superfluous zero in front, which elsewhere would mean octal.
-bool is_plain_integer(std::string_view text) {
-  if (text.starts_with('-')) {
-    text.remove_prefix(1);
-  }
-  return !text.empty() && std::all_of(text.begin(), text.end(), is_digit) &&
-         (text.size() == 1 || text.front() != '0');
-}
-
-/// The same with a fraction and an exponent; std::from_chars checks the rest.
-bool is_plain_number(std::string_view text) {
-  const std::size_t sign = text.starts_with('-') ? 1 : 0;
-  const std::size_t end = std::min(text.find_first_of(".eE"), text.size());
-  const std::string_view whole = text.substr(sign, end - sign);
-  const bool fraction = end + 1 < text.size() && text[end] == '.' && is_digit(text[end + 1]);
-  return is_plain_integer(whole) || (whole.empty() && fraction);
-}
-
-template <class T>
-std::optional<T> converted(std::string_view text) {
-  const bool plain = std::is_integral_v<T> ? is_plain_integer(text) : is_plain_number(text);
-  if (!plain) {
-    return {};
-  }
-  T result = 0;
-  const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, result);
-  return stop == end && error == std::errc() ? std::optional(result) : std::nullopt;
-}
-
 template <class T>
 std::optional<T> converted(const Value& value) {
-  return value.is(Value::Kind::scalar) && !value.quoted ? converted<T>(value.text) : std::nullopt;
+  return value.is(Value::Kind::scalar) && !value.quoted ? number_in<T>(value.text) : std::nullopt;
 }
 
 [[noreturn]] void unexpected(const Place& place, std::string_view allowed) {
@@ -91,10 +60,6 @@ std::uint64_t read_count(const Place& place, std::uint64_t low, std::uint64_t hi
 
 int read_int(const Place& place, int low, int high) {
   return read_ranged(place, low, high);
-}
-
-std::optional<double> to_number(std::string_view text) {
-  return converted<double>(text);
 }
 
 double read_number(const Place& place, double low, double high) {
@@ -176,9 +141,10 @@ const std::vector<Entry>& read_named(const Place& place) {
 }
 
 void check_name(const std::string& name, const TextLocation& location, std::string_view path) {
-  if (name.empty() || name.size() > kMaxNameLength || !std::ranges::all_of(name, is_name_letter)) {
+  if (name.empty() || name.size() > document::kMaxNameLength ||
+      !std::ranges::all_of(name, is_name_letter)) {
     fail(location, "{}: a name has 1 to {} of the characters A-Z a-z 0-9 _ -, found {}", path,
-         kMaxNameLength, text::shown(name));
+         document::kMaxNameLength, text::shown(name));
   }
 }
 
@@ -225,18 +191,16 @@ bool is_word(const Place& place, std::string_view word, std::string_view phrase)
   return false;
 }
 
-std::string join_path(std::string_view path, std::string_view key) {
-  return path.empty() ? text::printable(key) : fmt::format("{}.{}", path, text::printable(key));
+Place Place::at(std::string_view key) const {
+  const Value* found = find(key);
+  if (found == nullptr) {
+    fail(*this, "key '{}' is missing", key);
+  }
+  return {*found, join_path(path, key), scene};
 }
 
-std::vector<std::string> parts_of_path(std::string_view path) {
-  std::vector<std::string> parts;
-  for (std::size_t start = 0; !path.empty() && start <= path.size();) {
-    const std::size_t dot = std::min(path.find('.', start), path.size());
-    parts.emplace_back(path.substr(start, dot - start));
-    start = dot + 1;
-  }
-  return parts;
+Place Place::inside(const Entry& entry) const {
+  return {entry.value, join_path(path, entry.key), scene};
 }
 
 std::string reference(const Place& place) {

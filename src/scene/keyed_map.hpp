@@ -10,20 +10,18 @@
 #include <vector>
 
 #include "clca/text/message.hpp"
+#include "document/internal/number.hpp"
 #include "scene/names.hpp"
-#include "scene/value.hpp"
+#include "scene/place.hpp"
 
 namespace clca::scene {
 
-inline bool is_digit(char letter) {
-  return letter >= '0' && letter <= '9';
-}
+using document::is_digit;
+using document::number_in;
 
 // All throw SceneError.
 std::uint64_t read_count(const Place& place, std::uint64_t low, std::uint64_t high);
 int read_int(const Place& place, int low, int high);
-/// The number that the text is, as the format writes numbers; nothing for other text.
-std::optional<double> to_number(std::string_view text);
 double read_number(const Place& place, double low, double high);
 /// A number above 0 and up to `high`.
 double read_positive(const Place& place, double high);
@@ -58,12 +56,6 @@ using text::names_of;
 bool is_none(const Place& place);
 /// True for the word. Refuses what is no number either, which `phrase` describes.
 bool is_word(const Place& place, std::string_view word, std::string_view phrase);
-
-/// `path.key`, or `key` alone at the top.
-std::string join_path(std::string_view path, std::string_view key);
-
-/// What stands between the dots of a path.
-std::vector<std::string> parts_of_path(std::string_view path);
 
 /// Where a value is, for messages about the scene once it has been read.
 std::string reference(const Place& place);

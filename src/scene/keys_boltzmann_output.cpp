@@ -114,9 +114,7 @@ void check_rows(const Place& root, const BoltzmannScene& scene) {
   if (scene.until <= kMaxRows * scene.series_every) {
     return;
   }
-  const Value* output = root.find("output");
-  const Value* series = output == nullptr ? nullptr : output->find("series");
-  const Value* every = series == nullptr ? nullptr : series->find("every");
+  const Value* every = root.value.find_path("output.series.every");
   fail((every != nullptr ? *every : root.at("boltzmann").at("until").value).location,
        "output.series.every: expected at least {}, as a series has at most {} rows until {}, found "
        "{}",

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "clca/scene/output.hpp"
-#include "scene/document.hpp"
+#include "document/internal/document.hpp"
 #include "scene/sections.hpp"
 #include "scene/types.hpp"
 
@@ -19,7 +19,7 @@ std::string read_expression(const Place& place) {
   if (!is_line || !value.text.starts_with('=')) {
     fail(place, "expected an expression like '=runout_99 / 87', found {}", found(place));
   }
-  check_expression(value);
+  document::check_expression(value);
   return value.text;
 }
 
@@ -59,11 +59,11 @@ void read_derived(const Place& place, Scene& scene) {
   static const Type<DerivedMeasure> kType = derived_type();
   for (const Entry& entry : read_map(place)) {
     const Place inside = place.inside(entry);
-    if (!is_expression_name(entry.key)) {
+    if (!document::is_expression_name(entry.key)) {
       fail(entry.location,
            "{}: a name has up to {} letters, digits and '_', no digit first, and is not that of a "
            "function or constant",
-           inside.path, kMaxNameLength);
+           inside.path, document::kMaxNameLength);
     }
     const bool is_twice = std::ranges::count(scene.derived, entry.key, &DerivedMeasure::name) > 0;
     if (is_twice || scene.derived.size() == kMaxDerived) {
@@ -118,18 +118,6 @@ std::optional<Value> measures_text(const Scene& scene) {
   return list;
 }
 
-/// The number at a path of maps; none if there is no number.
-std::optional<double> number_at(const Value& root, std::string_view path) {
-  const Value* at = &root;
-  for (const std::string& key : parts_of_path(path)) {
-    at = at->find(key);
-    if (at == nullptr) {
-      return std::nullopt;
-    }
-  }
-  return at->is(Value::Kind::scalar) ? to_number(at->text) : std::nullopt;
-}
-
 }  // namespace
 
 Key<Scene> measure_key() {
@@ -158,8 +146,10 @@ void put_numbers_into_derived(Scene& scene) {
   }
   const Value whole = scene_type().text(scene, scene);
   for (DerivedMeasure& derived : scene.derived) {
-    derived.value = with_numbers(derived.value, [&](std::string_view name) {
-      return name.find('.') == std::string_view::npos ? std::nullopt : number_at(whole, name);
+    derived.value = document::with_numbers(derived.value, [&](std::string_view name) {
+      const Value* value =
+          name.find('.') != std::string_view::npos ? whole.find_path(name) : nullptr;
+      return value != nullptr ? number_in<double>(value->text) : std::nullopt;
     });
   }
 }

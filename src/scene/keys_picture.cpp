@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "clca/text/message.hpp"
-#include "scene/document.hpp"
+#include "document/internal/document.hpp"
 #include "scene/sections.hpp"
 #include "scene/types.hpp"
 
@@ -53,7 +53,7 @@ Key<Picture> file_key() {
 
 const image::Image& read_picture(const Place& place) {
   const std::string file = file_path_type().read(place);
-  const PictureFile& picture = *place.value.picture;
+  const auto& picture = *static_cast<const PictureFile*>(place.value.attached.get());
   if (!picture.problem.empty()) {
     fail(place, "cannot read {}: {}", text::printable(file), text::printable(picture.problem));
   }

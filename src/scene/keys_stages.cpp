@@ -1,5 +1,6 @@
 // Stages: what happens one after the other.
 
+#include "document/internal/document.hpp"
 #include "scene/sections.hpp"
 #include "scene/types.hpp"
 
@@ -58,7 +59,7 @@ Map<Stage> stage_map() {
 std::string stage_path(const Value& value, std::size_t number) {
   const Value* name = value.find("name");
   return name != nullptr && name->is(Value::Kind::scalar)
-             ? join_path("stages", name->text.substr(0, kMaxNameLength))
+             ? join_path("stages", name->text.substr(0, document::kMaxNameLength))
              : fmt::format("stages.{}", number);
 }
 

@@ -10,7 +10,6 @@ namespace clca::scene {
 
 inline constexpr std::uint64_t kVersion = 1;
 inline constexpr std::size_t kMaxTitleLength = 200;
-inline constexpr std::size_t kMaxNameLength = 64;
 inline constexpr std::size_t kMaxPathLength = 4096;
 inline constexpr const char* kNamePattern = "^[A-Za-z0-9_-]{1,64}$";
 /// Of what expressions can name.

@@ -9,12 +9,13 @@
 #include "clca/scene/resolve.hpp"
 #include "clca/text/message.hpp"
 #include "clca/text/read.hpp"
-#include "scene/document.hpp"
+#include "document/internal/document.hpp"
+#include "document/internal/source_text.hpp"
 #include "scene/keyed_map.hpp"
 #include "scene/limits.hpp"
 #include "scene/sections.hpp"
 #include "scene/sizes.hpp"
-#include "scene/source_text.hpp"
+#include "scene/types.hpp"
 
 namespace clca::scene {
 
@@ -68,10 +69,30 @@ std::string name_of_file(const std::string& file, const TextLocation& location) 
   return name;
 }
 
+/// Of the maps that hold one key out of several.
+bool is_choice(const std::vector<std::string>& path) {
+  return path.size() == 3 &&
+         ((path[0] == "stages" && (path[2] == "until" || path[2] == "vessel")) ||
+          (path[0] == "species" && path[2] == "shape"));
+}
+
+/// The view of pictures stays where they are set to none, for what is drawn of the run later.
+void override_with(Value& root, const Override& text, std::string_view option) {
+  const Value* view =
+      text.starts_with("output.frames=") ? root.find_path("output.frames.view") : nullptr;
+  const std::optional<Value> kept = view != nullptr ? std::optional(*view) : std::nullopt;
+  document::apply_override(root, text, option, is_choice);
+  const Value* frames = root.find_path("output.frames");
+  if (kept && frames->is(Value::Kind::scalar) && !frames->quoted && frames->text == "none") {
+    Value& output = *root.find("output");
+    std::erase_if(output.entries, [](const Entry& entry) { return entry.key == "view"; });
+    output.entries.push_back({"view", kept->location, *kept});
+  }
+}
+
 /// Probes and lines are observed at the steps of the series.
 void give_series(Scene& scene, const Value& root) {
-  const Value* output = root.find("output");
-  const bool is_given = output != nullptr && output->find("series") != nullptr;
+  const bool is_given = root.find_path("output.series") != nullptr;
   if (!is_given && !(scene.probes.empty() && scene.lines.empty())) {
     scene.output.series = Series();
   }
@@ -124,19 +145,22 @@ Scene of_grains(AnyScene any) {
 
 AnyScene parse_any(std::string_view text, const std::string& file,
                    const std::vector<Override>& overrides, const std::vector<Override>& varied) {
-  const auto origin = std::make_shared<const Origin>(Origin{text::printable(file), true});
-  Value root = read_document(text, origin);
+  const auto origin =
+      std::make_shared<const document::Origin>(document::Origin{text::printable(file), true});
+  Value root = document::read_document(text, origin);
   if (!root.is(Value::Kind::map)) {
     fail(root.location, "expected a scene, which begins with 'clca: {}', found {}", kVersion,
          found(root));
   }
   for (const Override& text_of_override : overrides) {
-    apply_override(root, text_of_override, "--set");
+    override_with(root, text_of_override, "--set");
   }
   for (const Override& text_of_override : varied) {
-    apply_override(root, text_of_override, "--vary");
+    override_with(root, text_of_override, "--vary");
   }
-  evaluate_expressions(root);
+  std::vector<std::string_view> keys = names_of(*scene_type().keys);
+  std::ranges::copy(names_of(*boltzmann_type().keys), std::back_inserter(keys));
+  evaluate_expressions(root, {.taken = keys, .text = "title", .open = "measure"});
   const bool gas = is_boltzmann(root);
   leave_out_none(root, gas ? *boltzmann_type().keys : *scene_type().keys);
   if (gas) {
@@ -147,11 +171,11 @@ AnyScene parse_any(std::string_view text, const std::string& file,
 
 std::string scene_text(const std::filesystem::path& file) {
   try {
-    const auto bytes = text::read_file(file, kMaxSceneBytes);
+    const auto bytes = text::read_file(file, document::kMaxBytes);
     return {bytes.begin(), bytes.end()};
   } catch (const text::ReadError& error) {
-    const auto origin =
-        std::make_shared<const Origin>(Origin{text::printable(file.string()), true});
+    const auto origin = std::make_shared<const document::Origin>(
+        document::Origin{text::printable(file.string()), true});
     fail({origin, 1, 1}, "cannot read the file: {}", error.what());
   }
 }
@@ -180,8 +204,8 @@ std::string to_yaml(const BoltzmannScene& scene) {
 }
 
 void check_resolved(std::string_view yaml, std::string_view file) {
-  const Origin origin = {text::printable(file) + ", with all defaults", true};
-  const SourceText checked(yaml, std::make_shared<const Origin>(origin));
+  const document::Origin origin = {text::printable(file) + ", with all defaults", true};
+  const document::SourceText checked(yaml, std::make_shared<const document::Origin>(origin));
 }
 
 }  // namespace clca::scene

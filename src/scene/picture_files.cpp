@@ -8,7 +8,7 @@
 #include "clca/image/png.hpp"
 #include "clca/scene/parse.hpp"
 #include "clca/text/read.hpp"
-#include "scene/document.hpp"
+#include "document/internal/document.hpp"
 #include "scene/limits.hpp"
 #include "scene/types.hpp"
 
@@ -42,11 +42,11 @@ class PictureReader {
     }
     const auto width = static_cast<std::size_t>(known->image.width);
     text_bytes_ += (width + kPixelRowBytes) * static_cast<std::size_t>(known->image.height);
-    if (text_bytes_ > kMaxSceneBytes) {
+    if (text_bytes_ > document::kMaxBytes) {
       fail(value.location, "with this picture the rows of all pictures are larger than {} MiB",
-           kMaxSceneBytes >> 20U);
+           document::kMaxBytes >> 20U);
     }
-    value.picture = known;
+    value.attached = known;
   }
 
   PictureFile read_file(const std::string& file) {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "clca/scene/scene.hpp"
-#include "scene/value.hpp"
+#include "scene/place.hpp"
 
 namespace clca::scene {
 

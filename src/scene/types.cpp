@@ -103,7 +103,7 @@ Type<double> above_zero(double high) {
 std::optional<double> metres(std::string_view text) {
   const std::size_t end = text.find_last_of("0123456789.") + 1;
   const std::size_t unit_begin = std::min(text.find_first_not_of(' ', end), text.size());
-  const std::optional<double> number = to_number(text.substr(0, end));
+  const std::optional<double> number = number_in<double>(text.substr(0, end));
   for (const Named<double>& unit : kLengthUnits) {
     if (number && text.substr(unit_begin) == unit.name) {
       return *number / unit.value;

@@ -59,8 +59,15 @@ Type<std::vector<std::size_t>> counts_type(std::uint64_t high);
 /// The same with at least one above 0.
 Type<std::vector<std::uint32_t>> weights_type();
 
-/// The pixels of a PNG file that the value names, as read_picture_files() has read it. Throws
-/// SceneError.
+/// Reads each file that a `picture` names as its `file`, once, and attaches it to all values that
+/// name it. Paths begin at `folder`. Throws SceneError at the first picture with which the rows of
+/// all are larger than the text of a scene may be.
+void read_picture_files(Value& root, const std::string& folder);
+struct PictureFile {
+  image::Image image;
+  std::string problem;  ///< why it cannot be read; empty if it can
+};
+/// The pixels of a PNG file that the value names, as it has been read. Throws SceneError.
 const image::Image& read_picture(const Place& place);
 /// Texts of one length, of characters for which `allowed` holds; `about` names them in messages,
 /// `pattern` in the schema.

@@ -187,7 +187,7 @@ void check_rows(std::string_view text, const Variation& variation) {
   }
   for (const std::vector<std::string>& row : variation.rows) {
     std::vector<std::string> values;
-    std::ranges::transform(row, std::back_inserter(values), scene::canonical_value);
+    std::ranges::transform(row, std::back_inserter(values), document::canonical_value);
     if (!known.insert(values).second) {
       fail_variation(text, fmt::format("the value {} is named twice",
                                        text::shortened(fmt::format("{}", fmt::join(row, ",")))));

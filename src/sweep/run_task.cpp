@@ -49,7 +49,7 @@ std::optional<store::RunSummary> summary_in(const fs::path& folder) {
 /// Whether a run is of this scene and program version.
 bool is_same(const fs::path& folder, const store::RunSummary& summary, const scene::Scene& scene) {
   try {
-    const auto text = store::read_whole(folder / store::kSceneFile, scene::kMaxSceneBytes);
+    const auto text = store::read_whole(folder / store::kSceneFile, document::kMaxBytes);
     return summary.version == record::version() &&
            std::string(text.begin(), text.end()) == scene::to_yaml(scene);
   } catch (const store::StoreError&) {

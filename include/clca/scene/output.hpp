@@ -2,10 +2,8 @@
 // Requested measures and output. Lengths in lattice spacings, time in steps.
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "clca/lattice/region.hpp"
@@ -131,17 +129,5 @@ struct Output {
   std::optional<TrajectoryOutput> trajectory;
   std::optional<Checkpoints> checkpoint;
 };
-
-/// The names of measures in an expression, as they come: all names but functions and constants. One
-/// with '-' behind a dot is a name if it is known, else a difference.
-std::vector<std::string> names_in(
-    std::string_view expression, const std::function<bool(std::string_view name)>& is_known =
-                                     [](std::string_view /*name*/) { return false; });
-
-/// The value of an expression of measures, `values` of which are known; none if one of them has no
-/// value, or the result is not a finite number.
-std::optional<double> value_of(
-    std::string_view expression,
-    const std::function<std::optional<double>(std::string_view name)>& values);
 
 }  // namespace clca::scene

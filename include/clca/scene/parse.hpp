@@ -1,36 +1,25 @@
 #pragma once
 // Strict parsing of scene text; every error has a location.
 
-#include <cstddef>
 #include <filesystem>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
+#include "clca/document/document.hpp"
 #include "clca/scene/boltzmann.hpp"
 #include "clca/scene/scene.hpp"
 
 namespace clca::scene {
 
-/// An error in a scene. what() is one line: `FILE:LINE:COLUMN: error: MESSAGE`.
-class SceneError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
-/// Maximum size of scene text. The parser may need 250 times that in memory.
-inline constexpr std::size_t kMaxSceneBytes = std::size_t{4} << 20U;
+/// An error in a scene.
+using SceneError = document::Error;
 
 /// Replaces a value of the file: `rules.inertia=0`, `stages.1.until.steps=50` (list items by number
 /// from 0, or by `name`: `stages.flow.max_steps=9`).
 /// The value is YAML. Errors in it have `--set KEY=VALUE` as location.
 using Override = std::string;
-
-/// The value of an override as a text that is the same for all texts that mean the same: `0.5` of
-/// 0.50 and =1/2. What is no YAML, or depends on names under `let`, stays as it is.
-std::string canonical_value(const std::string& text);
 
 /// A scene of grains, or one of the Boltzmann equation (a block `boltzmann`).
 using AnyScene = std::variant<Scene, BoltzmannScene>;

@@ -18,7 +18,8 @@
 #include "clca/scene/format.hpp"
 #include "clca/scene/parse.hpp"
 #include "clca/scene/resolve.hpp"
-#include "scene/document.hpp"
+#include "document/internal/document.hpp"
+#include "scene/place.hpp"
 
 namespace clca::scene::schema_test {
 
@@ -93,8 +94,9 @@ nlohmann::json json_of(const Value& value) {
 }
 
 nlohmann::json json_of(std::string_view text) {
-  const auto origin = std::make_shared<const Origin>(Origin{"scene.yaml", true});
-  return json_of(read_document(text, origin));
+  const auto origin =
+      std::make_shared<const document::Origin>(document::Origin{"scene.yaml", true});
+  return json_of(document::read_document(text, origin));
 }
 
 /// What the schema says against the scene; empty when it is right.

@@ -1,12 +1,11 @@
-#include "scene/value.hpp"
+#include "document/internal/value.hpp"
 
 #include <algorithm>
 
-#include "clca/scene/parse.hpp"
+#include "clca/document/document.hpp"
 #include "clca/text/message.hpp"
-#include "scene/keyed_map.hpp"
 
-namespace clca::scene {
+namespace clca::document {
 
 std::string to_string(const TextLocation& location) {
   const Origin& origin = *location.origin;
@@ -15,7 +14,7 @@ std::string to_string(const TextLocation& location) {
 }
 
 void throw_error(std::string_view location, std::string_view message) {
-  throw SceneError(fmt::format("{}: error: {}", location, message));
+  throw Error(fmt::format("{}: error: {}", location, message));
 }
 
 Value Value::scalar(std::string text, const TextLocation& location) {
@@ -67,6 +66,14 @@ Value* Value::find(std::string_view key) {
   return const_cast<Value*>(std::as_const(*this).find(key));
 }
 
+const Value* Value::find_path(std::string_view path) const {
+  const Value* at = this;
+  for (const std::string& key : parts_of_path(path)) {
+    at = at != nullptr ? at->find(key) : nullptr;
+  }
+  return at;
+}
+
 std::string found(const Value& value) {
   switch (value.kind) {
     case Value::Kind::nothing:
@@ -82,16 +89,18 @@ std::string found(const Value& value) {
          (value.expression.empty() ? "" : ", the value of " + text::shown(value.expression));
 }
 
-Place Place::at(std::string_view key) const {
-  const Value* found = find(key);
-  if (found == nullptr) {
-    fail(*this, "key '{}' is missing", key);
+std::vector<std::string> parts_of_path(std::string_view path) {
+  std::vector<std::string> parts;
+  for (std::size_t start = 0; !path.empty() && start <= path.size();) {
+    const std::size_t dot = std::min(path.find('.', start), path.size());
+    parts.emplace_back(path.substr(start, dot - start));
+    start = dot + 1;
   }
-  return {*found, join_path(path, key), scene};
+  return parts;
 }
 
-Place Place::inside(const Entry& entry) const {
-  return {entry.value, join_path(path, entry.key), scene};
+std::string join_path(std::string_view path, std::string_view key) {
+  return path.empty() ? text::printable(key) : fmt::format("{}.{}", path, text::printable(key));
 }
 
 namespace {
@@ -169,4 +178,4 @@ std::string block_text(const Value& map) {
   return entries_text(map, 0);
 }
 
-}  // namespace clca::scene
+}  // namespace clca::document

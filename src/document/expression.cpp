@@ -1,3 +1,5 @@
+#include "clca/document/expression.hpp"
+
 #include <fmt/format.h>
 #include <muParser.h>
 
@@ -6,15 +8,12 @@
 #include <cmath>
 #include <numbers>
 
-#include "clca/scene/output.hpp"
-#include "clca/scene/parse.hpp"
+#include "clca/document/document.hpp"
 #include "clca/text/message.hpp"
-#include "scene/document.hpp"
-#include "scene/keyed_map.hpp"
-#include "scene/limits.hpp"
-#include "scene/sections.hpp"
+#include "document/internal/document.hpp"
+#include "document/internal/number.hpp"
 
-namespace clca::scene {
+namespace clca::document {
 
 namespace {
 
@@ -88,7 +87,8 @@ void for_each_token(std::string_view expression, const IsKnown& is_known, const 
 class Evaluator {
  public:
   Evaluator();
-  void define(const Entry& entry);
+  /// A number under `let`, unless its name is taken.
+  void define(const Entry& entry, const std::vector<std::string_view>& taken);
   /// What stands under `let` is defined one after the other.
   void begin_let() { let_begins_ = true; }
   /// All names have been replaced.
@@ -119,18 +119,16 @@ Evaluator::Evaluator() {
   parser_.DefineConst("_e", std::numbers::e);
 }
 
-void Evaluator::define(const Entry& entry) {
+void Evaluator::define(const Entry& entry, const std::vector<std::string_view>& taken) {
   const std::string path = join_path("let", entry.key);
   const auto refuse_name = [&](const std::string& why) {
     fail(entry.location, "{}: {}", path, why);
   };
-  for (const auto& keys : {names_of(*scene_type().keys), names_of(*boltzmann_type().keys)}) {
-    if (std::find(keys.begin(), keys.end(), entry.key) != keys.end()) {
-      refuse_name("a key of the scene has this name");
-    }
+  if (std::ranges::count(taken, entry.key) > 0) {
+    refuse_name("a key of the scene has this name");
   }
   const auto number =
-      entry.value.is(Value::Kind::scalar) ? to_number(entry.value.text) : std::nullopt;
+      entry.value.is(Value::Kind::scalar) ? number_in<double>(entry.value.text) : std::nullopt;
   if (!number || entry.value.quoted) {
     fail(entry.value.location, "{}: expected a number or an expression like '=2*a', found {}", path,
          found(entry.value));
@@ -279,12 +277,12 @@ std::optional<double> value_of(
   try {
     const double result = Evaluator().result_of(with_numbers(expression.substr(1), values), value);
     return std::isfinite(result) ? std::optional(result) : std::nullopt;
-  } catch (const SceneError&) {  // a value that a function refuses
+  } catch (const Error&) {  // a value that a function refuses
     return std::nullopt;
   }
 }
 
-void evaluate_expressions(Value& root) {
+void evaluate_expressions(Value& root, const ExpressionKeys& keys) {
   Evaluator evaluator;
   Value* let = root.find("let");
   if (let != nullptr && !(let->is(Value::Kind::scalar) && let->text == "none")) {
@@ -294,16 +292,16 @@ void evaluate_expressions(Value& root) {
     for (Entry& entry : let->entries) {
       evaluator.begin_let();
       evaluator.evaluate(entry.value);
-      evaluator.define(entry);
+      evaluator.define(entry, keys.taken);
     }
   }
   for (Entry& entry : root.entries) {
-    if (entry.key == "measure") {
+    if (entry.key == keys.open) {
       evaluator.name_numbers(entry.value);
-    } else if (entry.key != "title") {
+    } else if (entry.key != keys.text) {
       evaluator.evaluate(entry.value);
     }
   }
 }
 
-}  // namespace clca::scene
+}  // namespace clca::document

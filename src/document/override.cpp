@@ -5,22 +5,18 @@
 #include <charconv>
 #include <optional>
 
-#include "clca/scene/parse.hpp"
+#include "clca/document/document.hpp"
 #include "clca/text/message.hpp"
-#include "scene/document.hpp"
-#include "scene/keyed_map.hpp"
+#include "document/internal/document.hpp"
+#include "document/internal/number.hpp"
 
-namespace clca::scene {
+namespace clca::document {
 
 namespace {
 
 constexpr std::size_t kMaxPathDepth = 32;
 
-/// True for the maps that hold one key out of several: a new key takes the place of the old one.
-bool is_choice(const std::vector<std::string>& parts, std::size_t depth) {
-  return depth == 3 && ((parts[0] == "stages" && (parts[2] == "until" || parts[2] == "vessel")) ||
-                        (parts[0] == "species" && parts[2] == "shape"));
-}
+using IsChoice = bool (*)(const std::vector<std::string>& path);
 
 /// The item of a list that `part` means: by number, or by name.
 Value& item(Value& list, const std::string& part, const std::string& path,
@@ -47,12 +43,10 @@ Value& item(Value& list, const std::string& part, const std::string& path,
 }
 
 /// The value under `part`; a map gets the key when it has none.
-Value& child(Value& parent, const std::vector<std::string>& parts, std::size_t depth,
-             const TextLocation& location) {
-  const std::string& part = parts[depth];
-  const std::string path = text::printable(fmt::format(
-      "{}", fmt::join(parts.begin(), parts.begin() + static_cast<std::ptrdiff_t>(depth), ".")));
-  if (is_choice(parts, depth) && parent.find(part) == nullptr) {
+Value& child(Value& parent, const std::vector<std::string>& above, const std::string& part,
+             const TextLocation& location, IsChoice is_choice) {
+  const std::string path = text::printable(fmt::format("{}", fmt::join(above, ".")));
+  if (is_choice(above) && parent.find(part) == nullptr) {
     parent = Value::map(location);
   }
   if (parent.is(Value::Kind::list)) {
@@ -72,21 +66,6 @@ Value& child(Value& parent, const std::vector<std::string>& parts, std::size_t d
   return parent.entries.back().value;
 }
 
-/// The view of pictures stays where they are set to none, for what is drawn of the run later.
-void keep_view(Value& root, const std::vector<std::string>& parts, const Value& value) {
-  const bool is_none = value.is(Value::Kind::scalar) && !value.quoted && value.text == "none";
-  Value* output = root.find("output");
-  Value* frames = output != nullptr ? output->find("frames") : nullptr;
-  if (!is_none || parts != std::vector<std::string>{"output", "frames"} || frames == nullptr) {
-    return;
-  }
-  if (const Value* view = frames->find("view")) {
-    const Value kept = *view;
-    std::erase_if(output->entries, [](const Entry& entry) { return entry.key == "view"; });
-    output->entries.push_back({"view", kept.location, kept});
-  }
-}
-
 /// Text of a value in which numbers have one form only.
 std::string canonical_text(const Value& value) {
   std::string text;
@@ -94,7 +73,7 @@ std::string canonical_text(const Value& value) {
     case Value::Kind::nothing:
       return "null";
     case Value::Kind::scalar: {
-      const auto number = value.quoted ? std::nullopt : to_number(value.text);
+      const auto number = value.quoted ? std::nullopt : number_in<double>(value.text);
       return number ? fmt::format("{}", *number + 0.0) : flow_text(Value::quoted_text(value.text));
     }
     case Value::Kind::list:
@@ -118,12 +97,13 @@ std::string canonical_value(const std::string& text) {
     Value value = read_document(text, std::make_shared<const Origin>());
     evaluate_expression(value);
     return canonical_text(value);
-  } catch (const SceneError&) {
+  } catch (const Error&) {
     return text;
   }
 }
 
-void apply_override(Value& root, const std::string& text, std::string_view option) {
+void apply_override(Value& root, const std::string& text, std::string_view option,
+                    IsChoice is_choice) {
   const std::size_t equals = text.find('=');
   const std::string value_shown =
       equals == std::string::npos ? "" : "=" + text::shortened(text.substr(equals + 1));
@@ -143,12 +123,13 @@ void apply_override(Value& root, const std::string& text, std::string_view optio
     parts.insert(parts.begin(), "let");
   }
   Value value = read_document(whole.substr(equals + 1), origin);
-  keep_view(root, parts, value);
   Value* target = &root;
-  for (std::size_t depth = 0; depth < parts.size(); ++depth) {
-    target = &child(*target, parts, depth, location);
+  std::vector<std::string> above;
+  for (const std::string& part : parts) {
+    target = &child(*target, above, part, location, is_choice);
+    above.push_back(part);
   }
   *target = std::move(value);
 }
 
-}  // namespace clca::scene
+}  // namespace clca::document

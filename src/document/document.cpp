@@ -1,4 +1,4 @@
-#include "scene/document.hpp"
+#include "document/internal/document.hpp"
 
 #include <fmt/format.h>
 #include <yaml-cpp/eventhandler.h>
@@ -14,9 +14,9 @@
 #include <utility>
 
 #include "clca/text/message.hpp"
-#include "scene/source_text.hpp"
+#include "document/internal/source_text.hpp"
 
-namespace clca::scene {
+namespace clca::document {
 
 namespace {
 
@@ -267,4 +267,4 @@ Value read_document(std::string_view text, std::shared_ptr<const Origin> origin)
   return builder.take();
 }
 
-}  // namespace clca::scene
+}  // namespace clca::document

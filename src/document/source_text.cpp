@@ -1,12 +1,12 @@
-#include "scene/source_text.hpp"
+#include "document/internal/source_text.hpp"
 
 #include <algorithm>
 
-#include "clca/scene/parse.hpp"
+#include "clca/document/document.hpp"
 #include "clca/text/message.hpp"
 #include "clca/text/utf8.hpp"
 
-namespace clca::scene {
+namespace clca::document {
 
 namespace {
 
@@ -22,8 +22,8 @@ std::size_t count_characters(std::string_view text) {
 
 SourceText::SourceText(std::string_view text, std::shared_ptr<const Origin> origin)
     : text_(text), origin_(std::move(origin)) {
-  if (text_.size() > kMaxSceneBytes) {
-    fail({origin_, 1, 1}, "the text is larger than {} MiB", kMaxSceneBytes >> 20U);
+  if (text_.size() > kMaxBytes) {
+    fail({origin_, 1, 1}, "the text is larger than {} MiB", kMaxBytes >> 20U);
   }
   characters_ = {0};
   for (std::size_t i = 0; i + kBlock <= text_.size(); i += kBlock) {
@@ -138,4 +138,4 @@ std::size_t SourceText::end_of_quote(std::size_t begin) const {
   return text_.size();
 }
 
-}  // namespace clca::scene
+}  // namespace clca::document

@@ -5,9 +5,9 @@
 #include <string_view>
 #include <vector>
 
-#include "scene/value.hpp"
+#include "document/internal/value.hpp"
 
-namespace clca::scene {
+namespace clca::document {
 
 /// Maximum nesting of lists and maps.
 inline constexpr std::size_t kMaxDepth = 32;
@@ -15,8 +15,8 @@ inline constexpr std::size_t kMaxValues = 260'000;
 
 class SourceText {
  public:
-  /// Throws SceneError unless the text is UTF-8 without control characters, tabs (comments may
-  /// hold some), byte order mark and YAML directives, not larger than kMaxSceneBytes, not with
+  /// Throws Error unless the text is UTF-8 without control characters, tabs (comments may
+  /// hold some), byte order mark and YAML directives, not larger than kMaxBytes, not with
   /// more than kMaxDepth brackets inside each other and not with more than kMaxValues values.
   SourceText(std::string_view text, std::shared_ptr<const Origin> origin);
 
@@ -39,4 +39,4 @@ class SourceText {
   std::vector<std::size_t> characters_;  // before each block of bytes, for long lines
 };
 
-}  // namespace clca::scene
+}  // namespace clca::document

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace clca::scene {
+namespace clca::document {
 
 /// Source of text: a file, or a `--set` option.
 struct Origin {
@@ -28,7 +28,6 @@ struct TextLocation {
 std::string to_string(const TextLocation& location);
 
 struct Entry;
-struct PictureFile;
 
 struct Value {
   enum class Kind { nothing, scalar, list, map };
@@ -39,9 +38,9 @@ struct Value {
   TextLocation location;
   std::string text;        ///< of a scalar
   std::string expression;  ///< that the text is the value of; empty if it was written so
-  std::shared_ptr<const PictureFile> picture;  ///< of a scalar that names one
-  std::vector<Value> items;                    ///< of a list
-  std::vector<Entry> entries;                  ///< of a map, in the order of the text
+  std::shared_ptr<const void> attached;  ///< by who reads the value, such as a file that it names
+  std::vector<Value> items;              ///< of a list
+  std::vector<Entry> entries;            ///< of a map, in the order of the text
 
   static Value scalar(std::string text, const TextLocation& location = {});
   static Value number(double number);
@@ -59,6 +58,8 @@ struct Value {
   /// The value of `key`, null when there is none.
   const Value* find(std::string_view key) const;
   Value* find(std::string_view key);
+  /// The value at a path of keys, likewise.
+  const Value* find_path(std::string_view path) const;
 };
 
 struct Entry {
@@ -75,38 +76,17 @@ std::string flow_text(const Value& value);
 /// A map, an entry after the other; those that are too long for a line are divided.
 std::string block_text(const Value& map);
 
-struct Scene;
+/// What stands between the dots of a path.
+std::vector<std::string> parts_of_path(std::string_view path);
+/// `path.key`, or `key` alone at the top.
+std::string join_path(std::string_view path, std::string_view key);
 
-/// A value that is read.
-struct Place {
-  const Value& value;
-  std::string path;    ///< dotted, for messages; empty at the top
-  const Scene& scene;  ///< as far as it has been read
-
-  /// The value of a key; null where it is not given.
-  const Value* find(std::string_view key) const { return value.find(key); }
-  /// Refuses a map without the key.
-  Place at(std::string_view key) const;
-  /// The value of an entry.
-  Place inside(const Entry& entry) const;
-};
-
-inline std::string found(const Place& place) {
-  return found(place.value);
-}
-
-/// Throws SceneError: `FILE:LINE:COLUMN: error: MESSAGE`.
+/// Throws Error: `FILE:LINE:COLUMN: error: MESSAGE`.
 [[noreturn]] void throw_error(std::string_view location, std::string_view message);
 template <class... Args>
 [[noreturn]] void fail(const TextLocation& location, fmt::format_string<Args...> message,
                        Args&&... args) {
   throw_error(to_string(location), fmt::format(message, std::forward<Args>(args)...));
 }
-/// The same with the path of the value in front of the message.
-template <class... Args>
-[[noreturn]] void fail(const Place& place, fmt::format_string<Args...> message, Args&&... args) {
-  fail(place.value.location, "{}: {}", place.path.empty() ? "scene" : place.path,
-       fmt::format(message, std::forward<Args>(args)...));
-}
 
-}  // namespace clca::scene
+}  // namespace clca::document
