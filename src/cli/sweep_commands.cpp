@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <csignal>
 #include <filesystem>
 #include <iterator>
 #include <memory>
@@ -135,32 +136,49 @@ int run_sweep(const SweepCommandOptions& options) {
   return end_of(totals, options.ranks);
 }
 
-/// The same by the command that starts ranks. Returns its exit code.
-int launch(const std::string& launcher, const SweepCommandOptions& sweep) {
-  std::istringstream words(launcher);
-  std::vector<std::string> arguments(std::istream_iterator<std::string>(words), {});
-  const auto program = arguments.empty() ? std::nullopt : process::find_program(arguments.front());
-  if (!program) {
-    throw process::ProcessError(fmt::format("no program '{}' on the PATH", launcher));
-  }
-  arguments.front() = program->string();
-  arguments.insert(arguments.end(),
-                   {std::filesystem::read_symlink("/proc/self/exe").string(), "sweep",
-                    sweep.scene.file, "--vary", sweep.variations.front(), "--seeds", sweep.seeds,
-                    "--output", sweep.folder, "--jobs", std::to_string(sweep.jobs)});
+/// The program and its arguments, by words.
+std::vector<std::string> words_of(const std::string& command) {
+  std::istringstream words(command);
+  return {std::istream_iterator<std::string>(words), {}};
+}
+
+/// The command, with `clca` behind the one that starts ranks.
+std::vector<std::string> launched(const std::string& launcher) {
+  std::vector<std::string> command = words_of(launcher);
+  command.front() = process::find_program(command.front()).value().string();
+  command.push_back(std::filesystem::read_symlink("/proc/self/exe").string());
+  return command;
+}
+
+/// As run_sweep(), by `command`. Throws process::ProcessError where it does not run the sweep.
+int launch(std::vector<std::string> command, const std::string& launcher,
+           const SweepCommandOptions& sweep) {
+  command.insert(command.end(),
+                 {"sweep", sweep.scene.file, "--vary", sweep.variations.front(), "--seeds",
+                  sweep.seeds, "--output", sweep.folder, "--jobs", std::to_string(sweep.jobs)});
   for (const std::string& text : sweep.scene.overrides) {
-    arguments.insert(arguments.end(), {"--set", text});
+    command.insert(command.end(), {"--set", text});
   }
   if (sweep.scene.memory_limit) {
-    arguments.insert(arguments.end(),
-                     {"--memory-limit", std::to_string(*sweep.scene.memory_limit)});
+    command.insert(command.end(), {"--memory-limit", std::to_string(*sweep.scene.memory_limit)});
   }
   if (sweep.quiet) {
-    arguments.emplace_back("--quiet");
+    command.emplace_back("--quiet");
   }
   constexpr std::chrono::seconds kGrace(10);  // for runs to leave their checkpoints
   const std::atomic<int>& stop = catch_stop_signals();
-  return process::Program(arguments, {.stop = &stop, .grace = kGrace}).wait();
+  const int code =
+      process::Program(command, {.stop = &stop, .signal = SIGTERM, .grace = kGrace}).wait();
+  if (stop != 0) {
+    return kSignalBase + stop;
+  }
+  if (code != kDone) {
+    throw process::ProcessError(fmt::format("'{}' ended with exit code {}", launcher, code));
+  }
+  if (!std::filesystem::exists(std::filesystem::path(sweep.folder) / "sweep.json")) {
+    throw process::ProcessError(fmt::format("'{}' has not run the sweep", launcher));
+  }
+  return kDone;
 }
 
 int calibrate(const std::string& study, const std::string& launcher,
@@ -169,6 +187,8 @@ int calibrate(const std::string& study, const std::string& launcher,
       options.folder.empty()
           ? "renders/" + std::filesystem::path(study).stem().string() + "-calibration"
           : options.folder;
+  const std::vector<std::string> command =
+      launcher.empty() ? std::vector<std::string>() : launched(launcher);
   const store::OutputFolder folder(path);
   folder.require_own();
   for (int step = 0;; ++step) {
@@ -195,7 +215,7 @@ int calibrate(const std::string& study, const std::string& launcher,
       wanted.variations = {sweep.at("vary")};
       wanted.seeds = sweep.at("seeds");
       wanted.folder = sweep.at("folder");
-      code = launcher.empty() ? run_sweep(wanted) : launch(launcher, wanted);
+      code = launcher.empty() ? run_sweep(wanted) : launch(command, launcher, wanted);
       if (code != kDone) {
         return code;
       }
@@ -281,7 +301,13 @@ void add_calibrate_command(CLI::App& program) {
       ->add_option("--launcher", *launcher,
                    "Run the sweeps by this command, which starts several ranks, such as 'mpirun -n "
                    "64'")
-      ->type_name("COMMAND");
+      ->type_name("COMMAND")
+      ->check([](const std::string& text) {
+        const std::vector<std::string> words = words_of(text);
+        return !words.empty() && process::find_program(words.front())
+                   ? std::string()
+                   : fmt::format("no program '{}' on the PATH", words.empty() ? "" : words.front());
+      });
   add_memory_limit(command, options->scene, "Memory of all runs at a time");
   command->add_flag("--quiet", options->quiet, "Print the answer, warnings and errors only");
   set_action(command, [command, options, study, launcher] {

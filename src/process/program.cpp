@@ -191,6 +191,7 @@ std::vector<std::uint8_t> OutputCapture::bytes() const {
 Program::Program(const std::vector<std::string>& arguments, const ProgramOptions& options)
     : name_(fs::path(arguments[0]).filename().string()),
       stop_(options.stop),
+      signal_(options.signal),
       grace_(options.grace) {
   Ends input;  // ours and its
   if (!options.fed) {
@@ -245,6 +246,9 @@ void Program::end_when_stopped() {
   const auto now = std::chrono::steady_clock::now();
   if (!deadline_) {
     deadline_ = now + grace_;
+    if (signal_ != 0) {
+      ::kill(child_, signal_);
+    }
   }
   if (now >= *deadline_) {
     kill();

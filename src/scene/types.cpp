@@ -126,9 +126,10 @@ Type<double> length(const Type<double>& number) {
     }
     Value value = place.value;
     if (length) {
-      value =
-          Value::number(std::round(*length / place.scene.units->spacing * kDecimals) / kDecimals);
+      const double spacings = *length / place.scene.units->spacing;
+      value = Value::number(std::round(spacings * kDecimals) / kDecimals + 0.0);  // 0 for -0
       value.location = place.value.location;
+      value.expression = place.value.text;
     }
     number.read_into({value, place.path, place.scene}, result);
   };

@@ -102,13 +102,17 @@ class CalibrateTest(ScratchTest):
             self.skipTest("no mpirun, or no clca-mpi")
         allowed = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
         self.study()
-        command = [PROGRAM, "calibrate", "study.yaml", "-o", "ranks", "--quiet", "--launcher"]
-        told = subprocess.run([*command, "mpirun --oversubscribe -n 3"], capture_output=True, text=True, env=os.environ | allowed)
+        command = [PROGRAM, "calibrate", "study.yaml", "--quiet", "--launcher"]
+        told = subprocess.run([*command, "mpirun --oversubscribe -n 3", "-o", "ranks"], capture_output=True, text=True, env=os.environ | allowed)
         self.assertEqual((told.returncode, told.stderr), (0, ""))
         for name in ("calibration.json", "parameters.csv", "targets.csv", "likely.csv"):
             self.assertEqual((self.folder / "ranks" / name).read_bytes(), (self.folder / "found" / name).read_bytes(), name)
         told = subprocess.run([*command, "nosuch -n 3"], capture_output=True, text=True)
-        self.assertEqual((told.returncode, told.stderr), (1, "clca: error: no program 'nosuch -n 3' on the PATH\n"))
+        self.assertEqual(told.returncode, 2)
+        self.assertIn("--launcher: no program 'nosuch' on the PATH", told.stderr)
+        for launcher, what in (("false", "ended with exit code 1"), ("true", "has not run the sweep")):
+            told = subprocess.run([*command, launcher, "-o", launcher], capture_output=True, text=True)
+            self.assertEqual((told.returncode, told.stderr), (1, f"clca: error: '{launcher}' {what}\n"))
 
     def test_what_cannot_be_had_is_said(self):
         self.study(tests=[{"scene": "scene.yaml", "targets": {"flow.runout_99": [90, 0.5]}}])

@@ -53,8 +53,10 @@ struct ProgramOptions {
   const OutputCapture* err = nullptr;
   /// Standard input: what feed() writes, else empty.
   bool fed = false;
-  /// Once this is not zero, the program has `grace` to end; then it is killed.
+  /// Once this is not zero, the program gets `signal`, if that is not zero, and has `grace` to end;
+  /// then it is killed.
   const std::atomic<int>* stop = nullptr;
+  int signal = 0;
   std::chrono::milliseconds grace{0};
 };
 
@@ -85,6 +87,7 @@ class Program {
 
   std::string name_;
   const std::atomic<int>* stop_;
+  int signal_;
   std::chrono::milliseconds grace_;
   std::optional<std::chrono::steady_clock::time_point> deadline_;  // once it is to stop
   int child_ = -1;  // process id; -1 when it has ended

@@ -22,6 +22,7 @@ T = TypeVar("T")
 FINITE = sys.float_info.max
 MOST = 2**64 - 1
 MOST_RUNS = 100_000
+MOST_BYTES_OF_NAME = 255  # of a file
 
 
 def shown(value: Any) -> str:
@@ -111,8 +112,8 @@ def path(value: str | os.PathLike[str]) -> str:
         name, is_name = shown(value), False
     if not name:
         raise ArgumentError("the name of a file or folder is empty")
-    if not is_name:
-        raise ArgumentError(f"{name!r} cannot be the name of a file")
+    if not is_name or any(len(os.fsencode(part)) > MOST_BYTES_OF_NAME for part in name.split(os.sep)):
+        raise ArgumentError(f"{name[:MOST_BYTES_OF_NAME]!r} cannot be the name of a file")
     return name
 
 

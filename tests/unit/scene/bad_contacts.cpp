@@ -125,6 +125,10 @@ constexpr auto kBadContacts = std::to_array<BadScene>({
      "'1 in'"},
     {"a length beyond what it may be", "units: {spacing: 1 mm}\nbox: {width: 1 km, height: 1001 m}",
      "scene.yaml:4:14: error: box.width: expected a number from 1 to 866025, found '1 km'"},
+    {"a length below 0", "units: {spacing: 1 mm}\nbox: {width: -5 cm, height: 50}",
+     "scene.yaml:4:14: error: box.width: expected a number from 1 to 866025, found '-50', the "
+     "value "
+     "of '-5 cm'"},
     {"units without a spacing", "units: {gravity: 9.81}",
      "scene.yaml:13:8: error: units: key 'spacing' is missing"},
     {"an unknown unit", "units: {spacing: 1 furlong}",
