@@ -62,8 +62,10 @@ class FieldRecord : public SavedObserver<FieldRecord> {
         fields_table_(table_scope(scene), fields_table(scene)),
         fluctuation_table_(table_scope(scene), fluctuation_table(scene)) {}
 
-  static double bytes(const scene::Scene& /*scene*/, double particles) {
-    return 2 * measure::Snapshot::bytes_for(particles) + particles * sizeof(measure::Displacement);
+  static double bytes(const scene::Scene& scene, double particles) {
+    const double side = scene.output.fields->cell;
+    return 2 * measure::Snapshot::bytes_for(particles) + particles * sizeof(measure::Displacement) +
+           measure::Fields::bytes_for(scene.box.width * scene.box.height / (side * side));
   }
 
   void after_step(const StageView& now) override {

@@ -70,6 +70,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"LinesAndFields", "automaton",
              "lines: {row: {from: [0, 30], to: [39, 30], parts: 30}}\n"
              "output: {series: {every: 1}, fields: {every: 4, cell: 6}}\n"},
+        Case{"FieldsOfSmallCells", "automaton", "output: {fields: {every: 4, cell: 1}}\n"},
         Case{"Trajectory", "automaton", "output: {trajectory: {every: 1}}\n"},
         Case{"TrajectoryOfContacts", "contact",
              "output: {trajectory: {every: 2, contacts: true}}\n"},
@@ -78,6 +79,8 @@ INSTANTIATE_TEST_SUITE_P(
              "measure: [force, weight_paths]\n"},
         Case{"WeightPaths", "voids", "output: {}\nmeasure: [weight_paths]\n", 1},
         Case{"WeightPathsOfAThinBed", "automaton", "output: {}\nmeasure: [weight_paths]\n"},
+        Case{"PicturesOfWeights", "voids",
+             "output: {frames: {every: 4, width: 100, overlay: weight_q}}\n", 1},
         Case{"PicturesOfVelocities", "automaton",
              "output: {frames: {every: 4, width: PIXELS, overlay: velocity}}\n"}),
     [](const ::testing::TestParamInfo<Case>& one) { return one.param.name; });

@@ -20,6 +20,11 @@ struct Fields {
   std::size_t columns = 0;
   std::size_t rows = 0;
   std::vector<FieldCell> cells = {};  ///< in the order of Grid
+
+  /// Memory of so many cells, with that for measuring them and their fluctuations.
+  static double bytes_for(double cells) {
+    return cells * (sizeof(FieldCell) + 2 * sizeof(RegionMotion) + 2 * sizeof(double));
+  }
 };
 
 /// A window of steps: velocity is displacement per step.
