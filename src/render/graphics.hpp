@@ -15,7 +15,8 @@
 #include "clca/render/overlays.hpp"
 #include "clca/render/painter.hpp"
 
-struct _cairo;  // of Cairo, whose header only graphics.cpp includes
+// Of Cairo, whose header only graphics.cpp includes.
+struct _cairo;  // NOLINT(bugprone-reserved-identifier)
 
 namespace clca::render {
 

@@ -33,7 +33,7 @@ std::optional<SiUnit> Conversion::si(std::string_view unit) const {
        {kStressUnit, {"N/m", grain_weight / spacing}},
        {kEnergyUnit, {"J", site->weight * spacing}},
        {kMomentUnit, {"N m", site->weight * spacing}}}};
-  const auto found = std::ranges::find(known, unit, &decltype(known)::value_type::first);
+  const auto* found = std::ranges::find(known, unit, &decltype(known)::value_type::first);
   return found != known.end() ? std::optional(found->second) : std::nullopt;
 }
 
