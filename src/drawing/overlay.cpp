@@ -275,11 +275,15 @@ DrawnOverlay overlay_of(scene::Overlay overlay, const View& view, const PictureH
       return view.cycles != nullptr ? arrows(*view.cycles) : DrawnOverlay();
     case scene::Overlay::velocity:
       return velocities(view.state, *history.window, scales);
-    case scene::Overlay::none:
-      return {};
-    default:
+    case scene::Overlay::weight_inner:
+    case scene::Overlay::weight_outer:
+    case scene::Overlay::weight_pair:
+    case scene::Overlay::weight_q:
       return weight(view, overlay, scales);
+    case scene::Overlay::none:
+      break;
   }
+  return {};
 }
 
 }  // namespace clca::drawing

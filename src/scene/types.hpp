@@ -20,7 +20,7 @@ Type<double> number(double low, double high);
 Type<double> above_zero(double high);
 /// In lattice spacings: such a number or, in a scene with `units`, a number with a unit of length.
 Type<double> length(const Type<double>& number);
-/// Of `1 mm`; none for other text.
+/// The length that `1 mm` says, in metres; none for other text.
 std::optional<double> metres(std::string_view text);
 Type<int> integer(int low, int high);
 Type<std::uint64_t> count(std::uint64_t low, std::uint64_t high);
