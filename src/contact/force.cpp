@@ -1,8 +1,6 @@
 #include "clca/contact/force.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <utility>
 
 #include "contact/rule/numbers.hpp"
 #include "contact/rule/touching.hpp"
@@ -67,8 +65,8 @@ Sum sum_of(const Force& force) {
   const Eigen::Vector2d on_upper = force.on_upper();
   return {.upper = force.upper,
           .other = force.other,
-          .point_x = force.point.x(),
-          .point_y = force.point.y(),
+          .place_x = force.point.x(),
+          .place_y = force.point.y(),
           .normal_x = force.normal.x(),
           .normal_y = force.normal.y(),
           .branch_x = force.branch.x(),
@@ -172,7 +170,7 @@ std::vector<Force> means(const ForceSums& sums) {
         Eigen::Vector2d(sum.force_x, sum.force_y) / static_cast<double>(sums.steps);
     result.push_back({.upper = sum.upper,
                       .other = sum.other,
-                      .point = {sum.point_x, sum.point_y},
+                      .point = {sum.place_x, sum.place_y},
                       .normal = normal,
                       .branch = {sum.branch_x, sum.branch_y},
                       .along_normal = mean.dot(normal),

@@ -68,7 +68,7 @@ void Convection::add(const Displacement& displacement, double left, double right
 void Convection::HalfBedSums::add(const Eigen::Vector2d& at, const Displacement& displacement,
                                   double sites) {
   weight += sites;
-  position += sites * at;
+  place += sites * at;
   drift += sites * displacement.vector;
   cross += sites * cross_product(at, displacement.vector);
   square += sites * at.squaredNorm();
@@ -79,8 +79,8 @@ double Convection::HalfBedSums::rotation() const {
   if (weight == 0) {
     return 0;
   }
-  const double inertia = square - position.squaredNorm() / weight;
-  const double turning = cross - cross_product(position, drift) / weight;
+  const double inertia = square - place.squaredNorm() / weight;
+  const double turning = cross - cross_product(place, drift) / weight;
   return inertia > kRounding * square ? turning / inertia : 0;
 }
 

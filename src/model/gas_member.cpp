@@ -1,8 +1,6 @@
 #include "model/internal/gas_member.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 #include "clca/scene/resolve.hpp"
 
@@ -107,7 +105,7 @@ void GasIntegrator::integrate(GasMember& member, double restitution, std::uint64
 
 void GasIntegrator::retain_gas(GasMember& member) const {
   if (keeps_lasting_ && member.observations.size() == lasting_times_) {
-    member.retained = member.gas;
+    member.lasting = member.gas;
   }
 }
 

@@ -86,8 +86,8 @@ py::dict moments(const Gas& gas) {
     return boltzmann::moments(now.motions);
   }();
   py::dict result;
-  std::apply([&](const auto&... field) { ((result[field.name] = moments.*field.member), ...); },
-             boltzmann::Moments::fields());
+  reflection::for_each_field<boltzmann::Moments>(
+      [&](std::string_view name, auto part) { result[py::str(name)] = *part(moments); });
   return result;
 }
 

@@ -28,7 +28,7 @@ bool is_sound(const contact::ForceSums::Sum& sum, const grains::State& state) {
                                       : sum.other <= contact::kRightSide ||
                                             (grains::is_wall(sum.other) &&
                                              grains::wall_number(sum.other) < state.walls.size()));
-  const auto numbers = {sum.point_x,  sum.point_y,  sum.normal_x, sum.normal_y,
+  const auto numbers = {sum.place_x,  sum.place_y,  sum.normal_x, sum.normal_y,
                         sum.branch_x, sum.branch_y, sum.force_x,  sum.force_y};
   return there && std::all_of(numbers.begin(), numbers.end(),
                               [](double number) { return std::isfinite(number); });

@@ -1,7 +1,6 @@
 #pragma once
 // The energy balance of a stage of the contact model, in units of contact::Energy.
 
-#include <cstdint>
 #include <optional>
 
 #include "record/internal/observer.hpp"
@@ -41,16 +40,8 @@ class EnergyRecord : public SavedObserver<EnergyRecord> {
   std::optional<double> growth() const;
 
   static constexpr const char* kPath = "records/energy";
-  static constexpr auto fields() {
-    using reflection::field;
-    return std::make_tuple(
-        field("is_closed", &EnergyRecord::is_closed_), field("start", &EnergyRecord::start_),
-        field("fall", &EnergyRecord::fall_), field("exchanged", &EnergyRecord::exchanged_),
-        field("lowest", &EnergyRecord::lowest_), field("growth", &EnergyRecord::growth_),
-        field("has_warned", &EnergyRecord::has_warned_),
-        field("has_been_too_fast", &EnergyRecord::has_been_too_fast_),
-        field("rest", &EnergyRecord::rest_));
-  }
+  CLCA_FIELDS(is_closed_, start_, fall_, exchanged_, lowest_, growth_, has_warned_,
+              has_been_too_fast_, rest_);
   bool precedes(const grains::State& state) const { return rest_.precedes(state); }
 
  private:

@@ -1,9 +1,7 @@
 // fields.csv: packing, velocity and fluctuation on a grid, for each window, and the distribution of
 // fluctuation energies.
 
-#include <limits>
 #include <optional>
-#include <string>
 
 #include "clca/measure/field_grid.hpp"
 #include "clca/measure/fluctuation.hpp"
@@ -91,14 +89,7 @@ class FieldRecord : public SavedObserver<FieldRecord> {
            fluctuations_.has_all_bins();
   }
   static constexpr const char* kPath = "records/fields";
-  static constexpr auto fields() {
-    using reflection::field;
-    return std::make_tuple(field("window", &FieldRecord::window_),
-                           field("fluctuations", &FieldRecord::fluctuations_),
-                           field("window_begin", &FieldRecord::window_begin_),
-                           field("fluctuation_steps", &FieldRecord::fluctuation_steps_),
-                           field("steps", &FieldRecord::steps_));
-  }
+  CLCA_FIELDS(window_, fluctuations_, window_begin_, fluctuation_steps_, steps_);
 
  private:
   void prepare(const StageView& now) override {

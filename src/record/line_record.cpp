@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <string>
 
 #include "clca/measure/line.hpp"
 #include "record/internal/observer.hpp"
@@ -85,10 +84,7 @@ class LineRecord : public SavedObserver<LineRecord> {
                       });
   }
   static constexpr const char* kPath = "records/lines";
-  static constexpr auto fields() {
-    using reflection::field;
-    return std::make_tuple(field("last", &LineRecord::last_), field("sums", &LineRecord::sums_));
-  }
+  CLCA_FIELDS(last_, sums_);
 
  private:
   void prepare(const StageView& now) override {

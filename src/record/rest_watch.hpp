@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <tuple>
 #include <vector>
 
 #include "clca/reflection/columns.hpp"
@@ -24,12 +23,7 @@ class RestWatch {
   std::optional<std::string> add(const scene::Scene& scene, const grains::State& state,
                                  std::size_t moved);
 
-  static constexpr auto fields() {
-    using reflection::field;
-    return std::make_tuple(field("movers", &RestWatch::movers_), field("steps", &RestWatch::steps_),
-                           field("has_advanced", &RestWatch::has_advanced_),
-                           field("has_warned", &RestWatch::has_warned_));
-  }
+  CLCA_FIELDS(movers_, steps_, has_advanced_, has_warned_);
   /// False for what no run that reached the state can have recorded.
   bool precedes(const grains::State& state) const;
 
@@ -41,12 +35,7 @@ class RestWatch {
     std::int32_t lowest = 0;  // row
     std::uint64_t moves = 0;
 
-    static constexpr auto fields() {
-      using reflection::field;
-      return std::make_tuple(field("id", &Mover::id), field("column", &Mover::column),
-                             field("row", &Mover::row), field("lowest", &Mover::lowest),
-                             field("moves", &Mover::moves));
-    }
+    CLCA_FIELDS(id, column, row, lowest, moves);
   };
 
   void begin_anew();

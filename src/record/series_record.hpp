@@ -33,12 +33,7 @@ class SeriesRecord : public SavedObserver<SeriesRecord> {
   /// False if this cannot have been recorded in a run that reached `now`.
   bool precedes(const grains::State& now) const;
   static constexpr const char* kPath = "records/series";
-  static constexpr auto fields() {
-    using reflection::field;
-    return std::make_tuple(
-        field("steps", &SeriesRecord::steps_), field("loads", &SeriesRecord::loads_),
-        field("before", &SeriesRecord::before_), field("left", &SeriesRecord::left_));
-  }
+  CLCA_FIELDS(steps_, loads_, before_, left_);
 
  private:
   /// On a wall or a side, summed over the steps, in weights of a site and lattice spacings.
@@ -47,11 +42,7 @@ class SeriesRecord : public SavedObserver<SeriesRecord> {
     double force_y = 0;
     double torque = 0;  // anticlockwise
 
-    static constexpr auto fields() {
-      using reflection::field;
-      return std::make_tuple(field("force_x", &Load::force_x), field("force_y", &Load::force_y),
-                             field("torque", &Load::torque));
-    }
+    CLCA_FIELDS(force_x, force_y, torque);
   };
 
   void prepare(const StageView& now) override;

@@ -56,11 +56,11 @@ class GasCheck {
     } else {
       require_of_run(seen == 0 || seen == times_.size(), "a gas is missing");
     }
-    if (member.retained) {
+    if (member.lasting) {
       require_of_run(lasting_times_ > 0 && seen >= lasting_times_,
                      "a gas is kept for an end that it has not reached");
       const double time = times_[lasting_times_ - 1].time;
-      check(*member.retained, time, time);
+      check(*member.lasting, time, time);
     }
   }
 
@@ -106,14 +106,14 @@ class EndChange {
       throw reflection::Mismatch(
           fmt::format("its gases are beyond {}, or in a step that leads beyond it", until_));
     }
-    if (!member.retained) {
+    if (!member.lasting) {
       throw reflection::Mismatch(
           "it has not kept its gases as they were before the end (output.checkpoint: none, or more "
           "than 1 GiB of them)");
     }
     member.observations.resize(lasting_times_);
-    member.gas = std::move(member.retained);
-    member.retained.reset();
+    member.gas = std::move(member.lasting);
+    member.lasting.reset();
   }
 
  private:

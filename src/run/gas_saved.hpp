@@ -15,13 +15,7 @@ struct GasCourse {
   std::uint64_t log_bytes = 0;
   std::vector<record::GasCase> cases;  ///< all that have begun, in the order of the scene
 
-  static constexpr auto fields() {
-    using reflection::field;
-    return std::make_tuple(field("cases_ended", &GasCourse::cases_ended),
-                           field("wall_seconds", &GasCourse::wall_seconds),
-                           field("log_bytes", &GasCourse::log_bytes),
-                           field("cases", &GasCourse::cases));
-  }
+  CLCA_FIELDS(cases_ended, wall_seconds, log_bytes, cases);
 };
 
 /// As resume(), for a scene of the Boltzmann equation.

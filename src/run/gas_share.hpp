@@ -19,11 +19,7 @@ struct GasShare {
   /// Members that have begun in an earlier process, by number: for this rank alone.
   std::map<std::size_t, model::GasMember> begun;
 
-  static constexpr auto fields() {
-    using reflection::field;
-    return std::make_tuple(field("restitution", &GasShare::restitution),
-                           field("shared", &GasShare::shared), field("begun", &GasShare::begun));
-  }
+  CLCA_FIELDS(restitution, shared, begun);
 };
 
 tasks::Bytes to_bytes(const GasShare& share, const scene::BoltzmannScene& scene);

@@ -18,14 +18,7 @@ struct RunCourse {
   double step_seconds = 0;
   std::uint64_t log_bytes = 0;
 
-  static constexpr auto fields() {
-    using reflection::field;
-    return std::make_tuple(
-        field("stage", &RunCourse::stage), field("moving", &RunCourse::moving),
-        field("stepped", &RunCourse::stepped), field("updates", &RunCourse::updates),
-        field("wall_seconds", &RunCourse::wall_seconds),
-        field("step_seconds", &RunCourse::step_seconds), field("log_bytes", &RunCourse::log_bytes));
-  }
+  CLCA_FIELDS(stage, moving, stepped, updates, wall_seconds, step_seconds, log_bytes);
 };
 
 inline constexpr const char* kSavedCourse = "course";

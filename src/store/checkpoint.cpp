@@ -2,10 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <system_error>
-
-#include "clca/store/file.hpp"
-
 namespace clca::store {
 
 namespace {

@@ -43,13 +43,7 @@ struct FinishedRun {
   std::string store_error;  ///< something could not be written; empty: all was
   bool is_in_use = false;   ///< another process is at work on it
 
-  static constexpr auto fields() {
-    using reflection::field;
-    return std::make_tuple(field("result", &FinishedRun::result),
-                           field("warnings", &FinishedRun::warnings),
-                           field("store_error", &FinishedRun::store_error),
-                           field("is_in_use", &FinishedRun::is_in_use));
-  }
+  CLCA_FIELDS(result, warnings, store_error, is_in_use);
 };
 
 /// Executes a run in its folder, or goes on with it where it was stopped or killed. `progress` may

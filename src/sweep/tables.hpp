@@ -23,10 +23,7 @@ struct Result {
   std::string error;          ///< why it failed
 
   /// All but the summary, which has a form of its own.
-  static constexpr auto fields() {
-    using reflection::field;
-    return std::make_tuple(field("status", &Result::status), field("error", &Result::error));
-  }
+  CLCA_FIELDS(status, error);
 };
 
 /// The varied values of a combination. Spreadsheets take text that begins with one of =+-@ for a

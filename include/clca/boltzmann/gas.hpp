@@ -7,7 +7,6 @@
 
 #include <Eigen/Core>
 #include <cstdint>
-#include <vector>
 
 #include "clca/reflection/reflection.hpp"
 
@@ -30,13 +29,7 @@ struct Gas {
   double collisions_per_particle() const {
     return static_cast<double>(participations) / static_cast<double>(particles());
   }
-  static constexpr auto fields() {
-    using reflection::field;
-    return std::make_tuple(field("time", &Gas::time), field("step", &Gas::step),
-                           field("participations", &Gas::participations),
-                           field("thermal_speed", &Gas::thermal_speed),
-                           field("motions", &Gas::motions));
-  }
+  CLCA_FIELDS(time, step, participations, thermal_speed, motions);
 };
 
 /// Covers all members: equal for equal bits.

@@ -20,16 +20,8 @@ struct Moments {
   double p_yy = 0;
   double p_xy = 0;
 
-  static constexpr auto fields() {
-    using reflection::field;
-    return std::make_tuple(field("translational", &Moments::translational),
-                           field("rotational", &Moments::rotational),
-                           field("a2_translational", &Moments::a2_translational),
-                           field("a2_rotational", &Moments::a2_rotational),
-                           field("correlation", &Moments::correlation),
-                           field("alignment", &Moments::alignment), field("p_xx", &Moments::p_xx),
-                           field("p_yy", &Moments::p_yy), field("p_xy", &Moments::p_xy));
-  }
+  CLCA_FIELDS(translational, rotational, a2_translational, a2_rotational, correlation, alignment,
+              p_xx, p_yy, p_xy);
 };
 
 /// Summed in a fixed order: the same bits for any number of threads. Zero spin gives zeros.
@@ -41,11 +33,7 @@ struct EnergyShares {
   std::vector<double> translational;
   std::vector<double> rotational;
 
-  static constexpr auto fields() {
-    using reflection::field;
-    return std::make_tuple(field("translational", &EnergyShares::translational),
-                           field("rotational", &EnergyShares::rotational));
-  }
+  CLCA_FIELDS(translational, rotational);
 };
 EnergyShares energy_shares(const Motions& motions, const Moments& moments,
                            const statistics::Bins& bins);

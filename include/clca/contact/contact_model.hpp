@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <tuple>
 #include <vector>
 
 #include "clca/contact/state.hpp"
@@ -91,12 +90,7 @@ struct EnergyExchange {
 
   /// What the grains have gained.
   double gained() const { return sources - outlets + walls + vessel; }
-  static constexpr auto fields() {
-    using reflection::field;
-    return std::make_tuple(
-        field("sources", &EnergyExchange::sources), field("outlets", &EnergyExchange::outlets),
-        field("walls", &EnergyExchange::walls), field("vessel", &EnergyExchange::vessel));
-  }
+  CLCA_FIELDS(sources, outlets, walls, vessel);
   EnergyExchange& operator+=(const EnergyExchange& other) {
     reflection::add_fields(*this, other);
     return *this;

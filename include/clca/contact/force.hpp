@@ -49,8 +49,8 @@ struct ForceSums {
     std::uint32_t upper = 0;
     grains::Owner other = 0;
     // From the last step in which they touched.
-    double point_x = 0;
-    double point_y = 0;
+    double place_x = 0;
+    double place_y = 0;
     double normal_x = 0;
     double normal_y = 0;
     double branch_x = 0;
@@ -60,23 +60,14 @@ struct ForceSums {
     double force_y = 0;
 
     bool operator==(const Sum&) const = default;
-    static constexpr auto fields() {
-      using reflection::field;
-      return std::make_tuple(field("upper", &Sum::upper), field("other", &Sum::other),
-                             field("place_x", &Sum::point_x), field("place_y", &Sum::point_y),
-                             field("normal_x", &Sum::normal_x), field("normal_y", &Sum::normal_y),
-                             field("branch_x", &Sum::branch_x), field("branch_y", &Sum::branch_y),
-                             field("force_x", &Sum::force_x), field("force_y", &Sum::force_y));
-    }
+    CLCA_FIELDS(upper, other, place_x, place_y, normal_x, normal_y, branch_x, branch_y, force_x,
+                force_y);
   };
   std::vector<Sum> sums = {};  ///< two bodies have one
   std::uint64_t steps = 0;
   std::unordered_map<std::uint64_t, std::size_t> numbers = {};  ///< in `sums`, by the two bodies
 
-  static constexpr auto fields() {
-    using reflection::field;
-    return std::make_tuple(field("sums", &ForceSums::sums), field("steps", &ForceSums::steps));
-  }
+  CLCA_FIELDS(sums, steps);
 };
 
 /// Adds forces of later steps.

@@ -27,9 +27,7 @@ struct Vector {
   std::int32_t y = 0;
 
   bool operator==(const Vector&) const = default;
-  static constexpr auto fields() {
-    return std::make_tuple(reflection::field("x", &Vector::x), reflection::field("y", &Vector::y));
-  }
+  CLCA_FIELDS(x, y);
 };
 
 /// Velocity and spin of a grain, in 2^-23 lattice spacings per step.
@@ -40,11 +38,7 @@ struct Velocity {
   Int spin = {};  ///< angular velocity times radius, anticlockwise
 
   bool operator==(const Velocity&) const = default;
-  static constexpr auto fields() {
-    using reflection::field;
-    return std::make_tuple(field("x", &Velocity::x), field("y", &Velocity::y),
-                           field("spin", &Velocity::spin));
-  }
+  CLCA_FIELDS(x, y, spin);
 };
 
 /// Bodies other than grains: walls (grains::wall_code) and the sides of the box.
@@ -65,10 +59,7 @@ struct UnitVector {
   std::int32_t y = 0;
 
   bool operator==(const UnitVector&) const = default;
-  static constexpr auto fields() {
-    return std::make_tuple(reflection::field("x", &UnitVector::x),
-                           reflection::field("y", &UnitVector::y));
-  }
+  CLCA_FIELDS(x, y);
 };
 
 /// Impulse on the upper body in a step, in 2^-23 lattice spacings per step times the unit of mass:
@@ -80,11 +71,7 @@ struct Impulse {
   Int rolling = {};  ///< moment over the reduced radius
 
   bool operator==(const Impulse&) const = default;
-  static constexpr auto fields() {
-    using reflection::field;
-    return std::make_tuple(field("normal", &Impulse::normal), field("shear", &Impulse::shear),
-                           field("rolling", &Impulse::rolling));
-  }
+  CLCA_FIELDS(normal, shear, rolling);
 };
 
 /// The unit of mass of impulses, in sites: 1 if no grain has more than 16 sites, else a power of
@@ -102,12 +89,7 @@ struct Contact {
   Impulse<> impact = {};
 
   bool operator==(const Contact&) const = default;
-  static constexpr auto fields() {
-    using reflection::field;
-    return std::make_tuple(field("upper", &Contact::upper), field("other", &Contact::other),
-                           field("normal", &Contact::normal), field("impulse", &Contact::impulse),
-                           field("impact", &Contact::impact));
-  }
+  CLCA_FIELDS(upper, other, normal, impulse, impact);
 };
 
 /// Contacts per grain of a packing; in lists that double there is room for the 3 of a crystal.
@@ -132,15 +114,8 @@ struct State {
   Vessel vessel = {};
 
   bool operator==(const State&) const = default;
-  static constexpr auto fields() {
-    using reflection::field;
-    return std::make_tuple(
-        field("grains", &State::grains), field("velocities", &State::velocities),
-        field("remainders", &State::remainders), field("from_anchors", &State::from_anchors),
-        field("wall_remainders", &State::wall_remainders), field("contacts", &State::contacts),
-        field("changed", &State::changed), field("unmoved_steps", &State::unmoved_steps),
-        field("quiet_steps", &State::quiet_steps), field("vessel", &State::vessel));
-  }
+  CLCA_FIELDS(grains, velocities, remainders, from_anchors, wall_remainders, contacts, changed,
+              unmoved_steps, quiet_steps, vessel);
 };
 
 }  // namespace clca::contact

@@ -36,15 +36,8 @@ struct Vessel {
   std::uint64_t whole_cycles = 0;  ///< of these since it began
 
   bool operator==(const Vessel&) const = default;
-  static constexpr auto fields() {
-    using reflection::field;
-    return std::make_tuple(
-        field("angle", &Vessel::angle), field("turn", &Vessel::turn),
-        field("turn_steps", &Vessel::turn_steps), field("centre_x", &Vessel::centre_x),
-        field("centre_y", &Vessel::centre_y), field("strength", &Vessel::strength),
-        field("sideways", &Vessel::sideways), field("phase", &Vessel::phase),
-        field("phase_step", &Vessel::phase_step), field("whole_cycles", &Vessel::whole_cycles));
-  }
+  CLCA_FIELDS(angle, turn, turn_steps, centre_x, centre_y, strength, sideways, phase, phase_step,
+              whole_cycles);
   bool moves() const { return turn_steps > 0 || phase_step > 0; }
 };
 

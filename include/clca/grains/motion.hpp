@@ -103,14 +103,7 @@ struct Travel {
   std::optional<std::uint64_t> stalled_since = {};
 
   bool operator==(const Travel&) const = default;
-  static constexpr auto fields() {
-    using reflection::field;
-    return std::make_tuple(field("active", &Travel::active), field("offset", &Travel::offset),
-                           field("clock", &Travel::clock), field("phase", &Travel::phase),
-                           field("waited", &Travel::waited), field("cycles", &Travel::cycles),
-                           field("stalls", &Travel::stalls),
-                           field("stalled_since", &Travel::stalled_since));
-  }
+  CLCA_FIELDS(active, offset, clock, phase, waited, cycles, stalls, stalled_since);
 };
 
 /// Smallest and largest offset that the motion can reach, in sites.

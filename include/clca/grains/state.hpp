@@ -1,6 +1,6 @@
 #pragma once
 // The state of a run: a value that can be copied, compared, hashed, saved and loaded.
-// fields() lists the members that a run changes; all others follow from the scene.
+// CLCA_FIELDS lists the members that a run changes; all others follow from the scene.
 
 #include <cstdint>
 #include <limits>
@@ -38,12 +38,7 @@ struct Particle {
 
   lattice::Site site() const { return {column, row}; }
   bool operator==(const Particle&) const = default;
-  static constexpr auto fields() {
-    using reflection::field;
-    return std::make_tuple(field("column", &Particle::column), field("row", &Particle::row),
-                           field("kind", &Particle::kind), field("previous", &Particle::previous),
-                           field("present", &Particle::present));
-  }
+  CLCA_FIELDS(column, row, kind, previous, present);
 };
 
 /// Owner of a site: a particle id, the code of a wall, or one of these.
@@ -86,10 +81,7 @@ struct Wall {
   bool lets_overlap() const { return motion && passive == Passive::overlap; }
   bool in_motion() const { return motion && present && travel.active; }
   bool operator==(const Wall&) const = default;
-  static constexpr auto fields() {
-    using reflection::field;
-    return std::make_tuple(field("present", &Wall::present), field("travel", &Wall::travel));
-  }
+  CLCA_FIELDS(present, travel);
 };
 
 /// An overlap left by a push: `pusher`, a particle or a wall, moved onto `pushed`.
@@ -103,11 +95,7 @@ struct Push {
   /// State::pushes is sorted by this.
   std::pair<std::uint32_t, Owner> key() const { return {pushed, pusher}; }
   bool operator==(const Push&) const = default;
-  static constexpr auto fields() {
-    using reflection::field;
-    return std::make_tuple(field("pushed", &Push::pushed), field("pusher", &Push::pusher),
-                           field("source", &Push::source), field("direction", &Push::direction));
-  }
+  CLCA_FIELDS(pushed, pusher, source, direction);
 };
 
 /// Emits particles while it is open.
@@ -123,11 +111,7 @@ struct Source {
 
   bool exhausted() const { return emitted >= count; }
   bool operator==(const Source&) const = default;
-  static constexpr auto fields() {
-    using reflection::field;
-    return std::make_tuple(field("credit", &Source::credit), field("emitted", &Source::emitted),
-                           field("open", &Source::open));
-  }
+  CLCA_FIELDS(credit, emitted, open);
 };
 
 /// Removes and counts every particle that is wholly inside.
@@ -137,10 +121,7 @@ struct Outlet {
   std::uint64_t sites = 0;
 
   bool operator==(const Outlet&) const = default;
-  static constexpr auto fields() {
-    using reflection::field;
-    return std::make_tuple(field("particles", &Outlet::particles), field("sites", &Outlet::sites));
-  }
+  CLCA_FIELDS(particles, sites);
 };
 
 struct State {
@@ -159,13 +140,7 @@ struct State {
 
   const lattice::Shape& shape(const Particle& particle) const { return kinds[particle.kind].shape; }
   bool operator==(const State&) const = default;
-  static constexpr auto fields() {
-    using reflection::field;
-    return std::make_tuple(field("seed", &State::seed), field("step", &State::step),
-                           field("particles", &State::particles), field("origins", &State::origins),
-                           field("walls", &State::walls), field("sources", &State::sources),
-                           field("outlets", &State::outlets), field("pushes", &State::pushes));
-  }
+  CLCA_FIELDS(seed, step, particles, origins, walls, sources, outlets, pushes);
 };
 
 // For estimates of memory, in bytes.

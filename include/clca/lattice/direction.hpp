@@ -4,7 +4,6 @@
 #include <array>
 #include <compare>
 #include <cstdint>
-#include <tuple>
 
 #include "clca/reflection/reflection.hpp"
 
@@ -47,9 +46,7 @@ struct Axial {
   constexpr auto operator<=>(const Axial&) const = default;
   constexpr Axial operator+(Axial other) const { return {x + other.x, q + other.q}; }
   constexpr Axial operator-(Axial other) const { return {x - other.x, q - other.q}; }
-  static constexpr auto fields() {
-    return std::make_tuple(reflection::field("x", &Axial::x), reflection::field("q", &Axial::q));
-  }
+  CLCA_FIELDS(x, q);
 };
 
 /// One step in `direction`.

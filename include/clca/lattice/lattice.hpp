@@ -19,10 +19,7 @@ struct Site {
   int row = 0;
 
   constexpr auto operator<=>(const Site&) const = default;
-  static constexpr auto fields() {
-    return std::make_tuple(reflection::field("column", &Site::column),
-                           reflection::field("row", &Site::row));
-  }
+  CLCA_FIELDS(column, row);
 };
 
 constexpr bool is_odd(int column) {

@@ -40,11 +40,7 @@ struct CycleStart {
   double left = 0;  ///< edges of the bed, lattice spacings
   double right = 0;
 
-  static constexpr auto fields() {
-    using reflection::field;
-    return std::make_tuple(field("snapshot", &CycleStart::snapshot),
-                           field("left", &CycleStart::left), field("right", &CycleStart::right));
-  }
+  CLCA_FIELDS(snapshot, left, right);
 };
 
 /// Accumulates displacements over cycles. Means are weighted by the sites of the particles.
@@ -66,35 +62,26 @@ class Convection {
 
   /// False if this cannot have been accumulated by a run that reached `now`.
   bool precedes(const grains::State& now) const;
-  static constexpr auto fields();
+  CLCA_FIELDS(begin_, cycles_, cells_, inside_, at_walls_, halves_);
 
  private:
   struct Mean {
     double weight = 0;
     Eigen::Vector2d sum = Eigen::Vector2d::Zero();
 
-    static constexpr auto fields() {
-      using reflection::field;
-      return std::make_tuple(field("weight", &Mean::weight), field("sum", &Mean::sum));
-    }
+    CLCA_FIELDS(weight, sum);
   };
   /// Sums over one half of the bed; positions relative to its middle at the floor of the box.
   struct HalfBedSums {
     double weight = 0;
-    Eigen::Vector2d position = Eigen::Vector2d::Zero();
+    Eigen::Vector2d place = Eigen::Vector2d::Zero();
     Eigen::Vector2d drift = Eigen::Vector2d::Zero();
-    double cross = 0;   // of position and drift
-    double square = 0;  // of position
+    double cross = 0;   // of place and drift
+    double square = 0;  // of place
 
     void add(const Eigen::Vector2d& at, const Displacement& displacement, double sites);
     double rotation() const;
-    static constexpr auto fields() {
-      using reflection::field;
-      return std::make_tuple(
-          field("weight", &HalfBedSums::weight), field("place", &HalfBedSums::position),
-          field("drift", &HalfBedSums::drift), field("cross", &HalfBedSums::cross),
-          field("square", &HalfBedSums::square));
-    }
+    CLCA_FIELDS(weight, place, drift, cross, square);
   };
   void add(const Displacement& displacement, double left, double right);
 
@@ -106,13 +93,5 @@ class Convection {
   Mean at_walls_;
   std::array<HalfBedSums, 2> halves_;  // left, right
 };
-
-constexpr auto Convection::fields() {
-  using reflection::field;
-  return std::make_tuple(field("begin", &Convection::begin_), field("cycles", &Convection::cycles_),
-                         field("cells", &Convection::cells_), field("inside", &Convection::inside_),
-                         field("at_walls", &Convection::at_walls_),
-                         field("halves", &Convection::halves_));
-}
 
 }  // namespace clca::measure

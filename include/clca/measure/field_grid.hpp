@@ -44,10 +44,7 @@ class FieldWindow {
 
   /// False if the window cannot have started in a run that reached `now`.
   bool precedes(const grains::State& now) const { return begin_.precedes(now); }
-  static constexpr auto fields() {
-    using reflection::field;
-    return std::make_tuple(field("begin", &FieldWindow::begin_));
-  }
+  CLCA_FIELDS(begin_);
 
  private:
   Snapshot begin_;

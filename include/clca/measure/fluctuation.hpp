@@ -43,14 +43,7 @@ class Fluctuations {
   double sparse_share() const { return of_all(sparse_); }
 
   bool has_all_bins() const { return counts_.size() == kBins && local_counts_.size() == kBins; }
-  static constexpr auto fields() {
-    using reflection::field;
-    return std::make_tuple(field("counts", &Fluctuations::counts_),
-                           field("local_counts", &Fluctuations::local_counts_),
-                           field("samples", &Fluctuations::samples_),
-                           field("resting", &Fluctuations::resting_),
-                           field("sparse", &Fluctuations::sparse_));
-  }
+  CLCA_FIELDS(counts_, local_counts_, samples_, resting_, sparse_);
 
  private:
   std::vector<double> shares_of(const std::vector<std::uint64_t>& counts) const;

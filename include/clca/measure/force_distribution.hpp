@@ -62,28 +62,19 @@ class ForceAverage {
 
   /// False if some contact cannot be from a run that reached `now`.
   bool precedes(const grains::State& now) const;
-  static constexpr auto fields();
+  CLCA_FIELDS(samples_, sums_);
 
  private:
   struct Sum {
     std::uint64_t sites = 0;
     std::uint64_t samples = 0;
 
-    static constexpr auto fields() {
-      using reflection::field;
-      return std::make_tuple(field("sites", &Sum::sites), field("samples", &Sum::samples));
-    }
+    CLCA_FIELDS(sites, samples);
   };
 
   std::uint64_t samples_ = 0;
   std::map<std::pair<std::uint32_t, grains::Owner>, Sum> sums_;
 };
-
-constexpr auto ForceAverage::fields() {
-  using reflection::field;
-  return std::make_tuple(field("samples", &ForceAverage::samples_),
-                         field("sums", &ForceAverage::sums_));
-}
 
 /// The sites of each contact.
 template <class Contact>

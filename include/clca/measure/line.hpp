@@ -27,14 +27,7 @@ struct LinePartSums {
   double particles = 0;  ///< whose centre has passed, either way
 
   LinePartSums& operator+=(const LinePartSums& other);
-  static constexpr auto fields() {
-    using reflection::field;
-    return std::make_tuple(
-        field("open", &LinePartSums::open), field("covered", &LinePartSums::covered),
-        field("followed", &LinePartSums::followed),
-        field("displacement", &LinePartSums::displacement), field("sites", &LinePartSums::sites),
-        field("particles", &LinePartSums::particles));
-  }
+  CLCA_FIELDS(open, covered, followed, displacement, sites, particles);
 };
 
 /// Sums over a number of observations, one after the other.
@@ -44,11 +37,7 @@ struct LineBlock {
   std::vector<LinePartSums> parts = {};
 
   LineBlock& operator+=(const LineBlock& other);
-  static constexpr auto fields() {
-    using reflection::field;
-    return std::make_tuple(field("observations", &LineBlock::observations),
-                           field("steps", &LineBlock::steps), field("parts", &LineBlock::parts));
-  }
+  CLCA_FIELDS(observations, steps, parts);
 };
 
 /// Sums over all observations of a line, in blocks for standard errors. Each block but the last has
@@ -67,12 +56,7 @@ class LineSums {
 
   /// False if these cannot be sums of a line of so many parts.
   bool fit(std::size_t parts) const;
-  static constexpr auto fields() {
-    using reflection::field;
-    return std::make_tuple(field("parts", &LineSums::parts_),
-                           field("block_size", &LineSums::block_size_),
-                           field("blocks", &LineSums::blocks_));
-  }
+  CLCA_FIELDS(parts_, block_size_, blocks_);
 
  private:
   std::uint64_t parts_;

@@ -15,12 +15,7 @@ struct NeighbourPair {
   std::uint32_t second = 0;
   std::uint32_t passed = 0;  ///< mean diameters that they have fallen, rounded down
 
-  static constexpr auto fields() {
-    using reflection::field;
-    return std::make_tuple(field("first", &NeighbourPair::first),
-                           field("second", &NeighbourPair::second),
-                           field("passed", &NeighbourPair::passed));
-  }
+  CLCA_FIELDS(first, second, passed);
 };
 
 /// Sums over pairs, each at the first step at which it has fallen by some distance.
@@ -34,12 +29,7 @@ struct FallenPairs {
   /// Of one grain relative to the other, over the distance fallen instead of time: the mean of
   /// (dx_1 - dx_2)^2 over four times the mean distance, lattice spacings.
   double diffusion() const { return spread / (4 * fallen); }
-  static constexpr auto fields() {
-    using reflection::field;
-    return std::make_tuple(field("pairs", &FallenPairs::pairs), field("kept", &FallenPairs::kept),
-                           field("fallen", &FallenPairs::fallen),
-                           field("spread", &FallenPairs::spread));
-  }
+  CLCA_FIELDS(pairs, kept, fallen, spread);
 };
 
 /// Follows all pairs of neighbours of one moment. The distance that a pair has fallen is the mean
@@ -74,11 +64,7 @@ class Mixing {
 
   /// False if this cannot have been recorded in a run that reached `now`.
   bool precedes(const grains::State& now) const;
-  static constexpr auto fields() {
-    using reflection::field;
-    return std::make_tuple(field("begin", &Mixing::begin_), field("diameter", &Mixing::diameter_),
-                           field("pairs", &Mixing::pairs_), field("fallen", &Mixing::fallen_));
-  }
+  CLCA_FIELDS(begin_, diameter_, pairs_, fallen_);
 
  private:
   Snapshot begin_;

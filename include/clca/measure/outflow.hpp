@@ -16,11 +16,7 @@ struct Discharge {
   std::uint64_t particles = 0;
   std::uint64_t sites = 0;
 
-  static constexpr auto fields() {
-    using reflection::field;
-    return std::make_tuple(field("particles", &Discharge::particles),
-                           field("sites", &Discharge::sites));
-  }
+  CLCA_FIELDS(particles, sites);
 };
 
 Discharge discharge(const grains::State& state);
@@ -52,7 +48,7 @@ class Outflow {
   /// False if this cannot have been recorded in a run that reached the total `now`.
   bool precedes(Discharge now) const;
 
-  static constexpr auto fields();
+  CLCA_FIELDS(begin_, last_, steps_, events_);
 
  private:
   /// Total of sites discharged after a step.
@@ -60,10 +56,7 @@ class Outflow {
     std::uint64_t step = 0;
     std::uint64_t sites = 0;
 
-    static constexpr auto fields() {
-      using reflection::field;
-      return std::make_tuple(field("step", &Event::step), field("sites", &Event::sites));
-    }
+    CLCA_FIELDS(step, sites);
   };
 
   Discharge begin_;
@@ -71,12 +64,6 @@ class Outflow {
   std::uint64_t steps_ = 0;
   std::vector<Event> events_;  // the steps in which something left
 };
-
-constexpr auto Outflow::fields() {
-  using reflection::field;
-  return std::make_tuple(field("begin", &Outflow::begin_), field("last", &Outflow::last_),
-                         field("steps", &Outflow::steps_), field("events", &Outflow::events_));
-}
 
 /// Whether particles are held up above an outlet that they could have passed; at rest this means
 /// that it is clogged. A particle has a way through the outlet if it could fall into it past the

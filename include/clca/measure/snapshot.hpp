@@ -47,10 +47,7 @@ class Snapshot {
 
   /// False if this cannot have been taken in a run that reached `now`.
   bool precedes(const grains::State& now) const;
-  static constexpr auto fields() {
-    using reflection::field;
-    return std::make_tuple(field("step", &Snapshot::step_), field("sites", &Snapshot::sites_));
-  }
+  CLCA_FIELDS(step_, sites_);
 
  private:
   void require_later(const grains::State& now) const;

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <limits>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -88,8 +87,9 @@ class Walk {
   void walk(const std::string& path, const std::vector<T*>& values) {
     using Value = std::remove_const_t<T>;
     if constexpr (Listed<Value>) {
-      std::apply([&](const auto&... field) { (walk_member(path, values, field), ...); },
-                 Value::fields());
+      for_each_field<Value>([&](std::string_view name, auto part) {
+        walk_parts(path + (path.empty() ? "" : "/") + std::string(name), values, part);
+      });
     } else if constexpr (Pair<Value>) {
       walk_parts(path + "/first", values, [](T& value) { return &value.first; });
       walk_parts(path + "/second", values, [](T& value) { return &value.second; });
@@ -116,13 +116,6 @@ class Walk {
   }
 
  private:
-  template <class T, class Owner, class Member>
-  void walk_member(const std::string& path, const std::vector<T*>& values,
-                   const Field<Owner, Member>& field) {
-    walk_parts(path.empty() ? field.name : path + "/" + field.name, values,
-               [&](T& value) { return &(value.*(field.member)); });
-  }
-
   template <class T, class Part>
   void walk_parts(const std::string& path, const std::vector<T*>& values, Part part) {
     std::vector<decltype(part(*values.front()))> parts(values.size());

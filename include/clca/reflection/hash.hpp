@@ -49,7 +49,7 @@ void hash(random::WordHash& words, const T& values) {
 
 template <Listed T>
 void hash(random::WordHash& words, const T& value) {
-  std::apply([&](const auto&... field) { (hash(words, value.*(field.member)), ...); }, T::fields());
+  std::apply([&](const auto&... field) { (hash(words, field), ...); }, value.fields());
 }
 
 }  // namespace detail

@@ -2,81 +2,85 @@
 // Values as lists of named fields: said once for each struct, and saving, loading and hashing
 // follow from it.
 //
-// A struct that takes part has a member function
+// A struct that takes part has a line
 //
-//   static constexpr auto fields() { return std::make_tuple(field("row", &Site::row), ...); }
+//   CLCA_FIELDS(column, row);
 //
 // that lists what a run changes of it. Fields are numbers, enumerations, other such structs,
 // strings, and std::vector, optional, array, pair and map of these, and Eigen's vectors and arrays.
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <concepts>
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <tuple>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
+/// Names of members, and these of a value.
+#define CLCA_FIELDS(...)          \
+  auto fields() {                 \
+    return std::tie(__VA_ARGS__); \
+  }                               \
+  auto fields() const {           \
+    return std::tie(__VA_ARGS__); \
+  }                               \
+  static constexpr std::string_view kFieldNames = #__VA_ARGS__
+
 namespace clca::reflection {
-
-template <class Owner, class Member>
-struct Field {
-  const char* name;
-  Member Owner::*member;
-};
-
-template <class Owner, class Member>
-constexpr Field<Owner, Member> field(const char* name, Member Owner::*member) {
-  return {name, member};
-}
 
 template <class T>
 concept Leaf = std::is_arithmetic_v<T> || std::is_enum_v<T>;
 
 template <class T>
 concept Listed = requires {
-  T::fields();
+  T::kFieldNames;
 };
 
+/// Calls `visit(name, part)` for each field: its name, without the underscore at the end of a
+/// private one, and a function that gives its address in a value.
+template <Listed T, class Visit>
+void for_each_field(const Visit& visit) {
+  std::string_view names = T::kFieldNames;
+  const auto next_name = [&names] {
+    const std::string_view name = names.substr(0, names.find(','));
+    names.remove_prefix(std::min(names.size(), name.size() + 2));
+    return name.substr(0, name.size() - (name.ends_with('_') ? 1 : 0));
+  };
+  using Fields = decltype(std::declval<T&>().fields());
+  [&]<std::size_t... kField>(std::index_sequence<kField...>) {
+    (visit(next_name(), [](auto& value) { return &std::get<kField>(value.fields()); }), ...);
+  }
+  (std::make_index_sequence<std::tuple_size_v<Fields>>());
+}
+
 namespace detail {
+template <class T, template <class...> class Of>
+inline constexpr bool kIs = false;
+template <class... Parts, template <class...> class Of>
+inline constexpr bool kIs<Of<Parts...>, Of> = true;
 template <class T>
-struct IsOptional : std::false_type {};
-template <class T>
-struct IsOptional<std::optional<T>> : std::true_type {};
-template <class T>
-struct IsPair : std::false_type {};
-template <class First, class Second>
-struct IsPair<std::pair<First, Second>> : std::true_type {};
-template <class T>
-struct IsArray : std::false_type {};
+inline constexpr bool kIsArray = false;
 template <class T, std::size_t kSize>
-struct IsArray<std::array<T, kSize>> : std::true_type {};
-template <class T>
-struct IsMap : std::false_type {};
-template <class Key, class Value>
-struct IsMap<std::map<Key, Value>> : std::true_type {};
-template <class T>
-struct IsVector : std::false_type {};
-template <class T>
-struct IsVector<std::vector<T>> : std::true_type {};
-template <>
-struct IsVector<std::string> : std::true_type {};
+inline constexpr bool kIsArray<std::array<T, kSize>> = true;
 }  // namespace detail
 
 template <class T>
-concept Optional = detail::IsOptional<T>::value;
+concept Optional = detail::kIs<T, std::optional>;
 template <class T>
-concept Pair = detail::IsPair<T>::value;
+concept Pair = detail::kIs<T, std::pair>;
 template <class T>
-concept Array = detail::IsArray<T>::value;
+concept Array = detail::kIsArray<T>;
 template <class T>
-concept Map = detail::IsMap<T>::value;
+concept Map = detail::kIs<T, std::map>;
 /// std::vector or std::string.
 template <class T>
-concept Vector = detail::IsVector<T>::value;
+concept Vector = detail::kIs<T, std::vector> || std::same_as<T, std::string>;
 /// Of numbers, with a size that is known only when it runs.
 template <class T>
 concept DynamicArray = requires {
@@ -87,8 +91,7 @@ concept DynamicArray = requires {
 /// Adds the fields of another value to those of one: numbers, or Eigen's vectors.
 template <Listed T>
 void add_fields(T& to, const T& other) {
-  std::apply([&](const auto&... field) { ((to.*(field.member) += other.*(field.member)), ...); },
-             T::fields());
+  for_each_field<T>([&](std::string_view, auto part) { *part(to) += *part(other); });
 }
 
 }  // namespace clca::reflection

@@ -1,7 +1,6 @@
 #pragma once
 // Colours for particles, safe for colour-blind readers.
 
-#include <cstdint>
 #include <limits>
 #include <span>
 #include <string>
@@ -39,10 +38,7 @@ struct LayerRange {
   double low = std::numeric_limits<double>::infinity();
   double high = -std::numeric_limits<double>::infinity();
 
-  static constexpr auto fields() {
-    return std::make_tuple(reflection::field("low", &LayerRange::low),
-                           reflection::field("high", &LayerRange::high));
-  }
+  CLCA_FIELDS(low, high);
 };
 
 /// Range over the present particles and all that the `sources` (State::sources) may emit.

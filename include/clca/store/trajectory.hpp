@@ -57,10 +57,7 @@ class TrajectoryWriter {
     std::uint64_t parts = 0;
     std::uint64_t frames = 0;
 
-    static constexpr auto fields() {
-      return std::make_tuple(reflection::field("parts", &Written::parts),
-                             reflection::field("frames", &Written::frames));
-    }
+    CLCA_FIELDS(parts, frames);
   };
 
   /// Keeps the first `kept.parts` parts in the run folder and removes later ones written by clca,

@@ -1,7 +1,5 @@
 #include "automaton/rule/overlap_change.hpp"
 
-#include <algorithm>
-
 namespace clca::automaton {
 
 std::vector<OverlapChange> overlap_changes(const World& world, std::uint32_t id,

@@ -45,14 +45,7 @@ struct PictureHistory {
   /// At the last picture or the start of the stage, if scene::pictures_compare_positions().
   std::optional<measure::Snapshot> window = {};
 
-  static constexpr auto fields() {
-    return std::make_tuple(
-        reflection::field("stage", &PictureHistory::stage),
-        reflection::field("displacement_scale", &PictureHistory::displacement_scale),
-        reflection::field("layers", &PictureHistory::layers),
-        reflection::field("last_step", &PictureHistory::last_step),
-        reflection::field("window", &PictureHistory::window));
-  }
+  CLCA_FIELDS(stage, displacement_scale, layers, last_step, window);
 };
 
 /// Sets what all pictures of a stage share. `state`: at the start of the stage, with the origins

@@ -50,14 +50,7 @@ struct GasObservation {
   double dh_rotational = 0;
   boltzmann::EnergyShares shares;  ///< empty where no histogram is asked for
 
-  static constexpr auto fields() {
-    using reflection::field;
-    return std::make_tuple(field("moments", &GasObservation::moments),
-                           field("collisions", &GasObservation::collisions),
-                           field("dh_translational", &GasObservation::dh_translational),
-                           field("dh_rotational", &GasObservation::dh_rotational),
-                           field("shares", &GasObservation::shares));
-  }
+  CLCA_FIELDS(moments, collisions, dh_translational, dh_rotational, shares);
 };
 
 /// A gas of an ensemble and its observations so far.
@@ -66,7 +59,7 @@ struct GasMember {
   std::optional<boltzmann::Gas> gas;         ///< while it is under way
   /// The gas at the last time shared with a longer run, from where the end can be moved. None if
   /// the run does not keep it.
-  std::optional<boltzmann::Gas> retained;
+  std::optional<boltzmann::Gas> lasting;
   std::uint64_t steps = 0;  ///< this and the rest: of the gas when count() was called
   std::uint64_t participations = 0;
   std::uint64_t hash = 0;
@@ -74,13 +67,7 @@ struct GasMember {
   /// Adds an observation of the gas.
   void count();
 
-  static constexpr auto fields() {
-    using reflection::field;
-    return std::make_tuple(
-        field("observations", &GasMember::observations), field("gas", &GasMember::gas),
-        field("lasting", &GasMember::retained), field("steps", &GasMember::steps),
-        field("participations", &GasMember::participations), field("hash", &GasMember::hash));
-  }
+  CLCA_FIELDS(observations, gas, lasting, steps, participations, hash);
 };
 
 /// Advances the members of a scene through its observation times.

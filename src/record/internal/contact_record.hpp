@@ -2,7 +2,6 @@
 // Mean forces of the contact model over the last steps.
 
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "clca/contact/force.hpp"
@@ -23,11 +22,7 @@ class ForceWindow {
 
   /// False if a contact is not between two bodies of `state`, or a number is not finite.
   bool belongs_to(const grains::State& state) const;
-  static constexpr auto fields() {
-    using reflection::field;
-    return std::make_tuple(field("before", &ForceWindow::before_),
-                           field("block", &ForceWindow::block_));
-  }
+  CLCA_FIELDS(before_, block_);
 
  private:
   contact::ForceSums before_;
@@ -56,12 +51,7 @@ class ContactRecord : public SavedObserver<ContactRecord> {
            frames_.window.belongs_to(now);
   }
   static constexpr const char* kPath = "records/contacts";
-  static constexpr auto fields() {
-    using reflection::field;
-    return std::make_tuple(field("stage", &ContactRecord::stage_),
-                           field("pictures", &ContactRecord::pictures_),
-                           field("frames", &ContactRecord::frames_));
-  }
+  CLCA_FIELDS(stage_, pictures_, frames_);
 
  private:
   /// An event every so many steps of a stage, and the window of steps before it.
@@ -72,10 +62,7 @@ class ContactRecord : public SavedObserver<ContactRecord> {
 
     void begin_step(std::uint64_t steps_in_stage);
     bool is_due_within(std::uint64_t steps, std::uint64_t steps_in_stage) const;
-    static constexpr auto fields() {
-      return std::make_tuple(reflection::field("window", &Recurring::window),
-                             reflection::field("due", &Recurring::due));
-    }
+    CLCA_FIELDS(window, due);
   };
 
   void prepare(const StageView& now) override;

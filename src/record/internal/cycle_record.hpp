@@ -3,7 +3,6 @@
 // vessel.
 
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "clca/contact/vessel.hpp"
@@ -44,12 +43,7 @@ class CycleRecord : public SavedObserver<CycleRecord> {
   /// False if this cannot have been recorded in a run that reached `now`.
   bool precedes(const grains::State& now) const;
   static constexpr const char* kPath = "records/cycles";
-  static constexpr auto fields() {
-    using reflection::field;
-    return std::make_tuple(field("cycles", &CycleRecord::cycles_),
-                           field("at_start", &CycleRecord::at_start_),
-                           field("convection", &CycleRecord::convection_));
-  }
+  CLCA_FIELDS(cycles_, at_start_, convection_);
 
  private:
   void prepare(const StageView& now) override;

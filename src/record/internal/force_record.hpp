@@ -29,9 +29,7 @@ class ForceRecord : public SavedObserver<ForceRecord> {
   /// False if this cannot have been recorded in a run that reached `now`.
   bool precedes(const grains::State& now) const { return average_.precedes(now); }
   static constexpr const char* kPath = "records/forces";
-  static constexpr auto fields() {
-    return std::make_tuple(reflection::field("average", &ForceRecord::average_));
-  }
+  CLCA_FIELDS(average_);
 
  private:
   void prepare(const StageView& /*now*/) override { average_ = {}; }

@@ -22,11 +22,7 @@ struct GasCase {
   /// The members that have this observation.
   std::vector<const model::GasMember*> at(std::size_t number) const;
 
-  static constexpr auto fields() {
-    using reflection::field;
-    return std::make_tuple(field("restitution", &GasCase::restitution),
-                           field("members", &GasCase::members));
-  }
+  CLCA_FIELDS(restitution, members);
 };
 
 /// Writes series.csv, histogram-TIME.csv and, if closed forms exist, closure.csv. Throws

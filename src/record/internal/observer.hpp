@@ -43,17 +43,8 @@ struct StageHistory {
 
   /// Share of the particles that were or came in during the stage that have left.
   double discharged_share() const;
-  static constexpr auto fields() {
-    using reflection::field;
-    return std::make_tuple(
-        field("profile_at_start", &StageHistory::profile_at_start),
-        field("particles_at_start", &StageHistory::particles_at_start),
-        field("steps", &StageHistory::steps), field("cycles", &StageHistory::cycles),
-        field("emitted", &StageHistory::emitted), field("outflow", &StageHistory::outflow),
-        field("outlets", &StageHistory::outlets),
-        field("discharged_at_start", &StageHistory::discharged_at_start),
-        field("resting", &StageHistory::resting));
-  }
+  CLCA_FIELDS(profile_at_start, particles_at_start, steps, cycles, emitted, outflow, outlets,
+              discharged_at_start, resting);
 };
 
 class Observers;
@@ -118,7 +109,7 @@ class Observer {
   virtual void finish() {}
 };
 
-/// An observer that saves its fields() at kPath. precedes(state), if it has that, is false for what
+/// An observer that saves its fields at kPath. precedes(state), if it has that, is false for what
 /// no run that reached the state can have recorded.
 template <class T>
 class SavedObserver : public Observer {

@@ -22,9 +22,7 @@ struct Inner {
   std::optional<double> perhaps = {};
 
   bool operator==(const Inner&) const = default;
-  static constexpr auto fields() {
-    return std::make_tuple(field("number", &Inner::number), field("perhaps", &Inner::perhaps));
-  }
+  CLCA_FIELDS(number, perhaps);
 };
 
 struct Outer {
@@ -39,12 +37,7 @@ struct Outer {
   int not_listed = 7;
 
   bool operator==(const Outer&) const = default;
-  static constexpr auto fields() {
-    return std::make_tuple(field("yes", &Outer::yes), field("colour", &Outer::colour),
-                           field("text", &Outer::text), field("inner", &Outer::inner),
-                           field("lists", &Outer::lists), field("pair", &Outer::pair),
-                           field("point", &Outer::point), field("map", &Outer::map));
-  }
+  CLCA_FIELDS(yes, colour, text, inner, lists, pair, point, map);
 };
 
 Outer example() {

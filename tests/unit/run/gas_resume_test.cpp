@@ -349,7 +349,7 @@ TEST_F(GasResumeTest, GasesThatWereNotKeptAreNotProlonged) {
   reflection::decode(kSavedGases, checkpoint.fields, kMaxBytes, course);
   for (record::GasCase& one : course.cases) {
     for (model::GasMember& member : one.members) {
-      member.retained.reset();
+      member.lasting.reset();
     }
   }
   reflection::encode(kSavedGases, course, checkpoint.fields);
@@ -394,9 +394,9 @@ TEST_F(GasResumeTest, ACheckpointOfNoRunIsRefusedInOneLine) {
        "bins are others"},
       {[](GasCourse& all) { ended(all).observations[1].shares.translational = {1}; },
        "bins are others"},
-      {[](GasCourse& all) { ended(all).gas = ended(all).retained; }, "beyond the end"},
-      {[](GasCourse& all) { ended(all).retained->time = 3; }, "at another time"},
-      {[](GasCourse& all) { under_way(all).retained = under_way(all).gas; },
+      {[](GasCourse& all) { ended(all).gas = ended(all).lasting; }, "beyond the end"},
+      {[](GasCourse& all) { ended(all).lasting->time = 3; }, "at another time"},
+      {[](GasCourse& all) { under_way(all).lasting = under_way(all).gas; },
        "kept for an end that it has not reached"},
       {[](GasCourse& all) { under_way(all).observations.clear(); }, "at another time"},
       {[&](GasCourse& all) { under_way(all).gas->time = nan; }, "at another time"},
