@@ -5,7 +5,6 @@
 #include <memory>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "clca/reflection/hash.hpp"
 #include "contact/engine/engine.hpp"

@@ -10,7 +10,6 @@
 #include "clca/measure/coordination.hpp"
 #include "clca/record/provenance.hpp"
 #include "clca/scene/parse.hpp"
-#include "drawing/overlay.hpp"
 
 namespace clca::drawing {
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <numeric>
 #include <stdexcept>
-#include <utility>
 
 #include "grains/filling.hpp"
 #include "grains/internal/mechanics.hpp"

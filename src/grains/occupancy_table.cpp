@@ -4,7 +4,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "clca/grains/occupancy.hpp"
 #include "lattice/internal/require.hpp"
 
 namespace clca::grains {

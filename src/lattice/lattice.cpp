@@ -1,7 +1,6 @@
 #include "clca/lattice/lattice.hpp"
 
 #include <cmath>
-#include <utility>
 
 #include "lattice/internal/require.hpp"
 

@@ -7,7 +7,6 @@
 #include <numbers>
 #include <numeric>
 #include <utility>
-#include <vector>
 
 #include "clca/lattice/lattice.hpp"
 #include "lattice/internal/require.hpp"

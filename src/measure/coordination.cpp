@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "clca/baxter/baxter_model.hpp"
-#include "clca/grains/occupancy.hpp"
 #include "measure/internal/sites.hpp"
 
 namespace clca::measure {

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <functional>
 #include <numeric>
-#include <optional>
 
 #include "clca/random/draw.hpp"
 #include "measure/internal/sites.hpp"

@@ -7,7 +7,6 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
-#include <memory>
 #include <type_traits>
 
 #include "clca/measure/profile.hpp"
@@ -15,7 +14,6 @@
 #include "clca/scene/format.hpp"
 #include "clca/scene/resolve.hpp"
 #include "clca/scene/units.hpp"
-#include "clca/store/trajectory.hpp"
 #include "clca/text/input_error.hpp"
 #include "python/arrays.hpp"
 #include "python/interrupt.hpp"

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <optional>
 
 #include "record/internal/contact_record.hpp"
 #include "record/internal/quantities.hpp"

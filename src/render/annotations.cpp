@@ -7,8 +7,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <optional>
-#include <utility>
 
 #include "clca/render/coloring.hpp"
 #include "render/colors.hpp"

@@ -9,14 +9,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <mutex>
 #include <new>
 #include <numbers>
 #include <set>
 #include <system_error>
 #include <thread>
 
-#include "clca/render/painter.hpp"
 #include "clca/text/utf8.hpp"
 #include "render/colors.hpp"
 #include "render/samples.hpp"

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <iterator>
 #include <utility>
-#include <vector>
 
 #include "render/annotations.hpp"
 #include "render/colors.hpp"

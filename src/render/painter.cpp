@@ -5,7 +5,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <numbers>
-#include <optional>
 #include <utility>
 
 #include "render/annotations.hpp"

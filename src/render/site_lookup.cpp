@@ -7,7 +7,6 @@
 #include "clca/parallel/first_failure.hpp"
 #include "clca/render/painter.hpp"
 #include "render/colors.hpp"
-#include "render/samples.hpp"
 #include "render/shade.hpp"
 
 namespace clca::render {

@@ -8,7 +8,6 @@
 #include <chrono>
 #include <cstring>
 #include <set>
-#include <string>
 #include <utility>
 
 #include "clca/record/provenance.hpp"

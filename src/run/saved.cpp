@@ -4,10 +4,8 @@
 
 #include <algorithm>
 #include <functional>
-#include <stdexcept>
 
 #include "clca/run/setup.hpp"
-#include "clca/store/file.hpp"
 #include "clca/text/message.hpp"
 #include "clca/text/read.hpp"
 

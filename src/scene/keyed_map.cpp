@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "clca/text/message.hpp"
 #include "clca/text/utf8.hpp"
 #include "document/internal/document.hpp"
 #include "scene/limits.hpp"

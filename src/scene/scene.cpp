@@ -1,7 +1,6 @@
 #include "clca/scene/scene.hpp"
 
 #include <algorithm>
-#include <string>
 
 #include "scene/geometry.hpp"
 

@@ -15,7 +15,6 @@
 #include <utility>
 #include <vector>
 
-#include "clca/store/file.hpp"
 #include "store/descriptor.hpp"
 
 namespace clca::store {

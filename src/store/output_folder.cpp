@@ -14,7 +14,6 @@
 #include <utility>
 
 #include "clca/store/checkpoint.hpp"
-#include "clca/store/file.hpp"
 #include "clca/text/message.hpp"
 #include "clca/text/read.hpp"
 #include "store/descriptor.hpp"

@@ -5,9 +5,7 @@
 #include <array>
 #include <charconv>
 #include <limits>
-#include <new>
 #include <nlohmann/json.hpp>
-#include <optional>
 
 #include "clca/store/file.hpp"
 #include "clca/text/read.hpp"

@@ -4,12 +4,10 @@
 
 #include <limits>
 #include <new>
-#include <optional>
 #include <system_error>
 #include <utility>
 
 #include "clca/record/provenance.hpp"
-#include "clca/run/run.hpp"
 #include "clca/scene/resolve.hpp"
 #include "clca/store/checkpoint.hpp"
 #include "clca/store/file.hpp"

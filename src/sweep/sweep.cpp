@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstring>
-#include <limits>
 #include <map>
 #include <mutex>
 #include <nlohmann/json.hpp>
@@ -15,7 +14,6 @@
 #include "clca/record/provenance.hpp"
 #include "clca/record/quantity.hpp"
 #include "clca/render/painter.hpp"
-#include "clca/run/run.hpp"
 #include "clca/store/file.hpp"
 #include "clca/store/folder_lock.hpp"
 #include "clca/store/output_folder.hpp"

@@ -15,7 +15,6 @@
 
 #include "clca/record/quantity.hpp"
 #include "clca/statistics/sample.hpp"
-#include "clca/store/table.hpp"
 
 namespace clca::sweep {
 

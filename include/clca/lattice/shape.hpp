@@ -2,7 +2,6 @@
 // Particle shapes: connected sets of sites without holes (Sakaguchi et al. 2001, section 3).
 
 #include <Eigen/Core>
-#include <optional>
 #include <span>
 #include <vector>
 

@@ -7,7 +7,6 @@
 // half of its barycentric weight in the lattice triangle around it. On the lattice of half the
 // spacing the body is the union of the six small triangles around every site and bond midpoint.
 
-#include <span>
 #include <vector>
 
 #include "clca/lattice/lattice.hpp"

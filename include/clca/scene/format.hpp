@@ -1,7 +1,6 @@
 #pragma once
 // The scene format as users read it, from the same declarations as the parser.
 
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>

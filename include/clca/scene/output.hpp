@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "clca/lattice/region.hpp"
 #include "clca/statistics/sample.hpp"

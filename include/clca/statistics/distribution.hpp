@@ -1,7 +1,6 @@
 #pragma once
 // Energy distributions and their distance from chi-square.
 
-#include <cstdint>
 #include <span>
 #include <vector>
 

@@ -1,9 +1,7 @@
 #pragma once
 // The order in which movers have their turn.
 
-#include <cstddef>
 #include <cstdint>
-#include <tuple>
 
 #include "clca/automaton/automaton.hpp"
 #include "clca/grains/state.hpp"

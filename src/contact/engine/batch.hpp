@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstdint>
-#include <vector>
 
 #include "clca/contact/state.hpp"
 #include "contact/rule/law.hpp"

@@ -1,6 +1,5 @@
 #include "contact/rule/moves.hpp"
 
-#include <algorithm>
 #include <cstdlib>
 #include <utility>
 

@@ -5,7 +5,6 @@
 #include <iterator>
 #include <map>
 #include <set>
-#include <utility>
 
 #include "contact/rule/numbers.hpp"
 

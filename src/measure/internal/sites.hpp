@@ -2,7 +2,6 @@
 // The sites of particles and walls.
 
 #include <algorithm>
-#include <stdexcept>
 #include <vector>
 
 #include "clca/grains/occupancy.hpp"

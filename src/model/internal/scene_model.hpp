@@ -2,7 +2,6 @@
 // The model that moves the grains of a run.
 
 #include <Eigen/Core>
-#include <span>
 #include <variant>
 #include <vector>
 

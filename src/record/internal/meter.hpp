@@ -2,7 +2,6 @@
 // Speed and remaining time of a run. Does not affect results.
 
 #include <chrono>
-#include <cstdint>
 #include <optional>
 
 namespace clca::record {
