@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "clca/random/draw.hpp"
-#include "grains/filling.hpp"
+#include "grains/internal/filling.hpp"
 
 namespace clca::grains {
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "clca/random/draw.hpp"
-#include "grains/filling.hpp"
+#include "grains/internal/filling.hpp"
 #include "lattice/internal/require.hpp"
 
 namespace clca::grains {

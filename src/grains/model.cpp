@@ -4,7 +4,7 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "grains/filling.hpp"
+#include "grains/internal/filling.hpp"
 #include "grains/internal/mechanics.hpp"
 #include "lattice/internal/require.hpp"
 

@@ -2,7 +2,7 @@
 #include <numeric>
 
 #include "clca/random/draw.hpp"
-#include "grains/filling.hpp"
+#include "grains/internal/filling.hpp"
 
 namespace clca::grains {
 

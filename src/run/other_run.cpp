@@ -13,7 +13,7 @@
 #include "clca/scene/contact.hpp"
 #include "clca/store/file.hpp"
 #include "clca/store/trajectory.hpp"
-#include "grains/internal/box.hpp"
+#include "grains/internal/filling.hpp"
 #include "run/stage.hpp"
 
 namespace clca::run {
@@ -136,38 +136,6 @@ SameKind same_kind(const scene::Scene& scene, const std::vector<grains::Kind>& k
           shape.sites().front() - same->shape.sites().front()};
 }
 
-class FreeSites {
- public:
-  explicit FreeSites(const grains::State& state)
-      : lattice_(state.lattice), taken_(state.lattice.index_count(), false) {
-    for (const grains::Wall& wall : state.walls) {
-      if (wall.present) {
-        for (const lattice::Site site : grains::sites_now(lattice_, wall)) {
-          taken_[lattice_.index(site)] = true;
-        }
-      }
-    }
-  }
-
-  /// Whether the shape finds its sites free; they are taken then.
-  bool take(const lattice::Shape& shape, lattice::Site at) {
-    const auto& sites = shape.sites();
-    if (!std::all_of(sites.begin(), sites.end(), [&](lattice::Axial part) {
-          return lattice_.contains(at + part) && !taken_[lattice_.index(at + part)];
-        })) {
-      return false;
-    }
-    for (const lattice::Axial part : sites) {
-      taken_[lattice_.index(at + part)] = true;
-    }
-    return true;
-  }
-
- private:
-  const lattice::Lattice& lattice_;
-  std::vector<bool> taken_;
-};
-
 std::vector<std::size_t> present_ids(const grains::State& state) {
   std::vector<std::size_t> ids;
   for (std::size_t id = 0; id < state.particles.size(); ++id) {
@@ -189,11 +157,11 @@ void take_grains(const scene::Scene& scene, const OtherRun& other,
                  const std::vector<std::size_t>& ids, grains::State& state) {
   const grains::State& there = model::grains_of(other.state);
   std::vector<std::optional<SameKind>> kinds(there.kinds.size());
-  FreeSites free(state);
+  grains::Box box(state);
   const bool same_period =
       there.lattice.periodic() && there.lattice.columns() == state.lattice.columns();
   std::size_t without_room = 0;
-  Eigen::Vector2d first;
+  Eigen::Vector2d first = Eigen::Vector2d::Zero();
   for (const std::size_t id : ids) {
     grains::Particle particle = there.particles[id];
     auto& same = kinds[particle.kind];
@@ -216,11 +184,11 @@ void take_grains(const scene::Scene& scene, const OtherRun& other,
       particle.previous = grains::kRest;
     }
     const bool inside = same_period || (site.column >= 0 && site.column < state.lattice.columns());
-    if (!inside || !free.take(state.shape(particle), site)) {
-      first = without_room++ == 0 ? grains::centre_in_box(there, there.particles[id]) : first;
+    if (inside && grains::fits(box, particle)) {
+      grains::insert(box, particle);
+    } else if (without_room++ == 0) {
+      first = grains::centre_in_box(there, there.particles[id]);
     }
-    state.particles.push_back(particle);
-    state.origins.push_back(site);
   }
   if (without_room > 0) {
     refuse(*scene.begin,
