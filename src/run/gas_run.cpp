@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <mutex>
 #include <optional>
 #include <thread>
 #include <utility>
@@ -18,7 +19,6 @@
 #include "record/internal/meter.hpp"
 #include "run/gas_saved.hpp"
 #include "run/gas_share.hpp"
-#include "run/gas_slots.hpp"
 #include "run/run_base.hpp"
 
 namespace clca::run {
@@ -68,10 +68,13 @@ class GasRun : public RunBase {
   void run_cases();
   void run_case(record::GasCase& gas_case);
   std::vector<GasShare> shares_of(const record::GasCase& gas_case) const;
-  tasks::Pool<bool>::Work work(record::GasCase& gas_case, GasSlots& slots);
-  /// True while the run goes on; shows progress in the thread that called run().
+  tasks::Pool<bool>::Work work(record::GasCase& gas_case);
+  /// True while the gas goes on; shows progress in the thread that called run().
   bool keep_going(std::size_t number, const boltzmann::Gas& gas, double restitution,
                   const std::atomic<int>& stop);
+  /// Asks all gases of this process to stop for a checkpoint if that is due. `step`: that a gas has
+  /// just done; none where only the clock decides.
+  void look_at_checkpoint(std::optional<std::uint64_t> step);
   void show_progress(double restitution);
   /// Whether gases are advanced in the thread that called run().
   bool is_inline() const { return threads_.gases == 1 && ranks_.size() == 1; }
@@ -104,6 +107,8 @@ class GasRun : public RunBase {
   std::atomic<double> collisions_ = 0;  // of gases that are not under way
   std::uint64_t gases_done_ = 0;
   std::vector<GasProgress> progress_;       // one for each member of a case
+  std::mutex checkpoint_mutex_;             // of checkpoint_writer()
+  std::atomic<bool> saves_ = false;         // once no gas is under way here
   std::atomic<int> startable_threads_ = 1;  // of each gas
   std::thread::id thread_ = std::this_thread::get_id();
   record::TimeEstimate forecast_;
@@ -163,16 +168,16 @@ void GasRun::run_case(record::GasCase& gas_case) {
   tell(fmt::format("restitution {}: {} gases of {} particles", gas_case.restitution,
                    gas_case.members.size(), scene_.particles));
   for (const model::GasMember& member : gas_case.members) {
+    gases_done_ += is_done(member) ? 1 : 0;
     collisions_ += collisions(member.participations);
   }
   forecast_ = record::TimeEstimate();
   progress_ = std::vector<GasProgress>(gas_case.members.size());
-  GasSlots slots(gas_case.members, checkpoint_writer(), [this] { save_course(); });
   const std::vector<GasShare> shares = shares_of(gas_case);
   ranks_.hand_out(
       [&](int rank) { return to_bytes(shares[static_cast<std::size_t>(rank)], scene_); });
-  tasks::Pool<bool> pool(threads_.gases, ranks_, shares[0].shared, work(gas_case, slots),
-                         options().stop, true);
+  tasks::Pool<bool> pool(threads_.gases, ranks_, shares[0].shared, work(gas_case), options().stop,
+                         true);
   for (const auto& [number, _] : shares[0].begun) {
     pool.add(number);
   }
@@ -180,20 +185,26 @@ void GasRun::run_case(record::GasCase& gas_case) {
   while (!pool.finished()) {
     for (const auto& [number, is_done] : pool.take_finished(kPause)) {
       gases_done_ += is_done ? 1 : 0;
+      if (!is_done) {
+        pool.add(number);
+      }
     }
     if (stop_asked()) {
       pool.stop();
     }
-    if (ranks_.size() > 1) {
-      slots.save_if_time();
+    look_at_checkpoint({});
+    if (saves_ && pool.is_idle()) {
+      save_course();
+      saves_ = false;
     }
+    pool.set_starting(!saves_);
     if (progress_due()) {
       show_progress(gas_case.restitution);
     }
   }
 }
 
-/// By rank. Rank 0 has the members themselves, and those that are done, too.
+/// By rank. Rank 0 has the members themselves.
 std::vector<GasShare> GasRun::shares_of(const record::GasCase& gas_case) const {
   std::vector<GasShare> shares(static_cast<std::size_t>(ranks_.size()),
                                {.restitution = gas_case.restitution, .shared = {}, .begun = {}});
@@ -201,12 +212,11 @@ std::vector<GasShare> GasRun::shares_of(const record::GasCase& gas_case) const {
   std::size_t begun = 0;
   for (std::size_t number = 0; number < gas_case.members.size(); ++number) {
     const model::GasMember& member = gas_case.members[number];
-    const std::size_t rank = is_done(member) ? 0 : begun % shares.size();
-    if (!member.gas && !is_done(member)) {
-      shared.push_back(number);
-    } else {
+    if (member.gas) {
+      const std::size_t rank = begun++ % shares.size();
       shares[rank].begun.emplace(number, rank == 0 ? model::GasMember() : member);
-      begun += is_done(member) ? 0 : 1;
+    } else if (!is_done(member)) {
+      shared.push_back(number);
     }
   }
   for (GasShare& share : shares) {
@@ -215,31 +225,32 @@ std::vector<GasShare> GasRun::shares_of(const record::GasCase& gas_case) const {
   return shares;
 }
 
-tasks::Pool<bool>::Work GasRun::work(record::GasCase& gas_case, GasSlots& slots) {
+tasks::Pool<bool>::Work GasRun::work(record::GasCase& gas_case) {
+  const auto end = [this, &gas_case](std::size_t number, model::GasMember member) {
+    collisions_ += collisions(member.participations);
+    gas_case.members[number] = std::move(member);
+    return is_done(gas_case.members[number]);
+  };
   return {.carry_out =
-              [this, &gas_case, &slots](std::size_t number, const std::atomic<int>& stop) {
-                model::GasMember member = slots.begin(number);
+              [this, &gas_case, end](std::size_t number, const std::atomic<int>& stop) {
+                model::GasMember member = std::exchange(gas_case.members[number], {});
                 collisions_ -= collisions(member.participations);
+                std::uint64_t step = member.gas ? member.gas->step : 0;
                 integrator_.integrate(
                     member, gas_case.restitution, boltzmann::member_seed(scene_.seed, number),
                     startable_threads_, [&](const model::GasMember& now) {
-                      slots.after_step(number, now);
+                      if (now.gas->step != std::exchange(step, now.gas->step)) {
+                        look_at_checkpoint(step);
+                      }
                       return keep_going(number, *now.gas, gas_case.restitution, stop);
                     });
-                collisions_ += collisions(member.participations);
                 progress_[number].time = 0;
-                const bool done = is_done(member);
-                slots.end(number, std::move(member));
-                return done;
+                return end(number, std::move(member));
               },
           .result =
-              [this, &slots](std::size_t number, const tasks::Bytes& answer) {
-                model::GasMember member = gas_member(answer);
-                collisions_ +=
-                    collisions(member.participations) - collisions(slots.participations(number));
-                const bool done = is_done(member);
-                slots.end(number, std::move(member));
-                return done;
+              [this, &gas_case, end](std::size_t number, const tasks::Bytes& answer) {
+                collisions_ -= collisions(gas_case.members[number].participations);
+                return end(number, gas_member(answer));
               },
           .begin = [this] {  // while there is memory for it
             const int had = parallel::start_team(threads_.of_gas);
@@ -249,6 +260,13 @@ tasks::Pool<bool>::Work GasRun::work(record::GasCase& gas_case, GasSlots& slots)
           }};
 }
 
+void GasRun::look_at_checkpoint(std::optional<std::uint64_t> step) {
+  const std::unique_lock lock(checkpoint_mutex_, std::try_to_lock);
+  if (lock && !saves_) {  // else a step later will do
+    saves_ = step ? checkpoint_writer().due(*step) : checkpoint_writer().due_by_clock();
+  }
+}
+
 bool GasRun::keep_going(std::size_t number, const boltzmann::Gas& gas, double restitution,
                         const std::atomic<int>& stop) {
   progress_[number].time = gas.time;
@@ -256,7 +274,7 @@ bool GasRun::keep_going(std::size_t number, const boltzmann::Gas& gas, double re
   if (std::this_thread::get_id() == thread_ && progress_due()) {
     show_progress(restitution);
   }
-  return stop == 0 && !stop_asked();
+  return stop == 0 && !stop_asked() && !saves_;
 }
 
 void GasRun::show_progress(double restitution) {

@@ -74,8 +74,8 @@ double bytes_of(const BoltzmannScene& scene, int threads) {
     per_particle += kMotionBytes + kOrderBytes;  // it is sorted
   }
   const double saved = kSavedCopies * kMotionBytes;
-  // Between steps the second copy is what goes into the checkpoint; a run that is stopped has no
-  // more need of it.
+  // A checkpoint goes to the disk while the gases go on; a run that is stopped has no more need of
+  // the second copy.
   per_particle =
       scene.checkpoint ? per_particle + saved : std::max(per_particle, saved + kMotionBytes);
   return members * per_particle * static_cast<double>(scene.particles) +

@@ -69,6 +69,10 @@ class Pool {
     }
   }
   bool is_stopped() const { return stop_tasks_ != 0; }
+  /// Whether tasks are started here.
+  void set_starting(bool starts) { starts_ = starts; }
+  /// Whether none is under way here.
+  bool is_idle() const { return under_way_ == 0; }
   /// True if nothing is left to do or, after stop(), nothing is under way.
   bool finished() const {
     return (stop_tasks_ != 0 || (own_.empty() && !has_shared_)) && under_way_ == 0 &&
@@ -108,7 +112,7 @@ class Pool {
 
  private:
   void start_tasks() {
-    while (stop_tasks_ == 0 && threads_.idle() > 0) {
+    while (starts_ && stop_tasks_ == 0 && threads_.idle() > 0) {
       const std::optional<std::size_t> task = next();
       if (!task) {
         return;
@@ -175,6 +179,7 @@ class Pool {
   std::deque<std::size_t> own_;  // waiting
   const std::atomic<int>* stop_asked_;
   std::atomic<int> stop_tasks_ = 0;
+  bool starts_ = true;
   std::size_t under_way_ = 0;  // in threads, with those that have ended
   std::vector<std::size_t> carried_out_;
   int others_at_work_;
