@@ -1,10 +1,10 @@
 #include "document/internal/number.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cstdint>
-#include <system_error>
 #include <type_traits>
+
+#include "clca/text/number.hpp"
 
 namespace clca::document {
 
@@ -33,13 +33,7 @@ bool is_plain_number(std::string_view text) {
 template <class T>
 std::optional<T> number_in(std::string_view text) {
   const bool plain = std::is_integral_v<T> ? is_plain_integer(text) : is_plain_number(text);
-  if (!plain) {
-    return {};
-  }
-  T result = 0;
-  const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, result);
-  return stop == end && error == std::errc() ? std::optional(result) : std::nullopt;
+  return plain ? text::number<T>(text) : std::nullopt;
 }
 
 template std::optional<int> number_in(std::string_view text);

@@ -2,11 +2,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <optional>
 
 #include "clca/document/document.hpp"
 #include "clca/text/message.hpp"
+#include "clca/text/number.hpp"
 #include "document/internal/document.hpp"
 #include "document/internal/number.hpp"
 
@@ -21,11 +21,8 @@ using IsChoice = bool (*)(const std::vector<std::string>& path);
 /// The item of a list that `part` means: by number, or by name.
 Value& item(Value& list, const std::string& part, const std::string& path,
             const TextLocation& location) {
-  std::size_t number = 0;
-  const char* end = part.data() + part.size();
-  const auto [stop, error] = std::from_chars(part.data(), end, number);
-  if (stop == end && error == std::errc() && number < list.items.size()) {
-    return list.items[number];
+  if (const auto number = text::number<std::size_t>(part); number && *number < list.items.size()) {
+    return list.items[*number];
   }
   std::vector<std::string_view> names;
   for (Value& candidate : list.items) {

@@ -1,7 +1,6 @@
 // The state of another run that a run begins with.
 
-#include <charconv>
-
+#include "clca/text/number.hpp"
 #include "scene/sections.hpp"
 #include "scene/types.hpp"
 
@@ -14,13 +13,11 @@ constexpr std::size_t kHashDigits = 16;
 std::uint64_t read_hash(const Place& place) {
   constexpr int kHexadecimal = 16;
   const std::string& digits = read_text(place);
-  const char* end = digits.data() + digits.size();
-  std::uint64_t hash = 0;
-  const auto [stop, error] = std::from_chars(digits.data(), end, hash, kHexadecimal);
-  if (digits.size() != kHashDigits || stop != end || error != std::errc()) {
+  const auto hash = text::number<std::uint64_t>(digits, kHexadecimal);
+  if (digits.size() != kHashDigits || !hash) {
     fail(place, "expected {} hexadecimal digits, found {}", kHashDigits, found(place));
   }
-  return hash;
+  return *hash;
 }
 
 Type<std::uint64_t> hash_type() {

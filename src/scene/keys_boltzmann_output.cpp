@@ -1,10 +1,9 @@
 // What a scene of the Boltzmann equation wants to have written.
 
 #include <algorithm>
-#include <charconv>
 #include <optional>
-#include <system_error>
 
+#include "clca/text/number.hpp"
 #include "scene/sections.hpp"
 #include "scene/types.hpp"
 
@@ -32,15 +31,13 @@ void read_histograms(const KeyedMap& fields, BoltzmannScene& scene) {
 QuantileBins read_quantiles(const Place& place) {
   const std::string_view text = place.value.text;
   const std::string_view number = text.substr(std::min<std::size_t>(1, text.size()));
-  int count = 0;
-  const auto [stop, error] = std::from_chars(number.data(), number.data() + number.size(), count);
-  const bool whole = error == std::errc() && stop == number.data() + number.size();
-  const bool plain = text.starts_with('q') && !number.starts_with('0') && whole;
-  if (!plain || count < kMinQuantiles || count > kMaxQuantiles) {
+  const auto count = text::number<int>(number);
+  const bool plain = text.starts_with('q') && !number.starts_with('0') && count;
+  if (!plain || *count < kMinQuantiles || *count > kMaxQuantiles) {
     fail(place, "expected q{} to q{} or {{width: WIDTH, end: END}}, found {}", kMinQuantiles,
          kMaxQuantiles, found(place));
   }
-  return {count};
+  return {*count};
 }
 
 Type<UniformBins> uniform_bins() {

@@ -3,11 +3,11 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
-#include <charconv>
 #include <chrono>
 #include <system_error>
 
 #include "clca/store/file.hpp"
+#include "clca/text/number.hpp"
 
 namespace clca::store {
 
@@ -24,10 +24,8 @@ std::optional<std::uint64_t> step_of(const std::string& name) {
       dash == std::string::npos) {
     return std::nullopt;
   }
-  std::uint64_t step = 0;
-  const char* end = name.data() + name.size() - std::string_view(".png").size();
-  const auto [stop, error] = std::from_chars(name.data() + dash + 1, end, step);
-  return stop == end && error == std::errc() ? std::optional(step) : std::nullopt;
+  const std::size_t end = name.size() - std::string_view(".png").size();
+  return text::number<std::uint64_t>(name.substr(dash + 1, end - dash - 1));
 }
 
 /// "2026-11-22 14:05", local time; empty if unknown.

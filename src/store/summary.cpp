@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <charconv>
 #include <limits>
 #include <nlohmann/json.hpp>
 
 #include "clca/store/file.hpp"
+#include "clca/text/number.hpp"
 #include "clca/text/read.hpp"
 
 namespace clca::store {
@@ -128,14 +128,10 @@ double number(const Json& object, const char* key) {
 
 std::uint64_t hash(const Json& object, const char* key) {
   constexpr int kHexadecimal = 16;
-  const std::string digits = text(object, key);
-  const char* end = digits.data() + digits.size();
-  std::uint64_t value = 0;
-  const auto [stop, error] = std::from_chars(digits.data(), end, value, kHexadecimal);
-  if (stop != end || error != std::errc()) {
-    throw FormatError(fmt::format("'{}' is no hash", key));
+  if (const auto value = text::number<std::uint64_t>(text(object, key), kHexadecimal)) {
+    return *value;
   }
-  return value;
+  throw FormatError(fmt::format("'{}' is no hash", key));
 }
 
 MeasureValue measure(const Json& value) {

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -11,6 +10,7 @@
 #include <string_view>
 
 #include "clca/store/file.hpp"
+#include "clca/text/number.hpp"
 
 namespace clca::store {
 
@@ -142,9 +142,9 @@ std::vector<double> ReadTable::numbers(const std::string& name) const {
   std::vector<double> values(column->size(), std::numeric_limits<double>::quiet_NaN());
   for (std::size_t row = 0; row < values.size(); ++row) {
     const std::string& cell = (*column)[row];
-    const char* end = cell.data() + cell.size();
-    const auto [stop, error] = std::from_chars(cell.data(), end, values[row]);
-    if (!cell.empty() && (stop != end || error != std::errc())) {
+    const auto number = text::number<double>(cell);
+    values[row] = number.value_or(values[row]);
+    if (!cell.empty() && !number) {
       refuse(file, row + 2, fmt::format("'{}' in column '{}' is no number", cell, name));
     }
   }

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <set>
 
 #include "clca/record/provenance.hpp"
@@ -14,6 +13,7 @@
 #include "clca/scene/resolve.hpp"
 #include "clca/scene/walls.hpp"
 #include "clca/text/message.hpp"
+#include "clca/text/number.hpp"
 
 namespace clca::sweep {
 
@@ -84,9 +84,7 @@ std::vector<std::string> combination(const std::vector<Variation>& variations, s
 bool is_part_of_range(std::string_view value) {
   const std::size_t colon = value.find(':');
   const auto is_number = [](std::string_view text) {
-    double number = 0;
-    const char* end = text.data() + text.size();
-    return !text.empty() && std::from_chars(text.data(), end, number).ptr == end;
+    return text::number<double>(text).has_value();
   };
   return colon != std::string_view::npos && is_number(value.substr(0, colon)) &&
          is_number(value.substr(colon + 1));

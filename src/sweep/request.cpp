@@ -9,9 +9,9 @@
 #include <cmath>
 #include <iterator>
 #include <set>
-#include <system_error>
 
 #include "clca/text/message.hpp"
+#include "clca/text/number.hpp"
 
 namespace clca::sweep {
 
@@ -31,21 +31,13 @@ constexpr std::string_view kTo = "..";
   fail("--vary", text, message);
 }
 
-/// All of the text.
-template <class T>
-std::optional<T> number(std::string_view text) {
-  T value = 0;
-  const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  return stop == end && error == std::errc() ? std::optional(value) : std::nullopt;
-}
-
 /// First and last of `3` or `1..16`.
 std::pair<std::uint64_t, std::uint64_t> seed_range(std::string_view part, std::string_view text) {
   const std::size_t to = part.find(kTo);
-  const auto first = number<std::uint64_t>(part.substr(0, to));
-  const auto last =
-      to == std::string_view::npos ? first : number<std::uint64_t>(part.substr(to + kTo.size()));
+  const auto first = text::number<std::uint64_t>(part.substr(0, to));
+  const auto last = to == std::string_view::npos
+                        ? first
+                        : text::number<std::uint64_t>(part.substr(to + kTo.size()));
   if (!first || !last) {
     fail_seeds(text,
                fmt::format("expected whole numbers from 0 to 18446744073709551615, as in 1..16 or "
@@ -149,9 +141,10 @@ std::vector<std::string> range_values(std::string_view text, std::string_view va
   if (before_last == before_step) {
     return {};
   }
-  const auto first = number<double>(value.substr(0, before_last));
-  const auto last = number<double>(value.substr(before_last + 1, before_step - before_last - 1));
-  const auto step = number<double>(value.substr(before_step + 1));
+  const auto first = text::number<double>(value.substr(0, before_last));
+  const auto last =
+      text::number<double>(value.substr(before_last + 1, before_step - before_last - 1));
+  const auto step = text::number<double>(value.substr(before_step + 1));
   if (!first || !last || !step) {
     return {};
   }

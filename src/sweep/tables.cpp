@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -15,6 +14,7 @@
 
 #include "clca/record/quantity.hpp"
 #include "clca/statistics/sample.hpp"
+#include "clca/text/number.hpp"
 
 namespace clca::sweep {
 
@@ -140,10 +140,7 @@ void add_statistics(store::Table& table, const std::vector<std::string>& values,
 std::vector<store::Cell> value_cells(const std::vector<std::string>& values) {
   std::vector<store::Cell> cells;
   for (const std::string& value : values) {
-    double number = 0;
-    const char* end = value.data() + value.size();
-    const bool is_number = std::from_chars(value.data(), end, number).ptr == end;
-    const bool is_formula = !is_number && value.find_first_of("=+-@") == 0;
+    const bool is_formula = !text::number<double>(value) && value.find_first_of("=+-@") == 0;
     cells.emplace_back((is_formula ? "'" : "") + value);
   }
   return cells;

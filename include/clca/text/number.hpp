@@ -1,0 +1,20 @@
+#pragma once
+// Numbers in text.
+
+#include <charconv>
+#include <optional>
+#include <string_view>
+#include <system_error>
+
+namespace clca::text {
+
+/// What all of a text says, as std::from_chars reads it. `format`: what that takes besides.
+template <class T>
+std::optional<T> number(std::string_view text, auto... format) {
+  T result = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, result, format...);
+  return stop == end && error == std::errc() ? std::optional(result) : std::nullopt;
+}
+
+}  // namespace clca::text
