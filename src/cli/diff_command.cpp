@@ -63,13 +63,11 @@ void add_diff_command(CLI::App& program) {
   auto options = std::make_shared<DiffOptions>();
   command->add_option("A", options->first, "First PNG file")->required();
   command->add_option("B", options->second, "Second PNG file")->required();
-  command
-      ->add_option("--tolerance", options->tolerance,
-                   "Channel difference up to which two pixels count as alike")
-      ->transform(whole_number(0, 255))
+  add_option(command, "--tolerance", options->tolerance, "",
+             "Channel difference up to which two pixels count as alike", whole_number(0, 255))
       ->capture_default_str();
-  command->add_option("--pixels", options->pixels, "Number of pixels that may differ by more")
-      ->transform(whole_number())
+  add_option(command, "--pixels", options->pixels, "", "Number of pixels that may differ by more",
+             whole_number())
       ->capture_default_str();
   command->add_option("-o,--output", options->out, "Write a picture of the differences");
   set_action(command, [options] { return diff(*options); });

@@ -15,6 +15,7 @@
 #include "clca/scene/units.hpp"
 #include "clca/text/message.hpp"
 #include "cli/command.hpp"
+#include "cli/option_values.hpp"
 #include "cli/scene_options.hpp"
 #include "cli/terminal.hpp"
 
@@ -136,25 +137,18 @@ void add_explain_command(CLI::App& program) {
   CLI::App* command =
       program.add_subcommand("explain", "Explain the keys of a scene and the quantities of a run");
   auto options = std::make_shared<ExplainOptions>();
-  command
-      ->add_option(
-          "KEY", options->keys,
-          "Keys as for --set, such as rules.inertia or walls.motion, the last part of a key, or "
-          "quantities of run.json and tables [the top]")
-      ->type_name("NAME");
-  command
-      ->add_option(
-          "--scene", options->scene,
-          "A scene in whose units quantities are, and whose derived measures may be among the "
-          "names; without KEY all of these")
-      ->transform(scene_names());
-  command
-      ->add_option("--format", options->format,
-                   "text, markdown (a table), schema (JSON Schema), quantities (a table of the "
-                   "measures), or columns (of a table of a run: KEY is its name, such as series, "
-                   "gas.series or sweep.runs; of the trajectory its datasets)")
-      ->type_name("FORMAT")
-      ->transform(CLI::IsMember({"text", "markdown", "schema", "quantities", "columns"}))
+  add_option(command, "KEY", options->keys, "NAME",
+             "Keys as for --set, such as rules.inertia or walls.motion, the last part of a key, or "
+             "quantities of run.json and tables [the top]");
+  add_option(command, "--scene", options->scene, "",
+             "A scene in whose units quantities are, and whose derived measures may be among the "
+             "names; without KEY all of these",
+             scene_names());
+  add_option(command, "--format", options->format, "FORMAT",
+             "text, markdown (a table), schema (JSON Schema), quantities (a table of the "
+             "measures), or columns (of a table of a run: KEY is its name, such as series, "
+             "gas.series or sweep.runs; of the trajectory its datasets)",
+             CLI::IsMember({"text", "markdown", "schema", "quantities", "columns"}))
       ->capture_default_str();
   set_action(command, [options] {
     print_out("{}", text_of(*options));

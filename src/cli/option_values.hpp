@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 
 namespace clca::cli {
@@ -26,5 +27,17 @@ CLI::Validator assignment(const std::string& form);
 CLI::Validator time_span();
 /// `4GiB` into bytes.
 CLI::Validator byte_size();
+
+/// Adds an option. `type`: what the help calls its values; empty: as their C++ type. `values`:
+/// their form.
+template <class T>
+CLI::Option* add_option(CLI::App* command, const char* name, T& value, const char* type,
+                        const std::string& what, const std::optional<CLI::Validator>& values = {}) {
+  CLI::Option* option = command->add_option(name, value, what);
+  if (*type != '\0') {
+    option->type_name(type);
+  }
+  return values ? option->transform(*values) : option;
+}
 
 }  // namespace clca::cli

@@ -257,33 +257,21 @@ void add_look_options(CLI::App* command, RenderOptions& options) {
 }
 
 void add_choice_options(CLI::App* command, RenderOptions& options) {
-  command->add_option("--stage", options.redraw.stage, "Draw only this stage")->type_name("NAME");
-  command->add_option("--from", options.redraw.from, "First step to draw")
-      ->type_name("STEP")
-      ->transform(whole_number());
-  command->add_option("--to", options.redraw.to, "Last step to draw")
-      ->type_name("STEP")
-      ->transform(whole_number());
+  add_option(command, "--stage", options.redraw.stage, "NAME", "Draw only this stage");
+  add_option(command, "--from", options.redraw.from, "STEP", "First step to draw", whole_number());
+  add_option(command, "--to", options.redraw.to, "STEP", "Last step to draw", whole_number());
   add_frames_option(command, options, "--every", "every", "STEPS",
                     "Fewest steps between two pictures of a stage [as the scene says]");
 }
 
 void add_space_time_options(CLI::App* command, SpaceTimeChoice& choice) {
-  command
-      ->add_option("--space-time", choice.file,
-                   "Write one picture over time of a column or the free surface: FILE.png")
-      ->type_name("FILE");
-  command
-      ->add_option("--column", choice.column,
-                   "Over time: the column of the box at this x, in lattice spacings")
-      ->type_name("X")
-      ->transform(finite_number());
-  command
-      ->add_option(
-          "--slit", choice.slit,
-          "Over time: width of that column in lattice spacings; colours are means over it [1]")
-      ->type_name("WIDTH")
-      ->transform(finite_number());
+  add_option(command, "--space-time", choice.file, "FILE",
+             "Write one picture over time of a column or the free surface: FILE.png");
+  add_option(command, "--column", choice.column, "X",
+             "Over time: the column of the box at this x, in lattice spacings", finite_number());
+  add_option(command, "--slit", choice.slit, "WIDTH",
+             "Over time: width of that column in lattice spacings; colours are means over it [1]",
+             finite_number());
   command->add_flag("--surface", choice.surface, "Over time: the height of the free surface");
 }
 
@@ -298,28 +286,20 @@ void add_target_options(CLI::App* command, RenderOptions& options) {
           "Of these pictures: png, or pdf (vector graphics) [png]")
       ->type_name("FORMAT")
       ->transform(CLI::IsMember({"png", "pdf"}));
-  command
-      ->add_option("--movie", redraw.movie,
-                   "Write a movie, with ffmpeg: FILE.mp4, FILE.webm, FILE.webp, FILE.gif or "
-                   "FILE.png (animated)")
-      ->type_name("FILE");
-  command
-      ->add_option("--duration", redraw.duration,
-                   "Length of the movie: with more pictures some are chosen evenly, with less they "
-                   "last longer; --every is 1 unless given")
-      ->type_name("SECONDS")
-      ->transform(finite_number());
-  command
-      ->add_option("--fps", redraw.frames_per_second,
-                   "Pictures per second of the movie; of a GIF at most 50")
-      ->transform(whole_number(1, 240))
+  add_option(command, "--movie", redraw.movie, "FILE",
+             "Write a movie, with ffmpeg: FILE.mp4, FILE.webm, FILE.webp, FILE.gif or "
+             "FILE.png (animated)");
+  add_option(command, "--duration", redraw.duration, "SECONDS",
+             "Length of the movie: with more pictures some are chosen evenly, with less they "
+             "last longer; --every is 1 unless given",
+             finite_number());
+  add_option(command, "--fps", redraw.frames_per_second, "",
+             "Pictures per second of the movie; of a GIF at most 50", whole_number(1, 240))
       ->capture_default_str();
-  command
-      ->add_option("--sheet", redraw.sheet,
-                   "Write a contact sheet of pictures evenly chosen: FILE.png")
-      ->type_name("FILE");
-  command->add_option("--columns", redraw.columns, "Pictures in a row of the contact sheet")
-      ->transform(whole_number(1, 16))
+  add_option(command, "--sheet", redraw.sheet, "FILE",
+             "Write a contact sheet of pictures evenly chosen: FILE.png");
+  add_option(command, "--columns", redraw.columns, "", "Pictures in a row of the contact sheet",
+             whole_number(1, 16))
       ->capture_default_str();
 }
 

@@ -178,23 +178,18 @@ int resume_run(const RunCommandOptions& options) {
 }
 
 void add_run_options(CLI::App* command, RunCommandOptions& options) {
-  command
-      ->add_option(
-          "--threads", options.threads,
-          "Threads; the result does not depend on it. Of grains only the automaton takes more than "
-          "one [1 for grains, all for a gas]")
-      ->transform(whole_number(1, 1024));
-  command
-      ->add_option(
-          "--time-limit", options.time_limit,
-          "Save and stop after this time: 90 (seconds), 30min, 2h; clca resume continues the run")
-      ->type_name("TIME")
-      ->transform(time_span());
-  command
-      ->add_option("--engine", options.engine,
-                   "fast, or reference: the rule as documented, one thread, slow; for checks")
-      ->type_name("NAME")
-      ->transform(CLI::IsMember({"fast", "reference"}))
+  add_option(
+      command, "--threads", options.threads, "",
+      "Threads; the result does not depend on it. Of grains only the automaton takes more than "
+      "one [1 for grains, all for a gas]",
+      whole_number(1, 1024));
+  add_option(
+      command, "--time-limit", options.time_limit, "TIME",
+      "Save and stop after this time: 90 (seconds), 30min, 2h; clca resume continues the run",
+      time_span());
+  add_option(command, "--engine", options.engine, "NAME",
+             "fast, or reference: the rule as documented, one thread, slow; for checks",
+             CLI::IsMember({"fast", "reference"}))
       ->capture_default_str();
   CLI::Option* quiet =
       command->add_flag("--quiet", options.quiet, "Print warnings and errors only");
@@ -229,11 +224,9 @@ void add_resume_command(CLI::App& program, tasks::Ranks* ranks) {
   auto options = std::make_shared<RunCommandOptions>();
   options->ranks = ranks;
   command->add_option("DIR", options->folder, "Folder of the run")->required();
-  command
-      ->add_option("--until", options->until,
-                   "Run to this end instead of the scene's: steps of the last stage, the time "
-                   "of a gas, or as `until` of a scene: settled, '{cycles: 400}'")
-      ->type_name("END");
+  add_option(command, "--until", options->until, "END",
+             "Run to this end instead of the scene's: steps of the last stage, the time "
+             "of a gas, or as `until` of a scene: settled, '{cycles: 400}'");
   add_run_options(command, *options);
   add_memory_limit(command, options->scene);
   set_action(command, [options] { return resume_run(*options); });

@@ -79,46 +79,35 @@ CLI::Validator scene_names() {
 }
 
 void add_set(CLI::App* command, SceneOptions& options, const std::string& what) {
-  command->add_option("--set", options.overrides, what)
-      ->type_name("KEY=VALUE")
-      ->transform(assignment("KEY=VALUE"))
+  add_option(command, "--set", options.overrides, "KEY=VALUE", what, assignment("KEY=VALUE"))
       ->allow_extra_args(false);
 }
 
 void add_memory_limit(CLI::App* command, SceneOptions& options, const std::string& what) {
-  command
-      ->add_option("--memory-limit", options.memory_limit,
-                   what + ", such as 4GiB [80 % of the free memory]")
-      ->type_name("SIZE")
-      ->transform(byte_size());
+  add_option(command, "--memory-limit", options.memory_limit, "SIZE",
+             what + ", such as 4GiB [80 % of the free memory]", byte_size());
 }
 
 void add_scene_and_set(CLI::App* command, SceneOptions& options) {
-  command
-      ->add_option(
-          "SCENE", options.file,
-          "Scene file (YAML), - for standard input, or the name of a scene of this program")
-      ->required()
-      ->transform(scene_names());
+  add_option(command, "SCENE", options.file, "",
+             "Scene file (YAML), - for standard input, or the name of a scene of this program",
+             scene_names())
+      ->required();
   add_set(command, options,
           "Set KEY of the scene to VALUE (YAML), such as rules.inertia=0 or "
           "stages.flow.max_steps=500; may be repeated");
-  command
-      ->add_option(
-          "--begin", options.begin,
-          "Begin with the last state of the run in this folder, in place of the scene's begin")
-      ->type_name("FOLDER");
+  add_option(command, "--begin", options.begin, "FOLDER",
+             "Begin with the last state of the run in this folder, in place of the scene's begin");
 }
 
 void add_scene_options(CLI::App* command, SceneOptions& options) {
   add_scene_and_set(command, options);
-  command->add_option("--seed", options.seed, "Seed of the random draws, in place of the scene's")
-      ->transform(whole_number());
-  command
-      ->add_option("--frames-every", options.frames_every,
-                   "A picture every N steps; 0: no pictures for now, with their settings kept for "
-                   "clca render")
-      ->transform(whole_number());
+  add_option(command, "--seed", options.seed, "",
+             "Seed of the random draws, in place of the scene's", whole_number());
+  add_option(command, "--frames-every", options.frames_every, "",
+             "A picture every N steps; 0: no pictures for now, with their settings kept for "
+             "clca render",
+             whole_number());
   add_memory_limit(command, options);
 }
 

@@ -224,9 +224,7 @@ int calibrate(const std::string& study, const std::string& launcher,
 }
 
 void add_jobs(CLI::App* command, int& jobs, const std::string& what) {
-  command->add_option("--jobs", jobs, what)
-      ->transform(whole_number(1, 1024))
-      ->capture_default_str();
+  add_option(command, "--jobs", jobs, "", what, whole_number(1, 1024))->capture_default_str();
 }
 
 void add_sweep_command(CLI::App& program, tasks::Ranks* ranks) {
@@ -238,19 +236,15 @@ void add_sweep_command(CLI::App& program, tasks::Ranks* ranks) {
     options->jobs = 1;
   }
   add_scene_and_set(command, options->scene);
-  command
-      ->add_option(
-          "--seeds", options->seeds,
-          "Seeds of the random draws, such as 1..16 or 1,4,9..12; each value runs with each seed")
-      ->type_name("SEEDS")
+  add_option(
+      command, "--seeds", options->seeds, "SEEDS",
+      "Seeds of the random draws, such as 1..16 or 1,4,9..12; each value runs with each seed")
       ->capture_default_str();
-  command
-      ->add_option("--vary", options->variations,
-                   "Run with KEY set to each of these values (YAML), such as rules.inertia=0,0.9 "
-                   "or a range FIRST:LAST:STEP; K1,K2=V1,V2; W1,W2 varies keys together; repeated: "
-                   "all combinations")
-      ->type_name("KEY=V1,V2,...")
-      ->transform(assignment("KEY=V1,V2,..."))
+  add_option(command, "--vary", options->variations, "KEY=V1,V2,...",
+             "Run with KEY set to each of these values (YAML), such as rules.inertia=0,0.9 "
+             "or a range FIRST:LAST:STEP; K1,K2=V1,V2; W1,W2 varies keys together; repeated: "
+             "all combinations",
+             assignment("KEY=V1,V2,..."))
       ->allow_extra_args(false);
   command->add_option("-o,--output", options->folder,
                       "Folder to write to, and to continue in [renders/SCENE-NAME-sweep]");
@@ -297,11 +291,9 @@ void add_calibrate_command(CLI::App& program) {
            "Runs at a time, each with one thread; with --launcher on each rank, 1 if left out; the "
            "result does not depend on it");
   auto launcher = std::make_shared<std::string>();
-  command
-      ->add_option("--launcher", *launcher,
-                   "Run the sweeps by this command, which starts several ranks, such as 'mpirun -n "
-                   "64'")
-      ->type_name("COMMAND")
+  add_option(command, "--launcher", *launcher, "COMMAND",
+             "Run the sweeps by this command, which starts several ranks, such as 'mpirun -n "
+             "64'")
       ->check([](const std::string& text) {
         const std::vector<std::string> words = words_of(text);
         return !words.empty() && process::find_program(words.front())
