@@ -19,18 +19,6 @@
 
 namespace clca::run {
 
-/// Memory held back, so that a run that runs out of memory can still write its summary.
-class MemoryReserve {
- public:
-  /// Frees it.
-  void reset() { std::vector<std::byte>().swap(bytes_); }
-
- private:
-  static constexpr std::size_t kBytes = std::size_t{1} << 20U;
-
-  std::vector<std::byte> bytes_ = std::vector<std::byte>(kBytes);
-};
-
 /// The options with as many threads as could be started: the result does not depend on them. Warns
 /// if fewer than requested.
 RunOptions with_threads(RunOptions options, int startable, const RunEvents& events);
@@ -158,7 +146,8 @@ class RunBase {
   record::IntervalTimer progress_timer_;
   bool is_complete_ = true;
   std::vector<store::StageSummary> stages_;
-  MemoryReserve reserve_;
+  /// Memory held back, so that a run that runs out of memory can still write its summary.
+  std::optional<std::vector<std::byte>> reserve_ = std::vector<std::byte>(std::size_t{1} << 20U);
   CheckpointWriter checkpoint_writer_;  // last: at the end it waits for its thread
 };
 

@@ -1,4 +1,4 @@
-#include "sweep/overview.hpp"
+// overview.png: the final pictures of a sweep.
 
 #include <fmt/format.h>
 

@@ -19,9 +19,7 @@
 #include "clca/store/output_folder.hpp"
 #include "clca/store/run_folder.hpp"
 #include "clca/tasks/pool.hpp"
-#include "sweep/overview.hpp"
 #include "sweep/run_task.hpp"
-#include "sweep/tables.hpp"
 
 namespace clca::sweep {
 

@@ -1,14 +1,16 @@
 #pragma once
-// The results of runs, and the tables of a sweep. They do not depend on the order in which runs
-// ended.
+// The results of runs, the tables of a sweep and its overview, the final pictures side by side.
+// They do not depend on the order in which runs ended.
 
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "clca/reflection/reflection.hpp"
+#include "clca/render/image.hpp"
 #include "clca/store/summary.hpp"
 #include "clca/store/table.hpp"
 #include "clca/sweep/plan.hpp"
@@ -49,5 +51,20 @@ std::vector<NamedTable> mean_tables(
     const Plan& plan, const std::vector<Result>& results,
     const std::function<std::filesystem::path(std::size_t run)>& folder_of,
     const std::function<void(const std::string& line)>& warning);
+
+/// The runs shown, row by row.
+struct Selection {
+  std::vector<std::size_t> runs;
+  int columns = 1;
+};
+
+/// A row per combination and a column per seed (the first ones). If nothing varies, the seeds fill
+/// the rows; with one seed, the combinations.
+Selection selection(const Plan& plan);
+
+/// Reads the pictures from the run folders of the sweep in `folder`; missing ones are empty boxes.
+/// None if the scenes request no pictures.
+std::optional<render::Image> overview(const Plan& plan, const std::vector<Result>& results,
+                                      const std::filesystem::path& folder);
 
 }  // namespace clca::sweep

@@ -7,7 +7,6 @@
 
 #include "clca/store/file.hpp"
 #include "support/runs.hpp"
-#include "sweep/overview.hpp"
 
 namespace clca::sweep::tables_test {
 namespace {

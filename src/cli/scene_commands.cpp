@@ -1,7 +1,10 @@
 // clca check: shows a scene with every default filled in and the resources it needs.
+// clca scenes: the scenes that come with the program.
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "clca/run/setup.hpp"
 #include "clca/scene/resolve.hpp"
@@ -69,6 +72,24 @@ void print(const scene::BoltzmannScene& scene, bool /*draws*/) {
             scene::bytes_of(scene, threads) / kMebibyte, threads);
 }
 
+int list_scenes(bool as_json) {
+  const std::vector<Candidate> scenes = scenes_of_program();
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  std::size_t width = 0;
+  for (const auto& [name, title] : scenes) {
+    json.push_back({{"name", name}, {"title", title}});
+    width = std::max(width, name.size());
+  }
+  if (as_json) {
+    print_out("{}\n", json.dump(2));
+  } else {
+    for (const auto& [name, title] : scenes) {
+      print_out("{:{}}  {}\n", name, width, title);
+    }
+  }
+  return kDone;
+}
+
 }  // namespace
 
 void add_check_command(CLI::App& program) {
@@ -81,6 +102,14 @@ void add_check_command(CLI::App& program) {
     std::visit([&](const auto& scene) { print(scene, draws); }, load_any_scene(*options));
     return kDone;
   });
+}
+
+void add_scenes_command(CLI::App& program) {
+  CLI::App* command =
+      program.add_subcommand("scenes", "List the scenes that come with the program, for clca run");
+  auto as_json = std::make_shared<bool>(false);
+  command->add_flag("--json", *as_json, "Print names and titles as JSON");
+  set_action(command, [as_json] { return list_scenes(*as_json); });
 }
 
 }  // namespace clca::cli
