@@ -115,7 +115,7 @@ std::vector<drawing::RunToDraw> runs_of(const RenderOptions& options) {
   std::vector<drawing::RunToDraw> runs;
   for (const fs::path& folder : options.runs) {
     std::error_code unknown;
-    if (std::any_of(runs.begin(), runs.end(), [&](const drawing::RunToDraw& run) {
+    if (std::ranges::any_of(runs, [&](const drawing::RunToDraw& run) {
           return fs::equivalent(run.folder, folder, unknown);
         })) {
       throw drawing::RedrawError(fmt::format("{}: is given twice", folder.string()));

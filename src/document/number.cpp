@@ -15,7 +15,7 @@ bool is_plain_integer(std::string_view text) {
   if (text.starts_with('-')) {
     text.remove_prefix(1);
   }
-  return !text.empty() && std::all_of(text.begin(), text.end(), is_digit) &&
+  return !text.empty() && std::ranges::all_of(text, is_digit) &&
          (text.size() == 1 || text.front() != '0');
 }
 

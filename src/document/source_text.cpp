@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t kBlock = 1024;
 
 std::size_t count_characters(std::string_view text) {
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char byte) {
+  return static_cast<std::size_t>(std::ranges::count_if(text, [](char byte) {
     return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80;  // not the middle of one
   }));
 }

@@ -80,12 +80,12 @@ std::vector<render::NamedColor> species_colors(const scene::Scene& scene) {
 std::vector<double> speeds(const View& view, const PictureHistory& history, double step_velocity) {
   std::vector<double> result(view.state.particles.size(), 0);
   if (view.contact) {
-    std::transform(
-        view.contact->velocities.begin(), view.contact->velocities.end(), result.begin(),
+    std::ranges::transform(
+        view.contact->velocities, result.begin(),
         [&](const Eigen::Vector2d& velocity) { return step_velocity * velocity.norm(); });
   } else if (history.window->step() < view.state.step) {
     const auto velocities = history.window->velocities(view.state);
-    std::transform(velocities.begin(), velocities.end(), result.begin(), [&](const auto& velocity) {
+    std::ranges::transform(velocities, result.begin(), [&](const auto& velocity) {
       return velocity ? step_velocity * velocity->norm() : 0;
     });
   }

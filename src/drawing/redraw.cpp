@@ -60,7 +60,7 @@ void make_comparable(const std::vector<RunToDraw>& runs, const Drawings& drawing
 /// Times or steps of the pictures of each run.
 std::vector<std::vector<double>> times_of(const Drawings& drawings) {
   const bool in_time =
-      drawings.size() > 1 && std::all_of(drawings.begin(), drawings.end(), [](const auto& drawing) {
+      drawings.size() > 1 && std::ranges::all_of(drawings, [](const auto& drawing) {
         return scene::conversion(drawing->scene()).has_value();
       });
   std::vector<std::vector<double>> result;
@@ -81,7 +81,7 @@ std::vector<double> moments_of(const std::vector<std::vector<double>>& times) {
   for (const std::vector<double>& some : times) {
     all.insert(all.end(), some.begin(), some.end());
   }
-  std::sort(all.begin(), all.end());
+  std::ranges::sort(all);
   all.erase(std::unique(all.begin(), all.end(),
                         [](double one, double next) { return next - one <= 1e-15 * next; }),
             all.end());
@@ -266,7 +266,7 @@ Redraw::Impl::Impl(const std::vector<RunToDraw>& runs, const RedrawOptions& opti
   }
   const bool only_sheet =
       !options.sheet.empty() && options.movie.empty() &&
-      std::none_of(runs.begin(), runs.end(), [](const RunToDraw& run) { return run.pictures; });
+      std::ranges::none_of(runs, [](const RunToDraw& run) { return run.pictures.has_value(); });
   const int tile_width = only_sheet ? render::cell_width(options_.columns) : 0;
   for (const auto& drawing : drawings_) {
     drawing->prepare(tile_width);
@@ -282,9 +282,8 @@ Redraw::Impl::Impl(const std::vector<RunToDraw>& runs, const RedrawOptions& opti
 }
 
 std::size_t Redraw::Impl::draw(const RedrawEvents& events) {
-  const bool captions = std::any_of(drawings_.begin(), drawings_.end(), [](const auto& drawing) {
-    return drawing->scene().output.frames->caption;
-  });
+  const bool captions = std::ranges::any_of(
+      drawings_, [](const auto& drawing) { return drawing->scene().output.frames->caption; });
   if (events.warning && captions && !render::font_problem().empty()) {
     events.warning(render::font_problem());
   }
@@ -388,10 +387,9 @@ void Redraw::Impl::draw_moment(std::size_t number, const std::vector<std::size_t
 std::vector<std::size_t> Redraw::Impl::pictures_at(double moment) const {
   std::vector<std::size_t> result;
   for (const std::vector<double>& times : times_) {
-    const auto nearest =
-        std::min_element(times.begin(), times.end(), [&](double one, double other) {
-          return std::abs(one - moment) < std::abs(other - moment);
-        });
+    const auto nearest = std::ranges::min_element(times, [&](double one, double other) {
+      return std::abs(one - moment) < std::abs(other - moment);
+    });
     result.push_back(static_cast<std::size_t>(nearest - times.begin()));
   }
   return result;

@@ -61,9 +61,9 @@ std::size_t nearest_frame(const std::vector<Frame>& frames, const RedrawOptions&
     return frame.step < options.from ? options.from - frame.step
                                      : frame.step - std::min(frame.step, options.to);
   };
-  const auto nearest = std::min_element(
-      frames.begin(), frames.end(),
-      [&](const Frame& one, const Frame& other) { return distance(one) < distance(other); });
+  const auto nearest = std::ranges::min_element(frames, [&](const Frame& one, const Frame& other) {
+    return distance(one) < distance(other);
+  });
   return static_cast<std::size_t>(nearest - frames.begin());
 }
 
@@ -293,7 +293,7 @@ void RunDrawing::look_at(std::size_t number, std::size_t frame, Show show) {
     contact = trajectory_.contact_frame(frame);
     const std::vector<double>& spins = contact->spins;
     if (colors == scene::ColorBy::spin &&
-        std::any_of(spins.begin(), spins.end(), [](double spin) { return std::isnan(spin); })) {
+        std::ranges::any_of(spins, [](double spin) { return std::isnan(spin); })) {
       throw RedrawError(
           fmt::format("{}: color_by: the trajectory is of an earlier version and holds no spins",
                       scene_.output.frames->location));
@@ -307,8 +307,8 @@ void RunDrawing::look_at(std::size_t number, std::size_t frame, Show show) {
 
 std::size_t RunDrawing::first_frame(std::size_t stage) const {
   const std::vector<Frame>& frames = trajectory_.frames();
-  const auto first = std::find_if(frames.begin(), frames.end(),
-                                  [&](const Frame& frame) { return frame.stage == stage; });
+  const auto first =
+      std::ranges::find_if(frames, [&](const Frame& frame) { return frame.stage == stage; });
   return static_cast<std::size_t>(std::distance(frames.begin(), first));
 }
 

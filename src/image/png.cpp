@@ -74,15 +74,15 @@ PngText texts_of(std::span<const std::uint8_t> bytes) {
 }
 
 bool is_ascii(std::string_view text) {
-  return std::all_of(text.begin(), text.end(),
-                     [](char c) { return (static_cast<unsigned char>(c) & 0x80U) == 0; });
+  return std::ranges::all_of(text,
+                             [](char c) { return (static_cast<unsigned char>(c) & 0x80U) == 0; });
 }
 
 /// PNG specification, section 11.3.4.2: 1 to 79 Latin-1 letters, no space at the ends or twice.
 bool is_keyword(std::string_view word) {
   return !word.empty() && word.size() <= 79 && word.front() != ' ' && word.back() != ' ' &&
          word.find("  ") == std::string_view::npos &&
-         std::all_of(word.begin(), word.end(), [](char c) { return c >= ' ' && c <= '~'; });
+         std::ranges::all_of(word, [](char c) { return c >= ' ' && c <= '~'; });
 }
 
 std::vector<png_text> text_chunks(const PngText& text) {

@@ -18,7 +18,7 @@ std::vector<GasTime> gas_times(const scene::BoltzmannScene& scene) {
   for (std::uint64_t row = 0; static_cast<double>(row) * scene.series_every < scene.until; ++row) {
     all.push_back({{static_cast<double>(row) * scene.series_every, true, false}, false});
   }
-  std::sort(all.begin(), all.end(), [](const ObservationTime& a, const ObservationTime& b) {
+  std::ranges::sort(all, [](const ObservationTime& a, const ObservationTime& b) {
     return a.time.time < b.time.time;
   });
   std::vector<GasTime> times;

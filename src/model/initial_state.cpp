@@ -21,9 +21,8 @@ std::vector<grains::Kind> kinds_of(const scene::Species& species, std::uint16_t 
   for (const int degrees : species.orientations) {
     grains::Kind kind = {lattice::centred(species.shape.rotated(degrees / kDegreesPerOrientation)),
                          number};
-    const bool known = std::any_of(kinds.begin(), kinds.end(), [&](const grains::Kind& other) {
-      return other.shape.congruent(kind.shape);
-    });
+    const bool known = std::ranges::any_of(
+        kinds, [&](const grains::Kind& other) { return other.shape.congruent(kind.shape); });
     if (!known) {
       kinds.push_back(std::move(kind));
     }

@@ -113,8 +113,8 @@ double checkpoint_bytes(const scene::Scene& scene, double particles) {
 }
 
 bool has_vessel(const scene::Scene& scene) {
-  return std::any_of(scene.stages.begin(), scene.stages.end(),
-                     [](const scene::Stage& stage) { return stage.vessel.has_value(); });
+  return std::ranges::any_of(scene.stages,
+                             [](const scene::Stage& stage) { return stage.vessel.has_value(); });
 }
 
 SceneModel::SceneModel(const scene::Scene& scene, ModelState state, const grains::Options& options)

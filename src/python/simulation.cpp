@@ -61,9 +61,8 @@ py::list measures_now(const Simulation& simulation, const std::optional<std::str
   const std::vector<scene::Measure>& asked = simulation.scene().measures;
   std::optional<scene::Measure> wanted;
   if (name) {
-    const auto found = std::find_if(asked.begin(), asked.end(), [&](scene::Measure measure) {
-      return scene::name_of_measure(measure) == *name;
-    });
+    const auto found = std::ranges::find_if(
+        asked, [&](scene::Measure measure) { return scene::name_of_measure(measure) == *name; });
     if (found == asked.end()) {
       throw text::InputError(
           fmt::format("the scene does not measure '{}'; add it to its key measure", *name));

@@ -35,7 +35,7 @@ void check(const std::vector<VariedKeys>& varied, const std::vector<std::uint64_
         throw std::invalid_argument(fmt::format("{}: expected {} values, found {}",
                                                 fmt::join(keys, ", "), keys.size(), row.size()));
       }
-      std::transform(row.begin(), row.end(), row.begin(), document::canonical_value);
+      std::ranges::transform(row, row.begin(), document::canonical_value);
       known.insert(std::move(row));
     }
     if (rows.empty() || known.size() < rows.size()) {
@@ -49,7 +49,7 @@ sweep::Plan plan_of(const std::string& source, const std::optional<std::string>&
                     const std::vector<scene::Override>& overrides,
                     const std::vector<VariedKeys>& varied, std::vector<std::uint64_t> seeds) {
   check(varied, seeds);
-  std::sort(seeds.begin(), seeds.end());
+  std::ranges::sort(seeds);
   sweep::Request request = {.scene = text ? source : run::scene_file(source),
                             .overrides = overrides,
                             .variations = {},

@@ -30,8 +30,7 @@ bool is_sound(const contact::ForceSums::Sum& sum, const grains::State& state) {
                                              grains::wall_number(sum.other) < state.walls.size()));
   const auto numbers = {sum.place_x,  sum.place_y,  sum.normal_x, sum.normal_y,
                         sum.branch_x, sum.branch_y, sum.force_x,  sum.force_y};
-  return there && std::all_of(numbers.begin(), numbers.end(),
-                              [](double number) { return std::isfinite(number); });
+  return there && std::ranges::all_of(numbers, [](double number) { return std::isfinite(number); });
 }
 
 }  // namespace
@@ -56,8 +55,7 @@ std::vector<contact::Force> ForceWindow::means() const {
 bool ForceWindow::belongs_to(const grains::State& state) const {
   const auto all_sound = [&](const contact::ForceSums& sums) {
     return (sums.steps > 0 || sums.sums.empty()) &&
-           std::all_of(sums.sums.begin(), sums.sums.end(),
-                       [&](const auto& sum) { return is_sound(sum, state); });
+           std::ranges::all_of(sums.sums, [&](const auto& sum) { return is_sound(sum, state); });
   };
   return all_sound(before_) && all_sound(block_);
 }

@@ -50,8 +50,7 @@ std::vector<store::MeasureValue> convection(const StageView& stage) {
 }
 
 bool has_cycles(const scene::Scene& scene, const scene::Stage& stage) {
-  return scene::vessel_has_cycles(stage) ||
-         std::any_of(stage.move.begin(), stage.move.end(), [&](std::size_t wall) {
+  return scene::vessel_has_cycles(stage) || std::ranges::any_of(stage.move, [&](std::size_t wall) {
            return grains::is_cyclic(*scene.walls[wall].motion);
          });
 }
@@ -64,8 +63,8 @@ CycleRecord::CycleRecord(const scene::Scene& scene)
       convection_table_(table_scope(scene), convection_table(scene)) {}
 
 double CycleRecord::bytes(const scene::Scene& scene, double particles) {
-  const bool any = std::any_of(scene.stages.begin(), scene.stages.end(),
-                               [&](const scene::Stage& stage) { return has_cycles(scene, stage); });
+  const bool any = std::ranges::any_of(
+      scene.stages, [&](const scene::Stage& stage) { return has_cycles(scene, stage); });
   return any ? 2 * measure::Snapshot::bytes_for(particles) +
                    particles * sizeof(measure::Displacement)
              : 0;

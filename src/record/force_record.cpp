@@ -13,7 +13,7 @@
 namespace clca::record {
 
 bool has_overlaps(const scene::Scene& scene) {
-  return std::any_of(scene.walls.begin(), scene.walls.end(), [](const scene::Wall& wall) {
+  return std::ranges::any_of(scene.walls, [](const scene::Wall& wall) {
     return wall.motion && wall.passive == grains::Passive::overlap;
   });
 }

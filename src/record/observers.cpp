@@ -49,7 +49,7 @@ double observer_bytes(const scene::Scene& scene, double particles) {
 }
 
 bool requests(const scene::Scene& scene, scene::Measure measure) {
-  return std::find(scene.measures.begin(), scene.measures.end(), measure) != scene.measures.end();
+  return std::ranges::find(scene.measures, measure) != scene.measures.end();
 }
 
 Observers::Observers(std::vector<std::unique_ptr<Observer>> all) : all_(std::move(all)) {

@@ -87,8 +87,7 @@ Values discharged(const StageView& stage) {
   }
   const std::vector<bool> outlets = clogged(stage);
   return {static_cast<double>(stage.history.outflow.during_stage().particles),
-          stage.history.discharged_share(),
-          std::find(outlets.begin(), outlets.end(), true) != outlets.end()};
+          stage.history.discharged_share(), std::ranges::find(outlets, true) != outlets.end()};
 }
 
 std::string name_of(const Quantity& quantity, const scene::Outlet& outlet) {

@@ -106,8 +106,8 @@ const Quantity* find_column(std::span<const TableInfo> tables, std::string_view 
 }
 
 const Quantity* find_in(std::span<const Quantity> quantities, std::string_view key) {
-  const auto found = std::find_if(quantities.begin(), quantities.end(),
-                                  [&](const Quantity& quantity) { return quantity.key == key; });
+  const auto found = std::ranges::find_if(
+      quantities, [&](const Quantity& quantity) { return quantity.key == key; });
   return found == quantities.end() ? nullptr : &*found;
 }
 

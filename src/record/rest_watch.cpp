@@ -15,7 +15,7 @@ void RestWatch::begin_anew() {
 void RestWatch::add_move(const grains::State& state, std::uint32_t id) {
   const grains::Particle& grain = state.particles[id];
   const auto is_it = [id](const Mover& one) { return one.id == id; };
-  auto mover = std::find_if(movers_.begin(), movers_.end(), is_it);
+  auto mover = std::ranges::find_if(movers_, is_it);
   if (mover == movers_.end() && movers_.size() == kMostMovers) {
     begin_anew();
     mover = movers_.end();
@@ -39,9 +39,8 @@ void RestWatch::add_move(const grains::State& state, std::uint32_t id) {
 
 std::optional<std::string> RestWatch::add(const scene::Scene& scene, const grains::State& state,
                                           std::size_t moved) {
-  const bool has_left = std::any_of(movers_.begin(), movers_.end(), [&](const Mover& mover) {
-    return !state.particles[mover.id].present;
-  });
+  const bool has_left = std::ranges::any_of(
+      movers_, [&](const Mover& mover) { return !state.particles[mover.id].present; });
   if (has_warned_ || moved > kMostMovers || has_left) {
     begin_anew();
     return std::nullopt;
@@ -72,9 +71,9 @@ std::optional<std::string> RestWatch::add(const scene::Scene& scene, const grain
 }
 
 bool RestWatch::precedes(const grains::State& state) const {
-  return movers_.size() <= kMostMovers &&
-         std::all_of(movers_.begin(), movers_.end(),
-                     [&](const Mover& mover) { return mover.id < state.particles.size(); });
+  return movers_.size() <= kMostMovers && std::ranges::all_of(movers_, [&](const Mover& mover) {
+           return mover.id < state.particles.size();
+         });
 }
 
 }  // namespace clca::record

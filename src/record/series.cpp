@@ -108,8 +108,8 @@ TableOf<SeriesRow> series_table(const scene::Scene& scene) {
           [](auto& row) { return row.record->exchanged().outlets; }}}},
        {"with `model: contact` and walls that move",
         is_contact(scene) &&
-            std::any_of(scene.walls.begin(), scene.walls.end(),
-                        [](const scene::Wall& wall) { return wall.motion.has_value(); }),
+            std::ranges::any_of(scene.walls,
+                                [](const scene::Wall& wall) { return wall.motion.has_value(); }),
         {{{"wall_work", "Work of walls", kEnergyUnit, kSinceStage},
           [](auto& row) { return row.record->exchanged().walls; }}}},
        {"with `units.density` and outlets",
@@ -245,8 +245,8 @@ void Probes::add(const StageView& now) {
   }
   const std::vector<scene::Probe>& probes = now.scene.probes;
   std::vector<lattice::Rectangle> regions;
-  std::transform(probes.begin(), probes.end(), std::back_inserter(regions),
-                 [](const scene::Probe& probe) { return probe.region; });
+  std::ranges::transform(probes, std::back_inserter(regions),
+                         [](const scene::Probe& probe) { return probe.region; });
   const std::vector<double> fillings = measure::fillings(state, regions);
   for (std::size_t i = 0; i < probes.size(); ++i) {
     ProbeRow row = {now, probes[i], fillings[i]};

@@ -91,7 +91,7 @@ void SeriesRecord::add_forces(const grains::State& state,
                               const std::vector<contact::Force>& forces) {
   const double mass = contact::mean_mass(state);
   for (const contact::Force& force : forces) {
-    const auto found = std::find(bodies_.begin(), bodies_.end(), force.other);
+    const auto found = std::ranges::find(bodies_, force.other);
     if (found == bodies_.end()) {
       continue;  // a grain
     }
@@ -155,8 +155,7 @@ bool SeriesRecord::precedes(const grains::State& now) const {
     return one.particles <= later.particles && one.sites <= later.sites;
   };
   return loads_.size() == bodies_.size() && up_to(before_, left_) &&
-         up_to(left_, measure::discharge(now)) &&
-         std::all_of(loads_.begin(), loads_.end(), [](const Load& load) {
+         up_to(left_, measure::discharge(now)) && std::ranges::all_of(loads_, [](const Load& load) {
            return std::isfinite(load.force_x) && std::isfinite(load.force_y) &&
                   std::isfinite(load.torque);
          });

@@ -30,7 +30,7 @@ struct SmallTriangle {
 
 template <class T>
 void sort_unique(std::vector<T>& values) {
-  std::sort(values.begin(), values.end());
+  std::ranges::sort(values);
   values.erase(std::unique(values.begin(), values.end()), values.end());
 }
 
@@ -76,7 +76,7 @@ std::multimap<Axial, Axial> boundary(const std::vector<SmallTriangle>& triangles
       edges.emplace_back(corners[i], corners[(i + 1) % 3]);
     }
   }
-  std::sort(edges.begin(), edges.end());
+  std::ranges::sort(edges);
   std::multimap<Axial, Axial> result;
   for (const auto& [from, to] : edges) {
     if (!std::binary_search(edges.begin(), edges.end(), Edge{to, from})) {

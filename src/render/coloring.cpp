@@ -72,9 +72,8 @@ std::vector<Legend::Patch> species_icons(std::span<const grains::Kind> kinds,
   double largest = 0;
   for (std::size_t number = 0; number < species.size(); ++number) {
     Legend::Patch icon = {.label = species[number].name, .color = species[number].color};
-    const auto first = std::find_if(kinds.begin(), kinds.end(), [&](const grains::Kind& kind) {
-      return kind.species == number;
-    });
+    const auto first = std::ranges::find_if(
+        kinds, [&](const grains::Kind& kind) { return kind.species == number; });
     if (first != kinds.end()) {
       const std::vector<Outline> bodies = outlines(first->shape);
       for (const GridPoint corner : bodies.front()) {

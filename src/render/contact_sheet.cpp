@@ -87,7 +87,7 @@ class Sheet {
       draw_tile(graphics, tiles_[i], left, tops_[i / columns_], heights_[i / columns_]);
     }
     if (legend_) {
-      const auto shown = std::find_if_not(tiles_.begin(), tiles_.end(), missing);
+      const auto shown = std::ranges::find_if_not(tiles_, missing);
       draw_legend(graphics, *legend_, shown == tiles_.end() ? 1 : shown->scale, em(kSheetGap),
                   height_ - em(kLegendStrip) - em(kSheetGap), room, text_size_);
     }

@@ -176,8 +176,8 @@ bool threads_are_free() {
 }
 
 bool is_ascii(std::string_view text) {
-  return std::all_of(text.begin(), text.end(),
-                     [](char letter) { return static_cast<unsigned char>(letter) < 0x80; });
+  return std::ranges::all_of(text,
+                             [](char letter) { return static_cast<unsigned char>(letter) < 0x80; });
 }
 
 /// Text without hinting, placed between pixels: the same shapes at each position.

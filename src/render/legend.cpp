@@ -56,7 +56,7 @@ std::optional<Legend> common_legend(const Legend& first, const Legend& second) {
     bar.above = bar.above || other.above;
   }
   for (const Legend::Patch& patch : second.patches) {
-    if (std::find(first.patches.begin(), first.patches.end(), patch) == first.patches.end()) {
+    if (std::ranges::find(first.patches, patch) == first.patches.end()) {
       result.patches.push_back(patch);
     }
   }

@@ -35,10 +35,10 @@ Rgb arrow_color(double share) {
 template <class Item, class StrengthOf>
 std::vector<Item> by_strength(std::span<const Item> items, StrengthOf strength_of) {
   std::vector<Item> sorted;
-  std::copy_if(items.begin(), items.end(), std::back_inserter(sorted),
-               [&](const Item& item) { return strength_of(item) >= 0; });  // not NaN
-  std::stable_sort(sorted.begin(), sorted.end(),
-                   [&](const Item& a, const Item& b) { return strength_of(a) < strength_of(b); });
+  std::ranges::copy_if(items, std::back_inserter(sorted),
+                       [&](const Item& item) { return strength_of(item) >= 0; });  // not NaN
+  std::ranges::stable_sort(
+      sorted, [&](const Item& a, const Item& b) { return strength_of(a) < strength_of(b); });
   return sorted;
 }
 

@@ -145,9 +145,8 @@ class Painter::Impl {
     }
     content->legend = coloring.legend;
     // The floor and sides of the box are walls, too.
-    add_walls(
-        content->legend,
-        {.standing = true, .moving = std::any_of(state.walls.begin(), state.walls.end(), moves)});
+    add_walls(content->legend,
+              {.standing = true, .moving = std::ranges::any_of(state.walls, moves)});
     return Capture(std::move(content));
   }
 

@@ -81,8 +81,7 @@ class SiteLookup::Colors {
   const Sample* data() const { return colors_.data(); }
   /// All owners below it are standing walls.
   Owner least() const {
-    return std::find(moving_.begin(), moving_.end(), true) == moving_.end() ? kStandingWall
-                                                                            : grains::kBorder;
+    return std::ranges::find(moving_, true) == moving_.end() ? kStandingWall : grains::kBorder;
   }
 
  private:
@@ -361,7 +360,7 @@ Image SiteLookup::picture(const grains::State& state, const grains::Occupancy& o
         return;
       }
       const std::vector<std::uint8_t> changed = changed_blocks(occupancy, low, high);
-      if (std::find(changed.begin(), changed.end(), 1) == changed.end()) {
+      if (std::ranges::find(changed, 1) == changed.end()) {
         return;
       }
       std::vector<Sample> samples(pitch * static_cast<std::size_t>(samples_), kPackedPaper);

@@ -69,9 +69,8 @@ OtherRun frame_of(const fs::path& folder, const store::RunSummary& summary, std:
   scene.name = summary.scene;
   const store::Trajectory trajectory(folder, scene, model::initial_state(scene), max_bytes);
   const auto& frames = trajectory.frames();
-  const auto frame = std::find_if(
-      frames.begin(), frames.end(),
-      [step](const store::Trajectory::Frame& candidate) { return candidate.step == step; });
+  const auto frame = std::ranges::find_if(
+      frames, [step](const store::Trajectory::Frame& candidate) { return candidate.step == step; });
   if (frame == frames.end()) {
     throw store::StoreError(
         fmt::format("the trajectory in {} has no frame of step {}", folder.string(), step));
@@ -115,15 +114,14 @@ struct SameKind {
 
 SameKind same_kind(const scene::Scene& scene, const std::vector<grains::Kind>& kinds,
                    const scene::Species& species, const lattice::Shape& shape) {
-  const auto known =
-      std::find_if(scene.species.begin(), scene.species.end(),
-                   [&](const scene::Species& own) { return own.name == species.name; });
+  const auto known = std::ranges::find_if(
+      scene.species, [&](const scene::Species& own) { return own.name == species.name; });
   if (known == scene.species.end()) {
     refuse(*scene.begin, fmt::format("{} has particles of a species '{}', the scene has none",
                                      scene.begin->run, species.name));
   }
   const auto number = known - scene.species.begin();
-  const auto same = std::find_if(kinds.begin(), kinds.end(), [&](const grains::Kind& kind) {
+  const auto same = std::ranges::find_if(kinds, [&](const grains::Kind& kind) {
     return kind.species == number && kind.shape.congruent(shape);
   });
   if (same == kinds.end()) {

@@ -15,8 +15,7 @@ void fill(model::SceneModel& model, const scene::Scene& scene, const scene::Stag
   const scene::Fill& fill = *stage.fill;
   if (const auto mixture = scene::mixture_of(fill)) {
     const grains::FillResult result = model.grains().fill(fill.region, *mixture);
-    if (std::all_of(result.placed.begin(), result.placed.end(),
-                    [](std::size_t placed) { return placed == 0; })) {
+    if (std::ranges::all_of(result.placed, [](std::size_t placed) { return placed == 0; })) {
       throw scene::SceneError(
           fmt::format("{}: error: the fill of stage {} has placed nothing; enlarge "
                       "the region, or raise the level",
@@ -56,12 +55,12 @@ void insert_walls(model::SceneModel& model, const scene::Scene& scene, const sce
 
 template <class Items>
 bool contains(const Items& items, std::size_t item) {
-  return std::find(items.begin(), items.end(), item) != items.end();
+  return std::ranges::find(items, item) != items.end();
 }
 
 /// True if some moving wall has not finished, in a settled state.
 bool has_stalled(const grains::State& state) {
-  return std::any_of(state.walls.begin(), state.walls.end(), [](const grains::Wall& wall) {
+  return std::ranges::any_of(state.walls, [](const grains::Wall& wall) {
     return wall.present && wall.travel.active && !grains::is_over(*wall.motion, wall.travel);
   });
 }

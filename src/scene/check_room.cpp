@@ -38,11 +38,11 @@ bool any_site(const lattice::Lattice& lattice, const lattice::Rectangle& rectang
 template <class Free>
 bool finds_room(const lattice::Lattice& lattice, const lattice::Rectangle& rectangle,
                 const Species& species, Free free) {
-  return std::any_of(species.orientations.begin(), species.orientations.end(), [&](int degrees) {
+  return std::ranges::any_of(species.orientations, [&](int degrees) {
     const lattice::Shape shape = species.shape.rotated(degrees / kDegreesPerSixth);
     const lattice::Axial first = shape.sites().front();
     return any_site(lattice, rectangle, [&](lattice::Site at) {
-      return std::all_of(shape.sites().begin(), shape.sites().end(), [&](lattice::Axial part) {
+      return std::ranges::all_of(shape.sites(), [&](lattice::Axial part) {
         lattice::Site site = at + (part - first);
         site.column = lattice.wrapped(site.column);
         return lattice.contains(site) && rectangle.contains(lattice::position(site)) && free(site);
@@ -57,11 +57,11 @@ std::vector<bool> covered_at_begin(const Scene& scene, const lattice::Lattice& l
                                    std::size_t stage, const std::vector<bool>& there) {
   std::vector<bool> covered(lattice.index_count(), false);
   for (std::size_t wall = 0; wall < scene.walls.size(); ++wall) {
-    const bool moved = std::any_of(
-        scene.stages.begin(), scene.stages.begin() + static_cast<std::ptrdiff_t>(stage),
-        [wall](const Stage& earlier) {
-          return std::find(earlier.move.begin(), earlier.move.end(), wall) != earlier.move.end();
-        });
+    const bool moved =
+        std::any_of(scene.stages.begin(), scene.stages.begin() + static_cast<std::ptrdiff_t>(stage),
+                    [wall](const Stage& earlier) {
+                      return std::ranges::find(earlier.move, wall) != earlier.move.end();
+                    });
     if (!there[wall] || moved) {
       continue;
     }
@@ -110,10 +110,9 @@ void check_fill(const Scene& scene, const lattice::Lattice& lattice, const Stage
 void check_room(const Scene& scene) {
   const lattice::Lattice lattice = lattice_of(scene.box);
   for (const Outlet& outlet : scene.outlets) {
-    const bool any =
-        std::any_of(scene.species.begin(), scene.species.end(), [&](const Species& species) {
-          return finds_room(lattice, outlet.region, species, [](lattice::Site) { return true; });
-        });
+    const bool any = std::ranges::any_of(scene.species, [&](const Species& species) {
+      return finds_room(lattice, outlet.region, species, [](lattice::Site) { return true; });
+    });
     if (!any) {
       throw_error(
           outlet.location,

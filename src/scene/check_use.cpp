@@ -31,28 +31,28 @@ void require_none(const Items& items, const Place& root, const char* key, const 
 }
 
 bool opens(const Scene& scene, std::size_t source) {
-  return std::any_of(scene.stages.begin(), scene.stages.end(), [source](const Stage& stage) {
-    return std::find(stage.sources.begin(), stage.sources.end(), source) != stage.sources.end();
+  return std::ranges::any_of(scene.stages, [source](const Stage& stage) {
+    return std::ranges::find(stage.sources, source) != stage.sources.end();
   });
 }
 
 bool stands_or_moves(const Scene& scene, std::size_t wall) {
-  return !scene.walls[wall].motion ||
-         std::any_of(scene.stages.begin(), scene.stages.end(), [wall](const Stage& stage) {
-           return std::find(stage.move.begin(), stage.move.end(), wall) != stage.move.end();
-         });
+  return !scene.walls[wall].motion || std::ranges::any_of(scene.stages, [wall](const Stage& stage) {
+    return std::ranges::find(stage.move, wall) != stage.move.end();
+  });
 }
 
 bool fills(const Scene& scene, std::size_t species) {
-  return std::any_of(scene.stages.begin(), scene.stages.end(), [species](const Stage& stage) {
+  return std::ranges::any_of(scene.stages, [species](const Stage& stage) {
     return stage.fill && has_species(*stage.fill, species);
   });
 }
 
 bool appears(const Scene& scene, std::size_t species) {
   return fills(scene, species) ||
-         std::any_of(scene.sources.begin(), scene.sources.end(),
-                     [species](const Source& source) { return source.weights[species] > 0; });
+         std::ranges::any_of(scene.sources, [species](const Source& source) {
+           return source.weights[species] > 0;
+         });
 }
 
 }  // namespace

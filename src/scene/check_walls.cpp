@@ -25,7 +25,7 @@ template <class Counts>
 bool share_home(const lattice::Lattice& lattice, const Wall& a, const Wall& b, Counts counts) {
   const std::vector<lattice::Site> sites = wall_sites(lattice, a);
   const std::vector<lattice::Site> others = wall_sites(lattice, b);
-  return std::any_of(sites.begin(), sites.end(), [&](lattice::Site site) {
+  return std::ranges::any_of(sites, [&](lattice::Site site) {
     return counts(site) && std::binary_search(others.begin(), others.end(), site);
   });
 }
@@ -47,7 +47,7 @@ std::vector<bool> companions(const Scene& scene, const std::vector<std::vector<b
   std::vector<bool> result(scene.walls.size(), false);
   for (std::size_t i = 0; i < scene.stages.size(); ++i) {
     const std::vector<std::size_t>& moved = scene.stages[i].move;
-    if (std::find(moved.begin(), moved.end(), mover) != moved.end()) {
+    if (std::ranges::find(moved, mover) != moved.end()) {
       std::transform(result.begin(), result.end(), there[i].begin(), result.begin(),
                      std::logical_or<>());
     }

@@ -55,8 +55,8 @@ double estimated_fall(const Scene& scene) {
       width = std::max(width, std::min(region.right, scene.box.width) - std::max(region.left, 0.0));
     }
   }
-  const bool endless = std::any_of(scene.sources.begin(), scene.sources.end(),
-                                   [](const Source& source) { return !source.count; });
+  const bool endless =
+      std::ranges::any_of(scene.sources, [](const Source& source) { return !source.count; });
   if (endless || width <= 0 || scene.begin) {
     return contact::default_fall_height(scene.box.height);
   }

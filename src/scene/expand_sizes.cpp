@@ -54,8 +54,8 @@ class Expansion {
       add_kinds(entry, *sizes, scene, entries);
     }
     for (const Entry& entry : entries) {
-      if (std::count_if(entries.begin(), entries.end(),
-                        [&](const Entry& other) { return other.key == entry.key; }) > 1) {
+      if (std::ranges::count_if(entries,
+                                [&](const Entry& other) { return other.key == entry.key; }) > 1) {
         fail(entry.location, "species.{}: a kind of a species with sizes has this name", entry.key);
       }
     }
@@ -144,10 +144,9 @@ class Expansion {
     for (const auto& [name, family] : families_) {
       const auto is_unused = [&](const std::string& kind) { return !used_.contains(kind); };
       const std::vector<std::string>& kinds = family.names;
-      if (!std::all_of(kinds.begin(), kinds.end(), is_unused)) {
+      if (!std::ranges::all_of(kinds, is_unused)) {
         std::erase_if(species.entries, [&](const Entry& entry) {
-          return is_unused(entry.key) &&
-                 std::find(kinds.begin(), kinds.end(), entry.key) != kinds.end();
+          return is_unused(entry.key) && std::ranges::find(kinds, entry.key) != kinds.end();
         });
       }
     }

@@ -45,7 +45,7 @@ FoundKey find(const Descriptions& top, const std::vector<std::string>& parts) {
 std::vector<std::string> paths_anywhere(std::string_view name) {
   std::vector<std::string> paths = paths_of_key(scene_type().keys, name);
   for (std::string& path : paths_of_key(boltzmann_type().keys, name)) {
-    if (std::find(paths.begin(), paths.end(), path) == paths.end()) {
+    if (std::ranges::find(paths, path) == paths.end()) {
       paths.push_back(std::move(path));
     }
   }
@@ -126,7 +126,7 @@ void add_words(const Json& schema, std::vector<std::string>& words) {
   }
   for (const Json& value : values) {
     const std::string word = value.is_string() ? value.get<std::string>() : value.dump();
-    if (std::find(words.begin(), words.end(), word) == words.end()) {
+    if (std::ranges::find(words, word) == words.end()) {
       words.push_back(word);
     }
   }
@@ -204,8 +204,8 @@ std::vector<KeyName> keys_beginning(std::string_view begun) {
     }
     for (const KeyDescription& key : *found.keys) {
       const std::string path = std::string(begun.substr(0, length)) + key.name;
-      const bool is_known = std::any_of(names.begin(), names.end(),
-                                        [&](const KeyName& name) { return name.path == path; });
+      const bool is_known =
+          std::ranges::any_of(names, [&](const KeyName& name) { return name.path == path; });
       if (path.starts_with(begun) && !is_known) {
         names.push_back({path, meaning(key), key.keys != nullptr});
       }

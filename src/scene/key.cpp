@@ -48,8 +48,8 @@ bool may_be_none(const KeyDescription& key) {
 
 void leave_out_none(Value& value, const std::vector<KeyDescription>& keys) {
   const auto key_of = [&](const Entry& entry) {
-    return std::find_if(keys.begin(), keys.end(),
-                        [&](const KeyDescription& key) { return key.name == entry.key; });
+    return std::ranges::find_if(keys,
+                                [&](const KeyDescription& key) { return key.name == entry.key; });
   };
   std::erase_if(value.entries, [&](const Entry& entry) {
     const auto key = key_of(entry);

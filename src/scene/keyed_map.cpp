@@ -37,8 +37,7 @@ T read_ranged(const Place& place, T low, T high) {
 std::string suggestion(const Entry& entry, std::string_view path,
                        std::span<const std::string_view> keys) {
   constexpr std::string_view kGas = "boltzmann";
-  const bool is_gas =
-      path.starts_with(kGas) || std::find(keys.begin(), keys.end(), kGas) != keys.end();
+  const bool is_gas = path.starts_with(kGas) || std::ranges::find(keys, kGas) != keys.end();
   const Descriptions& all = is_gas ? boltzmann_type().keys : scene_type().keys;
   const bool elsewhere = path.empty() || !entry.location.origin->has_lines;
   const bool is_elsewhere = elsewhere && !paths_of_key(all, entry.key).empty();

@@ -249,8 +249,8 @@ std::optional<grains::Mixture> mixture_of(const Fill& fill) {
 
 bool has_species(const Fill& fill, std::size_t species) {
   if (fill.picture) {
-    return std::any_of(fill.picture->weights.begin(), fill.picture->weights.end(),
-                       [&](const auto& part) { return part.second[species] > 0; });
+    return std::ranges::any_of(fill.picture->weights,
+                               [&](const auto& part) { return part.second[species] > 0; });
   }
   return fill.counts.empty() ? fill.mix[species] > 0 : fill.counts[species] > 0;
 }

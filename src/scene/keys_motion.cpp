@@ -103,11 +103,10 @@ Type<grains::Path> path_type() {
 std::string_view program_key(const KeyedMap& fields) {
   constexpr std::array<std::string_view, 5> kKeys = {"period", "distance", "wave", "shake", "path"};
   std::vector<std::string_view> given;
-  std::copy_if(kKeys.begin(), kKeys.end(), std::back_inserter(given),
-               [&](std::string_view key) { return fields.find(key) != nullptr; });
-  const bool drive = std::all_of(given.begin(), given.end(), [](std::string_view key) {
-    return key == "period" || key == "distance";
-  });
+  std::ranges::copy_if(kKeys, std::back_inserter(given),
+                       [&](std::string_view key) { return fields.find(key) != nullptr; });
+  const bool drive = std::ranges::all_of(
+      given, [](std::string_view key) { return key == "period" || key == "distance"; });
   if (!drive && given.size() > 1) {
     fail(fields, "expected either distance and period, or one of wave, shake, path, found {}",
          fmt::join(given, " and "));

@@ -10,15 +10,15 @@ namespace clca::scene {
 namespace {
 
 bool lets_overlap(const Scene& scene) {
-  return std::any_of(scene.walls.begin(), scene.walls.end(),
-                     [](const Wall& wall) { return wall.passive == grains::Passive::overlap; });
+  return std::ranges::any_of(
+      scene.walls, [](const Wall& wall) { return wall.passive == grains::Passive::overlap; });
 }
 
 bool moves_in_cycles(const Scene& scene) {
-  return std::any_of(
-             scene.walls.begin(), scene.walls.end(),
+  return std::ranges::any_of(
+             scene.walls,
              [](const Wall& wall) { return wall.motion && grains::is_cyclic(*wall.motion); }) ||
-         std::any_of(scene.stages.begin(), scene.stages.end(), vessel_has_cycles);
+         std::ranges::any_of(scene.stages, vessel_has_cycles);
 }
 
 /// In the automaton there are forces only where walls enter particles.
@@ -45,8 +45,7 @@ void check_frames(const KeyedMap& fields, Frames& frames) {
   }
   constexpr std::array kWithoutBar = {ColorBy::species, ColorBy::stage_layer, ColorBy::id,
                                       ColorBy::axis};
-  if (frames.range &&
-      std::find(kWithoutBar.begin(), kWithoutBar.end(), frames.color_by) != kWithoutBar.end()) {
+  if (frames.range && std::ranges::find(kWithoutBar, frames.color_by) != kWithoutBar.end()) {
     fail(fields.at("range"), "there is no colour bar with color_by {}",
          name_of(kColorByNames, frames.color_by));
   }

@@ -70,7 +70,7 @@ Type<Rows> rows_type(bool (*allowed)(char letter), const std::string& about,
         for (const Place& item : read_list(place, 1, kMaxPicturePixels)) {
           const std::string& row = rows.emplace_back(read_text(item));
           if (row.empty() || row.size() != rows.front().size() ||
-              !std::all_of(row.begin(), row.end(), allowed)) {
+              !std::ranges::all_of(row, allowed)) {
             fail(item, "expected rows of one length of {}, found {}", about, found(item));
           }
           pixels += row.size();
@@ -83,8 +83,7 @@ Type<Rows> rows_type(bool (*allowed)(char letter), const std::string& about,
       [](const Rows& rows) {
         Value list = Value::list();
         list.in_lines = true;
-        std::transform(rows.begin(), rows.end(), std::back_inserter(list.items),
-                       Value::quoted_text);
+        std::ranges::transform(rows, std::back_inserter(list.items), Value::quoted_text);
         return list;
       });
 }

@@ -71,7 +71,7 @@ double filled(const Scene& scene, std::optional<FillMethod> method = {}) {
 double emitted(const Scene& scene, std::size_t source) {
   double steps = 0;
   for (const Stage& stage : scene.stages) {
-    if (std::find(stage.sources.begin(), stage.sources.end(), source) != stage.sources.end()) {
+    if (std::ranges::find(stage.sources, source) != stage.sources.end()) {
       steps += static_cast<double>(steps_of(stage.until).value_or(stage.max_steps));
     }
   }
@@ -165,8 +165,8 @@ double source_bytes(const Scene& scene, const lattice::Lattice& lattice) {
 
 /// Whether a stage has other rules, for which a second model is made beside the first.
 bool changes_rules(const Scene& scene) {
-  return std::any_of(scene.stages.begin(), scene.stages.end(),
-                     [](const Stage& stage) { return stage.rules || stage.contact; });
+  return std::ranges::any_of(scene.stages,
+                             [](const Stage& stage) { return stage.rules || stage.contact; });
 }
 
 }  // namespace
@@ -184,9 +184,8 @@ Size size_of(const Scene& scene) {
   const double deposited = std::min(particles, filled(scene, FillMethod::deposition));
   const double awake = particles - (1 - kAwakeOfDeposited) * deposited;
   const auto index_count = static_cast<double>(lattice.index_count());
-  const bool overlaps = std::any_of(scene.walls.begin(), scene.walls.end(), [](const Wall& wall) {
-    return wall.passive == grains::Passive::overlap;
-  });
+  const bool overlaps = std::ranges::any_of(
+      scene.walls, [](const Wall& wall) { return wall.passive == grains::Passive::overlap; });
   const double model =
       grains::OccupancyTable::bytes_for(index_count, overlaps) +
       grains::kParticleBytes * particles +

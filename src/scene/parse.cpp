@@ -49,8 +49,8 @@ bool is_boltzmann(const Value& root) {
            entry.key, other.key, fmt::join(boltzmann_keys, ", "), fmt::join(automaton_keys, ", "));
     }
   }
-  const bool misspelt = automaton == nullptr &&
-                        std::any_of(root.entries.begin(), root.entries.end(), stands_for_boltzmann);
+  const bool misspelt =
+      automaton == nullptr && std::ranges::any_of(root.entries, stands_for_boltzmann);
   return boltzmann != nullptr || misspelt;
 }
 
@@ -126,8 +126,8 @@ BoltzmannScene read_boltzmann_scene(const Value& root, const std::string& file) 
   const Place place = {root, "", none};
   boltzmann_type().read_into(place, &scene);
   check_rows(place, scene);
-  const auto block = std::find_if(root.entries.begin(), root.entries.end(),
-                                  [](const Entry& entry) { return entry.key == "boltzmann"; });
+  const auto block = std::ranges::find_if(
+      root.entries, [](const Entry& entry) { return entry.key == "boltzmann"; });
   scene.location = to_string(block->location);
   return scene;
 }

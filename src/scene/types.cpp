@@ -229,7 +229,7 @@ Type<std::vector<std::uint32_t>> weights_type() {
   auto type = by_species<std::uint32_t>(kMaxSpeciesWeight);
   type.schema = with(type.schema, "minProperties", 1);
   return type.checked([](const std::vector<std::uint32_t>& weights, const Place& place) {
-    if (std::all_of(weights.begin(), weights.end(), [](auto weight) { return weight == 0; })) {
+    if (std::ranges::all_of(weights, [](auto weight) { return weight == 0; })) {
       fail(place, "expected a weight above 0");
     }
   });

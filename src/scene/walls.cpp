@@ -37,7 +37,7 @@ std::vector<lattice::Site> wall_sites(const lattice::Lattice& lattice, const Wal
     sites.insert(sites.end(), more.begin(), more.end());
   }
   if (wall.parts.size() > 1) {
-    std::sort(sites.begin(), sites.end());
+    std::ranges::sort(sites);
     sites.erase(std::unique(sites.begin(), sites.end()), sites.end());
   }
   return sites;

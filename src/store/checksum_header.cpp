@@ -51,8 +51,8 @@ bool read_number(std::string_view header, std::string_view key, T& number) {
 std::vector<std::uint8_t> with_header(const FileKind& kind, std::span<const std::uint8_t> content) {
   const std::string text = header_text(kind, content);
   std::vector<std::uint8_t> file(kHeaderBytes + content.size(), 0);
-  std::copy(text.begin(), text.end(), file.begin());
-  std::copy(content.begin(), content.end(), file.begin() + kHeaderBytes);
+  std::ranges::copy(text, file.begin());
+  std::ranges::copy(content, file.begin() + kHeaderBytes);
   return file;
 }
 

@@ -99,10 +99,10 @@ struct OutputFolder::State {
 bool OutputFolder::State::is_file(const std::string& name) const {
   const std::vector<std::string> folders = folders_of(name);
   std::error_code error;
-  return std::all_of(folders.begin(), folders.end(),
-                     [this](const std::string& below) {
-                       return is_real_folder(at(below.substr(0, below.size() - 1)));
-                     }) &&
+  return std::ranges::all_of(folders,
+                             [this](const std::string& below) {
+                               return is_real_folder(at(below.substr(0, below.size() - 1)));
+                             }) &&
          fs::is_regular_file(fs::symlink_status(at(name), error));
 }
 
@@ -150,7 +150,7 @@ void OutputFolder::State::read_manifest() {
       names.insert(line.substr(kBefore.size(), line.size() - kBefore.size() - 1));
     }
   }
-  if (!std::all_of(names.begin(), names.end(), is_inside)) {
+  if (!std::ranges::all_of(names, is_inside)) {
     fail("read", path / kManifest, "it names files outside of the folder");
   }
 }

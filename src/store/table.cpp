@@ -92,7 +92,7 @@ class CellReader {
       cell += taken(end);
       takes('"');
       if (!takes('"')) {
-        line_ += static_cast<std::size_t>(std::count(cell.begin(), cell.end(), '\n'));
+        line_ += static_cast<std::size_t>(std::ranges::count(cell, '\n'));
         return cell;
       }
       cell += '"';
@@ -130,7 +130,7 @@ std::string Table::to_csv() const {
 }
 
 const std::vector<std::string>* ReadTable::find(const std::string& name) const {
-  const auto found = std::find(names.begin(), names.end(), name);
+  const auto found = std::ranges::find(names, name);
   return found == names.end() ? nullptr : &cells[static_cast<std::size_t>(found - names.begin())];
 }
 

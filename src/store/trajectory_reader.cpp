@@ -247,9 +247,8 @@ class Trajectory::Impl {
     const bool goes_on = origins_frame_ && *origins_frame_ <= frame &&
                          frames_[*origins_frame_].stage == frames_[frame].stage;
     if (!goes_on) {
-      const auto begin = std::find_if(frames_.begin(), frames_.end(), [&](const Frame& other) {
-        return other.stage == frames_[frame].stage;
-      });
+      const auto begin = std::ranges::find_if(
+          frames_, [&](const Frame& other) { return other.stage == frames_[frame].stage; });
       origins_.clear();
       take_origins(static_cast<std::size_t>(begin - frames_.begin()));
     }

@@ -61,9 +61,8 @@ std::string short_key(const std::vector<std::string>& keys, const std::string& k
   const auto last_part = [](const std::string& path) {
     return path.substr(path.rfind('.') + 1);  // npos + 1 is 0
   };
-  const auto same = std::count_if(keys.begin(), keys.end(), [&](const std::string& other) {
-    return last_part(other) == last_part(key);
-  });
+  const auto same = std::ranges::count_if(
+      keys, [&](const std::string& other) { return last_part(other) == last_part(key); });
   return same == 1 ? last_part(key) : key;
 }
 
@@ -101,7 +100,7 @@ Selection selection(const Plan& plan) {
 std::optional<render::Image> overview(const Plan& plan, const std::vector<Result>& results,
                                       const std::filesystem::path& folder) {
   const Selection shown = selection(plan);
-  const bool any = std::any_of(shown.runs.begin(), shown.runs.end(), [&](std::size_t run) {
+  const bool any = std::ranges::any_of(shown.runs, [&](std::size_t run) {
     return plan.variant(run).scene.output.frames.has_value();
   });
   if (!any) {

@@ -97,7 +97,7 @@ scene::AnyScene parsed_with_hint(const Request& request, const std::vector<scene
                ? scene::parse_any(*request.text, request.scene.string(), request.overrides, varied)
                : scene::parse_any_file(request.scene, request.overrides, varied);
   } catch (const scene::SceneError& error) {
-    if (std::any_of(values.begin(), values.end(), is_part_of_range)) {
+    if (std::ranges::any_of(values, is_part_of_range)) {
       throw scene::SceneError(std::string(error.what()) + "; a range is FIRST:LAST:STEP");
     }
     throw;
@@ -158,8 +158,8 @@ std::string file_name(const std::string& text) {
            (std::isalnum(code) != 0 || kOthers.find(letter) != std::string_view::npos);
   };
   std::string name = text.substr(0, kMaxLength);
-  std::replace_if(
-      name.begin(), name.end(), [&](char letter) { return !can_stand(letter); }, '_');
+  std::ranges::replace_if(
+      name, [&](char letter) { return !can_stand(letter); }, '_');
   return name == text ? name : fmt::format("{}-{:016x}", name, hash(text));
 }
 

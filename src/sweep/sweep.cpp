@@ -39,11 +39,10 @@ void tell(const std::function<void(const std::string&)>& event, const std::strin
 
 /// Refuses once, before anything is written, what would fail in every run.
 void prepare_drawing(const Plan& plan) {
-  const auto drawn =
-      std::find_if(plan.variants.begin(), plan.variants.end(), [](const Variant& variant) {
-        const auto& frames = variant.scene.output.frames;
-        return frames && frames->drawing == scene::Drawing::polygons;
-      });
+  const auto drawn = std::ranges::find_if(plan.variants, [](const Variant& variant) {
+    const auto& frames = variant.scene.output.frames;
+    return frames && frames->drawing == scene::Drawing::polygons;
+  });
   if (drawn == plan.variants.end()) {
     return;
   }
@@ -245,8 +244,8 @@ std::vector<std::size_t> Sweep::remaining_runs() {
     }
   }
   // Those of which nothing is known may be the longest.
-  std::stable_sort(remaining.begin(), remaining.end(),
-                   [&](std::size_t a, std::size_t b) { return seconds[a] > seconds[b]; });
+  std::ranges::stable_sort(remaining,
+                           [&](std::size_t a, std::size_t b) { return seconds[a] > seconds[b]; });
   return remaining;
 }
 
@@ -286,7 +285,7 @@ void Sweep::carry_out(const std::vector<std::size_t>& runs) {
     }
     if (pool.finished() && !tries_again_) {
       tries_again_ = true;
-      std::for_each(in_use_.begin(), in_use_.end(), [&](std::size_t run) { pool.add(run); });
+      std::ranges::for_each(in_use_, [&](std::size_t run) { pool.add(run); });
     }
     show_progress();
     refresh_tables();
@@ -326,7 +325,7 @@ void Sweep::look_elsewhere() {
 
 void Sweep::tell_shares(const std::vector<std::size_t>& runs) const {
   if (runs.size() > 1) {
-    const auto [least, most] = std::minmax_element(runs.begin(), runs.end());
+    const auto [least, most] = std::ranges::minmax_element(runs);
     tell(events_.message,
          fmt::format("{} ranks, with {} to {} runs each", runs.size(), *least, *most));
   }

@@ -84,7 +84,7 @@ std::vector<std::uint8_t> read_file(const std::filesystem::path& file, double ma
 bool is_file_name(std::string_view text) {
   constexpr std::size_t kMaxLength = 200;
   return !text.empty() && text.size() <= kMaxLength && text.front() != '.' &&
-         std::none_of(text.begin(), text.end(), [](char letter) {
+         std::ranges::none_of(text, [](char letter) {
            const auto code = static_cast<unsigned char>(letter);
            return letter == '/' || code < 0x20 || code == 0x7F;
          });

@@ -33,7 +33,7 @@ struct Checkpoint {
   static constexpr const char* kWanted = "wanted";
   /// Whether the run has not taken a step yet.
   bool is_start() const {
-    return std::all_of(fields.begin(), fields.end(), [](const auto& column) {
+    return std::ranges::all_of(fields, [](const auto& column) {
       return column.first.starts_with(std::string(kWanted) + "/");
     });
   }
