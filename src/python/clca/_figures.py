@@ -23,6 +23,7 @@ from ._table import TEXT, Table, is_numeric
 
 LABEL = frozenset("0123456789abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_-+.")
 NONE = numpy.empty(0)
+ENOUGH_PAIRS = 100  # for a mean over them
 Files = list[tuple[str, Table]]  # what `*` in the name stands for, and the table
 
 
@@ -208,7 +209,7 @@ def slope(source: Source, figure: Figure, files: Files, part: str, table: Table)
 
 
 def neighbours(source: Source, figure: Figure, files: Files, part: str, table: Table) -> Panel:
-    table = table[table["pairs"] >= 100]
+    table = table[table["pairs"] >= ENOUGH_PAIRS]
     fallen = table["fallen_d"]
     kept = Curve("neighbours kept", fallen, table["kept"], style="marked", color=0)
     apart = Curve("diffusion of pairs (right)", fallen, table["pair_diffusion"], style="marked", color=1)
@@ -239,10 +240,10 @@ def across(source: Source, figure: Figure, files: Files, part: str, table: Table
     return Panel(curves, Axis(table.label(x)), Axis(label, zero=figure.zero, high=figure.top), part)
 
 
-def place_panel(draw: Callable[[Any], None], title: str, x: Sequence[float], y: Sequence[float]) -> Panel:
+def place_panel(draw: Callable[[Any], None], title: str, x: Sequence[float], y: Sequence[float], bar: bool = False) -> Panel:
     """In the plane, at equal scales."""
-    across, up = (Axis(f"{name}, lattice spacings", low=low, high=high) for name, (low, high) in (("x", x), ("y", y)))
-    return Panel((), across, up, title, draw=draw, equal=True)
+    across, up = (Axis(f"{name} (spacings)", low=low, high=high) for name, (low, high) in (("x", x), ("y", y)))
+    return Panel((), across, up, title, draw=draw, equal=True, bar=bar)
 
 
 def grid_of(table: Table) -> tuple[NDArray[Any], NDArray[Any], dict[str, NDArray[Any]], int]:
@@ -271,19 +272,18 @@ def arrows(ax: Any, places: Sequence[Any], ends: Sequence[Any], cell: float, col
     length = numpy.hypot(*ends)
     with numpy.errstate(invalid="ignore", divide="ignore"):
         scale = numpy.minimum(0.7 * cell / (float(numpy.nanmean(length)) or 1.0), 1.3 * cell / length)
-    how = {"pivot": "mid", "angles": "xy", "scale_units": "xy", "scale": 1, "color": color, "width": 0.0025}
-    ax.quiver(*places, *(end * scale for end in ends), **how)
+    how = {"pivot": "mid", "angles": "xy", "scale_units": "xy", "scale": 1, "color": color, "width": 0.0025, "clip_on": False}
+    ax.quiver(*places, *(end * scale for end in ends), **how).set_in_layout(False)
 
 
 def field(source: Source, figure: Figure, files: Files, part: str, table: Table) -> Panel:
     xs, ys, means, windows = grid_of(table[table["stage"] == part] if part else table)
     wide, tall = pitch_of(xs, ys), pitch_of(ys, xs)
-    moves, speed = numpy.isfinite(means["vx"]).any(), math.nan
-    if moves:
-        speed = float(numpy.nanmean(numpy.hypot(means["vx"], means["vy"])))
+    speeds = numpy.hypot(means["vx"], means["vy"])
+    has_arrows = figure.y == "packing" and bool((speeds > 0).any())
     label = table.label(figure.y)
-    if figure.y == "packing":
-        label = f"Packing; mean arrow: {speed:.2g} {table.units['vx']}"
+    if has_arrows:
+        label = f"Packing; mean arrow: {numpy.nanmean(speeds):.2g} {table.units['vx']}"
 
     def draw(ax: Any) -> None:
         edges = [numpy.append(centres - size / 2, centres[-1] + size / 2) for centres, size in ((xs, wide), (ys, tall))]
@@ -291,11 +291,11 @@ def field(source: Source, figure: Figure, files: Files, part: str, table: Table)
         ax.grid(False)
         shown = ax.pcolormesh(*edges, means[figure.y], cmap=blue, vmin=0)
         ax.figure.colorbar(shown, ax=ax, shrink=0.9, aspect=25)
-        if figure.y == "packing" and moves:
+        if has_arrows:
             arrows(ax, numpy.meshgrid(xs, ys), (means["vx"], means["vy"]), wide, "#202020")
 
     title = f"{part}, mean over {windows} window{'s' * (windows > 1)}\n{label}"
-    return place_panel(draw, title, (xs[0] - wide / 2, xs[-1] + wide / 2), (ys[0] - tall / 2, ys[-1] + tall / 2))
+    return place_panel(draw, title, (xs[0] - wide / 2, xs[-1] + wide / 2), (ys[0] - tall / 2, ys[-1] + tall / 2), bar=True)
 
 
 def convection(source: Source, figure: Figure, files: Files, part: str, table: Table) -> Panel:
@@ -306,7 +306,7 @@ def convection(source: Source, figure: Figure, files: Files, part: str, table: T
         arrows(ax, (table["x"], table["y"]), (table["dx"], table["dy"]), cell, "#0072b2")
 
     limits = [(float(table[axis].min()) - cell, float(table[axis].max()) + cell) for axis in ("x", "y")]
-    return place_panel(draw, f"{part} (longest: {longest:.2g} spacings per cycle)", *limits)
+    return place_panel(draw, f"{part} (longest: {longest:.2g} spacings per cycle)", limits[0], limits[1])
 
 
 def contacts(source: Source, figure: Figure, files: Files, part: str, table: Table) -> Panel:
@@ -553,6 +553,8 @@ def allows(figure: Figure, table: Table) -> bool:
         return any(name.startswith(figure.y[:-1]) and set(name) <= LABEL and has(table, name) for name in table.names)
     if figure.draw is energy:
         table = table[table["energy"] == figure.name.partition("-")[2]] if "energy" in table.names else table[:0]
+    if figure.draw is neighbours:
+        table = table[table["pairs"] >= ENOUGH_PAIRS] if "pairs" in table.names else table[:0]
     if figure.name == "particles" and has(table, "particles"):
         return len(numpy.unique(table["particles"])) > 1
     return all(has(table, column) for column in (*figure.y.split("/"), figure.x, *figure.needs) if column)
