@@ -54,8 +54,8 @@ class Source:
             self.stages = list(dict.fromkeys(map(str, folder.measures["stage"]))) if "measures" in self.names else []
         for stage in choice.stages:
             if stage not in self.stages:
-                near = suggestion(stage, self.stages)
-                raise Error(f"{folder.folder}: no stage '{stage}'{near}; there are {', '.join(self.stages)}")
+                near = suggestion(stage, self.stages) or f"; there are {', '.join(self.stages)}"
+                raise Error(f"{folder.folder}: no stage '{stage}'{near}")
         self._tables: dict[str, Table] = {}
 
     def is_wanted(self, stage: str) -> bool:
@@ -600,11 +600,18 @@ def with_y2(source: Source, table: Table, x: str, by: str, panel: Panel) -> Pane
     if not (y2 := source.choice.y2):
         return panel
     table._check_numbers(y2)
-    groups = dict(groups_of(table, by))
-    right = [curve_of(source, "", groups[curve.label], x, y2, line="--", color=i) for i, curve in enumerate(panel.curves)]
-    axes = (f"{panel.y.label} (left)", "-"), (f"{table.label(y2)} (right, dashed)", "--")
-    curves = [*panel.curves, *(legend_entry(label, line) for label, line in axes)]
-    return panel._replace(curves=curves, y2=Axis(table.label(y2)), on_y2=right)
+    groups, left, right = dict(groups_of(table, by)), f"{panel.y.label} (left)", f"{table.label(y2)} (right, dashed)"
+
+    def dashed(of: Curve, label: str, color: int) -> Curve:
+        return curve_of(source, label, groups[of.label], x, y2, line="--", color=color)
+
+    panel = panel._replace(y2=Axis(table.label(y2)))
+    if len(panel.curves) == 1:  # its colour tells the axis
+        (curve,) = panel.curves
+        title = panel.title or curve.label
+        return panel._replace(curves=[curve._replace(label=left, color=0)], on_y2=[dashed(curve, right, 1)], title=title)
+    curves = [*panel.curves, legend_entry(left, "-"), legend_entry(right)]
+    return panel._replace(curves=curves, on_y2=[dashed(curve, "", i) for i, curve in enumerate(panel.curves)])
 
 
 def logged(panel: Panel, log: str) -> Panel:
@@ -634,14 +641,16 @@ def column_chart(source: Source, y: str) -> Chart:
 def table_with(source: Source, columns: list[str]) -> Table:
     """The first table that has all these columns: the series, else in alphabetical order. Throws Error."""
     known: list[str] = []
-    for name in sorted(source.names, key=lambda name: (name != "series", name)):
+    tables = sorted(source.names, key=lambda name: (name != "series", name))
+    for name in tables:
         table = source.table(name)
         if set(columns) <= set(table.names):
             return table
         known += table.names
     missing = next((column for column in columns if column not in known), None)
     if missing is not None:
-        raise Error(f"{source.folder.folder}: no table with a column '{missing}'{suggestion(missing, known)}")
+        there = f"; {tables[0]}.csv has {', '.join(source.table(tables[0]).names)}" if tables else ""
+        raise Error(f"{source.folder.folder}: no table with a column '{missing}'{suggestion(missing, known) or there}")
     raise Error(f"{source.folder.folder}: no table with all of the columns {', '.join(columns)}")
 
 
@@ -690,6 +699,9 @@ def chosen(folder: Run | Sweep, only: Sequence[str], choice: Choice) -> list[Cha
     rows = {row.name: row for row in FIGURES}
     for name in (one for one in only if one not in known):
         if name in names_of(charts(folder)):
+            if choice.y2 and not choice.y:
+                over_time = ", ".join(chart.name for chart in possible)
+                raise Error(f"{folder.folder}: the figure '{name}' has no second axis; figures over time have one: {over_time}")
             raise Error(f"{folder.folder}: the figure '{name}' has {nothing}")
         if row := rows.get(name):
             columns = ", ".join(filter(None, (row.x, row.y, *row.needs)))
