@@ -388,6 +388,7 @@ except clca.Error as error:
             said = json.loads((run.folder / "run.json").read_text())["tables"]
             self.assertTrue(any(name == kind or name.startswith(f"{kind}-") for kind in said), name)
             self.assertTrue(all(table.descriptions.values()), name)
+        self.assertTrue(str(run.series).startswith("step, time, stage, particles, "))
 
 
 if __name__ == "__main__":
