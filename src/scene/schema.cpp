@@ -223,7 +223,8 @@ std::vector<std::string> paths_about(const Descriptions& top, std::string_view w
   const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
   std::vector<std::string> paths;
   for (const auto& [key, path] : all_keys(top)) {
-    const std::string about = fmt::format(" {} ", without_markup(key->about));
+    const std::string about =
+        fmt::format(" {} {} ", without_markup(key->about), without_markup(key->allowed));
     for (std::size_t at = about.find(word); at != std::string::npos;
          at = about.find(word, at + 1)) {
       if (!is_letter(about[at - 1]) && !is_letter(about[at + word.size()])) {

@@ -112,6 +112,14 @@ class FiguresTest(ScratchTest):
         self.assertEqual([any(line.get_visible() for line in ax.get_ygridlines()) for ax in (first, second)], [True, False])
         with self.assertRaisesRegex(clca.Error, "no figure over time of a table with a column 'movin'"):
             names(run, y2="movin")
+        with self.assertRaisesRegex(clca.Error, "'profile' has no second axis; figures over time have one: motion, mean-height"):
+            panel_of(run, "profile", y2="moving")
+
+    def test_two_curves_on_two_axes_have_colours_and_names_of_their_own(self):
+        panel = panel_of(clca.run(SCENE, output="run"), "mean-height", y2="moving", stages=("flow",))
+        self.assertEqual([(curve.label, curve.color) for curve in [*panel.curves, *panel.on_y2]],
+                         [("Mean height of the particles (spacings) (left)", 0), ("Moving (particles) (right, dashed)", 1)])
+        self.assertEqual(panel.title, "flow")
 
     def test_what_cannot_be_drawn_is_said(self):
         run = clca.run(SCENE, output="run")
@@ -120,6 +128,7 @@ class FiguresTest(ScratchTest):
         with self.assertRaisesRegex(clca.Error, "no figure 'x' .there are: .*profile"):
             chosen(run, ["x"], Choice())
         for choice, said in (
+            ({"y": ["time"]}, "no table with a column 'time'; series.csv has step, stage, "),
             ({"first": 1e9}, "the figure 'motion' has no rows in the stages and times that are chosen"),
             ({"stages": ["packing"], "first": 9000}, "the figure 'motion' has no rows in the stages"),
             ({"first": 1e9, "y": ["moving_share"]}, "'moving_share' has no rows in the stages and times that are chosen"),
@@ -309,6 +318,8 @@ class CommandTest(ScratchTest):
     def test_mistakes_are_one_line(self):
         clca.run(SCENE, output="run")
         self.refused(2, "none/run.json: No such file", "none")
+        clca.run(SCENE, output="renders/mine")
+        self.refused(2, "mine/run.json: No such file or directory; did you mean .*/renders/mine.", "mine")
         self.refused(2, "no figure 'x'", "run", "--only", "x")
         self.refused(2, "--x-range.*two numbers", "run", "--x-range", "5")
         self.refused(1, "nowhere", "run", environment={"CLCA_PYTHON": str(self.folder / "nowhere")})
@@ -377,6 +388,7 @@ except clca.Error as error:
             said = json.loads((run.folder / "run.json").read_text())["tables"]
             self.assertTrue(any(name == kind or name.startswith(f"{kind}-") for kind in said), name)
             self.assertTrue(all(table.descriptions.values()), name)
+        self.assertTrue(str(run.series).startswith("step, time, stage, particles, "))
 
 
 if __name__ == "__main__":

@@ -258,7 +258,7 @@ def check_xyz(run, file):
     for expected in run.frames:
         count = int(next(lines))
         comment = dict(word.split("=", 1) for word in shlex.split(next(lines)))
-        properties = "species:S:1:pos:R:3:id:I:1:velo:R:3:displacement:R:3:force:R:1:mass:R:1:radius:R:1"
+        properties = "species:S:1:pos:R:3:id:I:1:velo:R:3:displacement:R:3:load:R:1:mass:R:1:radius:R:1"
         assert comment["Properties"] == properties + ":angular_velocity:R:1" * run.is_contact
         assert int(comment["Step"]) == expected["step"]
         same(float(comment["Time"]), expected["step"] * run.time_step, "time", 1e-9)

@@ -67,6 +67,7 @@ class Panel(NamedTuple):
     on_y2: Sequence[Curve] = ()
     draw: Callable[[Any], None] | None = None
     equal: bool = False  #: scales of both axes
+    bar: bool = False  #: `draw` makes a colour bar beside it
     scale: tuple[str, Sequence[float]] | None = None  #: label and numbers of a colour bar for the curves
 
 
@@ -220,7 +221,7 @@ def draw_panel(ax: Any, panel: Panel, look: Look = Look(), beside: Sequence[Pane
     draw_axis(ax, "x", panel.x, [curve.x for curve in together], look.x_limits)
     draw_axis(ax, "y", panel.y, parts, look.y_limits)
     if panel.curves and not (panel.x.words or panel.x.log) and {*look.x_limits, panel.x.low} == {None}:
-        ax.margins(x=0.03 if shown[0].style in ("bars", "points") else 0)
+        ax.margins(x={"bars": 0.03, "points": 0.03, "sparse": 0.01}.get(shown[0].style, 0))  # whole points and bars at the ends
     if panel.y2 is not None:
         axes[1].grid(False)  # it would lie over the curves of the first axis
         draw_axis(axes[1], "y", panel.y2, [curve.y for curve in panel.on_y2])
@@ -324,7 +325,7 @@ def page(chart: Chart, look: Look, width: float, height: float | None, letter: f
 def aspect_of(panel: Panel) -> float | None:
     """Height over width, where both axes have one scale and limits."""
     wide, high = (math.nan if axis.low is None or axis.high is None else axis.high - axis.low for axis in (panel.x, panel.y))
-    return float(high / wide) if panel.equal else None
+    return float(high / wide) * (0.84 if panel.bar else 1) if panel.equal else None
 
 
 def legend_of(axes: Sequence[Sequence[Any]], panels: Sequence[Panel]) -> tuple[list[Any], list[str]]:

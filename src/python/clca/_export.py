@@ -152,12 +152,12 @@ def contact_arrays(source: Source, frame: Frame, count: int, pairs: bool = False
 
 
 def xyz(source: Source, target: Target) -> None:
-    """Extended XYZ (github.com/libAtoms/extxyz): frame after frame as text."""
+    """Extended XYZ (github.com/libAtoms/extxyz): frame after frame as text. A column `force` would be a vector to OVITO."""
     (width, height), (left, floor), depth = source.size, source.corner, source.spacing
     names = [name for name in source.columns if name != "image"]
     spin = names[7:]  # angular_velocity
     box = f'Lattice="{width:.9g} 0 0 0 {height:.9g} 0 0 0 {depth:.9g}" Origin="{left:.9g} {floor:.9g} {-depth / 2:.9g}" '
-    box += "Properties=species:S:1:pos:R:3:id:I:1:velo:R:3:displacement:R:3:force:R:1:mass:R:1:radius:R:1"
+    box += "Properties=species:S:1:pos:R:3:id:I:1:velo:R:3:displacement:R:3:load:R:1:mass:R:1:radius:R:1"
     box += "".join(f":{name}:R:1" for name in spin)
     line = "%s %.9g %.9g 0 %d %.7g %.7g 0 %.7g %.7g 0 %.7g %.7g %.7g" + " %.7g" * len(spin) + "\n"
     species = numpy.array([kind.species for kind in source.kinds])

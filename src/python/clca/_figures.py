@@ -23,6 +23,7 @@ from ._table import TEXT, Table, is_numeric
 
 LABEL = frozenset("0123456789abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_-+.")
 NONE = numpy.empty(0)
+ENOUGH_PAIRS = 100  # for a mean over them
 Files = list[tuple[str, Table]]  # what `*` in the name stands for, and the table
 
 
@@ -53,8 +54,8 @@ class Source:
             self.stages = list(dict.fromkeys(map(str, folder.measures["stage"]))) if "measures" in self.names else []
         for stage in choice.stages:
             if stage not in self.stages:
-                near = suggestion(stage, self.stages)
-                raise Error(f"{folder.folder}: no stage '{stage}'{near}; there are {', '.join(self.stages)}")
+                near = suggestion(stage, self.stages) or f"; there are {', '.join(self.stages)}"
+                raise Error(f"{folder.folder}: no stage '{stage}'{near}")
         self._tables: dict[str, Table] = {}
 
     def is_wanted(self, stage: str) -> bool:
@@ -208,7 +209,7 @@ def slope(source: Source, figure: Figure, files: Files, part: str, table: Table)
 
 
 def neighbours(source: Source, figure: Figure, files: Files, part: str, table: Table) -> Panel:
-    table = table[table["pairs"] >= 100]
+    table = table[table["pairs"] >= ENOUGH_PAIRS]
     fallen = table["fallen_d"]
     kept = Curve("neighbours kept", fallen, table["kept"], style="marked", color=0)
     apart = Curve("diffusion of pairs (right)", fallen, table["pair_diffusion"], style="marked", color=1)
@@ -239,10 +240,10 @@ def across(source: Source, figure: Figure, files: Files, part: str, table: Table
     return Panel(curves, Axis(table.label(x)), Axis(label, zero=figure.zero, high=figure.top), part)
 
 
-def place_panel(draw: Callable[[Any], None], title: str, x: Sequence[float], y: Sequence[float]) -> Panel:
+def place_panel(draw: Callable[[Any], None], title: str, x: Sequence[float], y: Sequence[float], bar: bool = False) -> Panel:
     """In the plane, at equal scales."""
-    across, up = (Axis(f"{name}, lattice spacings", low=low, high=high) for name, (low, high) in (("x", x), ("y", y)))
-    return Panel((), across, up, title, draw=draw, equal=True)
+    across, up = (Axis(f"{name} (spacings)", low=low, high=high) for name, (low, high) in (("x", x), ("y", y)))
+    return Panel((), across, up, title, draw=draw, equal=True, bar=bar)
 
 
 def grid_of(table: Table) -> tuple[NDArray[Any], NDArray[Any], dict[str, NDArray[Any]], int]:
@@ -271,19 +272,18 @@ def arrows(ax: Any, places: Sequence[Any], ends: Sequence[Any], cell: float, col
     length = numpy.hypot(*ends)
     with numpy.errstate(invalid="ignore", divide="ignore"):
         scale = numpy.minimum(0.7 * cell / (float(numpy.nanmean(length)) or 1.0), 1.3 * cell / length)
-    how = {"pivot": "mid", "angles": "xy", "scale_units": "xy", "scale": 1, "color": color, "width": 0.0025}
-    ax.quiver(*places, *(end * scale for end in ends), **how)
+    how = {"pivot": "mid", "angles": "xy", "scale_units": "xy", "scale": 1, "color": color, "width": 0.0025, "clip_on": False}
+    ax.quiver(*places, *(end * scale for end in ends), **how).set_in_layout(False)
 
 
 def field(source: Source, figure: Figure, files: Files, part: str, table: Table) -> Panel:
     xs, ys, means, windows = grid_of(table[table["stage"] == part] if part else table)
     wide, tall = pitch_of(xs, ys), pitch_of(ys, xs)
-    moves, speed = numpy.isfinite(means["vx"]).any(), math.nan
-    if moves:
-        speed = float(numpy.nanmean(numpy.hypot(means["vx"], means["vy"])))
+    speeds = numpy.hypot(means["vx"], means["vy"])
+    has_arrows = figure.y == "packing" and bool((speeds > 0).any())
     label = table.label(figure.y)
-    if figure.y == "packing":
-        label = f"Packing; mean arrow: {speed:.2g} {table.units['vx']}"
+    if has_arrows:
+        label = f"Packing; mean arrow: {numpy.nanmean(speeds):.2g} {table.units['vx']}"
 
     def draw(ax: Any) -> None:
         edges = [numpy.append(centres - size / 2, centres[-1] + size / 2) for centres, size in ((xs, wide), (ys, tall))]
@@ -291,11 +291,11 @@ def field(source: Source, figure: Figure, files: Files, part: str, table: Table)
         ax.grid(False)
         shown = ax.pcolormesh(*edges, means[figure.y], cmap=blue, vmin=0)
         ax.figure.colorbar(shown, ax=ax, shrink=0.9, aspect=25)
-        if figure.y == "packing" and moves:
+        if has_arrows:
             arrows(ax, numpy.meshgrid(xs, ys), (means["vx"], means["vy"]), wide, "#202020")
 
     title = f"{part}, mean over {windows} window{'s' * (windows > 1)}\n{label}"
-    return place_panel(draw, title, (xs[0] - wide / 2, xs[-1] + wide / 2), (ys[0] - tall / 2, ys[-1] + tall / 2))
+    return place_panel(draw, title, (xs[0] - wide / 2, xs[-1] + wide / 2), (ys[0] - tall / 2, ys[-1] + tall / 2), bar=True)
 
 
 def convection(source: Source, figure: Figure, files: Files, part: str, table: Table) -> Panel:
@@ -306,7 +306,7 @@ def convection(source: Source, figure: Figure, files: Files, part: str, table: T
         arrows(ax, (table["x"], table["y"]), (table["dx"], table["dy"]), cell, "#0072b2")
 
     limits = [(float(table[axis].min()) - cell, float(table[axis].max()) + cell) for axis in ("x", "y")]
-    return place_panel(draw, f"{part} (longest: {longest:.2g} spacings per cycle)", *limits)
+    return place_panel(draw, f"{part} (longest: {longest:.2g} spacings per cycle)", limits[0], limits[1])
 
 
 def contacts(source: Source, figure: Figure, files: Files, part: str, table: Table) -> Panel:
@@ -553,6 +553,8 @@ def allows(figure: Figure, table: Table) -> bool:
         return any(name.startswith(figure.y[:-1]) and set(name) <= LABEL and has(table, name) for name in table.names)
     if figure.draw is energy:
         table = table[table["energy"] == figure.name.partition("-")[2]] if "energy" in table.names else table[:0]
+    if figure.draw is neighbours:
+        table = table[table["pairs"] >= ENOUGH_PAIRS] if "pairs" in table.names else table[:0]
     if figure.name == "particles" and has(table, "particles"):
         return len(numpy.unique(table["particles"])) > 1
     return all(has(table, column) for column in (*figure.y.split("/"), figure.x, *figure.needs) if column)
@@ -598,11 +600,18 @@ def with_y2(source: Source, table: Table, x: str, by: str, panel: Panel) -> Pane
     if not (y2 := source.choice.y2):
         return panel
     table._check_numbers(y2)
-    groups = dict(groups_of(table, by))
-    right = [curve_of(source, "", groups[curve.label], x, y2, line="--", color=i) for i, curve in enumerate(panel.curves)]
-    axes = (f"{panel.y.label} (left)", "-"), (f"{table.label(y2)} (right, dashed)", "--")
-    curves = [*panel.curves, *(legend_entry(label, line) for label, line in axes)]
-    return panel._replace(curves=curves, y2=Axis(table.label(y2)), on_y2=right)
+    groups, left, right = dict(groups_of(table, by)), f"{panel.y.label} (left)", f"{table.label(y2)} (right, dashed)"
+
+    def dashed(of: Curve, label: str, color: int) -> Curve:
+        return curve_of(source, label, groups[of.label], x, y2, line="--", color=color)
+
+    panel = panel._replace(y2=Axis(table.label(y2)))
+    if len(panel.curves) == 1:  # its colour tells the axis
+        (curve,) = panel.curves
+        title = panel.title or curve.label
+        return panel._replace(curves=[curve._replace(label=left, color=0)], on_y2=[dashed(curve, right, 1)], title=title)
+    curves = [*panel.curves, legend_entry(left, "-"), legend_entry(right)]
+    return panel._replace(curves=curves, on_y2=[dashed(curve, "", i) for i, curve in enumerate(panel.curves)])
 
 
 def logged(panel: Panel, log: str) -> Panel:
@@ -632,14 +641,16 @@ def column_chart(source: Source, y: str) -> Chart:
 def table_with(source: Source, columns: list[str]) -> Table:
     """The first table that has all these columns: the series, else in alphabetical order. Throws Error."""
     known: list[str] = []
-    for name in sorted(source.names, key=lambda name: (name != "series", name)):
+    tables = sorted(source.names, key=lambda name: (name != "series", name))
+    for name in tables:
         table = source.table(name)
         if set(columns) <= set(table.names):
             return table
         known += table.names
     missing = next((column for column in columns if column not in known), None)
     if missing is not None:
-        raise Error(f"{source.folder.folder}: no table with a column '{missing}'{suggestion(missing, known)}")
+        there = f"; {tables[0]}.csv has {', '.join(source.table(tables[0]).names)}" if tables else ""
+        raise Error(f"{source.folder.folder}: no table with a column '{missing}'{suggestion(missing, known) or there}")
     raise Error(f"{source.folder.folder}: no table with all of the columns {', '.join(columns)}")
 
 
@@ -688,6 +699,9 @@ def chosen(folder: Run | Sweep, only: Sequence[str], choice: Choice) -> list[Cha
     rows = {row.name: row for row in FIGURES}
     for name in (one for one in only if one not in known):
         if name in names_of(charts(folder)):
+            if choice.y2 and not choice.y:
+                over_time = ", ".join(chart.name for chart in possible)
+                raise Error(f"{folder.folder}: the figure '{name}' has no second axis; figures over time have one: {over_time}")
             raise Error(f"{folder.folder}: the figure '{name}' has {nothing}")
         if row := rows.get(name):
             columns = ", ".join(filter(None, (row.x, row.y, *row.needs)))

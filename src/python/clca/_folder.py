@@ -81,8 +81,10 @@ def read_json(file: Path) -> dict[str, Any]:
             text = stream.read(MOST_BYTES + 1)
         found = json.loads(text) if len(text) <= MOST_BYTES else None
     except OSError as error:
-        is_folder = file.parent.is_dir() and not file.exists()
-        more = f"; {file.parent} is not the folder of a run" if is_folder else ""
+        folder, usual = file.parent, file.parent.parent / "renders" / file.parent.name
+        is_folder = folder.is_dir() and not file.exists()
+        more = f"; {folder} is not the folder of a run" if is_folder else ""
+        more += f"; did you mean {usual}?" if (usual / file.name).is_file() else ""
         raise Error(f"cannot read {file}: {error.strerror}{more}") from None
     except (ValueError, RecursionError):
         found = None

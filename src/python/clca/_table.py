@@ -112,6 +112,9 @@ class Table(numpy.ndarray[Any, numpy.dtype[Any]]):
         # A column is a plain array.
         return part.view(numpy.ndarray) if isinstance(part, Table) and part.dtype.names is None else part
 
+    def __str__(self) -> str:
+        return "\n".join(filter(None, (", ".join(self.names), super().__str__())))
+
     @property
     def names(self) -> tuple[str, ...]:
         return self.dtype.names or ()

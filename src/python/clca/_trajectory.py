@@ -118,7 +118,8 @@ def trajectory_in(folder: Path, summary: dict[str, Any]) -> Trajectory:
     files = sorted((folder / "trajectory").glob("part-*.h5"))
     if not files:
         is_gas = summary["kind"] == "boltzmann"
-        how = "one of the Boltzmann equation has none" if is_gas else "run the scene again with output.trajectory in it"
+        again = "run the scene again with output.trajectory in it, as by --set output.trajectory.every=10"
+        how = "one of the Boltzmann equation has none" if is_gas else again
         raise Error(f"{folder}: the run has left no trajectory; {how}")
     for number, file in enumerate(files):
         if file.stem != f"part-{number:06}":
