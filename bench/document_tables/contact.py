@@ -210,6 +210,9 @@ TABLES = [
                                                  ("0.2, floor 0.4", 0.2, 0.4))], output=ENDS),
     Table("phenomena.md", "collapse-height", "collapse-contact", [HEIGHT, RUNOUT, SLOPE],
           [collapse(f"{width} wide", "101..104", 2000, width, "resistance", height=1300) for width in (169, 119, 84)], output=ENDS),
+    Table("phenomena.md", "collapse-rolling", "collapse-contact", [HEIGHT, RUNOUT, SLOPE, SHIFT, MOVED],
+          [of_540(title, "resistance", *more, seeds="101..164")
+           for title, *more in (("0.5",), ("0.5, restitution 0.8", "contact.restitution=0.8"), ("0.2", "contact.rolling_friction=0.2"))], output=ENDS),
     Table("phenomena.md", "collapse-free", "collapse-contact", [SLOPE, MOVED, RUNOUT],
           [of_540("after 2,200 steps", "free", "stages.flow.until={steps: 2200}"),
            *(of_540(f"{steps:,}, box 16 L0 wide", "free", "box.width=1152", f"stages.flow.until={{steps: {steps}}}") for steps in (3100, 6200))], output=ENDS),

@@ -149,8 +149,8 @@ def drum(name, rate, rolling, seeds):
 
 
 CASES = [
-    collapse("collapse-540-resistance", 540, 72, "resistance", 12),
-    collapse("collapse-540-none", 540, 72, "none", 12),
+    collapse("collapse-540-resistance", 540, 72, "resistance", 64),
+    collapse("collapse-540-none", 540, 72, "none", 64),
     *(poured(f"hard-rain-{rolling}", rolling, seeds, 5) for rolling, seeds in (("none", 16), ("resistance", 8), ("free", 8))),
     filled("random-fill-none", "none", 8, 164, 700, 350, 1010),
     poured("slow-pour-none", "none", 4, 0.05),
@@ -158,6 +158,12 @@ CASES = [
     filled("janssen-83d", "resistance", 4, 164, 1300, 790),
     collapse("collapse-540-free", 540, 72, "free", 4, most_flow=60.6),
     collapse("collapse-540-none-friction-0.2", 540, 72, "none", 4, friction=0.2),
+    collapse("collapse-540-resistance-restitution-0.8", 540, 72, "resistance", 16, restitution=0.8),
+    collapse("collapse-540-resistance-rolling-0.2", 540, 72, "resistance", 16, rolling_friction=0.2),
+    *(collapse(f"collapse-{grains}-resistance-{more}stiffness-{stiffness:g}", grains, width, "resistance", seeds, rolling_friction=rolling_friction, stiffness=stiffness)
+      for grains, width, stiffness, more, rolling_friction, seeds in (
+          (540, 72, 2.5e3, "", 0.5, 16), (540, 72, 1.6e5, "", 0.5, 16), (540, 72, 1.6e5, "rolling-0.2-", 0.2, 8), (2000, 138.6, 1.6e5, "", 0.5, 4),
+          (5000, 219, 1.6e5, "", 0.5, 1))),
     heap("heap-60-steps", 0.0167, 8),
     heap("heap-240-steps", 0.0042, 8),
     tilted("tilted-box-free", "free", 8),

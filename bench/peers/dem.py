@@ -38,6 +38,8 @@ class Case:
     numbers: object  # what is taken from a run, by quantity
     rolling: str = "resistance"
     friction: float = FRICTION
+    rolling_friction: float = ROLLING_FRICTION
+    restitution: float = RESTITUTION
     stiffness: float = STIFFNESS
     seeds: int = 4
     fall_height: float = 0  # of clca, where time counts: it sets the length of its step
@@ -189,9 +191,9 @@ def variables(case, grains, seed):
     return {
         "decks": HERE / "decks", "space_left": min(0, low[0]) - 40, "space_right": max(grains.right, high[0]) + 40, "space_bottom": min(0, low[1]) - 60, "space_top": high[1] + 40,
         "radius1": small, "radius2": grains.radii[2], "skin": 0.3 * small,
-        "stiffness": stiffness, "tangential": TANGENTIAL * stiffness, "damping": tsuji(RESTITUTION), "friction": case.friction,
-        "rolling": case.rolling, "rolling_stiffness": ROLLING * stiffness, "rolling_friction": ROLLING_FRICTION,
-        "rolling_damping": ratio(RESTITUTION) * math.sqrt(mass / 2 * ROLLING * stiffness),
+        "stiffness": stiffness, "tangential": TANGENTIAL * stiffness, "damping": tsuji(case.restitution), "friction": case.friction,
+        "rolling": case.rolling, "rolling_stiffness": ROLLING * stiffness, "rolling_friction": case.rolling_friction,
+        "rolling_damping": ratio(case.restitution) * math.sqrt(mass / 2 * ROLLING * stiffness),
         "floor": FLOOR, "left": LEFT, "right": grains.right, "count": len(grains.types),
         "dt": dt, "check": max(1, round(REST_INTERVAL * math.sqrt(grains.diameter) / dt)), "frame": round(case.frame / dt),
         "rest_energy": REST * grains.mass * grains.diameter, "rest_checks": REST_CHECKS, "most": case.most, **case.variables,
