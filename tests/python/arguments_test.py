@@ -87,6 +87,34 @@ class ArgumentsTest(ScratchTest):
         with self.assertRaisesRegex(IndexError, "no run 2; there are 2"):
             sweep[2]
 
+    def test_names_in_tables_are_texts_that_are_there(self):
+        run, sweep = clca.run(SCENE, output="run"), clca.sweep(SCENE, seeds=[1, 2], output="sweep")
+        for wrong in (1, None, b"step", ["step"], slice(0, 2), numpy.array(["step", "stage"])):
+            self.refused(lambda: run.series.label(wrong), "column: expected a text, found '")
+            self.refused(lambda: run.table(wrong), "name: expected a text, found '")
+            self.refused(lambda: sweep.series(wrong, "moving"), "stage: expected a text, found '")
+            self.refused(lambda: sweep.series("flow", wrong), "column: expected a text, found '")
+        self.refused(lambda: run.series[["step", "nosuch"]], "no column 'nosuch'; there are step, stage")
+        self.assertEqual(run.series[["step", "moving"]].names, ("step", "moving"))
+        self.refused(lambda: sweep.series("nosuch", "moving"), "no stage 'nosuch'; there are packing, flow")
+        with self.assertRaisesRegex(KeyError, "no stage 'nosuch'; there are packing, flow"):
+            run.stages["nosuch"]
+
+    def test_a_name_of_a_file_has_at_most_255_bytes(self):
+        run = clca.run(SCENE, output="run")
+        for name in (256 * "x", 128 * "ä", "run/" + 256 * "x", 256 * "x" + "/run"):
+            for call in (clca.open, clca.resume, clca.Scene, run.movie, run.report, run.picture(0, width=64).save,
+                         lambda name: run.export("xyz", name), lambda name: clca.run(SCENE, output=name),
+                         lambda name: clca.sweep(SCENE, output=name), lambda name: clca.Scene(SCENE, name=name),
+                         lambda name: clca.compare("run", "run", name),
+                         lambda name: clca.calibrate(SCENE, {"flow.x": (1, 1)}, {"rules.inertia": (0, 1)}, output=name)):
+                self.refused(lambda: call(name), "cannot be the name of a file")
+        self.assertEqual(os.listdir(), ["run"])
+        longest = 127 * "ä" + "x"
+        self.assertEqual(clca.run(SCENE, output=longest).folder.name, longest)
+        for call in (run.report, run.picture(0, width=64).save, run.movie):
+            call(longest[6:] + ".png")
+
     def test_a_gas_does_not_go_back(self):
         gas = clca.Gas(GAS)
         self.refused(lambda: gas.advance(-1), "time: expected 0 or later, found '-1'")

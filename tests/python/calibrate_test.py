@@ -148,7 +148,10 @@ class CalibrateTest(ScratchTest):
             ("- 1", "study.yaml:1:1: error: expected a map"),
             ("vary: {a.b: [0, 1], a.b: [0, 2]}", "study.yaml:1:21: error: 'a.b' stands twice"),
             ("vary: {a.b: [0, .nan]}\ntests: []", "study.yaml:1:8: error: expected the range"),
-            ("vary: {a.b: [0.1, 1_0]}\ntests: []", "study.yaml:1:8: error: expected the range [LOWEST, HIGHEST], found '[0.1, '1_0']'"),
+            ("vary: {a.b: [0.1, 1_0]}\ntests: []", "study.yaml:1:8: error: expected the range [LOWEST, HIGHEST], found '[0.1, 1_0]'"),
+            ("vary: {a.b: [12 mm, 15 mm]}\ntests: []",
+             "study.yaml:1:8: error: expected the range [LOWEST, HIGHEST], found '[12 mm, 15 mm]'; numbers stand without a unit"),
+            ("vary: {a.b: [0, 1]}\ntests: [{scene: x, set: [1], targets: {flow.x: [1, 1]}}]", "study.yaml:2:20: error: expected a map of keys"),
             ("vary: {a.b: [no, yes]}\ntests: []", "study.yaml:1:8: error: expected the range"),
             ("vary: {a.b: [false, true]}\ntests: []", "study.yaml:1:8: error: expected the range"),
             (f"vary: {{a.b: [0, 1{400 * '0'}]}}\ntests: []", "study.yaml:1:8: error: expected the range"),
@@ -182,7 +185,11 @@ class CalibrateTest(ScratchTest):
             ({"scene": None, "tests": 5}, "tests: expected a list of tests"),
             ({"seeds": 1}, "seeds: expected a whole number from 2 to 1000, found '1'"),
             ({"points": 9}, "points: expected a power of two, found 9"),
-            ({"vary": {"rules.inertia": (1, 10**400)}}, "vary.rules.inertia: expected the range [LOWEST, HIGHEST], found '(1, 1"),
+            ({"vary": {"rules.inertia": (1, 10**400)}}, "vary.rules.inertia: expected the range [LOWEST, HIGHEST], found '[1, 1"),
+            ({"vary": numpy.array([1, 2])}, "vary: expected a map of keys and values, found '[1 2]'"),
+            ({"targets": numpy.array([1, 2])}, "targets: expected a map of keys and values, found '[1 2]'"),
+            ({"set": numpy.array([1, 2])}, "set: expected a map of keys and values, found '[1 2]'"),
+            ({"tests": numpy.array([1, 2]), "scene": None}, "tests: expected a list of tests"),
         ):
             with self.assertRaises(clca.Error) as caught:
                 clca.calibrate(**{"scene": "scene.yaml", "targets": {"flow.runout_99": (12, 1)}, "vary": {"rules.inertia": (0, 0.9)}}

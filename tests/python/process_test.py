@@ -182,6 +182,11 @@ class PickleTest(ScratchTest):
         copy = pickle.loads(pickle.dumps(caught.exception))
         self.assertEqual((str(copy), copy.line), (str(caught.exception), caught.exception.line))
 
+    def test_errors_of_every_kind_come_from_another_process(self):
+        for kind in (clca.Error, clca.CompiledPartError, clca._error.ArgumentError, clca._error.WriteError):
+            for error in (kind("a: b"), kind.__new__(kind)):
+                self.assertEqual(str(pickle.loads(pickle.dumps(error))), str(error))
+
 
 class ForkTest(ScratchTest):
     def test_children_go_on_after_threads_of_their_parent(self):

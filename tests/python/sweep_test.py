@@ -7,7 +7,7 @@ import warnings
 
 import clca
 import numpy
-from support import CONTACT, GAS, PROGRAM, SCENE, ScratchTest
+from support import CONTACT, GAS, PROGRAM, SCENE, ScratchTest, needs
 
 
 class SweepTest(ScratchTest):
@@ -86,6 +86,24 @@ class SweepTest(ScratchTest):
                       {"vary": {"rules.inertia": [0.5, "=1/2"]}}, {"vary": {("box.width", "box.height"): [(40,)]}}):
             with self.assertRaises(clca.Error):
                 clca.sweep(SCENE, **wrong)
+
+    def test_a_cell_that_is_no_number_is_told_with_its_line(self):
+        needs("matplotlib")
+        clca.sweep(SCENE, seeds=[1, 2, 3], output="sweep", vary={"rules.inertia": [0.1, 0.5]})
+        for table, column in (("measures", "mean"), ("measures", "high"), ("mean-series", "step"), ("mean-series", "moving_se")):
+            file = self.folder / "sweep" / f"{table}.csv"
+            good = file.read_text()
+            names, row, *others = good.splitlines()
+            cells = row.split(",")
+            cells[names.split(",").index(column)] = "x"
+            file.write_text("\n".join([names, ",".join(cells), *others]))
+            sweep = clca.open("sweep")
+            for call in (sweep.plot, lambda: sweep.notes) if column == "mean" else (sweep.plot,):
+                with self.assertRaisesRegex(clca.Error, f"{table}.csv: line 2: 'x' in column '{column}' is no number"):
+                    call()
+            with self.assertRaisesRegex(clca.Error, "is no number"):
+                sweep.plot(y=["flow.runout_99"])
+            file.write_text(good)
 
     def test_runs_that_fail_are_warnings(self):
         # Too many to fit.

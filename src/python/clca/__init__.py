@@ -13,7 +13,7 @@ import importlib
 from typing import TYPE_CHECKING, Any
 
 from ._calibrate import Calibration, calibrate
-from ._error import CompiledPartError, Error
+from ._error import CompiledPartError, Error, without_compiled_part
 from ._folder import Run, Stage, Sweep, open
 from ._frames import Frame, Frames, Kind
 from ._notebook import Movie, Picture, Progress
@@ -42,7 +42,7 @@ def __getattr__(name: str) -> Any:
     except ImportError as error:
         if name == "compare":
             raise
-        raise CompiledPartError(f"clca.{name}", error) from None
+        raise without_compiled_part(f"clca.{name}", error) from None
     globals()[name] = found
     return found
 

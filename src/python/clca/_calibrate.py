@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 import numpy
 
 from . import _answer
-from ._arguments import absolute, plain, progress as checked_progress, to_yaml, workers
+from ._arguments import absolute, mapping, plain, progress as checked_progress, to_yaml, workers
 from ._error import ArgumentError, Error
 from ._folder import Folder, make_own, write_files
 from ._notebook import Progress
@@ -236,13 +236,15 @@ def calibrate(
     """
     from ._scene import sweep
 
-    if (scene is None) == (not tests):
+    is_alone = isinstance(tests, (list, tuple)) and not tests
+    if (scene is None) == is_alone:
         raise ArgumentError("calibrate: either a scene with targets, or tests")
-    one = {"scene": scene, "targets": targets or {}, "set": set or {}}
-    said = {"tests": tests or [one], "vary": vary or {}, "seeds": seeds, "points": points, "rounds": rounds, "check": check}
+    one = {"scene": scene, "targets": mapping("targets", targets), "set": mapping("set", set)}
+    counts = {"seeds": seeds, "points": points, "rounds": rounds, "check": check}
+    said = {"tests": [one] if is_alone else tests, "vary": mapping("vary", vary)} | counts
 
     def refuse(place: Place, text: str) -> Error:
-        shown = place[2:] if not tests and place[:1] == ("tests",) else place
+        shown = place[2:] if is_alone and place[:1] == ("tests",) else place
         return ArgumentError(": ".join(filter(None, (".".join(map(str, shown)), text))))
 
     study = study_of(said, refuse)

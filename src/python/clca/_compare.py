@@ -19,7 +19,7 @@ from typing import Any, NamedTuple
 import numpy
 
 from . import _answer
-from ._arguments import absolute, number
+from ._arguments import absolute, number, text
 from ._chart import Look, rendered
 from ._error import Error, printable
 from ._figures import Choice, chosen
@@ -166,7 +166,7 @@ def compare(
     folder = absolute(output)
     grains, gas = run_of(automaton, MODELS), run_of(boltzmann, GAS)
     numbers = [None if one is None else number(name, one) for name, one in (("time", time), ("restitution", restitution))]
-    files, _ = compared(grains, gas, folder, stage, *numbers)
+    files, _ = compared(grains, gas, folder, None if stage is None else text("stage", stage), *numbers)
     write_files(folder, files.items())
     return Run(folder)
 

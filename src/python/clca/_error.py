@@ -22,7 +22,7 @@ class Error(Exception):
     line: int | None = None
     column: int | None = None
 
-    def __init__(self, text: str) -> None:
+    def __init__(self, text: str = "") -> None:
         text = printable(text)
         super().__init__(text)
         self.message = text
@@ -43,5 +43,6 @@ class WriteError(Error):
 class CompiledPartError(Error, ImportError):
     """What was asked for needs the compiled module, which is not there."""
 
-    def __init__(self, what: str, reason: ImportError) -> None:
-        super().__init__(f"{what} needs the compiled part of clca, which cannot be loaded: {reason}")
+
+def without_compiled_part(what: str, reason: ImportError) -> CompiledPartError:
+    return CompiledPartError(f"{what} needs the compiled part of clca, which cannot be loaded: {reason}")

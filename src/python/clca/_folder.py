@@ -14,7 +14,7 @@ import numpy
 from numpy.typing import NDArray
 
 from ._arguments import MOST, absolute, at_most_runs, flag, number, path, place_of, text, whole
-from ._error import ArgumentError, CompiledPartError, Error, WriteError
+from ._error import ArgumentError, Error, WriteError, without_compiled_part
 from ._frames import Frames, Kind
 from ._notebook import Movie, Picture, overrides, shown
 from ._table import Named, Quantity, Table, Value, check_regular, quantities, read_table
@@ -147,7 +147,7 @@ def compiled(what: str) -> Any:
     try:
         from . import _clca
     except ImportError as error:
-        raise CompiledPartError(what, error) from None
+        raise without_compiled_part(what, error) from None
     return _clca
 
 
@@ -185,7 +185,7 @@ class Folder:
         """`NAME.csv` of the folder, such as `profile-flow`. Numbers are float64, whole ones int64; an empty cell is NaN.
         Throws Error.
         """
-        if name not in self.tables:
+        if text("name", name) not in self.tables:
             raise Error(f"{self.folder}: no table {name!r}; there are {', '.join(self.tables) or 'none'}")
         return read_table(self.folder / f"{name}.csv", self._columns(name))
 
@@ -264,7 +264,7 @@ class Run(Result):
         self.version, self.seed, self.status = said["clca"], said["seed"], said["status"]
         self.particles, self.steps, self.state_hash = said["particles"], said["steps"], int(said["state_hash"], 16)
         known = quantities(said.get("measures", []))
-        self.stages = {}
+        self.stages: dict[str, Stage] = Named("stage", ())
         for stage in said["stages"]:
             of = {key: Value(number, *known.get(key, Quantity())[:3]) for key, number in stage["measures"].items()}
             notes, fills = stage.get("notes", []), stage.get("fills", False)
@@ -313,6 +313,7 @@ class Run(Result):
         if not has_sides or self.stages[stage].fills or f"profile-{stage}" not in self.tables:
             return ""
         table = self.table(f"profile-{stage}")
+        table._check_numbers("height_start", "height_end")
         come = (table["height_end"] > 0) & ~(table["height_start"] > 0)
         return "left" if come[0] else "right" if come[-1] else ""
 
@@ -402,6 +403,7 @@ class Sweep(Result):
     @cached_property
     def notes(self) -> list[str]:
         """Which measures say nothing: the same for three seeds or more, since grains have come to a side of the box."""
+        self.measures._check_numbers("mean", "min", "max", "runs")
         notes = []
         for row in self.measures[(self.measures["runs"] >= 3) & (self.measures["min"] == self.measures["max"])]:
             what, same = self._measure(str(row["measure"])), self.runs["status"] == "done"
@@ -432,9 +434,11 @@ class Sweep(Result):
         single run.
         """
         table = self.table("mean-series")
-        rows = table[table["stage"] == stage]
+        rows = table[table["stage"] == text("stage", stage)]
+        if not len(rows):
+            raise ArgumentError(f"{table._file}: no stage '{stage}'; there are {', '.join(dict.fromkeys(table['stage'].tolist()))}")
         names = {key: key for key in (*self.keys, "step")}
-        names |= {"mean": column, "standard_error": f"{column}_se", "runs": "runs"}
+        names |= {"mean": text("column", column), "standard_error": f"{column}_se", "runs": "runs"}
         return Table((key, rows[name], table._quantities.get(name, Quantity(key))) for key, name in names.items())
 
 

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
 from . import _clca
-from ._arguments import MOST, at_most_runs, flag, mapping, path, text, to_yaml, whole, workers
+from ._arguments import MOST, absolute, at_most_runs, flag, mapping, path, text, to_yaml, whole, workers
 from ._error import ArgumentError
 from ._folder import Run, Sweep
 from ._notebook import Progress, reporting
@@ -100,8 +100,9 @@ def resume(
     progress: bool | Callable[[Progress], object] = False
 ) -> Run:
     """Goes on with a run that was stopped, or prolongs one to `until`, as in a scene. As `clca resume`; `progress` as of `run`."""
+    folder = absolute(folder)
     with reporting(progress) as report:
-        _clca.resume(path(folder), None if until is None else to_yaml("until", until), workers("threads", threads), report)
+        _clca.resume(folder, None if until is None else to_yaml("until", until), workers("threads", threads), report)
     return Run(folder)
 
 

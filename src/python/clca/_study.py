@@ -67,7 +67,11 @@ class Said(NamedTuple):
             first, second = at_most_runs(what, self.value)
             return number(what, first), number(what, second)
         except ValueError:  # also ArgumentError
-            raise self.wrong(f"expected {what}, found '{shown(self.value)}'") from None
+            listed = list(self.value) if isinstance(self.value, (list, tuple)) else []
+            found = f"[{', '.join(map(shown, listed))}]" if listed else shown(self.value)
+            has_unit = any(isinstance(one, str) and re.search(r"\d *[a-zA-Z]+$", one) for one in listed)
+            hint = "; numbers stand without a unit, lengths are in lattice spacings" if has_unit else ""
+            raise self.wrong(f"expected {what}, found '{found}'{hint}") from None
 
 
 def test_of(said: Said, vary: Mapping[str, Any], names: Sequence[str]) -> Test:
@@ -77,7 +81,9 @@ def test_of(said: Said, vary: Mapping[str, Any], names: Sequence[str]) -> Test:
     name = Path(scene).stem if isinstance(scene, (str, os.PathLike)) else str(getattr(scene, "name", "scene"))
     if not name:
         raise items["scene"].wrong("expected the name of a scene or its file")
-    keys = items["set"].items("keys and values") if "set" in items and items["set"].value else {}
+    given = items["set"].value if "set" in items else None
+    is_empty = given is None or isinstance(given, Mapping) and not given
+    keys = {} if is_empty else items["set"].items("keys and values")
     for key in vary:
         if key in keys:
             raise keys[key].wrong(f"'{key}' is varied")

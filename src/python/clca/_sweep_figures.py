@@ -99,6 +99,7 @@ def sweep_charts(source: Source, sweep: Sweep) -> list[Chart]:
 
 
 def measure_charts(source: Source, sweep: Sweep, table: Table) -> list[Chart]:
+    table._check_numbers("mean", "low", "high")
     choice, keys, of = source.choice, sweep.keys, sweep._measure
     is_key = not choice.x or choice.x in keys
     axis = choice.x if choice.x in keys else next((key for key in keys if key not in choice.over), keys[0])
@@ -179,6 +180,9 @@ def mean_charts(source: Source, sweep: Sweep, name: str) -> list[Chart]:
     heads, columns = table.names[len(sweep.keys) : at], table.names[at + 1 :: 2]
     groups = [head for head in heads if head in ("stage", "probe", "line")]
     positions = [head for head in heads if head not in groups]
+    if not positions:
+        return []
+    table._check_numbers(*positions, *table.names[at + 1 :])
     x = "time" if "time" in positions and numpy.isfinite(table["time"]).all() else positions[0]
     x_axis = Axis(table.label(x) + (", since the stage began" if x in ("step", "time") else ""))
     ways = Keys(sweep, choice, table, ())

@@ -11,6 +11,7 @@ from typing import Any, NamedTuple, TypeVar
 import numpy
 from numpy.typing import NDArray
 
+from ._arguments import text
 from ._error import ArgumentError, Error
 
 T = TypeVar("T")
@@ -106,8 +107,9 @@ class Table(numpy.ndarray[Any, numpy.dtype[Any]]):
         self._quantities, self._file = getattr(other, "_quantities", {}), getattr(other, "_file", "table")
 
     def __getitem__(self, key: Any) -> Any:
-        if isinstance(key, str) and key not in self.names:
-            raise ArgumentError(f"{self._file}: no column '{key}'; there are {', '.join(self.names)}")
+        for name in key if isinstance(key, list) else [key]:
+            if isinstance(name, str) and name not in self.names:
+                raise ArgumentError(f"{self._file}: no column '{name}'; there are {', '.join(self.names)}")
         part = super().__getitem__(key)
         # A column is a plain array.
         return part.view(numpy.ndarray) if isinstance(part, Table) and part.dtype.names is None else part
@@ -133,11 +135,14 @@ class Table(numpy.ndarray[Any, numpy.dtype[Any]]):
             if not is_numeric(cells := self[column]):
                 if column in TEXT:
                     raise Error(f"{self._file}: column '{column}' is text, no numbers")
-                line, cell = next((line, cell) for line, cell in enumerate(cells, 2) if isinstance(numbers_of([cell]), list))
-                raise Error(f"{self._file}: line {line}: '{cell}' in column '{column}' is no number")
+                wrong = ((line, cell) for line, cell in enumerate(cells, 2) if isinstance(numbers_of([cell]), list))
+                line, cell = next(wrong, (0, ""))
+                where = f"line {line}: '{cell}'" if line else "a cell"  # of rows that were left out
+                raise Error(f"{self._file}: {where} in column '{column}' is no number")
 
     def label(self, column: str) -> str:
         """`Mean height of the particles (spacings)`; the column itself where nothing is known of it."""
+        column = text("column", column)
         return self._quantities.get(column, Quantity(column)).label()
 
     def _repr_html_(self) -> str | None:
@@ -173,10 +178,10 @@ def numbers_of(cells: Sequence[str], unit: str = "") -> Any:
 
 def csv_of(*rows: Iterable[Any]) -> bytes:
     """Rows of a table as clca writes them."""
-    text = io.StringIO()
+    lines = io.StringIO()
     whole = ((int(cell) if isinstance(cell, float) and cell.is_integer() else cell for cell in row) for row in rows)
-    csv.writer(text, lineterminator="\n").writerows(whole)
-    return text.getvalue().encode()
+    csv.writer(lines, lineterminator="\n").writerows(whole)
+    return lines.getvalue().encode()
 
 
 def check_regular(file: Path) -> None:
