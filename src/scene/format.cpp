@@ -83,7 +83,13 @@ std::vector<FoundKey> found_keys(std::string_view path) {
     }
   }
   const std::string& last = parts.back();  // the top has been found
-  std::string suggestion = text::suggestion(last, names);
+  const auto nearest = text::nearest(last, names);
+  std::string suggestion;
+  if (nearest) {
+    std::vector<std::string> meant = parents;
+    meant.emplace_back(*nearest);
+    suggestion = fmt::format("; did you mean '{}'?", fmt::join(meant, "."));
+  }
   const std::vector<std::string> about = paths_about(scene_type().keys, last);
   if (suggestion.empty() && !about.empty()) {
     suggestion = "; see " + text::listed(std::vector<std::string_view>(about.begin(), about.end()));

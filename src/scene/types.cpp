@@ -1,6 +1,7 @@
 #include "scene/types.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +10,7 @@
 
 #include "clca/text/message.hpp"
 #include "scene/geometry.hpp"
+#include "scene/names.hpp"
 
 namespace clca::scene {
 
@@ -123,6 +125,12 @@ Type<double> length(const Type<double>& number) {
            "expected lattice spacings, as in a scene without units, found {}; "
            "'units: {{spacing: 1 mm}}' says how long a spacing is",
            found(place));
+    }
+    const std::string_view text = place.value.text;
+    const std::size_t end = text.find_last_of("0123456789.") + 1;
+    if (!length && end < text.size() && number_in<double>(text.substr(0, end))) {
+      fail(place, "expected lattice spacings, or a length with one of the units {}, found {}",
+           fmt::join(words(kLengthUnits), ", "), found(place));
     }
     Value value = place.value;
     if (length) {

@@ -378,6 +378,12 @@ RunSummary read_summary(const std::filesystem::path& file) {
         fmt::format("cannot read {}: No such file or directory; {} is not the folder of a run",
                     file.string(), folder.string()));
   }
+  const std::filesystem::path usual = folder.parent_path() / "renders" / folder.filename();
+  if (!std::filesystem::exists(folder, unknown) &&
+      std::filesystem::is_regular_file(usual / file.filename(), unknown)) {
+    throw StoreError(fmt::format("cannot read {}: No such file or directory; did you mean {}?",
+                                 file.string(), usual.string()));
+  }
   constexpr double kMaxBytes = 16 << 20;
   const auto bytes = read_whole(file, kMaxBytes);
   return parse_summary({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, file.string());

@@ -91,8 +91,9 @@ TEST_F(CliTest, ExplainsTheKeysOfAScene) {
   EXPECT_EQ(run({"explain", "species", "box", "--format", "markdown"}).code, 0);
   const auto unknown = run({"explain", "rules.inerta"});
   EXPECT_EQ(unknown.code, 2);
-  EXPECT_EQ(unknown.err,
-            "clca: error: the scene format has no key 'rules.inerta'; did you mean 'inertia'?\n");
+  EXPECT_EQ(
+      unknown.err,
+      "clca: error: the scene format has no key 'rules.inerta'; did you mean 'rules.inertia'?\n");
 }
 
 TEST_F(CliTest, ARunBeginsWithTheEndOfAnother) {

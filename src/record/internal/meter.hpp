@@ -1,6 +1,7 @@
 #pragma once
 // Speed and remaining time of a run. Does not affect results.
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <optional>
@@ -54,20 +55,26 @@ class IntervalTimer {
 /// Estimates the remaining time of a stage from its progress.
 class TimeEstimate {
  public:
-  /// `done`: share of the stage, in [0, 1].
-  void update(double done) { done_ = done; }
+  /// `done`: share of the stage, in [0, 1]. It may stay the same for long, as between two cycles.
+  void update(double done) {
+    if (done > done_) {
+      done_ = done;
+      seconds_ = clock_.seconds();
+    }
+  }
   /// None at the very start of a stage.
   std::optional<double> seconds_left() const {
     constexpr double kMinDone = 1e-3;
     if (done_ < kMinDone) {
       return std::nullopt;
     }
-    return clock_.seconds() * (1 - done_) / done_;
+    return std::max(seconds_ / done_ - clock_.seconds(), 0.0);
   }
 
  private:
   WallClock clock_;
   double done_ = 0;
+  double seconds_ = 0;  ///< until then
 };
 
 }  // namespace clca::record

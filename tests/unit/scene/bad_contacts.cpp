@@ -121,10 +121,15 @@ constexpr auto kBadContacts = std::to_array<BadScene>({
      Judge::parser},
     {"a length of an unknown unit",
      "units: {spacing: 1 mm}\nwalls: {left: {box: [0, 0, 1 in, 50]}}",
-     "scene.yaml:7:28: error: walls.left.box: expected a number from -1000000 to 1000000, found "
-     "'1 in'"},
-    {"a length beyond what it may be", "units: {spacing: 1 mm}\nbox: {width: 1 km, height: 1001 m}",
-     "scene.yaml:4:14: error: box.width: expected a number from 1 to 866025, found '1 km'"},
+     "scene.yaml:7:28: error: walls.left.box: expected lattice spacings, or a length with one of "
+     "the units m, cm, mm, um, found '1 in'"},
+    {"a length in kilometres", "units: {spacing: 1 mm}\nbox: {width: 1 km, height: 1001 m}",
+     "scene.yaml:4:14: error: box.width: expected lattice spacings, or a length with one of the "
+     "units m, cm, mm, um, found '1 km'"},
+    {"a length beyond what it may be", "units: {spacing: 1 mm}\nbox: {width: 50, height: 1001 m}",
+     "scene.yaml:4:26: error: box.height: expected a number from 1 to 1000000, found '1001000', "
+     "the value of '1001 m'",
+     Judge::parser},
     {"a length below 0", "units: {spacing: 1 mm}\nbox: {width: -5 cm, height: 50}",
      "scene.yaml:4:14: error: box.width: expected a number from 1 to 866025, found '-50', the "
      "value of '-5 cm'",

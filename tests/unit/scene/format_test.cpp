@@ -119,7 +119,8 @@ TEST(Format, RefusesAKeyThatItDoesNotHaveWithTheNearest) {
     }
   };
   EXPECT_EQ(refusal("rules.inerta"),
-            "the scene format has no key 'rules.inerta'; did you mean 'inertia'?");
+            "the scene format has no key 'rules.inerta'; did you mean 'rules.inertia'?");
+  EXPECT_EQ(refusal("axis_order"), "the scene format has no key 'axis_order'; see measure");
   EXPECT_EQ(refusal("adaptive"), "the scene format has no key 'adaptive'; see contact.resolution");
   EXPECT_EQ(refusal("boltzman"),
             "the scene format has no key 'boltzman'; did you mean 'boltzmann'?");
