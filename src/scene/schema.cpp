@@ -223,8 +223,9 @@ std::vector<std::string> paths_about(const Descriptions& top, std::string_view w
   const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
   std::vector<std::string> paths;
   for (const auto& [key, path] : all_keys(top)) {
-    const std::string about =
-        fmt::format(" {} {} ", without_markup(key->about), without_markup(key->allowed));
+    // The values of each place have an x.
+    const std::string allowed = word.size() > 1 ? without_markup(key->allowed) : "";
+    const std::string about = fmt::format(" {} {} ", without_markup(key->about), allowed);
     for (std::size_t at = about.find(word); at != std::string::npos;
          at = about.find(word, at + 1)) {
       if (!is_letter(about[at - 1]) && !is_letter(about[at + word.size()])) {

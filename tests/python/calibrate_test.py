@@ -203,6 +203,12 @@ class CalibrateTest(ScratchTest):
         told = self.study(tests=[{"scene": "scene.yaml", "targets": {"flow.nosuch": [1, 1]}}])
         self.assertEqual(told.returncode, 2)
         self.assertIn("no measure 'flow.nosuch'; there are packing.steps", told.stderr)
+        self.assertEqual(len(list((self.folder / "found/runs/scene/runs").iterdir())), 1)
+        told = self.study(tests=[STUDY["tests"][0], {"scene": "scene.yam", "targets": {"flow.runout_99": [1, 1]}}])
+        self.assertIn("scene.yam:1:1: error: cannot read the file", told.stderr)
+        self.assertEqual(len(list((self.folder / "found/runs/scene/runs").iterdir())), 1)
+        told = self.study(tests=[{"scene": "scene.yaml", "targets": {"flow.runout_9": [1, 1]}}])
+        self.assertIn("; did you mean 'flow.runout_99'?", told.stderr)
         with self.assertRaisesRegex(clca.Error, "vary: expected a map"):
             clca.calibrate("scene.yaml", {"flow.runout_99": (12, 1)})
         with self.assertRaisesRegex(clca.Error, "either a scene with targets, or tests"):

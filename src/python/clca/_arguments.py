@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import difflib
 import json
 import math
 import operator
@@ -36,6 +37,11 @@ def shown(value: Any) -> str:
 
 def refused(name: str, expected: str, value: Any) -> ArgumentError:
     return ArgumentError(f"{name}: expected {expected}, found '{shown(value)}'")
+
+
+def suggestion(name: str, known: Iterable[str]) -> str:
+    near = difflib.get_close_matches(name, list(known), 1)
+    return f"; did you mean '{near[0]}'?" if near else ""
 
 
 def whole(name: str, value: Any, least: int, most: int) -> int:

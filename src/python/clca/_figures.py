@@ -5,7 +5,6 @@ A new figure is one row of FIGURES, or a row with a function where it is special
 
 from __future__ import annotations
 
-import difflib
 import math
 from collections.abc import Callable, Iterable, Sequence
 from functools import partial
@@ -16,6 +15,7 @@ from matplotlib.collections import LineCollection  # type: ignore[import]
 from matplotlib.colors import LinearSegmentedColormap  # type: ignore[import]
 from numpy.typing import NDArray
 
+from ._arguments import suggestion
 from ._chart import THEORY, Axis, Chart, Curve, Panel, running_mean
 from ._error import Error
 from ._folder import Run, Sweep
@@ -95,11 +95,6 @@ def number_in(text: str) -> float:
         return float(text)
     except ValueError:
         return 0.0
-
-
-def suggestion(name: str, known: Iterable[str]) -> str:
-    near = difflib.get_close_matches(name, list(known), 1)
-    return f"; did you mean '{near[0]}'?" if near else ""
 
 
 def has(table: Table, column: str) -> bool:

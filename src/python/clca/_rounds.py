@@ -9,10 +9,12 @@ from typing import NamedTuple
 
 import numpy
 
+from ._arguments import suggestion
 from ._error import Error
 from ._folder import Sweep
 from ._study import Study, Test
 from ._surrogate import Likely, Numbers, Surrogate, likely, sobol
+from ._table import Table
 
 
 class Planned(NamedTuple):
@@ -24,16 +26,21 @@ class Planned(NamedTuple):
     folder: Path
 
 
+def check_targets(test: Test, runs: Table, keys: Sequence[str]) -> None:
+    """Throws Error for a target that the runs do not measure."""
+    there = [name for name in runs.names if "." in name and name not in keys]
+    for target in test.targets:
+        if target not in there:
+            raise Error(f"{test.name}: no measure '{target}'; there are {', '.join(there)}{suggestion(target, there)}")
+
+
 class Measured:
     """Means of the targets at points, over the seeds."""
 
     def __init__(self, test: Test, keys: Sequence[str], folder: Path) -> None:
         sweep = Sweep(folder / test.name)
         runs = sweep.runs
-        for target in test.targets:
-            if target not in runs.names:
-                there = [name for name in runs.names if "." in name and name not in keys]
-                raise Error(f"{test.name}: no measure '{target}'; there are {', '.join(there)}")
+        check_targets(test, runs, keys)
         self.values = {target: runs[target].astype(float) for target in test.targets}
         self.units = {target: sweep._measure(target.partition(".")[2]).unit for target in test.targets}
         rows = numpy.column_stack([runs[key].astype(float) for key in keys])
@@ -68,8 +75,8 @@ def scaled(study: Study, points: Numbers) -> Numbers:
 
 
 def step(study: Study, folder: Path, number: int) -> list[Planned] | Answer:
-    """What to run next, from what is in the folder: step 0 is the first round, the last one but one the runs that check
-    the answer. The same folder gives the same.
+    """What to run next, from what is in the folder: step 0 is one run of each test, step 1 the first round, the last one but one
+    the runs that check the answer. The same folder gives the same.
     """
 
     def planned(values: Numbers, seeds: range, part: str) -> list[Planned]:
@@ -77,8 +84,14 @@ def step(study: Study, folder: Path, number: int) -> list[Planned] | Answer:
         return [Planned(test, rows, seeds, folder / part / test.name) for test in study.tests]
 
     seeds, keys = range(1, study.seeds + 1), list(study.vary)
-    if number == 0:
-        return planned(scaled(study, sobol(len(keys), study.points, seed=1)), seeds, "runs")
+    first = scaled(study, sobol(len(keys), study.points, seed=1))
+    if number == 0:  # so that a mistake is told before hundreds of runs
+        return planned(first[:1], seeds[:1], "runs")
+    if number == 1:
+        for test in study.tests:
+            if {*(runs := Sweep(folder / "runs" / test.name).runs)["status"]} == {"done"}:
+                check_targets(test, runs, keys)
+        return planned(first, seeds, "runs")
     design = [Measured(test, keys, folder / "runs") for test in study.tests]
     low, high = numpy.array(list(study.vary.values())).T
     surrogates = []
@@ -92,10 +105,10 @@ def step(study: Study, folder: Path, number: int) -> list[Planned] | Answer:
         named = ", ".join(f"{test.name}: {target}" for test in study.tests for target in test.targets)
         raise Error(f"no target depends on {' or '.join(keys)}: the same in all runs ({named})")
     found = likely(surrogates, [value for test in study.tests for value in test.targets.values()], len(keys))
-    if number <= study.rounds:
-        more = scaled(study, found.drawn(study.points // 2, number))
+    if (drawn := number - 1) <= study.rounds:
+        more = scaled(study, found.drawn(study.points // 2, drawn))
         return planned(numpy.vstack([design[0].points, more]), seeds, "runs")
-    if number == study.rounds + 1:
+    if drawn == study.rounds + 1:
         fresh = range(study.seeds + 1, study.seeds + study.check + 1)
         return planned(scaled(study, found.best()[None]), fresh, "check")
     check = [Measured(test, keys, folder / "check") for test in study.tests]

@@ -9,9 +9,10 @@ from typing import Any
 
 import numpy
 
+from ._arguments import suggestion
 from ._chart import MOST_COLORS, Axis, Chart, Curve, Panel, running_mean
 from ._error import Error
-from ._figures import LABEL, Choice, Source, has, logged, suggestion, text_of
+from ._figures import LABEL, Choice, Source, has, logged, text_of
 from ._folder import Sweep
 from ._table import Table, is_numeric, rows_of
 

@@ -127,7 +127,7 @@ constexpr auto kBadContacts = std::to_array<BadScene>({
      "scene.yaml:4:14: error: box.width: expected lattice spacings, or a length with one of the "
      "units m, cm, mm, um, found '1 km'"},
     {"a length beyond what it may be", "units: {spacing: 1 mm}\nbox: {width: 50, height: 1001 m}",
-     "scene.yaml:4:25: error: box.height: expected a number from 1 to 1000000, found '1001000', "
+     "scene.yaml:4:26: error: box.height: expected a number from 1 to 1000000, found '1001000', "
      "the value of '1001 m'",
      Judge::parser},
     {"a length below 0", "units: {spacing: 1 mm}\nbox: {width: -5 cm, height: 50}",
