@@ -224,6 +224,9 @@ void GasRun::run_case(record::GasCase& gas_case) {
     pool.add(number);
   }
   constexpr std::chrono::milliseconds kPause(100);
+  if (stop_asked()) {
+    pool.stop();
+  }
   while (!pool.finished()) {
     for (const auto& [number, is_done] : pool.take_finished(kPause)) {
       gases_done_ += is_done ? 1 : 0;
