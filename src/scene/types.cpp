@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include "clca/scene/units.hpp"
 #include "clca/text/message.hpp"
 #include "scene/geometry.hpp"
 
@@ -121,8 +122,8 @@ Type<double> length(const Type<double>& number) {
     if (length && !place.scene.units) {
       fail(place,
            "expected lattice spacings, as in a scene without units, found {}; "
-           "'units: {{spacing: 1 mm}}' says how long a spacing is",
-           found(place));
+           "'units: {{spacing: 1 mm}}'{} says how long a spacing is",
+           found(place), place.scene.model == Model::contact ? "" : " with 'model: contact'");
     }
     Value value = place.value;
     if (length) {

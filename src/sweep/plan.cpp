@@ -86,7 +86,8 @@ bool is_part_of_range(std::string_view value) {
   const auto is_number = [](std::string_view text) {
     double number = 0;
     const char* end = text.data() + text.size();
-    return !text.empty() && std::from_chars(text.data(), end, number).ptr == end;
+    return scene::metres(text) ||
+           (!text.empty() && std::from_chars(text.data(), end, number).ptr == end);
   };
   return colon != std::string_view::npos && is_number(value.substr(0, colon)) &&
          is_number(value.substr(colon + 1));
@@ -167,12 +168,13 @@ std::string file_name(const std::string& text) {
 
 }  // namespace
 
-Plan plan(Request request, double max_bytes) {
+Plan plan(Request request, double max_bytes, const std::function<void()>& interrupt) {
   check_keys(request);
   const std::size_t count = combinations(request);
   Plan result = {std::move(request), {}};
   const std::vector<std::string> keys = result.keys();
   for (std::size_t number = 0; number < count; ++number) {
+    interrupt();
     result.variants.push_back(
         parsed(result.request, keys, combination(result.request.variations, number)));
   }
@@ -180,9 +182,11 @@ Plan plan(Request request, double max_bytes) {
   return result;
 }
 
-int fitting_jobs(const Plan& plan, int jobs, double max_bytes) {
+int fitting_jobs(const Plan& plan, int jobs, double max_bytes,
+                 const std::function<void()>& interrupt) {
   double largest = 1;
   for (const Variant& variant : plan.variants) {
+    interrupt();
     run::check_memory(variant.scene, max_bytes);
     scene::check_walls(variant.scene);
     scene::check_room(variant.scene);
