@@ -55,7 +55,9 @@ std::filesystem::path run_scene(const LoadedScene& loaded,
                                 std::optional<int> threads, bool keep, bool overwrite,
                                 const py::object& report) {
   const auto run_it = [&](const auto& scene) {
-    run::RunOptions options = {.folder = output.value_or("renders/" + scene.name),
+    // Wherever the process goes meanwhile.
+    const std::filesystem::path folder = output.value_or("renders/" + scene.name);
+    run::RunOptions options = {.folder = std::filesystem::absolute(folder),
                                .threads = threads.value_or(default_threads(loaded.scene)),
                                .overwrite = overwrite,
                                .keep = keep};

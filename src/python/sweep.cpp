@@ -47,7 +47,8 @@ void check(const std::vector<VariedKeys>& varied, const std::vector<std::uint64_
 
 sweep::Plan plan_of(const std::string& source, const std::optional<std::string>& text,
                     const std::vector<scene::Override>& overrides,
-                    const std::vector<VariedKeys>& varied, std::vector<std::uint64_t> seeds) {
+                    const std::vector<VariedKeys>& varied, std::vector<std::uint64_t> seeds,
+                    Interrupt& interrupt) {
   check(varied, seeds);
   std::ranges::sort(seeds);
   sweep::Request request = {.scene = text ? source : run::scene_file(source),
@@ -58,7 +59,7 @@ sweep::Plan plan_of(const std::string& source, const std::optional<std::string>&
   for (const auto& [keys, rows] : varied) {
     request.variations.push_back({.keys = keys, .rows = rows});
   }
-  return sweep::plan(std::move(request), run::default_memory_limit());
+  return sweep::plan(std::move(request), run::default_memory_limit(), [&] { interrupt.check(); });
 }
 
 /// Its folder.
@@ -72,11 +73,13 @@ std::filesystem::path sweep_scene(const std::string& source, const std::optional
   Warnings warnings;
   sweep::Plan plan;
   std::filesystem::path folder;
+  const std::filesystem::path here = std::filesystem::current_path();
   interrupt.during([&] {
-    plan = plan_of(source, text, overrides, varied, seeds);
-    folder = output.value_or("renders/" + plan.variants.front().scene.name + "-sweep");
+    plan = plan_of(source, text, overrides, varied, seeds, interrupt);
+    folder = here / output.value_or("renders/" + plan.variants.front().scene.name + "-sweep");
     const double memory = run::default_memory_limit();
-    const int fitting = sweep::fitting_jobs(plan, jobs.value_or(run::machine_threads()), memory);
+    const int fitting = sweep::fitting_jobs(plan, jobs.value_or(run::machine_threads()), memory,
+                                            [&] { interrupt.check(); });
     sweep::execute(plan,
                    {.folder = folder,
                     .jobs = fitting,

@@ -57,7 +57,7 @@ std::vector<std::string> paths_anywhere(std::string_view name) {
 std::vector<FoundKey> found_keys(std::string_view path) {
   constexpr std::string_view kGasOnly = "boltzmann:";
   const bool gas_only = path.starts_with(kGasOnly);
-  path.remove_suffix(path.ends_with('.') ? 1 : 0);
+  path.remove_suffix(path.size() > 1 && path.ends_with('.') && !path.ends_with("..") ? 1 : 0);
   const std::vector<std::string> parts =
       document::parts_of_path(path.substr(gas_only ? kGasOnly.size() : 0));
   const std::vector<Descriptions> tops =

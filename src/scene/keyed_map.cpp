@@ -45,6 +45,15 @@ std::string suggestion(const Entry& entry, std::string_view path,
   return here.empty() && elsewhere ? path_suggestion(all, entry.key) : here;
 }
 
+bool accepts(const std::function<void(const Place& place)>& read, const Place& place) {
+  try {
+    read(place);
+    return true;
+  } catch (const SceneError&) {
+    return false;
+  }
+}
+
 bool is_name_letter(char letter) {
   return is_digit(letter) || (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') ||
          letter == '_' || letter == '-';
@@ -100,12 +109,14 @@ std::optional<std::size_t> line_length(std::string_view text) {
   return characters;
 }
 
-std::vector<Place> read_list(const Place& place, std::size_t least, std::size_t most) {
+std::vector<Place> read_list(const Place& place, std::size_t least, std::size_t most,
+                             const std::function<void(const Place& item)>& read_item) {
   const Value& value = place.value;
   if (!value.is(Value::Kind::list)) {
     const bool is_word = value.is(Value::Kind::scalar) && !value.quoted;
+    const bool may_be_item = is_word && least <= 1 && read_item && accepts(read_item, place);
     fail(place, "expected a list, found {}{}", found(value),
-         is_word ? fmt::format("; write [{}]", text::shortened(value.text)) : "");
+         may_be_item ? fmt::format("; write [{}]", text::shortened(value.text)) : "");
   }
   const std::size_t size = value.items.size();
   if (size < least || size > most) {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -30,8 +31,10 @@ bool read_bool(const Place& place);
 const std::string& read_text(const Place& place);
 /// Number of characters of one line of UTF-8; none for other text.
 std::optional<std::size_t> line_length(std::string_view text);
-/// A list of `least` to `most` items, each with the path of the list.
-std::vector<Place> read_list(const Place& place, std::size_t least, std::size_t most);
+/// A list of `least` to `most` items, each with the path of the list. Where `read_item` takes the
+/// word that stands in the place of the list, the message says how to write it.
+std::vector<Place> read_list(const Place& place, std::size_t least, std::size_t most,
+                             const std::function<void(const Place& item)>& read_item = nullptr);
 /// A map; its keys are for the caller to check.
 const std::vector<Entry>& read_map(const Place& place);
 /// A map from names that the scene gives to things; also checks the names.

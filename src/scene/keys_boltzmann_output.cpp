@@ -18,8 +18,9 @@ void read_histograms(const KeyedMap& fields, BoltzmannScene& scene) {
   const double apart = kSameTime * scene.series_every;
   std::vector<double>& times = scene.histograms;
   times.clear();
-  for (const Place& item : read_list(fields.at("histograms"), 0, kMaxHistograms)) {
-    times.push_back(read_number(item, 0, scene.until));
+  const auto time = [&](const Place& place) { return read_number(place, 0, scene.until); };
+  for (const Place& item : read_list(fields.at("histograms"), 0, kMaxHistograms, time)) {
+    times.push_back(time(item));
     if (times.size() > 1 && times.back() - times[times.size() - 2] <= apart) {
       fail(item, "expected times that ascend by more than {}, found {} after {}", apart,
            times.back(), times[times.size() - 2]);

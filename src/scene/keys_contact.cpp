@@ -1,5 +1,6 @@
 // The contact model and its units.
 
+#include "clca/scene/units.hpp"
 #include "scene/sections.hpp"
 #include "scene/types.hpp"
 

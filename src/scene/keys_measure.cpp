@@ -86,7 +86,8 @@ void read_measures(const KeyedMap& fields, Scene& scene) {
     return;
   }
   scene.measures.clear();
-  for (const Place& item : read_list(place, 0, kMeasureNames.size() + kMaxDerived)) {
+  for (const Place& item : read_list(place, 0, kMeasureNames.size() + kMaxDerived,
+                                     [](auto& word) { read_choice(word, kMeasureNames); })) {
     if (item.value.is(Value::Kind::map)) {
       read_derived(item, scene);
       continue;

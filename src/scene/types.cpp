@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include "clca/scene/units.hpp"
 #include "clca/text/message.hpp"
 #include "scene/geometry.hpp"
 #include "scene/names.hpp"
@@ -123,8 +124,8 @@ Type<double> length(const Type<double>& number) {
     if (length && !place.scene.units) {
       fail(place,
            "expected lattice spacings, as in a scene without units, found {}; "
-           "'units: {{spacing: 1 mm}}' says how long a spacing is",
-           found(place));
+           "'units: {{spacing: 1 mm}}'{} says how long a spacing is",
+           found(place), place.scene.model == Model::contact ? "" : " with 'model: contact'");
     }
     const std::string_view text = place.value.text;
     const std::size_t end = text.find_last_of("0123456789.") + 1;

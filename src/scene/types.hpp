@@ -20,8 +20,6 @@ Type<double> number(double low, double high);
 Type<double> above_zero(double high);
 /// In lattice spacings: such a number or, in a scene with `units`, a number with a unit of length.
 Type<double> length(const Type<double>& number);
-/// The length that `1 mm` says, in metres; none for other text.
-std::optional<double> metres(std::string_view text);
 Type<int> integer(int low, int high);
 Type<std::uint64_t> count(std::uint64_t low, std::uint64_t high);
 Type<bool> yes_or_no();
@@ -109,7 +107,7 @@ Type<std::vector<T>> list_of(const Type<T>& item, std::size_t least, std::size_t
   // Into the list of the scene itself, as items may look at those before them.
   type.read_into = [=](const Place& place, void* result) {
     std::size_t index = 0;
-    for (Place& entry : read_list(place, least, most)) {
+    for (Place& entry : read_list(place, least, most, [&](auto& one) { item.read(one); })) {
       entry.path = path_of == nullptr ? entry.path : path_of(entry, index++);
       item.read_into(entry, &static_cast<std::vector<T>*>(result)->emplace_back());
     }
@@ -199,7 +197,7 @@ Type<std::vector<T>> set_of(const Type<T>& item, std::size_t least, std::size_t 
   type.schema = unique(type.schema);
   type.read_into = [=](const Place& place, void* result) {
     std::set<T> known;
-    for (const Place& entry : read_list(place, least, most)) {
+    for (const Place& entry : read_list(place, least, most, [&](auto& one) { item.read(one); })) {
       const T value = item.read(entry);
       if (!known.insert(value).second) {
         fail(entry, "{} is named twice{}", shown(entry.value), advice);

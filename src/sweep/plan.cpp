@@ -84,7 +84,7 @@ std::vector<std::string> combination(const std::vector<Variation>& variations, s
 bool is_part_of_range(std::string_view value) {
   const std::size_t colon = value.find(':');
   const auto is_number = [](std::string_view text) {
-    return text::number<double>(text).has_value();
+    return scene::metres(text) || text::number<double>(text).has_value();
   };
   return colon != std::string_view::npos && is_number(value.substr(0, colon)) &&
          is_number(value.substr(colon + 1));
@@ -165,12 +165,13 @@ std::string file_name(const std::string& text) {
 
 }  // namespace
 
-Plan plan(Request request, double max_bytes) {
+Plan plan(Request request, double max_bytes, const std::function<void()>& interrupt) {
   check_keys(request);
   const std::size_t count = combinations(request);
   Plan result = {std::move(request), {}};
   const std::vector<std::string> keys = result.keys();
   for (std::size_t number = 0; number < count; ++number) {
+    interrupt();
     result.variants.push_back(
         parsed(result.request, keys, combination(result.request.variations, number)));
   }
@@ -178,9 +179,11 @@ Plan plan(Request request, double max_bytes) {
   return result;
 }
 
-int fitting_jobs(const Plan& plan, int jobs, double max_bytes) {
+int fitting_jobs(const Plan& plan, int jobs, double max_bytes,
+                 const std::function<void()>& interrupt) {
   double largest = 1;
   for (const Variant& variant : plan.variants) {
+    interrupt();
     run::check_memory(variant.scene, max_bytes);
     scene::check_walls(variant.scene);
     scene::check_room(variant.scene);

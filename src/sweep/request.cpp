@@ -10,6 +10,7 @@
 #include <iterator>
 #include <set>
 
+#include "clca/scene/units.hpp"
 #include "clca/text/message.hpp"
 #include "clca/text/number.hpp"
 
@@ -134,6 +135,19 @@ std::string rounded(double number, int digits) {
   return text == "-0" ? "0" : text;
 }
 
+/// A number, and the unit of length that may follow.
+struct Quantity {
+  std::optional<double> number;
+  std::string_view unit;
+};
+
+Quantity quantity(std::string_view value) {
+  value = trimmed(value);
+  const bool is_length = scene::metres(value).has_value();
+  const std::size_t end = is_length ? value.find_last_of("0123456789.") + 1 : value.size();
+  return {text::number<double>(value.substr(0, end)), trimmed(value.substr(end))};
+}
+
 /// The numbers of a range FIRST:LAST:STEP; nothing of other values.
 std::vector<std::string> range_values(std::string_view text, std::string_view value) {
   const std::size_t before_last = value.find(':');
@@ -141,12 +155,16 @@ std::vector<std::string> range_values(std::string_view text, std::string_view va
   if (before_last == before_step) {
     return {};
   }
-  const auto first = text::number<double>(value.substr(0, before_last));
-  const auto last =
-      text::number<double>(value.substr(before_last + 1, before_step - before_last - 1));
-  const auto step = text::number<double>(value.substr(before_step + 1));
+  const auto [first, unit] = quantity(value.substr(0, before_last));
+  const auto [last, unit_of_last] =
+      quantity(value.substr(before_last + 1, before_step - before_last - 1));
+  const auto [step, unit_of_step] = quantity(value.substr(before_step + 1));
   if (!first || !last || !step) {
     return {};
+  }
+  if (unit != unit_of_last || unit != unit_of_step) {
+    fail_variation(text,
+                   fmt::format("{}: expected FIRST:LAST:STEP in one unit", text::shortened(value)));
   }
   constexpr double kRounding = 1e-9;  // steps like 0.1 have no exact number of steps
   const double steps = std::floor((*last - *first) / *step + kRounding);
@@ -160,7 +178,8 @@ std::vector<std::string> range_values(std::string_view text, std::string_view va
   const int digits = std::max(decimals(*first), decimals(*step));
   std::vector<std::string> values;
   for (int i = 0; i <= static_cast<int>(steps); ++i) {
-    values.push_back(rounded(*first + i * *step, digits));
+    values.push_back(
+        fmt::format("{}{}{}", rounded(*first + i * *step, digits), unit.empty() ? "" : " ", unit));
   }
   return values;
 }

@@ -99,6 +99,26 @@ class FolderTest(ScratchTest):
         self.assertEqual(len(sweep[0].series), len(sweep[0].table("series")))
         self.assertEqual(sweep.runs["status"].tolist(), ["done"])
 
+    def test_the_process_may_go_elsewhere_while_it_works(self):
+        os.mkdir("elsewhere")
+
+        def go(progress):
+            os.chdir(self.folder / "elsewhere")
+
+        for name, call in {
+            "run": lambda: clca.run(SCENE, output="run", progress=go),
+            "renders/scene": lambda: clca.run(SCENE, progress=go),
+            "gas": lambda: clca.run(GAS, output="gas", progress=go),
+            "sweep": lambda: clca.sweep(SCENE, seeds=[1, 2], output="sweep", progress=go),
+            "renders/scene-sweep": lambda: clca.sweep(SCENE, seeds=[1], progress=go),
+        }.items():
+            with self.subTest(name):
+                os.chdir(self.folder)
+                self.assertEqual(call().folder, self.folder / name)
+        os.chdir(self.folder)
+        self.assertEqual(clca.resume("run", until={"steps": 60}, progress=go).folder, self.folder / "run")
+        self.assertEqual(os.listdir(self.folder / "elsewhere"), [])
+
     def test_a_folder_that_is_gone_is_an_error(self):
         run = clca.run(SCENE, output="run")
         os.rename("run", "moved")

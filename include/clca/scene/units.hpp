@@ -57,6 +57,9 @@ struct Conversion {
 /// For contact scenes; none for the automaton, whose steps have no length.
 std::optional<Conversion> conversion(const Scene& scene);
 
+/// The length that `1 mm` says, in metres; none for other text.
+std::optional<double> metres(std::string_view text);
+
 /// Smallest positive number of steps that takes at least `time`, up to rounding.
 double steps_until(double time, const Conversion& conversion);
 

@@ -2,6 +2,7 @@
 // A sweep with every scene parsed: its runs, their order and names.
 
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <string>
 #include <string_view>
@@ -41,11 +42,14 @@ struct Plan {
 std::uint64_t hash_of(const Plan& plan, std::string_view more);
 
 /// Parses every combination. `max_bytes`: for the state of another run that they begin with. Throws
-/// scene::SceneError for the first that is wrong.
-Plan plan(Request request, double max_bytes = std::numeric_limits<double>::infinity());
+/// scene::SceneError for the first that is wrong. `interrupt` is called for each and may throw.
+Plan plan(
+    Request request, double max_bytes = std::numeric_limits<double>::infinity(),
+    const std::function<void()>& interrupt = [] {});
 
 /// How many of `jobs` runs fit into `max_bytes` of memory at a time. Throws scene::SceneError if
-/// not even one does, or one cannot begin.
-int fitting_jobs(const Plan& plan, int jobs, double max_bytes);
+/// not even one does, or one cannot begin. `interrupt` as of plan().
+int fitting_jobs(
+    const Plan& plan, int jobs, double max_bytes, const std::function<void()>& interrupt = [] {});
 
 }  // namespace clca::sweep

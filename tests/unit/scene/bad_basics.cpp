@@ -178,6 +178,10 @@ constexpr auto kBadBasics = std::to_array<BadScene>({
      "mean 'profile'?"},
     {"a measure outside a list", "measure: profile",
      "scene.yaml:11:10: error: measure: expected a list, found 'profile'; write [profile]"},
+    {"a word that is no measure outside a list", "measure: none",
+     "scene.yaml:11:10: error: measure: expected a list, found 'none'"},
+    {"a number outside a list of four", "output: {frames: {view: 5}}",
+     "scene.yaml:12:25: error: output.frames.view: expected a list, found '5'"},
     {"a derived measure that is a number", "measure: {ratio: 3}",
      "scene.yaml:11:18: error: measure.ratio: expected an expression like '=runout_99 / 87', found "
      "'3'"},

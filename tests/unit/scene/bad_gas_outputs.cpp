@@ -46,6 +46,8 @@ constexpr auto kBadGasOutputs = std::to_array<BadScene>({
      "scene.yaml:5:26: error: output.histograms: expected a number from 0 to 15, found '.nan'"},
     {"a time outside a list", "output: {histograms: 5}",
      "scene.yaml:5:22: error: output.histograms: expected a list, found '5'; write [5]"},
+    {"what is no time outside a list", "output: {histograms: none}",
+     "scene.yaml:5:22: error: output.histograms: expected a list, found 'none'"},
     {"one bin", "output: {bins: q1}",
      "scene.yaml:5:16: error: output.bins: expected q2 to q1000 or {width: WIDTH, end: END}, found "
      "'q1'"},

@@ -115,6 +115,8 @@ constexpr auto kBadStages = std::to_array<BadScene>({
      Judge::parser},
     {"a wall outside a list", "stages: [{name: first, remove: right, sources: [spout]}]",
      "scene.yaml:10:32: error: stages.first.remove: expected a list, found 'right'; write [right]"},
+    {"a name of no wall outside a list", "stages: [{name: first, remove: nosuch}]",
+     "scene.yaml:10:32: error: stages.first.remove: expected a list, found 'nosuch'"},
     {"a wall twice in one list",
      "stages: [{name: first, remove: [right, right], sources: [spout]}]",
      "scene.yaml:10:40: error: stages.first.remove: 'right' is named twice"},

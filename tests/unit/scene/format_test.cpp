@@ -81,6 +81,14 @@ TEST(Format, ExplainsAKeyByItsNameWhereverItIs) {
   EXPECT_EQ(explain("lines").find("stages"), std::string::npos);  // the one at the top
 }
 
+TEST(Format, DotsAloneAreNoKey) {
+  EXPECT_EQ(explain("box."), explain("box"));
+  for (const std::string path : {".", "..", "box.."}) {
+    EXPECT_THAT([&] { explain(path); },
+                ThrowsMessage<UnknownKeyError>(HasSubstr("no key '" + path + "'")));
+  }
+}
+
 TEST(Format, LeavesOutWhereToReadOn) {
   EXPECT_THAT(explain("model"), HasSubstr("or energies of velocities and axes\n"));
   EXPECT_THAT(explain("begin"), HasSubstr("that this one begins with\n"));

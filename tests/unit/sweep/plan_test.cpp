@@ -90,6 +90,21 @@ TEST(Plan, ARangeWithoutAStepIsToldWhatItLacks) {
   EXPECT_EQ(plan(request({"title=1:2"})).run_count(), 2U);
 }
 
+TEST(Plan, ARangeMayHaveAUnitOfLength) {
+  const auto rows = [](const char* text) { return parse_variation(text).rows; };
+  const std::vector<std::vector<std::string>> expected = {{"1.5 mm"}, {"2 mm"}, {"2.5 mm"}};
+  EXPECT_EQ(rows("box.width=1.5 mm:2.5mm:.5  mm"), expected);
+  EXPECT_EQ(rows("title=1 km:2 km:1 km").size(), 1U);
+  EXPECT_THAT([&] { rows("box.width=1 cm:15 mm:1 mm"); },
+              ThrowsMessage<scene::SceneError>(
+                  ::testing::EndsWith("1 cm:15 mm:1 mm: expected FIRST:LAST:STEP in one unit")));
+  EXPECT_THAT([&] { rows("box.width=10 mm:15 mm:1"); },
+              ThrowsMessage<scene::SceneError>(::testing::EndsWith("in one unit")));
+  EXPECT_THAT(
+      [] { plan(request({"box.width=10 mm:15 mm"})); },
+      ThrowsMessage<scene::SceneError>(::testing::EndsWith("; a range is FIRST:LAST:STEP")));
+}
+
 TEST(Plan, AKeyIsSetInOnePlaceOnlyAndTheSeedNowhereElse) {
   EXPECT_THAT(
       [] { plan(request({"seed=1,2"})); },
