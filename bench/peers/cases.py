@@ -54,6 +54,10 @@ def collapse(name, grains, width, rolling, seeds, height=None, most_flow=2000.0,
         variables={"right": face(width), "space_right": 20.0 * width, "most_flow": most_flow}, **more)
 
 
+def rolling_540(what, seeds, **parameters):
+    return collapse(f"collapse-540-resistance-{what}", 540, 72, "resistance", seeds, **parameters)
+
+
 def filled(name, rolling, seeds, width, fill_height, each, height=None):
     """A bed of so many grains of each species, placed at random up to a height."""
     return Case(name, "janssen", "bed", (
@@ -158,12 +162,13 @@ CASES = [
     filled("janssen-83d", "resistance", 4, 164, 1300, 790),
     collapse("collapse-540-free", 540, 72, "free", 4, most_flow=60.6),
     collapse("collapse-540-none-friction-0.2", 540, 72, "none", 4, friction=0.2),
-    collapse("collapse-540-resistance-restitution-0.8", 540, 72, "resistance", 16, restitution=0.8),
-    collapse("collapse-540-resistance-rolling-0.2", 540, 72, "resistance", 16, rolling_friction=0.2),
-    *(collapse(f"collapse-{grains}-resistance-{more}stiffness-{stiffness:g}", grains, width, "resistance", seeds, rolling_friction=rolling_friction, stiffness=stiffness)
-      for grains, width, stiffness, more, rolling_friction, seeds in (
-          (540, 72, 2.5e3, "", 0.5, 16), (540, 72, 1.6e5, "", 0.5, 16), (540, 72, 1.6e5, "rolling-0.2-", 0.2, 8), (2000, 138.6, 1.6e5, "", 0.5, 4),
-          (5000, 219, 1.6e5, "", 0.5, 1))),
+    rolling_540("restitution-0.8", 16, restitution=0.8),
+    rolling_540("rolling-0.2", 16, rolling_friction=0.2),
+    rolling_540("rolling-0.2-stiffness-160000", 8, rolling_friction=0.2, stiffness=1.6e5),
+    rolling_540("stiffness-2500", 16, stiffness=2.5e3),
+    rolling_540("stiffness-160000", 16, stiffness=1.6e5),
+    collapse("collapse-2000-resistance-stiffness-160000", 2000, 138.6, "resistance", 4, stiffness=1.6e5),
+    collapse("collapse-5000-resistance-stiffness-160000", 5000, 219, "resistance", 1, stiffness=1.6e5),
     heap("heap-60-steps", 0.0167, 8),
     heap("heap-240-steps", 0.0042, 8),
     tilted("tilted-box-free", "free", 8),
