@@ -8,6 +8,7 @@ import numpy
 from clca import _chart, _figures
 from clca._chart import Look
 from clca._figures import FIGURES, charts
+from matplotlib.figure import Figure
 from support import ScratchTest
 
 # All that a run of grains by contact dynamics has tables of.
@@ -120,6 +121,11 @@ class EachFigureTest(ScratchTest):
         table = run.table("mixing-packing")
         self.assertTrue(table["kept"].any() and (table["pairs"] < _figures.ENOUGH_PAIRS).all(), table)
         self.assertNotIn("neighbours-packing", [chart.name for chart in charts(run)])
+
+    def test_values_too_far_apart_for_an_axis_are_one_error(self):
+        values = [numpy.array([-1.7e308, 1.7e308])]
+        with self.assertRaisesRegex(ValueError, "Axis limits"):  # and no warning before it
+            _chart.draw_axis(Figure().subplots(), "y", _chart.Axis("huge"), values)
 
 
 if __name__ == "__main__":

@@ -181,7 +181,7 @@ def draw_axis(ax: Any, which: str, axis: Axis, values: list[NDArray[Any]], given
             of.set_major_formatter(ticker.FuncFormatter(lambda value, _: f"{value:g}"))
             of.set_minor_formatter(ticker.NullFormatter())
     elif which == "y" and len(flat):
-        least, most = flat.min(), flat.max()
+        least, most = float(flat.min()), float(flat.max())  # which may overflow
         pad = 0.05 * (most - least) or 0.1 * abs(most) or 1
         # From 0, unless that would leave most of the axis without points.
         is_from_zero = axis.zero or (least >= 0 and least < 0.5 * (most + pad))
