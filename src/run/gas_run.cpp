@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <limits>
-#include <map>
 #include <mutex>
 #include <optional>
 #include <thread>
@@ -20,6 +18,7 @@
 #include "clca/tasks/pool.hpp"
 #include "record/internal/meter.hpp"
 #include "run/gas_saved.hpp"
+#include "run/gas_share.hpp"
 #include "run/run_base.hpp"
 
 namespace clca::run {
@@ -31,46 +30,6 @@ constexpr double kMinSeconds = 1e-9;
 std::string case_name(double restitution) {
   return fmt::format("restitution-{}", restitution);
 }
-
-/// The gases of an ensemble that a rank advances.
-struct GasShare {
-  double restitution = 1;
-  /// Of all members that have not begun, by number: each rank takes the next one when it is free.
-  std::vector<std::size_t> shared;
-  /// Members that have begun in an earlier process, by number: for this rank alone.
-  std::map<std::size_t, model::GasMember> begun;
-
-  CLCA_FIELDS(restitution, shared, begun);
-};
-
-constexpr double kAnySize = std::numeric_limits<double>::infinity();
-
-template <class T>
-tasks::Bytes packed(const T& value, const std::string& scene) {
-  return store::checkpoint_bytes({.kind = "gas",
-                                  .scene_name = "",
-                                  .scene = scene,
-                                  .summary = "",
-                                  .fields = reflection::encode(value)});
-}
-
-/// From the answer of a rank.
-model::GasMember gas_member(const tasks::Bytes& answer) {
-  model::GasMember member;
-  reflection::decode(store::parse_checkpoint(answer, kAnySize).fields, kAnySize, member);
-  return member;
-}
-
-/// Gases at a time in a process, and threads of each.
-struct GasThreads {
-  GasThreads(int threads, std::uint64_t ensemble, int ranks)
-      : gases(std::min<std::uint64_t>(static_cast<std::uint64_t>(threads),
-                                      1 + (ensemble - 1) / static_cast<std::uint64_t>(ranks))),
-        of_gas(std::max(1, threads / static_cast<int>(gases))) {}
-
-  std::size_t gases;
-  int of_gas;
-};
 
 /// How far a gas is that this process advances.
 struct GasProgress {
@@ -215,9 +174,8 @@ void GasRun::run_case(record::GasCase& gas_case) {
   forecast_ = record::TimeEstimate();
   progress_ = std::vector<GasProgress>(gas_case.members.size());
   const std::vector<GasShare> shares = shares_of(gas_case);
-  ranks_.hand_out([&](int rank) {
-    return packed(shares[static_cast<std::size_t>(rank)], scene::to_yaml(scene_));
-  });
+  ranks_.hand_out(
+      [&](int rank) { return to_bytes(shares[static_cast<std::size_t>(rank)], scene_); });
   tasks::Pool<bool> pool(threads_.gases, ranks_, shares[0].shared, work(gas_case), options().stop,
                          true);
   for (const auto& [number, _] : shares[0].begun) {
@@ -386,26 +344,6 @@ void GasRun::complete_summary(store::RunSummary& summary) const {
   summary.state_hash = hash_.value();
 }
 
-void advance(GasShare share, const scene::BoltzmannScene& scene, const RunOptions& options) {
-  const model::GasIntegrator integrator(scene);
-  const GasThreads threads(options.threads, scene.ensemble, options.ranks->size());
-  const auto advance_one = [&](std::size_t number, const std::atomic<int>& stop) {
-    const auto begun = share.begun.find(number);
-    model::GasMember member =
-        begun == share.begun.end() ? model::GasMember() : std::move(begun->second);
-    integrator.integrate(member, share.restitution, boltzmann::member_seed(scene.seed, number),
-                         parallel::start_team(threads.of_gas),
-                         [&](const model::GasMember& /*now*/) { return stop == 0; });
-    return packed(member, "");
-  };
-  tasks::Pool<tasks::Bytes> pool(threads.gases, *options.ranks, share.shared,
-                                 {.carry_out = advance_one}, options.stop);
-  for (const auto& [number, _] : share.begun) {
-    pool.add(number);
-  }
-  tasks::serve(pool, *options.ranks);
-}
-
 }  // namespace
 
 store::RunSummary run(const scene::BoltzmannScene& scene, const RunOptions& options,
@@ -423,18 +361,6 @@ store::RunSummary resume_gas(SavedRun& saved, const RunOptions& options, const R
     saved.checkpoint.fields.clear();  // as large as the gases
   }
   return GasRun(scene, options, events, std::move(saved.folder), std::move(course)).execute();
-}
-
-void serve(const RunOptions& options) {
-  options.ranks->begin(record::version());
-  while (const auto work = options.ranks->wait_for_work(options.stop)) {
-    const store::Checkpoint content = store::parse_checkpoint(*work, kAnySize);
-    GasShare share;
-    reflection::decode(content.fields, kAnySize, share);
-    advance(std::move(share),
-            std::get<scene::BoltzmannScene>(scene::parse_any(content.scene, "the scene of rank 0")),
-            options);
-  }
 }
 
 }  // namespace clca::run
