@@ -54,13 +54,14 @@ TEST(BadScenes, AreNotRefusedThereOnceTheAdviceHasBeenFollowed) {
       place = text.find('\n', place) + 1;
     }
     place += std::stoul(found[3]) - 1;
+    const std::string wrong = found[4].str();
     const std::string said = found[6].str();
     const bool is_list = said.starts_with('[');
-    if (text.compare(place, found[4].length(), found[4].str()) != 0) {
+    if (text.compare(place, wrong.size(), wrong) != 0) {
       ADD_FAILURE() << bad.message;
       continue;
     }
-    text.replace(place, found[4].length(), is_list ? said : said.substr(1, said.size() - 2));
+    text.replace(place, wrong.size(), is_list ? said : said.substr(1, said.size() - 2));
     const std::string then = refusal(text);
     // A suggested key may be there already; a suggested value may need something else.
     const bool is_same = then.starts_with(found[1].str()) &&
