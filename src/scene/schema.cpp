@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -222,11 +223,14 @@ std::vector<std::string> paths_of_key(const Descriptions& top, std::string_view 
 std::vector<std::string> paths_about(const Descriptions& top, std::string_view word) {
   const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
   std::vector<std::string> paths;
+  if (std::ranges::none_of(word, is_letter)) {
+    return paths;
+  }
   for (const auto& [key, path] : all_keys(top)) {
     // The values of each place have an x.
     const std::string allowed = word.size() > 1 ? without_markup(key->allowed) : "";
     const std::string about = fmt::format(" {} {} ", without_markup(key->about), allowed);
-    for (std::size_t at = about.find(word); at != std::string::npos;
+    for (std::size_t at = about.find(word, 1); at != std::string::npos;
          at = about.find(word, at + 1)) {
       if (!is_letter(about[at - 1]) && !is_letter(about[at + word.size()])) {
         paths.push_back(path);

@@ -16,6 +16,7 @@ namespace {
 
 using ::testing::EndsWith;
 using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
 
 std::string text_of(const std::filesystem::path& file) {
   std::ostringstream text;
@@ -81,12 +82,13 @@ TEST(Format, ExplainsAKeyByItsNameWhereverItIs) {
   EXPECT_EQ(explain("lines").find("stages"), std::string::npos);  // the one at the top
 }
 
-TEST(Format, DotsAloneAreNoKey) {
+TEST(Format, DotsAndSpacesAloneAreNoKey) {
   EXPECT_EQ(explain("box."), explain("box"));
-  for (const std::string path : {".", "..", "box.."}) {
+  for (const std::string path : {".", "..", "box..", " "}) {
     EXPECT_THAT([&] { explain(path); },
-                ThrowsMessage<UnknownKeyError>(HasSubstr("no key '" + path + "'")));
+                ThrowsMessage<UnknownKeyError>("the scene format has no key '" + path + "'"));
   }
+  EXPECT_THROW(explain(" x"), UnknownKeyError);
 }
 
 TEST(Format, LeavesOutWhereToReadOn) {
