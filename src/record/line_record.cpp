@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "clca/measure/line.hpp"
+#include "clca/scene/units.hpp"
 #include "record/internal/observer.hpp"
 
 namespace clca::record {
@@ -13,14 +14,15 @@ namespace {
 struct LineRow {
   const scene::Line& line;
   const measure::LinePart& part;
-  double speed;  // unit of velocity
+  double speed;      // unit of velocity
+  double mass_flux;  // unit of flux in SI, with a density
 };
 
 statistics::Sample mean(const measure::LineMean& mean, double unit) {
   return {.mean = mean.value * unit, .standard_error = mean.error * unit};
 }
 
-TableOf<LineRow> lines_table(const scene::Scene& /*scene*/) {
+TableOf<LineRow> lines_table(const scene::Scene& scene) {
   return {
       {.name = "lines", .kind = TableInfo::Kind::parts},
       {{{"line", "Line", "", "its name"}, [](auto& row) { return row.line.name; }},
@@ -40,7 +42,11 @@ TableOf<LineRow> lines_table(const scene::Scene& /*scene*/) {
         [](auto& row) { return row.part.filling; }},
        {{"particles", "Particles", "particles",
          "whose centre has passed, either way; on the edge of two parts half in each"},
-        [](auto& row) { return row.part.particles; }}}};
+        [](auto& row) { return row.part.particles; }}},
+      {{"with `units.density`",
+        scene::has_density(scene),
+        {{{"mass_flux", "Mass flux", "kg/(s·m)", "`flux` in SI units"},
+          [](auto& row) { return mean(row.part.flux, row.mass_flux); }}}}}};
 }
 
 /// Observes the lines at the steps that have rows in series.csv.
@@ -67,9 +73,11 @@ class LineRecord : public SavedObserver<LineRecord> {
       observe(now);
     }
     const double speed = velocity_unit(now.scene);
+    const auto units = scene::conversion(now.scene);
+    const double mass_flux = units && units->site ? units->mass_rate(1) / units->spacing : 0;
     for (std::size_t line = 0; line < lines_.size(); ++line) {
       for (const measure::LinePart& part : lines_[line].means(sums_[line])) {
-        table_.add({now.scene.lines[line], part, speed});
+        table_.add({now.scene.lines[line], part, speed, mass_flux});
       }
     }
     table_.write(now.files, now.stage.name);

@@ -20,7 +20,7 @@ using Named = std::vector<store::NamedMeasure>;
 bool counts_apart(const scene::Scene& scene) {
   constexpr std::size_t kMostMeasures = 800;
   // Besides those of its species.
-  const std::size_t of_outlet = scene.units && scene.units->density ? 6 : 4;
+  const std::size_t of_outlet = scene::has_density(scene) ? 6 : 4;
   return scene.outlets.size() * (scene.species.size() + of_outlet) <= kMostMeasures;
 }
 
@@ -51,7 +51,7 @@ Rates rates(const scene::Scene& scene, const measure::Outflow& outflow) {
       const double sites =
           left.particles > 0 ? static_cast<double>(left.sites) / static_cast<double>(left.particles)
                              : 1;
-      all.emplace_back(kMassPerTime, per_time * conversion->site->mass);
+      all.emplace_back(kMassPerTime, conversion->mass_rate(per_step));
       all.emplace_back(kParticlesPerTime, per_time / sites);
     }
   }

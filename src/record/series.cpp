@@ -6,6 +6,7 @@
 #include "clca/measure/force.hpp"
 #include "clca/measure/outflow.hpp"
 #include "clca/measure/probe.hpp"
+#include "clca/scene/units.hpp"
 #include "record/energy_record.hpp"
 #include "record/internal/quantities.hpp"
 #include "record/series_record.hpp"
@@ -196,9 +197,10 @@ struct ProbeRow {
   std::optional<Eigen::Vector2d> velocity = {};
   std::optional<double> fluctuation = {};
   std::optional<double> flow = {};
+  std::optional<double> mass_flow = {};
 };
 
-TableOf<ProbeRow> probes_table(const scene::Scene& /*scene*/) {
+TableOf<ProbeRow> probes_table(const scene::Scene& scene) {
   return {{.name = "probes"},
           {{kStep, [](auto& row) { return row.now.model.state().step; }},
            {kStage, [](auto& row) { return row.now.stage.name; }},
@@ -213,7 +215,10 @@ TableOf<ProbeRow> probes_table(const scene::Scene& /*scene*/) {
            {{"flow", "Flow", "sites/step",
              "since the last row, of the particles whose centre has passed the horizontal middle "
              "line of the probe downwards, less those that have passed it upwards"},
-            &ProbeRow::flow}}};
+            &ProbeRow::flow}},
+          {{"with `units.density`",
+            scene::has_density(scene),
+            {{{"mass_flow", "Mass flow", "kg/s", "`flow` in SI units"}, &ProbeRow::mass_flow}}}}};
 }
 
 /// Of the automaton, motion is over the steps since the last row, of the particles that were in the
@@ -258,6 +263,9 @@ void Probes::add(const StageView& now) {
     }
     if (last_) {
       row.flow = measure::downward_flow(*last_, state, regions[i]) / steps;
+      if (scene::has_density(now.scene)) {
+        row.mass_flow = scene::conversion(now.scene)->mass_rate(*row.flow);
+      }
     }
     table_.add(row);
   }

@@ -46,7 +46,7 @@ Eigen::Vector2d lever(const lattice::Lattice& box, const Eigen::Vector2d& from,
 }  // namespace
 
 bool has_flow_rates(const scene::Scene& scene) {
-  return scene.units && scene.units->density && !scene.outlets.empty();
+  return scene::has_density(scene) && !scene.outlets.empty();
 }
 
 SeriesRecord::SeriesRecord(const scene::Scene& scene)

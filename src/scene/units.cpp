@@ -42,6 +42,10 @@ double Conversion::in_si(double value, std::string_view unit) const {
   return found ? value * found->value : value;
 }
 
+bool has_density(const Scene& scene) {
+  return scene.units && scene.units->density;
+}
+
 std::optional<Conversion> conversion(const Scene& scene) {
   if (scene.model != Model::contact) {
     return std::nullopt;

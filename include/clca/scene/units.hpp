@@ -48,11 +48,16 @@ struct Conversion {
   double velocity(double spacings_per_step) const {
     return spacings_per_step * spacing / time_step;
   }
+  /// Of so many sites in a step, in kilograms per second; of a scene with a density.
+  double mass_rate(double sites_per_step) const { return sites_per_step / time_step * site->mass; }
   /// N, J, N m or N/m for the units above; none for another one, or without a density.
   std::optional<SiUnit> si(std::string_view unit) const;
   /// In that SI unit, if there is one; else the value itself.
   double in_si(double value, std::string_view unit) const;
 };
+
+/// Whether the scene has units with a density.
+bool has_density(const Scene& scene);
 
 /// For contact scenes; none for the automaton, whose steps have no length.
 std::optional<Conversion> conversion(const Scene& scene);

@@ -91,6 +91,31 @@ TEST_F(Si, ForcesLoadsAndStressAreNewtonsWithADensity) {
   EXPECT_EQ(unit("plain", "walls", "force_x"), "grain weights");
 }
 
+TEST_F(Si, FlowsThroughProbesAndLinesAreKilogramsPerSecondToo) {
+  run_of("si", {kDensity, "probes={middle: [0, 20, 60, 40]}", "output={series: {every: 10}}",
+                "lines={across: {from: [0, 30], to: [60, 30], parts: 3}}"});
+  const auto summary = nlohmann::json::parse(testing::bytes_of(path("si") / "run.json"));
+  constexpr double kSiteMass = kSiteWeight / 10;  // kg
+  const double per_step = kSiteMass / summary.at("units").at("time_step").get<double>();
+  const auto expect_scaled = [&](const char* file, const char* column, const char* plain,
+                                 double factor) {
+    const auto real = table("si", file).numbers(column);
+    const auto sites = table("si", file).numbers(plain);
+    double most = 0;
+    for (std::size_t row = 0; row < real.size(); ++row) {
+      if (std::isfinite(sites[row])) {  // the first row of a probe has none
+        EXPECT_NEAR(real[row], factor * sites[row], 1e-5 * std::abs(real[row])) << column;
+        most = std::max(most, real[row]);
+      }
+    }
+    EXPECT_GT(most, 0);
+  };
+  expect_scaled("probes.csv", "mass_flow", "flow", per_step);
+  expect_scaled("lines-rest.csv", "mass_flux", "flux", per_step / 0.002);
+  EXPECT_EQ(unit("si", "probes", "mass_flow"), "kg/s");
+  EXPECT_EQ(unit("si", "lines", "mass_flux"), "kg/(s·m)");
+}
+
 TEST_F(Si, LegendsOfPicturesAreInNewtons) {
   run_of("si", {kDensity});
   run_of("plain", {});
