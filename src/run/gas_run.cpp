@@ -72,9 +72,8 @@ class GasRun : public RunBase {
   /// True while the gas goes on; shows progress in the thread that called run().
   bool keep_going(std::size_t number, const boltzmann::Gas& gas, double restitution,
                   const std::atomic<int>& stop);
-  /// Asks all gases of this process to stop for a checkpoint if that is due. `step`: that a gas has
-  /// just done; none where only the clock decides.
-  void look_at_checkpoint(std::optional<std::uint64_t> step);
+  /// Asks all gases of this process to stop for a checkpoint if that is due.
+  void look_at_checkpoint();
   void show_progress(double restitution);
   /// Whether gases are advanced in the thread that called run().
   bool is_inline() const { return threads_.gases == 1 && ranks_.size() == 1; }
@@ -108,7 +107,7 @@ class GasRun : public RunBase {
   std::uint64_t gases_done_ = 0;
   std::vector<GasProgress> progress_;       // one for each member of a case
   std::mutex checkpoint_mutex_;             // of checkpoint_writer()
-  std::atomic<bool> saves_ = false;         // once no gas is under way here
+  std::atomic<bool> saves_ = false;         // a checkpoint is due, once no gas is advanced here
   std::atomic<int> startable_threads_ = 1;  // of each gas
   std::thread::id thread_ = std::this_thread::get_id();
   record::TimeEstimate forecast_;
@@ -195,7 +194,7 @@ void GasRun::run_case(record::GasCase& gas_case) {
     if (stop_asked()) {
       pool.stop();
     }
-    look_at_checkpoint({});
+    look_at_checkpoint();
     if (saves_ && pool.is_idle()) {
       save_course();
       saves_ = false;
@@ -243,11 +242,14 @@ tasks::Pool<bool>::Work GasRun::work(record::GasCase& gas_case) {
                     member, gas_case.restitution, boltzmann::member_seed(scene_.seed, number),
                     startable_threads_, [&](const model::GasMember& now) {
                       if (now.gas->step != std::exchange(step, now.gas->step)) {
-                        look_at_checkpoint(step);
+                        look_at_checkpoint();  // so there is a step between two of them
                       }
                       return keep_going(number, *now.gas, gas_case.restitution, stop);
                     });
-                progress_[number].time = 0;
+                progress_[number].participations = 0;
+                if (is_done(member)) {
+                  progress_[number].time = 0;
+                }
                 return end(number, std::move(member));
               },
           .result =
@@ -263,10 +265,10 @@ tasks::Pool<bool>::Work GasRun::work(record::GasCase& gas_case) {
           }};
 }
 
-void GasRun::look_at_checkpoint(std::optional<std::uint64_t> step) {
+void GasRun::look_at_checkpoint() {
   const std::unique_lock lock(checkpoint_mutex_, std::try_to_lock);
   if (lock && !saves_) {  // else a step later will do
-    saves_ = step ? checkpoint_writer().due(*step) : checkpoint_writer().due_by_clock();
+    saves_ = checkpoint_writer().due_by_clock();
   }
 }
 
@@ -291,7 +293,7 @@ void GasRun::show_progress(double restitution) {
     const double time = gas.time;
     sum += time;
     latest = std::max(latest, time);
-    participations += time > 0 ? gas.participations.load() : 0;
+    participations += gas.participations;
   }
   const auto gases = static_cast<double>(scene_.ensemble);
   forecast_.update((static_cast<double>(gases_done_) + sum / scene_.until) / gases);

@@ -54,26 +54,32 @@ class IntervalTimer {
 /// Estimates the remaining time of a stage from its progress.
 class TimeEstimate {
  public:
-  /// `done`: share of the stage, in [0, 1]. It may stay the same for long, as between two cycles.
+  /// `done`: share of the stage, in [0, 1], the first time what was done before. It may stay the
+  /// same for long, as between two cycles.
   void update(double done) {
-    if (done > done_) {
+    if (!clock_) {
+      clock_.emplace();
+      before_ = done_ = done;
+    } else if (done > done_) {
       done_ = done;
-      seconds_ = clock_.seconds();
+      seconds_ = clock_->seconds();
     }
   }
-  /// None at the very start of a stage.
+  /// None before the first progress, and where more time has passed than expected.
   std::optional<double> seconds_left() const {
     constexpr double kMinDone = 1e-3;
-    if (done_ < kMinDone) {
+    if (done_ - before_ < kMinDone) {
       return std::nullopt;
     }
-    return std::max(seconds_ / done_ - clock_.seconds(), 0.0);
+    const double left = seconds_ * (1 - before_) / (done_ - before_) - clock_->seconds();
+    return left > 0 || done_ >= 1 ? std::optional(std::max(left, 0.0)) : std::nullopt;
   }
 
  private:
-  WallClock clock_;
+  std::optional<WallClock> clock_;  ///< since the first update
+  double before_ = 0;
   double done_ = 0;
-  double seconds_ = 0;  ///< until then
+  double seconds_ = 0;  ///< at the last progress
 };
 
 }  // namespace clca::record

@@ -10,6 +10,7 @@ namespace {
 
 TEST(TimeEstimate, FallsWhileTheShareThatIsDoneStaysTheSame) {
   TimeEstimate estimate;
+  estimate.update(0);
   EXPECT_FALSE(estimate.seconds_left());
   std::this_thread::sleep_for(std::chrono::milliseconds(20));
   estimate.update(0.25);
@@ -18,6 +19,24 @@ TEST(TimeEstimate, FallsWhileTheShareThatIsDoneStaysTheSame) {
   std::this_thread::sleep_for(std::chrono::milliseconds(5));
   estimate.update(0.25);
   EXPECT_LT(estimate.seconds_left().value(), before);
+}
+
+TEST(TimeEstimate, DoesNotCountWhatWasDoneBefore) {
+  TimeEstimate estimate;
+  estimate.update(0.5);
+  std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  estimate.update(0.55);
+  EXPECT_GT(estimate.seconds_left().value(), 0.15);
+}
+
+TEST(TimeEstimate, IsNoneOnceMoreTimeHasPassedThanExpected) {
+  TimeEstimate estimate;
+  estimate.update(0);
+  estimate.update(0.9);
+  std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  EXPECT_FALSE(estimate.seconds_left());
+  estimate.update(1);
+  EXPECT_EQ(estimate.seconds_left(), 0);
 }
 
 }  // namespace
