@@ -177,11 +177,7 @@ DrawnOverlay contact_forces(const View& view, const std::vector<contact::Force>&
                                                     scales.unit_of(scene::kContactForceUnit)))}};
 }
 
-/// `overlay`: that of a rule; they have the order of measure::kWeightRules.
-DrawnOverlay weight(const View& view, scene::Overlay overlay, const OverlayScales& scales) {
-  const auto number =
-      static_cast<std::size_t>(overlay) - static_cast<std::size_t>(scene::Overlay::weight_inner);
-  const measure::WeightRule rule = measure::kWeightRules.at(number);
+DrawnOverlay weight(const View& view, measure::WeightRule rule, const OverlayScales& scales) {
   const auto supported = measure::supported_grains(view.state, view.occupancy);
   return contact_forces(view, measure::weight_paths(view.state, supported, rule).forces, scales);
 }
@@ -275,10 +271,13 @@ DrawnOverlay overlay_of(scene::Overlay overlay, const View& view, const PictureH
     case scene::Overlay::velocity:
       return velocities(view.state, *history.window, scales);
     case scene::Overlay::weight_inner:
+      return weight(view, measure::WeightRule::inner, scales);
     case scene::Overlay::weight_outer:
+      return weight(view, measure::WeightRule::outer, scales);
     case scene::Overlay::weight_pair:
+      return weight(view, measure::WeightRule::pair, scales);
     case scene::Overlay::weight_q:
-      return weight(view, overlay, scales);
+      return weight(view, measure::WeightRule::q, scales);
     case scene::Overlay::none:
       break;
   }

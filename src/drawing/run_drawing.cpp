@@ -40,7 +40,7 @@ const scene::Scene& drawable(const RunToDraw& run) {
   if (scene.output.frames->overlay == scene::Overlay::arrows) {
     throw RedrawError(fmt::format(
         "{}: overlay: arrows are means over whole cycles, which a trajectory does not hold; draw "
-        "with the overlay none, forces or velocity",
+        "with another overlay",
         scene.output.frames->location));
   }
   const auto& trajectory = scene.output.trajectory;
@@ -147,7 +147,7 @@ std::vector<contact::Vessel> vessels(const scene::Scene& scene, const std::vecto
 }
 
 /// The text of the scene without the keys that only affect pictures.
-std::string unpainted(scene::Scene scene) {
+std::string text_without_pictures(scene::Scene scene) {
   scene.title.clear();
   scene.output.frames.reset();
   scene.output.view.reset();
@@ -173,7 +173,7 @@ scene::Scene drawn_scene(const fs::path& folder, const std::vector<scene::Overri
     all.insert(all.begin(), "output.frames={}");
   }
   scene::Scene scene = scene::parse_file(file, all);
-  if (unpainted(scene) != unpainted(stored) || !scene.output.frames) {
+  if (text_without_pictures(scene) != text_without_pictures(stored) || !scene.output.frames) {
     throw RedrawError(
         "what is drawn again can differ in output.frames, title and the colour of species only; "
         "for all else, run the scene anew");

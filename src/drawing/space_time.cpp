@@ -73,10 +73,6 @@ const SpaceTimeOptions& checked(const scene::Scene& scene, const SpaceTimeOption
   if (frames.front().step == frames.back().step) {
     refuse(options, "a picture over time needs frames of two steps in that range");
   }
-  const lattice::Rectangle part = shown_part(scene);
-  if (!(part.left < part.right && part.bottom < part.top)) {
-    refuse(options, "output.frames.view shows nothing of the box");
-  }
   if (options.column) {
     check_column(scene, options, frames);
   }

@@ -13,15 +13,24 @@ namespace clca::run {
 
 namespace {
 
-/// A plain number means steps or, for a gas, its end time.
-scene::Override until_override(const scene::AnyScene& scene, const std::string& until) {
-  const auto* automaton = std::get_if<scene::Scene>(&scene);
+/// The saved scene with another end, and with a bound of steps that is not below it.
+scene::AnyScene prolonged(const scene::AnyScene& saved, const std::string& text,
+                          const std::string& file, const std::string& until) {
+  const auto* automaton = std::get_if<scene::Scene>(&saved);
   if (automaton == nullptr) {
-    return "boltzmann.until=" + until;
+    return scene::parse_any(text, file, {"boltzmann.until=" + until});
   }
+  const std::string stage = fmt::format("stages.{}.", automaton->stages.size() - 1);
   const bool plain = !until.empty() && until.find_first_not_of("0123456789") == std::string::npos;
-  return fmt::format("stages.{}.until={}", automaton->stages.size() - 1,
-                     plain ? fmt::format("{{steps: {}}}", until) : until);
+  const auto with_bound = [&](std::uint64_t max_steps) {
+    return scene::parse(text, file,
+                        {stage + "until=" + (plain ? fmt::format("{{steps: {}}}", until) : until),
+                         fmt::format("{}max_steps={}", stage, max_steps)});
+  };
+  constexpr std::uint64_t kHighest = 1'000'000'000'000;
+  const scene::Scene longer = with_bound(kHighest);
+  return with_bound(std::max(automaton->stages.back().max_steps,
+                             scene::least_steps(longer.stages.back(), longer)));
 }
 
 /// A scene from its resolved text, with its name.
@@ -34,7 +43,7 @@ scene::AnyScene parse_saved(const SavedScene& saved, const std::filesystem::path
                             const std::optional<std::string>& until) {
   scene::AnyScene scene = scene::parse_any(saved.text, file.string());
   if (until) {
-    scene = scene::parse_any(saved.text, file.string(), {until_override(scene, *until)});
+    scene = prolonged(scene, saved.text, file.string(), *until);
   }
   std::visit([&](auto& held) { held.name = saved.name; }, scene);
   return scene;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "scene/geometry.hpp"
 #include "scene/sections.hpp"
 #include "scene/types.hpp"
 
@@ -25,6 +26,14 @@ bool moves_in_cycles(const Scene& scene) {
 void require_overlap(const Place& place, std::string_view what) {
   if (!lets_overlap(place.scene)) {
     fail(place, "no {} without a wall that moves with passive: overlap", what);
+  }
+}
+
+void check_view(const lattice::Rectangle& view, const Place& place) {
+  const Box& box = place.scene.box;
+  if (view.right <= 0 || view.top <= 0 || view.left >= box.width || view.bottom >= box.height) {
+    fail(place, "nothing of the box, {} wide and {} high, lies in {}", box.width, box.height,
+         shown(view));
   }
 }
 
@@ -52,7 +61,7 @@ void check_frames(const KeyedMap& fields, Frames& frames) {
   if (frames.overlay == Overlay::forces && scene.model != Model::contact) {
     require_overlap(fields.at("overlay"), "forces");
   }
-  const bool of_weight = frames.overlay >= Overlay::weight_inner;
+  const bool of_weight = is_of_weight(frames.overlay);
   if (of_weight) {
     check_weight_paths(fields.at("overlay"));
   }
@@ -85,7 +94,8 @@ Type<Frames> frames_type() {
                 "there are values outside the range")
                 .defaults_to("`[0, high]`, `high` from the scene"),
             key("layers", &Frames::layers, integer(1, 256), "number of layers for `stage_layer`"),
-            key("view", &Frames::view, rectangle(), "the part of the plane to show")
+            key("view", &Frames::view, rectangle().checked(check_view),
+                "the part of the plane to show")
                 .defaults_to("`output.view`"),
             key("drawing", &Frames::drawing, choice(kDrawingNames),
                 "by looking up the sites around each sample (`auto` too), or as polygons by "
@@ -198,7 +208,7 @@ Type<Output> output_type() {
   return type_of<Output>(
       {.keys = {key("frames", &Output::frames, or_none(frames_type()),
                     "pictures: [output.frames](#outputframes)"),
-                key("view", &Output::view, rectangle(),
+                key("view", &Output::view, rectangle().checked(check_view),
                     "the part of the plane that pictures show without a `view` of their own, also "
                     "those drawn later; `--set output.frames=none` keeps that of `frames` here")
                     .defaults_to("the whole box"),

@@ -47,21 +47,8 @@ std::uint64_t min_cycle(const Wall& wall) {
              : 2 * static_cast<std::uint64_t>(shake->amplitude) + shake->wait.value_or(0);
 }
 
-/// Minimum steps until the end; 0 if unknown.
-std::uint64_t min_steps(const Stage& stage, const Scene& scene) {
-  if (const auto* steps = std::get_if<UntilSteps>(&stage.until)) {
-    return steps->steps;
-  }
-  const auto* cycles = std::get_if<UntilCycles>(&stage.until);
-  std::uint64_t longest = 0;
-  for (std::size_t i = 0; cycles != nullptr && i < stage.move.size(); ++i) {
-    longest = std::max(longest, min_cycle(scene.walls[stage.move[i]]));
-  }
-  return cycles != nullptr ? cycles->cycles * std::min(longest, kMaxCycleLength) : 0;
-}
-
 /// Why particles never come to rest in this stage, apart from walls; empty if they do.
-std::string restless(const Stage& stage, const Scene& scene) {
+std::string why_never_at_rest(const Stage& stage, const Scene& scene) {
   const automaton::Rules& rules = stage.rules ? *stage.rules : scene.rules;
   if (rules.candidates == automaton::Candidates::all) {
     return "with rules.candidates: all";
@@ -92,14 +79,14 @@ std::string endless(const Stage& stage, const Scene& scene) {
     return fmt::format(
         "while the vessel {}; end the stage after cycles or steps, or give max_steps", motion);
   }
-  const std::string reason = restless(stage, scene);
+  const std::string reason = why_never_at_rest(stage, scene);
   return reason.empty() ? reason : reason + "; give max_steps";
 }
 
 /// Rejects cycles of a shake that waits for rest that never comes.
 void check_waits(const Stage& stage, const Place& until) {
   const Scene& scene = until.scene;
-  const std::string reason = restless(stage, scene);
+  const std::string reason = why_never_at_rest(stage, scene);
   for (const std::size_t number : stage.move) {
     const Wall& wall = scene.walls[number];
     const auto* shake = wall.motion ? std::get_if<grains::Shake>(&wall.motion->program) : nullptr;
@@ -174,13 +161,25 @@ Type<Until> until_type() {
       });
 }
 
+std::uint64_t least_steps(const Stage& stage, const Scene& scene) {
+  if (const auto steps = steps_of(stage.until)) {
+    return *steps;
+  }
+  const auto* cycles = std::get_if<UntilCycles>(&stage.until);
+  std::uint64_t longest = 0;
+  for (std::size_t i = 0; cycles != nullptr && i < stage.move.size(); ++i) {
+    longest = std::max(longest, min_cycle(scene.walls[stage.move[i]]));
+  }
+  return cycles != nullptr ? cycles->cycles * std::min(longest, kMaxCycleLength) : 0;
+}
+
 void check_until(const KeyedMap& fields, Stage& stage) {
   const Scene& scene = fields.scene;
   const Value* given = fields.find("until");
   const Place until = {given != nullptr ? *given : fields.value, join_path(fields.path, "until"),
                        scene};
   check_possible(stage, until);
-  const std::uint64_t least = min_steps(stage, scene);
+  const std::uint64_t least = least_steps(stage, scene);
   const bool cycles = std::holds_alternative<UntilCycles>(stage.until);
   if (fields.find("max_steps") != nullptr) {
     check_max_steps(fields, stage, least, cycles ? "that the cycles of until take" : "of until");

@@ -34,6 +34,11 @@ bool pictures_show_forces(const Scene& scene) {
           frames->color_by == ColorBy::pressure);
 }
 
+bool is_of_weight(Overlay overlay) {
+  return overlay == Overlay::weight_inner || overlay == Overlay::weight_outer ||
+         overlay == Overlay::weight_pair || overlay == Overlay::weight_q;
+}
+
 bool pictures_compare_positions(const Scene& scene) {
   const auto& frames = scene.output.frames;
   return frames && (frames->overlay == Overlay::velocity ||

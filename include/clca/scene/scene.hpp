@@ -246,6 +246,10 @@ struct Scene {
 /// stage without a number of steps counts where its `max_steps` is above the default.
 int step_digits(const Scene& scene);
 
+/// Steps that the end of a stage takes at least; 0 if that is not known.
+std::uint64_t least_steps(const Stage& stage, const Scene& scene);
+
+bool is_of_weight(Overlay overlay);
 /// Whether its pictures show forces of the contact model.
 bool pictures_show_forces(const Scene& scene);
 /// Whether its pictures show velocities that follow from the positions of particles at the picture

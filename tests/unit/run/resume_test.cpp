@@ -282,6 +282,14 @@ TEST_F(ResumeTest, AnInterruptedRunIsReplacedOnlyWhereThatIsAskedFor) {
   EXPECT_EQ(resume(load_run(path(), kMuch), {}).status, "done");
 }
 
+TEST_F(ResumeTest, AnEndBeyondTheBoundOfStepsRaisesTheBound) {
+  run(small(), {.folder = path()});  // its scene.yaml has the default
+  const auto scene = std::get<scene::Scene>(load_run(path(), kMuch, "2000000").scene);
+  EXPECT_EQ(scene.stages.back().max_steps, 2'000'000);
+  EXPECT_EQ(std::get<scene::Scene>(load_run(path(), kMuch, "2000").scene).stages.back().max_steps,
+            1'000'000);
+}
+
 TEST_F(ResumeTest, AWrongEndIsAnErrorOfTheScene) {
   run(small(), {.folder = path()});
   EXPECT_THAT([&] { load_run(path(), kMuch, "sometime"); },
