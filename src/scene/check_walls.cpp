@@ -22,7 +22,8 @@ template <class... Args>
 
 /// True if both walls share an initial site for which `counts` is true.
 template <class Counts>
-bool share_home(const lattice::Lattice& lattice, const Wall& a, const Wall& b, Counts counts) {
+bool share_initial_site(const lattice::Lattice& lattice, const Wall& a, const Wall& b,
+                        Counts counts) {
   const std::vector<lattice::Site> sites = wall_sites(lattice, a);
   const std::vector<lattice::Site> others = wall_sites(lattice, b);
   return std::ranges::any_of(sites, [&](lattice::Site site) {
@@ -33,7 +34,7 @@ bool share_home(const lattice::Lattice& lattice, const Wall& a, const Wall& b, C
 /// Checks the initial positions.
 void check_begin(const lattice::Lattice& lattice, const Wall& mover, const Wall& other) {
   const auto in_box = [&](lattice::Site site) { return lattice.contains(site); };
-  if (share_home(lattice, mover, other, in_box)) {
+  if (share_initial_site(lattice, mover, other, in_box)) {
     fail(mover,
          "stands in wall '{}' at the start; insert one of them later, or move "
          "one of them elsewhere",
@@ -71,7 +72,7 @@ std::vector<bool> way_of(const lattice::Lattice& lattice, const Wall& wall) {
 void check_pair(const lattice::Lattice& lattice, const Wall& mover, const std::vector<bool>& way,
                 const Wall& other) {
   if (other.motion == mover.motion) {
-    if (share_home(lattice, mover, other, [](lattice::Site) { return true; })) {
+    if (share_initial_site(lattice, mover, other, [](lattice::Site) { return true; })) {
       fail(mover,
            "shares sites with wall '{}', which has the same motion; make them "
            "parts of one wall, "

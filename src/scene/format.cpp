@@ -34,7 +34,7 @@ FoundKey find(const Descriptions& top, const std::vector<std::string>& parts) {
                .path = join_path(found.path, part)};
       name_allowed = next->is_collection;
       found.path += name_allowed ? ".NAME" : "";
-    } else if (!std::exchange(name_allowed, false)) {
+    } else if (part.empty() || !std::exchange(name_allowed, false)) {
       return {};
     }
   }
@@ -197,6 +197,9 @@ std::string explain(std::string_view path) {
 }
 
 std::vector<KeyName> keys_beginning(std::string_view begun) {
+  if (begun.starts_with('.')) {
+    return {};
+  }
   const std::size_t length = begun.rfind('.') + 1;  // 0 without a dot
   const std::vector<std::string> parents =
       document::parts_of_path(begun.substr(0, std::max<std::size_t>(length, 1) - 1));

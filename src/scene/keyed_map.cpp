@@ -42,7 +42,7 @@ std::string suggestion(const Entry& entry, std::string_view path,
   const bool elsewhere = path.empty() || !entry.location.origin->has_lines;
   const bool is_elsewhere = elsewhere && !paths_of_key(all, entry.key).empty();
   std::string here = is_elsewhere ? "" : text::suggestion(entry.key, keys);
-  return here.empty() && elsewhere ? path_suggestion(all, entry.key) : here;
+  return here.empty() && (path.empty() || is_elsewhere) ? path_suggestion(all, entry.key) : here;
 }
 
 bool accepts(const std::function<void(const Place& place)>& read, const Place& place) {
@@ -217,6 +217,9 @@ std::string reference(const Place& place) {
 }
 
 KeyedMap::KeyedMap(const Place& map, std::span<const std::string_view> keys) : Place(map) {
+  if (!map.value.is(Value::Kind::map)) {
+    unexpected(map, fmt::format("a map (allowed: {})", fmt::join(keys, ", ")));
+  }
   for (const Entry& entry : read_map(map)) {
     if (std::ranges::find(keys, entry.key) == keys.end()) {
       fail(entry.location, "unknown key {}{} (allowed: {}){}", text::shown(entry.key),

@@ -15,7 +15,7 @@ constexpr char kEmptyPixel = '.';
 constexpr std::size_t kMaxParts = 26;               // letters
 constexpr std::size_t kMaxPartWeights = 2'000'000;  // parts by species, of all fills
 
-bool is_part(char pixel) {
+bool is_part_letter(char pixel) {
   return pixel >= grains::Mixture::kFirstPart && pixel <= 'Z';
 }
 
@@ -115,7 +115,7 @@ Type<Parts> pixels_type() {
       [=](const Place& place) {
         Parts weights;
         for (const Entry& entry : read_map(place)) {
-          if (entry.key.size() != 1 || !is_part(entry.key.front())) {
+          if (entry.key.size() != 1 || !is_part_letter(entry.key.front())) {
             fail(entry.location, "{}: expected a letter from A to Z, found {}", place.path,
                  text::shown(entry.key));
           }
@@ -165,7 +165,7 @@ void check_picture(const KeyedMap& fields, FillPicture& picture) {
 }
 
 Type<FillPicture> picture() {
-  const auto allowed = [](char pixel) { return pixel == kEmptyPixel || is_part(pixel); };
+  const auto allowed = [](char pixel) { return pixel == kEmptyPixel || is_part_letter(pixel); };
   return type_of<FillPicture>(
       {.keys = {parts_file_key(), colors_key(),
                 key("rows", &FillPicture::rows,

@@ -133,7 +133,7 @@ BoltzmannScene read_boltzmann_scene(const Value& root, const std::string& file) 
 }
 
 /// The scene where it is one of grains.
-Scene of_grains(AnyScene any) {
+Scene scene_of_grains(AnyScene any) {
   if (const auto* boltzmann = std::get_if<BoltzmannScene>(&any)) {
     throw SceneError(boltzmann->location +
                      ": error: expected a scene of grains, found one of the Boltzmann equation");
@@ -187,12 +187,12 @@ AnyScene parse_any_file(const std::filesystem::path& file, const std::vector<Ove
 
 Scene parse(std::string_view text, const std::string& file, const std::vector<Override>& overrides,
             const std::vector<Override>& varied) {
-  return of_grains(parse_any(text, file, overrides, varied));
+  return scene_of_grains(parse_any(text, file, overrides, varied));
 }
 
 Scene parse_file(const std::filesystem::path& file, const std::vector<Override>& overrides,
                  const std::vector<Override>& varied) {
-  return of_grains(parse_any_file(file, overrides, varied));
+  return scene_of_grains(parse_any_file(file, overrides, varied));
 }
 
 std::string to_yaml(const Scene& scene) {

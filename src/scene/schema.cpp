@@ -222,14 +222,14 @@ std::vector<std::string> paths_of_key(const Descriptions& top, std::string_view 
 
 std::vector<std::string> paths_about(const Descriptions& top, std::string_view word) {
   const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+  constexpr std::ptrdiff_t kLeastLetters = 3;  // shorter ones are in too many texts
   std::vector<std::string> paths;
-  if (std::ranges::none_of(word, is_letter)) {
+  if (std::ranges::count_if(word, is_letter) < kLeastLetters) {
     return paths;
   }
   for (const auto& [key, path] : all_keys(top)) {
-    // The values of each place have an x.
-    const std::string allowed = word.size() > 1 ? without_markup(key->allowed) : "";
-    const std::string about = fmt::format(" {} {} ", without_markup(key->about), allowed);
+    const std::string about =
+        fmt::format(" {} {} ", without_markup(key->about), without_markup(key->allowed));
     for (std::size_t at = about.find(word, 1); at != std::string::npos;
          at = about.find(word, at + 1)) {
       if (!is_letter(about[at - 1]) && !is_letter(about[at + word.size()])) {

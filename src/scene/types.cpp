@@ -120,16 +120,18 @@ Type<double> length(const Type<double>& number) {
   type.schema = number_or_text(number.schema, "^-?[0-9.][0-9.eE+-]* *(m|cm|mm|um)$");
   type.read_into = [number](const Place& place, void* result) {
     constexpr double kDecimals = 1e6;  // 20.5 mm are 82 spacings of 0.25 mm, and not a little less
-    const std::optional<double> length = metres(place.value.text);
-    if (length && !place.scene.units) {
+    const std::string_view text = place.value.text;
+    const std::optional<double> length = metres(text);
+    const std::size_t end = text.find_last_of("0123456789.") + 1;
+    const bool has_unit =
+        length || (end < text.size() && number_in<double>(text.substr(0, end)).has_value());
+    if (has_unit && !place.scene.units) {
       fail(place,
            "expected lattice spacings, as in a scene without units, found {}; "
            "'units: {{spacing: 1 mm}}'{} says how long a spacing is",
            found(place), place.scene.model == Model::contact ? "" : " with 'model: contact'");
     }
-    const std::string_view text = place.value.text;
-    const std::size_t end = text.find_last_of("0123456789.") + 1;
-    if (!length && end < text.size() && number_in<double>(text.substr(0, end))) {
+    if (has_unit && !length) {
       fail(place, "expected lattice spacings, or a length with one of the units {}, found {}",
            fmt::join(words(kLengthUnits), ", "), found(place));
     }

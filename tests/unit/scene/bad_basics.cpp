@@ -122,7 +122,7 @@ constexpr auto kBadBasics = std::to_array<BadScene>({
      "did you mean 'width'?"},
     {"a missing key", "box: {width: 100}", "scene.yaml:4:6: error: box: key 'height' is missing"},
     {"a list for a box", "box: [100, 50]",
-     "scene.yaml:4:6: error: box: expected a map, found a list"},
+     "scene.yaml:4:6: error: box: expected a map (allowed: width, height, periodic), found a list"},
     {"a box without width", "box: {width: 0, height: 50}",
      "scene.yaml:4:14: error: box.width: expected a number from 1 to 866025, found '0'"},
     {"a box of more than a million columns", "box: {width: 1000000, height: 50}",
@@ -167,7 +167,8 @@ constexpr auto kBadBasics = std::to_array<BadScene>({
      "scene.yaml:6:42: error: rules.update_priority: expected one of rest, inertia, gravity, "
      "found 'graviti'; did you mean 'gravity'?"},
     {"rules that are not a map", "rules: default",
-     "scene.yaml:6:8: error: rules: expected a map, found 'default'"},
+     "scene.yaml:6:8: error: rules: expected a map (allowed: inertia, scatter, candidates, "
+     "gravity, update_priority, ties), found 'default'"},
     {"a measure twice", "measure: [profile, moved, profile]",
      "scene.yaml:11:27: error: measure: 'profile' is named twice"},
     {"a misspelt measure", "measure: [profil]",
@@ -244,6 +245,11 @@ constexpr auto kBadBasics = std::to_array<BadScene>({
     {"too much supersampling", "output: {frames: {supersampling: 8}}",
      "scene.yaml:12:34: error: output.frames.supersampling: expected a whole number from 1 to "
      "4, found '8'"},
+    {"a view beside the box", "output: {view: [100, 0, 120, 20]}",
+     "scene.yaml:12:16: error: output.view: nothing of the box, 100 wide and 50 high, lies in "
+     "[100, "
+     "0, 120, 20]",
+     Judge::parser},
     {"a view inside out", "output: {frames: {view: [10, 0, 5, 20]}}",
      "scene.yaml:12:25: error: output.frames.view: expected [left, bottom, right, top] with "
      "left < right and bottom < top, found [10, 0, 5, 20]",

@@ -68,7 +68,8 @@ constexpr auto kBadContacts = std::to_array<BadScene>({
      "'model: contact'",
      Judge::parser},
     {"a word for the block", "contact: default",
-     "scene.yaml:13:10: error: contact: expected a map, found 'default'"},
+     "scene.yaml:13:10: error: contact: expected a map (allowed: friction, wall_friction, rolling, "
+     "rolling_friction, restitution, sweeps, resolution, fall_height), found 'default'"},
     {"a misspelt key", "contact: {frictoin: 0.2}",
      "scene.yaml:13:11: error: unknown key 'frictoin' in contact (allowed: friction, "
      "wall_friction, rolling, rolling_friction, restitution, sweeps, resolution, fall_height); did "
@@ -123,6 +124,10 @@ constexpr auto kBadContacts = std::to_array<BadScene>({
      "units: {spacing: 1 mm}\nwalls: {left: {box: [0, 0, 1 in, 50]}}",
      "scene.yaml:7:28: error: walls.left.box: expected lattice spacings, or a length with one of "
      "the units m, cm, mm, um, found '1 in'"},
+    {"a length of an unknown unit where a spacing has none",
+     "walls: {left: {box: [0, 0, 1 in, 50]}}",
+     "scene.yaml:7:28: error: walls.left.box: expected lattice spacings, as in a scene without "
+     "units, found '1 in'; 'units: {spacing: 1 mm}' says how long a spacing is"},
     {"a length in kilometres", "units: {spacing: 1 mm}\nbox: {width: 1 km, height: 1001 m}",
      "scene.yaml:4:14: error: box.width: expected lattice spacings, or a length with one of the "
      "units m, cm, mm, um, found '1 km'"},

@@ -18,7 +18,7 @@ constexpr auto kBadGasOutputs = std::to_array<BadScene>({
      "scene.yaml:5:32: error: output.checkpoint.seconds: expected a number above 0 and up to "
      "1000000000, found '0'"},
     {"no series", "output: {series: none}",
-     "scene.yaml:5:18: error: output.series: expected a map, found 'none'"},
+     "scene.yaml:5:18: error: output.series: expected a map (allowed: every), found 'none'"},
     {"a row at every 0", "output: {series: {every: 0}}",
      "scene.yaml:5:26: error: output.series.every: expected a number above 0 and up to 1000000000, "
      "found '0'"},

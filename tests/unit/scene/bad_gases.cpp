@@ -115,7 +115,9 @@ constexpr auto kBadGases = std::to_array<BadScene>({
      "exact_moments, sampling, restitution, friction, roughness, energy_ratio, scheme, time_step, "
      "partners, shear_rate, until, ensemble); did you mean 'restitution'?"},
     {"a list for a gas", "boltzmann: [0.5]",
-     "scene.yaml:4:12: error: boltzmann: expected a map, found a list"},
+     "scene.yaml:4:12: error: boltzmann: expected a map (allowed: particles, initial, "
+     "exact_moments, sampling, restitution, friction, roughness, energy_ratio, scheme, time_step, "
+     "partners, shear_rate, until, ensemble), found a list"},
     {"a misspelt block that comes second", "boltzman: {}",
      "scene.yaml:6:1: error: unknown key 'boltzman' (allowed: clca, let, title, seed, boltzmann, "
      "output); did you mean 'boltzmann'?"},

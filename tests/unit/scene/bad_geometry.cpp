@@ -182,7 +182,8 @@ constexpr auto kBadGeometry = std::to_array<BadScene>({
      "output.series, so remove its none, or them",
      Judge::parser},
     {"a line that is a list", "lines: {throat: [0, 0, 10, 10]}",
-     "scene.yaml:13:17: error: lines.throat: expected a map, found a list"},
+     "scene.yaml:13:17: error: lines.throat: expected a map (allowed: from, to, parts), found a "
+     "list"},
     {"a line without an end to it", "lines: {throat: {from: [0, 5]}}",
      "scene.yaml:13:17: error: lines.throat: key 'to' is missing"},
     {"a line with a width", "lines: {throat: {from: [0, 5], to: [9, 5], width: 2}}",

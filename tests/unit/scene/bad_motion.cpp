@@ -22,7 +22,8 @@ constexpr auto kBadMotion = std::to_array<BadScene>({
      "arc, "
      "picture, found box and line"},
     {"a part that is a rectangle", "walls: {tray: {parts: [[0, 0, 9, 9]]}}",
-     "scene.yaml:7:24: error: walls.tray.parts.0: expected a map, found a list"},
+     "scene.yaml:7:24: error: walls.tray.parts.0: expected a map (allowed: box, line, disc, ring, "
+     "arc, picture), found a list"},
     {"a motion of a part",
      "walls: {tray: {parts: [{box: [0, 0, 9, 9], motion: {shake: {amplitude: 1}}}]}}",
      "scene.yaml:7:44: error: unknown key 'motion' in walls.tray.parts.0 (allowed: box, line, "
@@ -55,7 +56,8 @@ constexpr auto kBadMotion = std::to_array<BadScene>({
     {"a motion that is a word",
      "walls: {plate: {box: [10, 40, 20, 42], motion: down}}\n"
      "stages: [{name: first, sources: [spout], move: [plate]}]",
-     "scene.yaml:7:48: error: walls.plate.motion: expected a map, found 'down'"},
+     "scene.yaml:7:48: error: walls.plate.motion: expected a map (allowed: direction, period, "
+     "distance, wave, shake, path), found 'down'"},
     {"a motion of nothing",
      "walls: {plate: {box: [10, 40, 20, 42], motion: {}}}\n"
      "stages: [{name: first, sources: [spout], move: [plate]}]",

@@ -18,7 +18,8 @@ constexpr auto kBadSpecies = std::to_array<BadScene>({
      "species:\n"
      "  small:\n"
      "  large: {shape: {hexagon: 2}}",
-     "scene.yaml:6:3: error: species.small: expected a map, found nothing"},
+     "scene.yaml:6:3: error: species.small: expected a map (allowed: shape, sizes, orientations, "
+     "color, sieve), found nothing"},
     {"a name with a space", "species: {small one: {shape: {hexagon: 1}}}",
      "scene.yaml:5:11: error: species: a name has 1 to 64 of the characters A-Z a-z 0-9 _ -, "
      "found 'small one'"},

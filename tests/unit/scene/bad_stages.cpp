@@ -32,7 +32,8 @@ constexpr auto kBadStages = std::to_array<BadScene>({
     {"stages in a map", "stages: {first: {until: settled}}",
      "scene.yaml:10:9: error: stages: expected a list, found a map"},
     {"a stage that is a word", "stages: [settle]",
-     "scene.yaml:10:10: error: stages.0: expected a map, found 'settle'"},
+     "scene.yaml:10:10: error: stages.0: expected a map (allowed: name, fill, remove, insert, "
+     "move, sources, vessel, rules, contact, until, max_steps), found 'settle'"},
     {"a stage without a name", "stages: [{until: settled}]",
      "scene.yaml:10:10: error: stages.0: key 'name' is missing"},
     {"a stage with a name that is no file name", "stages: [{name: a/b}]",

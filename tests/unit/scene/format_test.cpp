@@ -84,11 +84,12 @@ TEST(Format, ExplainsAKeyByItsNameWhereverItIs) {
 
 TEST(Format, DotsAndSpacesAloneAreNoKey) {
   EXPECT_EQ(explain("box."), explain("box"));
-  for (const std::string path : {".", "..", "box..", " "}) {
+  for (const std::string path : {".", "..", "box..", " ", "a"}) {
     EXPECT_THAT([&] { explain(path); },
                 ThrowsMessage<UnknownKeyError>("the scene format has no key '" + path + "'"));
   }
   EXPECT_THROW(explain(" x"), UnknownKeyError);
+  EXPECT_THROW(explain("walls..box"), UnknownKeyError);
 }
 
 TEST(Format, LeavesOutWhereToReadOn) {
