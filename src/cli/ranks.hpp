@@ -17,7 +17,7 @@ inline bool is_shared(std::string_view command) {
 /// The signal that has stopped this process or, as rank 0 knows, another one; 0: none has.
 inline int stop_signal_of(const tasks::Ranks* ranks) {
   const int own = stop_signal();
-  return own != 0 || ranks == nullptr ? own : ranks->stopped_by();
+  return own != 0 || ranks == nullptr ? own : ranks->stop_signal();
 }
 
 /// All of them, in clca-mpi. In clca none: where mpirun has started it for a command that can be

@@ -16,7 +16,7 @@ namespace clca::lattice {
 namespace {
 
 /// Number of sites of the sorted list that are connected to its first site.
-std::size_t reachable(const std::vector<Axial>& sites) {
+std::size_t connected_count(const std::vector<Axial>& sites) {
   std::vector<bool> seen(sites.size(), false);
   std::vector<std::size_t> open = {0};
   seen[0] = true;
@@ -136,7 +136,7 @@ Shape::Shape(std::vector<Axial> sites) : sites_(std::move(sites)) {
   std::ranges::for_each(sites_, check_reach);
   std::ranges::sort(sites_);
   require(std::ranges::adjacent_find(sites_) == sites_.end(), "a site of the shape is named twice");
-  require(reachable(sites_) == sites_.size(), "the sites of the shape do not connect");
+  require(connected_count(sites_) == sites_.size(), "the sites of the shape do not connect");
   require(!encloses_hole(sites_), "the shape encloses a hole");
   centroid_ = mean_position(sites_);
 }

@@ -16,7 +16,7 @@ namespace {
 using lattice::Site;
 
 /// The sites from which a particle can fall into an outlet.
-struct Ways {
+struct FallPaths {
   std::vector<bool> from;  ///< by index of the first site of the shape, which lies in the box
   bool none = true;        ///< not even inside the outlet is room
   /// Somewhere below the top of the box there is no way further up, as particles are in one.
@@ -45,12 +45,12 @@ class Search {
 
   /// `past_particles`: only walls and the sides of the box are in the way. Sites above another
   /// outlet do not count: from there a particle falls into that one.
-  Ways ways(bool past_particles) const {
+  FallPaths fall_paths(bool past_particles) const {
     const auto stops = [&](grains::Owner owner) {
       return owner != grains::kFree && !(past_particles && grains::is_particle(owner));
     };
     const std::vector<bool> above_others = this->above_others();
-    Ways result = {.from = std::vector<bool>(state_.lattice.index_count(), false)};
+    FallPaths result = {.from = std::vector<bool>(state_.lattice.index_count(), false)};
     std::vector<Site> sites = inside(outlet_);
     std::erase_if(sites, [&](Site site) { return any_owner(site, sites_, stops); });
     result.none = sites.empty();
@@ -166,10 +166,10 @@ bool clogged(const grains::State& state, const grains::Occupancy& occupancy, std
       continue;
     }
     const Search search(state, occupancy, kind, outlet, down);
-    const Ways past = search.ways(true);
+    const FallPaths past = search.fall_paths(true);
     if (std::ranges::any_of(sites[kind],
                             [&](Site site) { return past.from[search.first_index(site)]; })) {
-      const Ways now = search.ways(false);
+      const FallPaths now = search.fall_paths(false);
       return now.none || now.end_at_particle || (past.reach_top && !now.reach_top);
     }
   }

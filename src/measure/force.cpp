@@ -154,23 +154,23 @@ std::size_t jammed_count(const State& state, std::optional<std::size_t> source) 
   return count;
 }
 
-WallForce wall_force(const State& state, std::size_t number,
-                     const std::vector<OverlapContact>& contacts) {
+WallOverlap wall_overlap(const State& state, std::size_t number,
+                         const std::vector<OverlapContact>& contacts) {
   const grains::Travel& travel = state.walls[number].travel;
-  WallForce force{.wall = number,
-                  .travel = travel.offset,
-                  .stalled_since = travel.stalled_since,
-                  .stalls = travel.stalls,
-                  .jammed = jammed_count(state, number)};
+  WallOverlap overlap{.wall = number,
+                      .travel = travel.offset,
+                      .stalled_since = travel.stalled_since,
+                      .stalls = travel.stalls,
+                      .jammed = jammed_count(state, number)};
   for (const OverlapContact& contact : contacts) {
     const auto sites = static_cast<std::uint64_t>(contact.sites);
     if (contact.second == grains::wall_code(number)) {
-      ++force.particles;
-      force.sites += sites;
+      ++overlap.particles;
+      overlap.sites += sites;
     }
-    force.chain_sites += contact.source == number ? sites : 0;
+    overlap.chain_sites += contact.source == number ? sites : 0;
   }
-  return force;
+  return overlap;
 }
 
 }  // namespace
@@ -241,7 +241,7 @@ ForceSummary force_summary(const State& state, const Occupancy& occupancy,
   }
   for (std::size_t wall = 0; wall < state.walls.size(); ++wall) {
     if (state.walls[wall].motion) {
-      summary.walls.push_back(wall_force(state, wall, contacts));
+      summary.walls.push_back(wall_overlap(state, wall, contacts));
     }
   }
   return summary;

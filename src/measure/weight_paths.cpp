@@ -20,7 +20,7 @@ constexpr double kLeastSlope = 0.05;  // of a normal against the horizontal
 constexpr double kAligned = 1e-9;     // radians
 
 /// A force on a support.
-struct Passed {
+struct SupportForce {
   grains::Owner body;
   Vector2d force;
 };
@@ -35,25 +35,27 @@ double angle(const Vector2d& from, const Vector2d& to) {
 }
 
 /// A support to one side of a force; one in its direction is on both sides.
-struct Beside {
+struct SupportAngle {
   double angle;  // not negative
   const Support* support;
 };
 
 /// `sign`: 1 for the supports that are anticlockwise of the force, -1 for the others.
-std::vector<Beside> beside(const Vector2d& force, const std::vector<Support>& supports, int sign) {
-  std::vector<Beside> result;
+std::vector<SupportAngle> supports_on_side(const Vector2d& force,
+                                           const std::vector<Support>& supports, int sign) {
+  std::vector<SupportAngle> result;
   for (const Support& support : supports) {
     const double turned = sign * angle(force, support.direction);
     if (turned >= -kAligned) {
       result.push_back({std::max(turned, 0.0), &support});
     }
   }
-  std::ranges::stable_sort(result, {}, &Beside::angle);
+  std::ranges::stable_sort(result, {}, &SupportAngle::angle);
   return result;
 }
 
-const Beside& chosen(const std::vector<Beside>& all, WeightRule rule, std::uint64_t bits) {
+const SupportAngle& chosen(const std::vector<SupportAngle>& all, WeightRule rule,
+                           std::uint64_t bits) {
   if (rule == WeightRule::pair) {
     return all[random::below(bits, all.size())];
   }
@@ -61,17 +63,17 @@ const Beside& chosen(const std::vector<Beside>& all, WeightRule rule, std::uint6
 }
 
 /// Adds to `outside` if the force points past all supports: friction would have to hold it.
-std::vector<Passed> along_two(const Vector2d& force, const SupportedGrain& grain, WeightRule rule,
-                              std::uint64_t bits, std::size_t& outside) {
-  const std::vector<Beside> left = beside(force, grain.supports, -1);
-  const std::vector<Beside> right = beside(force, grain.supports, 1);
+std::vector<SupportForce> along_two(const Vector2d& force, const SupportedGrain& grain,
+                                    WeightRule rule, std::uint64_t bits, std::size_t& outside) {
+  const std::vector<SupportAngle> left = supports_on_side(force, grain.supports, -1);
+  const std::vector<SupportAngle> right = supports_on_side(force, grain.supports, 1);
   if (left.empty() || right.empty()) {
     ++outside;
     return {{(left.empty() ? right : left).front().support->body, force}};
   }
-  const Beside& one = chosen(left, rule, bits);
-  const Beside& other = chosen(right, rule, bits << 32U);
-  for (const Beside* aligned : {&one, &other}) {
+  const SupportAngle& one = chosen(left, rule, bits);
+  const SupportAngle& other = chosen(right, rule, bits << 32U);
+  for (const SupportAngle* aligned : {&one, &other}) {
     if (aligned->angle <= kAligned) {
       return {{aligned->support->body, force}};
     }
@@ -84,8 +86,8 @@ std::vector<Passed> along_two(const Vector2d& force, const SupportedGrain& grain
 }
 
 /// `first`: number of the first draw, one for each support.
-std::vector<Passed> in_shares(const grains::State& state, const Vector2d& force,
-                              const std::vector<Support>& supports, std::uint32_t first) {
+std::vector<SupportForce> in_shares(const grains::State& state, const Vector2d& force,
+                                    const std::vector<Support>& supports, std::uint32_t first) {
   constexpr double kDraws = 4503599627370496;  // 2^52
   std::vector<double> shares;
   for (std::uint32_t i = 0; i < supports.size(); ++i) {
@@ -94,7 +96,7 @@ std::vector<Passed> in_shares(const grains::State& state, const Vector2d& force,
     shares.push_back((static_cast<double>(bits >> 12U) + 0.5) / kDraws);
   }
   const double all = std::accumulate(shares.begin(), shares.end(), 0.0);
-  std::vector<Passed> result;
+  std::vector<SupportForce> result;
   for (std::size_t i = 0; i < supports.size(); ++i) {
     result.push_back({supports[i].body, {0, shares[i] / all * force.y()}});
   }
@@ -102,7 +104,8 @@ std::vector<Passed> in_shares(const grains::State& state, const Vector2d& force,
 }
 
 /// As a force of the contact model, with the same points on floor and walls.
-contact::Force as_contact(const grains::State& state, std::uint32_t id, const Passed& passed) {
+contact::Force as_contact(const grains::State& state, std::uint32_t id,
+                          const SupportForce& passed) {
   const grains::Particle& grain = state.particles[id];
   const Vector2d centre = grains::centre_in_box(state, grain);
   contact::Force result = {.upper = id, .other = passed.body};
@@ -188,14 +191,14 @@ WeightPaths weight_paths(const grains::State& state, const std::vector<Supported
     }
     const auto sites = static_cast<double>(state.shape(state.particles[grain.id]).size());
     const Vector2d force = received[grain.id] - Vector2d(0, sites / mean_mass);
-    const std::vector<Passed> all = rule == WeightRule::q
-                                        ? in_shares(state, force, grain.supports, draws)
-                                        : along_two(force, grain, rule,
-                                                    random::draw(state.seed, state.step, grain.id,
-                                                                 random::Purpose::weight_pair),
-                                                    result.outside);
+    const std::vector<SupportForce> all =
+        rule == WeightRule::q ? in_shares(state, force, grain.supports, draws)
+                              : along_two(force, grain, rule,
+                                          random::draw(state.seed, state.step, grain.id,
+                                                       random::Purpose::weight_pair),
+                                          result.outside);
     draws += static_cast<std::uint32_t>(grain.supports.size());
-    for (const Passed& passed : all) {
+    for (const SupportForce& passed : all) {
       if (grains::is_particle(passed.body)) {
         received[grains::particle_id(passed.body)] += passed.force;
       }

@@ -37,18 +37,18 @@ void rest() {
 }
 
 /// Two file descriptors; those that are left are closed.
-class Ends {
+class FileDescriptors {
  public:
-  Ends() = default;
-  ~Ends() {
+  FileDescriptors() = default;
+  ~FileDescriptors() {
     for (const int end : numbers) {
       if (end >= 0) {
         ::close(end);
       }
     }
   }
-  Ends(const Ends&) = delete;
-  Ends& operator=(const Ends&) = delete;
+  FileDescriptors(const FileDescriptors&) = delete;
+  FileDescriptors& operator=(const FileDescriptors&) = delete;
 
   std::array<int, 2> numbers = {-1, -1};
 };
@@ -106,8 +106,8 @@ pid_t start(const std::vector<std::string>& arguments, const ProgramOptions& opt
     argv.push_back(const_cast<char*>(argument.c_str()));
   }
   argv.push_back(nullptr);
-  Ends report;
-  Ends folder;
+  FileDescriptors report;
+  FileDescriptors folder;
   folder.numbers[0] = ::open(options.folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC);
   if (folder.numbers[0] < 0) {
     fail(fmt::format("enter the folder {}", options.folder.string()));
@@ -193,7 +193,7 @@ Program::Program(const std::vector<std::string>& arguments, const ProgramOptions
       stop_(options.stop),
       signal_(options.signal),
       grace_(options.grace) {
-  Ends input;  // ours and its
+  FileDescriptors input;  // ours and its
   if (!options.fed) {
     input.numbers[1] = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
   } else if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, input.numbers.data()) != 0) {

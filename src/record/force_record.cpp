@@ -56,7 +56,7 @@ struct CombinedWalls {
 CombinedWalls combined(const grains::State& state, const measure::ForceSummary& summary,
                        const std::vector<double>& surface_at_start) {
   CombinedWalls result;
-  for (const measure::WallForce& force : summary.walls) {
+  for (const measure::WallOverlap& force : summary.walls) {
     const grains::Wall& wall = state.walls[force.wall];
     if (!wall.present) {
       continue;
@@ -180,7 +180,7 @@ std::vector<std::string> stall_lines(const scene::Scene& scene, const model::Sce
   const grains::State& state = model.state();
   const auto contacts = measure::contacts(state, model.grains().occupancy());
   std::vector<std::string> lines;
-  for (const measure::WallForce& force :
+  for (const measure::WallOverlap& force :
        measure::force_summary(state, model.grains().occupancy(), contacts).walls) {
     const grains::Wall& wall = state.walls[force.wall];
     if (!is_stalled(wall)) {

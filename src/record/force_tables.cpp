@@ -114,7 +114,7 @@ struct WallRow {
   Eigen::Vector2d force = Eigen::Vector2d::Zero();
   std::optional<double> across = {};  // of a straight wall
   std::optional<double> along = {};
-  const measure::WallForce* overlap = nullptr;
+  const measure::WallOverlap* overlap = nullptr;
   std::optional<double> depth = {};
   std::optional<double> stalled_since = {};  // step
 };
@@ -365,7 +365,7 @@ void ForceTables::add_overlaps(const StageView& now, const ForceRecord& record) 
     }
   }
   const auto summary = measure::force_summary(state, now.model.grains().occupancy(), overlaps);
-  for (const measure::WallForce& wall : summary.walls) {
+  for (const measure::WallOverlap& wall : summary.walls) {
     WallRow row = {
         .wall = now.scene.walls[wall.wall].name,
         .overlap = &wall,

@@ -53,7 +53,7 @@ bool Ranks::is_stop(const Message& message) {
   if (message.number != kStopped) {
     return false;
   }
-  stopped_by_ = message.bytes.at(0);
+  stop_signal_ = message.bytes.at(0);
   return true;
 }
 

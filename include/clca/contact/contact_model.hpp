@@ -119,7 +119,7 @@ class ContactModel : public grains::Model {
   /// In the last step.
   const EnergyExchange& exchange() const;
 
-  /// Of the last step: what grains that were held up passed on by their sites, see cut_remainders.
+  /// Of the last step: what grains that were held up passed on by their sites, see collide_blocked.
   /// `impact` is the impulse along a direction of the lattice; a pair may have several.
   const std::vector<Contact>& pushes() const;
   /// In the last step a grain was faster than it can move, and lost velocity.

@@ -38,7 +38,7 @@ std::vector<double> force_indices(std::size_t particle_count,
 const grains::Push* push_between(const grains::State& state, const OverlapContact& contact);
 
 /// A moving wall and the overlaps that began at it.
-struct WallForce {
+struct WallOverlap {
   std::size_t wall = 0;
   std::int32_t travel = 0;  ///< sites from the initial position along the direction of the motion
   std::optional<std::uint64_t> stalled_since = {};  ///< step
@@ -60,7 +60,7 @@ struct ForceSummary {
   /// cone extends a beyond the wall on either side; up to one spacing behind that site it is as
   /// wide as the wall, as a straight wall is not flat on the lattice.
   std::optional<double> cone_share = {};
-  std::vector<WallForce> walls = {};  ///< all walls with a motion, present or not, in order
+  std::vector<WallOverlap> walls = {};  ///< all walls with a motion, present or not, in order
 };
 
 /// `occupancy` and `contacts` belong to this state; throws std::invalid_argument if they cannot.

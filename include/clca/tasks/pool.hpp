@@ -69,7 +69,7 @@ class Pool {
     }
   }
   bool is_stopped() const { return stop_tasks_ != 0; }
-  /// Whether tasks are started here.
+  /// Lets this process begin further tasks or not.
   void set_starting(bool starts) { starts_ = starts; }
   /// Whether none is under way here.
   bool is_idle() const { return under_way_ == 0; }

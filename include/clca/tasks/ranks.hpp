@@ -69,7 +69,7 @@ class Ranks {
   /// For rank 0: whether this is not about a task but says that another rank is stopped.
   bool is_stop(const Message& message);
   /// For rank 0: the signal that has stopped another rank; 0: none has.
-  int stopped_by() const { return stopped_by_; }
+  int stop_signal() const { return stop_signal_; }
   /// For the others: tells rank 0, once, that a signal has stopped this one; null and 0: none has.
   void tell_stop(const std::atomic<int>* signal);
   /// For the others: waits for the next work; none after dismiss(). Tells of `stop` meanwhile.
@@ -84,7 +84,7 @@ class Ranks {
   bool has_begun_ = false;
   bool is_at_work_ = false;
   bool is_dismissed_ = false;
-  int stopped_by_ = 0;
+  int stop_signal_ = 0;
   bool has_told_stop_ = false;
 };
 

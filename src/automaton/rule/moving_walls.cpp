@@ -32,14 +32,14 @@ bool may_enter(const World& world, const WallStep& step) {
   });
 }
 
-void stand_ahead(World& world, const WallStep& step) {
+void move_sites(World& world, const WallStep& step) {
   leave(world, step);
   for (const std::size_t index : step.enters) {
     world.occupancy.add(index, grains::wall_code(step.wall));
   }
 }
 
-void stand_back(World& world, const WallStep& step) {
+void move_sites_back(World& world, const WallStep& step) {
   for (const std::size_t index : step.enters) {
     world.occupancy.remove(index, grains::wall_code(step.wall));
   }
@@ -99,10 +99,10 @@ bool enter(World& world, const WallStep& step) {
   if (!may_enter(world, step)) {
     return false;
   }
-  stand_ahead(world, step);
+  move_sites(world, step);
   const std::vector<std::uint32_t> ids = touched(world, step);
   if (!is_shallow(world, step, ids)) {
-    stand_back(world, step);
+    move_sites_back(world, step);
     return false;
   }
   for (const std::uint32_t id : ids) {
@@ -131,9 +131,9 @@ bool can_take(World& world, const WallStep& step) {
   if (!may_enter(world, step)) {
     return false;
   }
-  stand_ahead(world, step);
+  move_sites(world, step);
   const bool shallow = is_shallow(world, step, touched(world, step));
-  stand_back(world, step);
+  move_sites_back(world, step);
   return shallow;
 }
 

@@ -44,13 +44,13 @@ int gravity_bonus(const Rules& rules, Direction direction) {
 }
 
 /// How a direction follows the pushes: strictly, or else relaxed.
-struct Following {
+struct PushAlignment {
   int sixths = 0;        // of a full turn, from the push that is followed least
   int pushes_along = 0;  // pushes exactly in the direction
   bool strict = false;   // within 60 degrees of all pushes, and each of their overlaps shrinks
 };
 /// What a direction is worth: the least score is the best.
-struct Judgement {
+struct Assessment {
   std::vector<OverlapChange> changes;
   int score = 0;
 };
@@ -60,9 +60,10 @@ const lattice::Shape& shape_of(const World& world, grains::Owner owner) {
 }
 
 /// None: neither strict nor relaxed.
-std::optional<Following> following_of(const World& world, std::uint32_t id, Direction direction,
-                                      const std::vector<OverlapChange>& changes) {
-  Following following;
+std::optional<PushAlignment> alignment_with_pushes(const World& world, std::uint32_t id,
+                                                   Direction direction,
+                                                   const std::vector<OverlapChange>& changes) {
+  PushAlignment alignment;
   bool all_shrink = true;
   bool any_shrinks = false;
   for (const grains::Push& push : PushList::onto(world.state, id)) {
@@ -73,12 +74,12 @@ std::optional<Following> following_of(const World& world, std::uint32_t id, Dire
     const bool shrinks = change->after() < change->before();
     all_shrink = all_shrink && shrinks;
     any_shrinks = any_shrinks || shrinks;
-    following.sixths =
-        std::max(following.sixths, lattice::sixths_between(push.direction, direction));
-    following.pushes_along += push.direction == direction ? 1 : 0;
+    alignment.sixths =
+        std::max(alignment.sixths, lattice::sixths_between(push.direction, direction));
+    alignment.pushes_along += push.direction == direction ? 1 : 0;
   }
-  following.strict = following.sixths <= 1 && all_shrink;
-  return any_shrinks ? std::optional(following) : std::nullopt;
+  alignment.strict = alignment.sixths <= 1 && all_shrink;
+  return any_shrinks ? std::optional(alignment) : std::nullopt;
 }
 
 /// Whether the direction is within 120 degrees of all pushes.
@@ -160,28 +161,29 @@ bool is_within_limits(const World& world, std::uint32_t id,
   return !grows || own <= limit(shape_of(world, grains::as_owner(id)));
 }
 
-/// Judges a direction of a pushed particle: it has to get it out of what pushes it along the way of
-/// the push, or at least sideways, without worse elsewhere; it may push others.
-std::optional<Judgement> judge(const World& world, std::uint32_t id, Direction direction) {
+/// Assesses a direction of a pushed particle: it has to get it out of what pushes it along the way
+/// of the push, or at least sideways, without worse elsewhere; it may push others.
+std::optional<Assessment> assess(const World& world, std::uint32_t id, Direction direction) {
   if (!follows_pushes(world, id, direction) || !has_room(world, id, direction)) {
     return std::nullopt;
   }
-  Judgement judgement{.changes = overlap_changes(world, id, direction), .score = 0};
-  const std::optional<Following> following = following_of(world, id, direction, judgement.changes);
-  if (!following || !keeps_off_walls(world, id, direction, judgement.changes)) {
+  Assessment assessment{.changes = overlap_changes(world, id, direction), .score = 0};
+  const std::optional<PushAlignment> alignment =
+      alignment_with_pushes(world, id, direction, assessment.changes);
+  if (!alignment || !keeps_off_walls(world, id, direction, assessment.changes)) {
     return std::nullopt;
   }
-  const std::optional<int> grown = grown_depth(world, id, direction, judgement.changes);
-  if (!grown || (*grown > 0 && following->sixths > 1) ||
-      !is_within_limits(world, id, judgement.changes)) {
+  const std::optional<int> grown = grown_depth(world, id, direction, assessment.changes);
+  if (!grown || (*grown > 0 && alignment->sixths > 1) ||
+      !is_within_limits(world, id, assessment.changes)) {
     return std::nullopt;
   }
   const grains::State& state = world.state;
   const bool keeps_on = state.particles[id].previous == static_cast<grains::Move>(direction);
-  const int price = following->strict ? 0 : *grown == 0 ? kRelaxed : kRelaxedOnOthers;
-  judgement.score = kPerGrownDepth * *grown + price - kPerPushAlong * following->pushes_along -
-                    (keeps_on ? kKeepsOn : 0) - gravity_bonus(world.rules, direction);
-  return judgement;
+  const int price = alignment->strict ? 0 : *grown == 0 ? kRelaxed : kRelaxedOnOthers;
+  assessment.score = kPerGrownDepth * *grown + price - kPerPushAlong * alignment->pushes_along -
+                     (keeps_on ? kKeepsOn : 0) - gravity_bonus(world.rules, direction);
+  return assessment;
 }
 
 // Of several pushes the move carries on the one it follows best; of equal ones the heaviest.
@@ -203,13 +205,13 @@ grains::Move passive_direction(const World& world, std::uint32_t id) {
   std::vector<Direction> best;
   int least = 0;
   for (const Direction direction : lattice::kDirections) {
-    const auto judgement = judge(world, id, direction);
-    if (!judgement || (!best.empty() && judgement->score > least)) {
+    const auto assessment = assess(world, id, direction);
+    if (!assessment || (!best.empty() && assessment->score > least)) {
       continue;
     }
-    if (best.empty() || judgement->score < least) {
+    if (best.empty() || assessment->score < least) {
       best.clear();
-      least = judgement->score;
+      least = assessment->score;
     }
     best.push_back(direction);
   }
@@ -222,13 +224,13 @@ grains::Move passive_direction(const World& world, std::uint32_t id) {
 }
 
 bool move_pushed(World& world, std::uint32_t id, Direction direction) {
-  const auto judgement = judge(world, id, direction);
-  if (!judgement) {
+  const auto assessment = assess(world, id, direction);
+  if (!assessment) {
     return false;
   }
-  const grains::Push push = cause(world, id, direction, judgement->changes);
+  const grains::Push push = cause(world, id, direction, assessment->changes);
   world.move(id, direction);
-  for (const OverlapChange& change : judgement->changes) {
+  for (const OverlapChange& change : assessment->changes) {
     if (change.begins()) {
       world.pushes.record(world.state, {.pushed = grains::particle_id(change.owner),
                                         .pusher = grains::as_owner(id),

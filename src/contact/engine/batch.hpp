@@ -28,21 +28,21 @@ struct alignas(32) Batch {
   Impulse<PerLane<std::int32_t>> impulse = {};
   PerLane<std::int32_t> bounce = {};
   PerLane<std::int32_t> friction = {};
-  PerLane<std::int32_t> pair = {};  ///< Bodies::pair_number
+  PerLane<std::int32_t> pair = {};  ///< PairCoefficients::pair_number
 };
 
 /// The velocity of a grain where it is loaded and stored at once.
-struct alignas(16) Body {
+struct alignas(16) BodyVelocity {
   Velocity<> velocity;
 };
 
-/// How batches are carried out. `pairs`: Bodies::pairs().
+/// How batches are carried out. `pairs`: PairCoefficients::pairs().
 struct BatchFunctions {
   /// Gives the bodies the impulses that the contacts remember.
-  void (*apply)(const Batch* batches, std::size_t count, Body* bodies, const Pair* pairs,
+  void (*apply)(const Batch* batches, std::size_t count, BodyVelocity* bodies, const Pair* pairs,
                 bool rotates);
   /// Solves all contacts, forwards or backwards.
-  void (*sweep)(Batch* batches, std::size_t count, Body* bodies, const Pair* pairs,
+  void (*sweep)(Batch* batches, std::size_t count, BodyVelocity* bodies, const Pair* pairs,
                 const LawConstants& law, bool backwards);
 };
 /// One contact after the other.
@@ -57,8 +57,8 @@ class BatchKernel {
  public:
   using Int = typename Lanes::Int;
 
-  static void apply(const Batch* batches, std::size_t count, Body* bodies, const Pair* pairs,
-                    bool rotates) {
+  static void apply(const Batch* batches, std::size_t count, BodyVelocity* bodies,
+                    const Pair* pairs, bool rotates) {
     for (std::size_t i = 0; i < count; ++i) {
       for (std::size_t lane = 0; lane < kLanes; lane += Lanes::kWidth) {
         BatchKernel kernel(batches[i], lane, bodies, pairs);
@@ -68,7 +68,7 @@ class BatchKernel {
     }
   }
 
-  static void sweep(Batch* batches, std::size_t count, Body* bodies, const Pair* pairs,
+  static void sweep(Batch* batches, std::size_t count, BodyVelocity* bodies, const Pair* pairs,
                     const LawConstants& law, bool backwards) {
     for (std::size_t i = 0; i < count; ++i) {
       Batch& batch = batches[backwards ? count - 1 - i : i];
@@ -85,7 +85,7 @@ class BatchKernel {
   }
 
  private:
-  [[gnu::always_inline]] BatchKernel(const Batch& batch, std::size_t lane, Body* bodies,
+  [[gnu::always_inline]] BatchKernel(const Batch& batch, std::size_t lane, BodyVelocity* bodies,
                                      const Pair* pairs)
       : lane_(lane),
         bodies_(bodies),
@@ -107,9 +107,9 @@ class BatchKernel {
   }
 
   std::size_t lane_;
-  Body* bodies_;
+  BodyVelocity* bodies_;
   Impulse<Int> impulse_;
-  ContactState<Int> touching_;
+  ContactKinematics<Int> touching_;
 };
 
 }  // namespace clca::contact

@@ -17,10 +17,11 @@ struct OneLane {
   static Int load(const std::int32_t* from) { return *from; }
   static void store(Int value, std::int32_t* to) { *to = value; }
   static Pair coefficients(const Pair* pairs, const std::int32_t* at) { return pairs[*at]; }
-  static Velocity<> velocities(const Body* bodies, const std::int32_t* at) {
+  static Velocity<> velocities(const BodyVelocity* bodies, const std::int32_t* at) {
     return bodies[*at].velocity;
   }
-  static void set_velocities(Body* bodies, const std::int32_t* at, const Velocity<>& velocity) {
+  static void set_velocities(BodyVelocity* bodies, const std::int32_t* at,
+                             const Velocity<>& velocity) {
     bodies[*at].velocity = velocity;
   }
 };
@@ -87,7 +88,8 @@ void ContactSlots::set(std::int32_t at, const Contact& contact, lattice::Axial a
   Batch& batch = this->batch(at);
   batch.upper[in_batch(at)] = body(grains::as_owner(contact.upper));
   batch.other[in_batch(at)] = body(contact.other);
-  batch.pair[in_batch(at)] = rule_->bodies.pair_number(*grains_, contact.upper, contact.other);
+  batch.pair[in_batch(at)] =
+      rule_->coefficients.pair_number(*grains_, contact.upper, contact.other);
   set_numbers(at, contact, rule_->friction_with(contact.other));
 }
 
@@ -106,15 +108,16 @@ Contact ContactSlots::contact(std::int32_t at) const {
           .impulse = {batch.impulse.normal[i], batch.impulse.shear[i], batch.impulse.rolling[i]}};
 }
 
-std::int32_t ContactSlots::separation(std::int32_t at, const std::vector<Body>& bodies) const {
+std::int32_t ContactSlots::separation_velocity(std::int32_t at,
+                                               const std::vector<BodyVelocity>& bodies) const {
   const Batch& batch = this->batch(at);
   const std::size_t i = in_batch(at);
-  return separation_velocity(
-      ContactState<>{.upper = bodies[static_cast<std::size_t>(batch.upper[i])].velocity,
-                     .other = bodies[static_cast<std::size_t>(batch.other[i])].velocity,
-                     .normal_x = batch.normal_x[i],
-                     .normal_y = batch.normal_y[i],
-                     .pair = {}});
+  return contact::separation_velocity(
+      ContactKinematics<>{.upper = bodies[static_cast<std::size_t>(batch.upper[i])].velocity,
+                          .other = bodies[static_cast<std::size_t>(batch.other[i])].velocity,
+                          .normal_x = batch.normal_x[i],
+                          .normal_y = batch.normal_y[i],
+                          .pair = {}});
 }
 
 /// The first of a batch that is not full, behind all batches of the contacts of both grains.
@@ -247,7 +250,7 @@ void ContactFinder::update(std::span<const std::uint32_t> moved, const WallVeloc
   found_.clear();
   for (const std::uint32_t id : ids_) {
     check_contacts(id, slots, groups);
-    if (state_.particles[id].present && look_around(id, slots)) {
+    if (state_.particles[id].present && find_new(id, slots)) {
       check_walls(id, walls, slots);
     }
   }
@@ -271,7 +274,7 @@ void ContactFinder::check_contacts(std::uint32_t id, ContactSlots& slots, SmallG
     if (with_grain ? checked_with(slot.upper == id ? other : slot.upper, id) : present) {
       return;
     }
-    Touch now = present ? touch(slot.upper, other) : Touch();
+    StepContact now = present ? touch(slot.upper, other) : StepContact();
     if (now.contact.normal == UnitVector()) {
       groups.lost_contact(slot.upper);
       if (with_grain) {
@@ -289,7 +292,7 @@ void ContactFinder::check_contacts(std::uint32_t id, ContactSlots& slots, SmallG
 
 /// Finds contacts with other grains that begin. Returns whether the grain is at a wall or side, or
 /// was.
-bool ContactFinder::look_around(std::uint32_t id, const ContactSlots& slots) {
+bool ContactFinder::find_new(std::uint32_t id, const ContactSlots& slots) {
   partners_.clear();
   slots.for_each(id, [&](std::int32_t at) {
     const Slot& slot = slots.at(at);
@@ -309,7 +312,7 @@ bool ContactFinder::look_around(std::uint32_t id, const ContactSlots& slots) {
     if (grains::is_particle(owner) && !checked_with(other, id) &&
         std::ranges::find(partners_, owner) == partners_.end()) {
       partners_.push_back(owner);
-      const Touch found = touch(id, other);
+      const StepContact found = touch(id, other);
       if (found.contact.normal != UnitVector()) {
         add_found(found);
       }
@@ -320,8 +323,8 @@ bool ContactFinder::look_around(std::uint32_t id, const ContactSlots& slots) {
 
 void ContactFinder::check_walls(std::uint32_t id, const WallVelocities& walls,
                                 ContactSlots& slots) {
-  std::vector<Touch> now;
-  if (add_wall_touches(box_, id, walls, now) > 1 && has_moving_walls_) {
+  std::vector<StepContact> now;
+  if (add_wall_contacts(box_, id, walls, now) > 1 && has_moving_walls_) {
     at_several_bodies_.push_back(id);
   }
   std::vector<Contact> before;
@@ -332,7 +335,7 @@ void ContactFinder::check_walls(std::uint32_t id, const WallVelocities& walls,
       slots_before.push_back(at);
     }
   });
-  const std::vector<const Touch*> next = followed_by(before, now);
+  const std::vector<const StepContact*> next = followed_by(before, now);
   for (std::size_t i = 0; i < before.size(); ++i) {
     if (next[i] == nullptr) {
       slots.remove(slots_before[i]);
@@ -342,7 +345,7 @@ void ContactFinder::check_walls(std::uint32_t id, const WallVelocities& walls,
     contact.impulse = before[i].impulse;
     slots.set(slots_before[i], contact, {});
   }
-  for (const Touch& touch : now) {
+  for (const StepContact& touch : now) {
     if (std::ranges::find(next, &touch) == next.end()) {
       add_found(touch);
     }
@@ -372,7 +375,7 @@ void ContactFinder::sort(ContactSlots& slots) {
   std::swap(slots, sorted_);
 }
 
-Touch ContactFinder::touch(std::uint32_t first, std::uint32_t second) {
+StepContact ContactFinder::touch(std::uint32_t first, std::uint32_t second) {
   const bool in_order = is_above(state_, down_, first, second);
   const std::uint32_t upper = in_order ? first : second;
   const std::uint32_t lower = in_order ? second : first;

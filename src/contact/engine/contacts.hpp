@@ -19,7 +19,7 @@ struct Slot {
   std::int32_t lane = -1;  ///< counted through all batches; -1: it has ended, the slot is empty
   std::int32_t next_upper = -1;  ///< the next slot of the upper grain, -1 none
   std::int32_t next_other = -1;
-  lattice::Axial apart = {};  ///< see Touch
+  lattice::Axial apart = {};  ///< see StepContact
 };
 
 /// Slots in order, linked by grain. Their numbers are in batches, which give what a sweep over the
@@ -66,7 +66,7 @@ class ContactSlots {
   /// Velocity with which the contact is to part.
   std::int32_t& bounce(std::int32_t at) { return batch(at).bounce[in_batch(at)]; }
   /// With which its bodies, which have these velocities, part now.
-  std::int32_t separation(std::int32_t at, const std::vector<Body>& bodies) const;
+  std::int32_t separation_velocity(std::int32_t at, const std::vector<BodyVelocity>& bodies) const;
 
   /// Calls `visit` with the number of each slot of a grain, which it may change or empty.
   template <class Visit>
@@ -141,8 +141,8 @@ class ContactFinder {
   static constexpr double kGrainBytes =
       ContactSlots::kGrainBytes + sizeof(std::uint8_t) +
       kContactsPerGrain * sizeof(std::pair<std::int64_t, std::int32_t>) +
-      grains::kListRoom *
-          (2 * sizeof(std::uint32_t) + kContactsPerGrain * sizeof(std::pair<Touch::Key, Touch>));
+      grains::kListRoom * (2 * sizeof(std::uint32_t) +
+                           kContactsPerGrain * sizeof(std::pair<StepContact::Key, StepContact>));
 
   /// Both outlive the finder.
   ContactFinder(const grains::Box& box, const Rule& rule);
@@ -167,10 +167,10 @@ class ContactFinder {
     return moved_[partner] != 0 && partner < id;
   }
   void check_contacts(std::uint32_t id, ContactSlots& slots, SmallGroups& groups);
-  bool look_around(std::uint32_t id, const ContactSlots& slots);
-  void add_found(const Touch& touch) { found_.emplace_back(touch.key(state_, down_), touch); }
+  bool find_new(std::uint32_t id, const ContactSlots& slots);
+  void add_found(const StepContact& touch) { found_.emplace_back(touch.key(state_, down_), touch); }
   void check_walls(std::uint32_t id, const WallVelocities& walls, ContactSlots& slots);
-  Touch touch(std::uint32_t first, std::uint32_t second);
+  StepContact touch(std::uint32_t first, std::uint32_t second);
   lattice::Axial apart(std::uint32_t upper, std::uint32_t other) const;
 
   const grains::State& state_;
@@ -181,11 +181,11 @@ class ContactFinder {
   // where no site next to the grain changes.
   std::vector<std::uint32_t> at_several_bodies_;
   NormalTable normals_;
-  std::vector<std::uint32_t> ids_;                            // of those that have moved, once each
-  std::vector<std::uint8_t> moved_;                           // by id
-  std::vector<grains::Owner> partners_;                       // of the grain that is looked at
-  std::vector<std::pair<Touch::Key, Touch>> found_;           // that are new, with their order
-  std::vector<std::pair<std::int64_t, std::int32_t>> order_;  // keys and slots
+  std::vector<std::uint32_t> ids_;       // of those that have moved, once each
+  std::vector<std::uint8_t> moved_;      // by id
+  std::vector<grains::Owner> partners_;  // of the grain that is looked at
+  std::vector<std::pair<StepContact::Key, StepContact>> found_;  // that are new, with their order
+  std::vector<std::pair<std::int64_t, std::int32_t>> order_;     // keys and slots
   ContactSlots sorted_;
 };
 

@@ -15,9 +15,9 @@ Engine::Engine(State initial, const Parameters& parameters, grains::PhaseTimes* 
       slots_(state_.grains, rule_),
       mover_(state_, box_),
       first_grain_(slots_.first_grain()),
-      motion_{state_.grains, rule_, [this](grains::Owner body) -> Velocity<>& {
-                return bodies_[static_cast<std::size_t>(slots_.body(body))].velocity;
-              }} {
+      body_velocities_{state_.grains, rule_, [this](grains::Owner body) -> Velocity<>& {
+                         return bodies_[static_cast<std::size_t>(slots_.body(body))].velocity;
+                       }} {
   load();
 }
 
@@ -66,7 +66,7 @@ void Engine::move_grains() {
   update_contacts();
   bounce_loose();
   impacts_.clear();
-  for_each_group([this](const auto& contacts) { solve_impact(contacts, motion_); });
+  for_each_group([this](const auto& contacts) { solve_impact(contacts, body_velocities_); });
   accelerate_all(state_, rule_.gravity,
                  [this](std::uint32_t id) -> Velocity<>& { return velocity(id); });
   clock_.end("motion");
@@ -108,7 +108,8 @@ void Engine::bounce_loose() {
       groups_.set_active(slot.upper, slots_);
       continue;
     }
-    const std::int32_t velocity = bounce(-slots_.separation(at, bodies_), rule_.restitution);
+    const std::int32_t velocity =
+        bounce(-slots_.separation_velocity(at, bodies_), rule_.restitution);
     if (velocity > 0) {
       slots_.bounce(at) = velocity;
       bouncing_.push_back(at);
@@ -121,12 +122,12 @@ void Engine::bounce_loose() {
 template <class Solve>
 void Engine::for_each_group(Solve solve) {
   for (const std::vector<std::int32_t>& group : groups_.active()) {
-    std::vector<Touch> touches;
+    std::vector<StepContact> touches;
     for (const std::int32_t at : group) {
       touches.push_back({.contact = contact(at), .bounce = std::exchange(slots_.bounce(at), 0)});
     }
-    std::vector<Touch*> pointers;
-    for (Touch& touch : touches) {
+    std::vector<StepContact*> pointers;
+    for (StepContact& touch : touches) {
       pointers.push_back(&touch);
     }
     solve(pointers);
@@ -138,7 +139,7 @@ void Engine::for_each_group(Solve solve) {
 
 void Engine::sweep_contacts() {
   std::vector<Batch>& batches = slots_.batches();
-  const Pair* pairs = rule_.bodies.pairs().data();
+  const Pair* pairs = rule_.coefficients.pairs().data();
   batch_.apply(batches.data(), batches.size(), bodies_.data(), pairs, rule_.law.rotates);
   clock_.end("warm_start");
   for (int i = 0; i < rule_.sweeps; ++i) {
@@ -147,7 +148,7 @@ void Engine::sweep_contacts() {
   for (const std::int32_t slot : bouncing_) {
     slots_.bounce(slot) = 0;
   }
-  for_each_group([this](const auto& contacts) { finish(contacts, motion_); });
+  for_each_group([this](const auto& contacts) { converge_group(contacts, body_velocities_); });
   clock_.end("sweeps");
 }
 
@@ -170,7 +171,7 @@ void Engine::advance_and_move() {
   mover_.move_all(finder_.down(), candidates_, walls);
   const SiteMoves& moves = mover_.moves();
   moved_ = moves.moved();
-  cuts_ = cut_remainders(state_, moves, motion_, mover_.ids());
+  cuts_ = collide_blocked(state_, moves, body_velocities_, mover_.ids());
   changed_ = moved_;
   changed_.insert(changed_.end(), moves.beside_walls().begin(), moves.beside_walls().end());
   end_step(state_, walls, moves, at_rest);
@@ -187,7 +188,7 @@ void Engine::write_back() {
 
 void Engine::write_back_velocities() {
   std::transform(bodies_.begin() + static_cast<std::ptrdiff_t>(first_grain_), bodies_.end(),
-                 state_.velocities.begin(), [](const Body& body) { return body.velocity; });
+                 state_.velocities.begin(), [](const BodyVelocity& body) { return body.velocity; });
 }
 
 std::vector<Contact> Engine::wall_contacts() const {

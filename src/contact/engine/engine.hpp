@@ -83,7 +83,8 @@ class Engine final : public Steps {
   /// With the motion of a grain and its contacts in the state.
   static constexpr double kGrainBytes =
       sizeof(Velocity<>) + sizeof(Vector) + sizeof(lattice::Axial) + ContactSlots::kGrainBytes +
-      ContactFinder::kGrainBytes + SmallGroups::kGrainBytes + Mover::kGrainBytes + sizeof(Body) +
+      ContactFinder::kGrainBytes + SmallGroups::kGrainBytes + Mover::kGrainBytes +
+      sizeof(BodyVelocity) +
       grains::kListRoom * (3 * sizeof(std::uint32_t) +
                            kContactsPerGrain * (sizeof(Contact) + sizeof(std::int32_t)));
 
@@ -118,8 +119,8 @@ class Engine final : public Steps {
   SmallGroups groups_;
   Mover mover_;
   std::size_t first_grain_;  // its body
-  std::vector<Body> bodies_;
-  Motion motion_;                              // of these
+  std::vector<BodyVelocity> bodies_;
+  BodyVelocities body_velocities_;             // of these
   std::vector<std::int32_t> bouncing_;         // slots of contacts that bounce in this step
   std::map<std::int32_t, Impulse<>> impacts_;  // of this step, by slot
   std::vector<std::uint32_t> changed_;         // grains that may touch other bodies than they did

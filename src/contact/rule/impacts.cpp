@@ -17,12 +17,12 @@ namespace {
 using Impulses = std::vector<Impulse<>>;
 
 /// The sum over all contacts of impulse times relative velocity of the bodies.
-std::int64_t power(std::span<Touch* const> contacts, const Impulses& impulses,
-                   const Motion& motion) {
+std::int64_t power(std::span<StepContact* const> contacts, const Impulses& impulses,
+                   const BodyVelocities& bodies) {
   constexpr int kBits = 20;  // so that the share below fits
   std::int64_t sum = 0;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
-    motion.at(contacts[i]->contact, [&](const auto& touching) {
+    bodies.at(contacts[i]->contact, [&](const auto& touching) {
       sum += scaled(product(impulses[i].normal, separation_velocity(touching)), kBits) +
              scaled(product(impulses[i].shear, slip_velocity(touching)), kBits) +
              scaled(product(impulses[i].rolling, rolling_velocity(touching)), kBits);
@@ -43,7 +43,8 @@ std::int32_t most_again(std::int64_t before, std::int64_t after) {
 
 /// Sweeps over contacts, forwards and backwards in turn, until their impulses hardly change any
 /// more; the velocities are as these have made them.
-void converge(std::span<Touch* const> contacts, Impulses& impulses, const Motion& motion) {
+void converge(std::span<StepContact* const> contacts, Impulses& impulses,
+              const BodyVelocities& bodies) {
   // A column of eight grains needs some 200. Rounding keeps some from an exact end.
   constexpr int kMostSweeps = 256;
   constexpr std::int32_t kSmallChange = kSpacing >> 15;
@@ -55,8 +56,8 @@ void converge(std::span<Touch* const> contacts, Impulses& impulses, const Motion
       const Contact& contact = contacts[i]->contact;
       Impulse<>& now = impulses[i];
       const Impulse<> before = now;
-      motion.at(contact, [&](ContactState<>& touching) {
-        solve(now, touching, 0, motion.rule.friction_with(contact.other), motion.rule.law);
+      bodies.at(contact, [&](ContactKinematics<>& touching) {
+        solve(now, touching, 0, bodies.rule.friction_with(contact.other), bodies.rule.law);
       });
       change =
           std::max({change, std::abs(now.normal - before.normal),
@@ -67,12 +68,13 @@ void converge(std::span<Touch* const> contacts, Impulses& impulses, const Motion
 
 }  // namespace
 
-std::vector<std::vector<Touch*>> active_groups(std::span<Touch> contacts, std::size_t grains) {
+std::vector<std::vector<StepContact*>> active_groups(std::span<StepContact> contacts,
+                                                     std::size_t grains) {
   std::vector<std::size_t> group(grains);  // by grain: the lowest id of those it is connected with
   std::iota(group.begin(), group.end(), std::size_t{0});
   for (bool changes = true; changes;) {
     changes = false;
-    for (const Touch& touch : contacts) {
+    for (const StepContact& touch : contacts) {
       if (grains::is_particle(touch.contact.other)) {
         std::size_t& upper = group[touch.contact.upper];
         std::size_t& other = group[grains::particle_id(touch.contact.other)];
@@ -85,13 +87,13 @@ std::vector<std::vector<Touch*>> active_groups(std::span<Touch> contacts, std::s
   for (const std::size_t lowest : group) {
     ++size[lowest];
   }
-  std::map<std::size_t, std::vector<Touch*>> by_group;
-  for (Touch& touch : contacts) {
+  std::map<std::size_t, std::vector<StepContact*>> by_group;
+  for (StepContact& touch : contacts) {
     by_group[group[touch.contact.upper]].push_back(&touch);
   }
-  std::vector<std::vector<Touch*>> result;
+  std::vector<std::vector<StepContact*>> result;
   for (auto& [lowest, of_group] : by_group) {
-    if (size[lowest] <= kMostGrains && std::ranges::any_of(of_group, [](const Touch* touch) {
+    if (size[lowest] <= kMostGrains && std::ranges::any_of(of_group, [](const StepContact* touch) {
           return touch->contact.impulse.normal > 0 || touch->bounce > 0;
         })) {
       result.push_back(std::move(of_group));
@@ -100,35 +102,35 @@ std::vector<std::vector<Touch*>> active_groups(std::span<Touch> contacts, std::s
   return result;
 }
 
-void solve_impact(std::span<Touch* const> contacts, const Motion& motion) {
-  if (std::ranges::none_of(contacts, [](const Touch* touch) { return touch->bounce > 0; })) {
+void solve_impact(std::span<StepContact* const> contacts, const BodyVelocities& bodies) {
+  if (std::ranges::none_of(contacts, [](const StepContact* touch) { return touch->bounce > 0; })) {
     return;
   }
   std::map<grains::Owner, Velocity<>> velocities;  // of the grains, before
-  for (const Touch* touch : contacts) {
+  for (const StepContact* touch : contacts) {
     for (const grains::Owner body :
          {grains::as_owner(touch->contact.upper), touch->contact.other}) {
       if (grains::is_particle(body)) {
-        velocities.emplace(body, motion.velocity(body));
+        velocities.emplace(body, bodies.velocity(body));
       }
     }
   }
-  const Motion before = {motion.grains, motion.rule, [&](grains::Owner body) -> Velocity<>& {
-                           return grains::is_particle(body) ? velocities.at(body)
-                                                            : motion.velocity(body);
-                         }};
+  const BodyVelocities before = {
+      bodies.grains, bodies.rule, [&](grains::Owner body) -> Velocity<>& {
+        return grains::is_particle(body) ? velocities.at(body) : bodies.velocity(body);
+      }};
   Impulses impulses(contacts.size());
-  converge(contacts, impulses, motion);
+  converge(contacts, impulses, bodies);
   const std::int32_t again =
-      std::min(motion.rule.restitution,
-               most_again(power(contacts, impulses, before), power(contacts, impulses, motion)));
+      std::min(bodies.rule.restitution,
+               most_again(power(contacts, impulses, before), power(contacts, impulses, bodies)));
   const auto more = [&](std::int32_t value, std::int32_t by, std::int32_t most) {
     return clamped(value + rounded(product(by, again), kRatioBits), -most, most);
   };
   // What the impulses have changed they change again. (One by one, those on a light grain between
   // heavy ones would exceed the bound of velocities.)
   for (const auto& [body, was] : velocities) {
-    Velocity<>& now = motion.velocity(body);
+    Velocity<>& now = bodies.velocity(body);
     now = {.x = more(now.x, now.x - was.x, kMaxVelocity),
            .y = more(now.y, now.y - was.y, kMaxVelocity),
            .spin = more(now.spin, now.spin - was.spin, kMaxVelocity)};
@@ -142,12 +144,12 @@ void solve_impact(std::span<Touch* const> contacts, const Motion& motion) {
   }
 }
 
-void finish(std::span<Touch* const> contacts, const Motion& motion) {
+void converge_group(std::span<StepContact* const> contacts, const BodyVelocities& bodies) {
   Impulses impulses;
-  for (const Touch* touch : contacts) {
+  for (const StepContact* touch : contacts) {
     impulses.push_back(touch->contact.impulse);
   }
-  converge(contacts, impulses, motion);
+  converge(contacts, impulses, bodies);
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     Contact& contact = contacts[i]->contact;
     const auto add = [&](std::int32_t Impulse<>::*part) {

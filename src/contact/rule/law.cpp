@@ -65,7 +65,7 @@ double mass_unit(const std::vector<grains::Kind>& kinds) {
   return unit;
 }
 
-Bodies::Bodies(const std::vector<grains::Kind>& kinds) : kinds_(kinds.size()) {
+PairCoefficients::PairCoefficients(const std::vector<grains::Kind>& kinds) : kinds_(kinds.size()) {
   const double unit = mass_unit(kinds);
   for (const grains::Kind& kind : kinds) {
     for (const grains::Kind& other : kinds) {
@@ -92,7 +92,7 @@ Rule make_rule(const grains::State& state, const Parameters& parameters, double 
                .law = {.rotates = parameters.rolling != Rolling::none,
                        .resists_rolling = parameters.rolling == Rolling::resistance,
                        .rolling_friction = friction(parameters.rolling_friction)},
-               .bodies = Bodies(state.kinds)};
+               .coefficients = PairCoefficients(state.kinds)};
   require(parameters.friction_by_wall.size() <= state.walls.size(),
           "there are more frictions than walls");
   for (std::size_t wall = 0; wall < parameters.friction_by_wall.size(); ++wall) {

@@ -39,7 +39,7 @@ struct LawConstants {
 /// Velocities of the two bodies of a contact, normal and coefficients. A wall has inverse mass 0,
 /// so its velocity does not change.
 template <class Int = std::int32_t>
-struct ContactState {
+struct ContactKinematics {
   Velocity<Int> upper;
   Velocity<Int> other;
   Int normal_x;  ///< towards the upper body, in 2^-30
@@ -49,7 +49,7 @@ struct ContactState {
 
 /// Normal velocity of the upper body relative to the other; positive if they separate.
 template <class Int>
-[[gnu::always_inline]] inline Int separation_velocity(const ContactState<Int>& at) {
+[[gnu::always_inline]] inline Int separation_velocity(const ContactKinematics<Int>& at) {
   return rounded(
       product(at.upper.x - at.other.x, at.normal_x) + product(at.upper.y - at.other.y, at.normal_y),
       kUnitBits);
@@ -57,7 +57,7 @@ template <class Int>
 
 /// Tangential velocity at the contact, along the normal turned anticlockwise.
 template <class Int>
-[[gnu::always_inline]] inline Int slip_velocity(const ContactState<Int>& at) {
+[[gnu::always_inline]] inline Int slip_velocity(const ContactKinematics<Int>& at) {
   return rounded(product(at.upper.y - at.other.y, at.normal_x) -
                      product(at.upper.x - at.other.x, at.normal_y),
                  kUnitBits) -
@@ -65,7 +65,7 @@ template <class Int>
 }
 
 /// Angular velocity of the upper body relative to the other, times the reduced radius.
-inline std::int32_t rolling_velocity(const ContactState<>& at) {
+inline std::int32_t rolling_velocity(const ContactKinematics<>& at) {
   const auto part = [](std::int32_t spin, std::int32_t turning, std::int32_t inverse_mass) {
     return inverse_mass == 0 ? 0 : product(spin, turning) / inverse_mass;  // a wall does not turn
   };
@@ -76,7 +76,7 @@ inline std::int32_t rolling_velocity(const ContactState<>& at) {
 
 /// Applies impulses to the velocities of both bodies.
 template <class Int>
-[[gnu::always_inline]] inline void apply(ContactState<Int>& at, const Impulse<Int>& by,
+[[gnu::always_inline]] inline void apply(ContactKinematics<Int>& at, const Impulse<Int>& by,
                                          bool rotates) {
   const Int x =
       rounded(product(by.normal, at.normal_x) - product(by.shear, at.normal_y), kUnitBits);
@@ -110,8 +110,8 @@ template <class Int>
 /// Updates the impulses so that the bodies separate with the velocity `bounce` and neither slide
 /// nor roll, within the limits of friction. `friction` in 2^-16.
 template <class Int>
-[[gnu::always_inline]] inline void solve(Impulse<Int>& impulse, ContactState<Int>& at, Int bounce,
-                                         Int friction, const LawConstants& law) {
+[[gnu::always_inline]] inline void solve(Impulse<Int>& impulse, ContactKinematics<Int>& at,
+                                         Int bounce, Int friction, const LawConstants& law) {
   const Impulse<Int> before = impulse;
   const auto change = [](const auto& stopped) {
     return limited(stopped, kMassBits, 2 * kMaxImpulse);
@@ -146,9 +146,9 @@ inline std::int32_t bounce(std::int32_t closing, std::int32_t restitution) {
 }
 
 /// Coefficients of all pairs of kinds, and of each kind and a wall.
-class Bodies {
+class PairCoefficients {
  public:
-  explicit Bodies(const std::vector<grains::Kind>& kinds);
+  explicit PairCoefficients(const std::vector<grains::Kind>& kinds);
 
   /// `other` is none for a wall.
   const Pair& pair(std::uint16_t kind, std::optional<std::uint16_t> other) const {
@@ -182,7 +182,7 @@ struct Rule {
   std::int32_t side_friction = 0;                ///< of the sides of the box
   std::vector<std::int32_t> wall_friction = {};  ///< by wall
   LawConstants law = {};
-  Bodies bodies;
+  PairCoefficients coefficients;
 
   std::int32_t friction_with(grains::Owner other) const {
     if (grains::is_particle(other)) {
@@ -199,7 +199,7 @@ struct Rule {
 Rule make_rule(const grains::State& state, const Parameters& parameters, double gravity);
 
 /// The velocities of all bodies, which contacts change.
-struct Motion {
+struct BodyVelocities {
   const grains::State& grains;
   const Rule& rule;
   /// Of a grain, wall or side. Only those of grains are changed.
@@ -210,12 +210,13 @@ struct Motion {
   void at(const Contact& contact, Visit visit) const {
     Velocity<>& upper = velocity(grains::as_owner(contact.upper));
     Velocity<>& other = velocity(contact.other);
-    ContactState<> touching = {.upper = upper,
-                               .other = other,
-                               .normal_x = contact.normal.x,
-                               .normal_y = contact.normal.y,
-                               .pair = rule.bodies.pairs()[static_cast<std::size_t>(
-                                   rule.bodies.pair_number(grains, contact.upper, contact.other))]};
+    ContactKinematics<> touching = {
+        .upper = upper,
+        .other = other,
+        .normal_x = contact.normal.x,
+        .normal_y = contact.normal.y,
+        .pair = rule.coefficients.pairs()[static_cast<std::size_t>(
+            rule.coefficients.pair_number(grains, contact.upper, contact.other))]};
     visit(touching);
     upper = touching.upper;
     other = touching.other;

@@ -237,8 +237,8 @@ struct PushSum {
 
 }  // namespace
 
-Cuts cut_remainders(State& state, const SiteMoves& moves, const Motion& motion,
-                    std::span<const std::uint32_t> ids) {
+Cuts collide_blocked(State& state, const SiteMoves& moves, const BodyVelocities& bodies,
+                     std::span<const std::uint32_t> ids) {
   Cuts result;
   for (const std::uint32_t id : ids) {
     cut(state.remainders[id], [&](Direction direction, std::int32_t excess) {
@@ -246,14 +246,14 @@ Cuts cut_remainders(State& state, const SiteMoves& moves, const Motion& motion,
       const UnitVector& unit = unit_of(direction);
       if (other != grains::kFree) {
         result.pushes.push_back({.upper = id, .other = other, .normal = {-unit.x, -unit.y}});
-      } else if (slow_down(motion.velocity(grains::as_owner(id)), excess, direction)) {
+      } else if (slow_down(bodies.velocity(grains::as_owner(id)), excess, direction)) {
         result.too_fast = true;
       }
     });
   }
   const auto closing = [&](const Contact& push) {
-    const Velocity<>& own = motion.velocity(grains::as_owner(push.upper));
-    const Velocity<>& its = motion.velocity(push.other);
+    const Velocity<>& own = bodies.velocity(grains::as_owner(push.upper));
+    const Velocity<>& its = bodies.velocity(push.other);
     return along({its.x - own.x, its.y - own.y}, push.normal);
   };
   std::erase_if(result.pushes, [&](const Contact& push) { return closing(push) <= 0; });
@@ -262,7 +262,7 @@ Cuts cut_remainders(State& state, const SiteMoves& moves, const Motion& motion,
   }
   std::ranges::stable_sort(result.pushes, {}, &Contact::upper);
   const auto inverse_mass = [&](std::uint32_t id) {
-    return motion.rule.bodies.pair(state.grains.particles[id].kind, std::nullopt)
+    return bodies.rule.coefficients.pair(state.grains.particles[id].kind, std::nullopt)
         .upper_inverse_mass;
   };
   std::vector<PushSum> sums;
@@ -299,7 +299,7 @@ Cuts cut_remainders(State& state, const SiteMoves& moves, const Motion& motion,
     }
   }
   for (const PushSum& of_grain : sums) {
-    Velocity<>& velocity = motion.velocity(grains::as_owner(of_grain.id));
+    Velocity<>& velocity = bodies.velocity(grains::as_owner(of_grain.id));
     const auto change = [inverse = inverse_mass(of_grain.id)](std::int32_t& value,
                                                               std::int64_t impulse) {
       const std::int32_t most = clamped(impulse, -2 * kMaxImpulse, 2 * kMaxImpulse - 1);
@@ -322,7 +322,7 @@ constexpr std::int64_t kLagSteps = 16;
 constexpr std::int64_t kMaxCatchUp = grains::kMotionSpacing / 2;
 
 /// `speed`: of the motion; if that has ended, the wall still has to arrive.
-std::int64_t haste(std::int64_t lag, std::int32_t speed) {
+std::int64_t catch_up_velocity(std::int64_t lag, std::int32_t speed) {
   const std::int64_t least = speed == 0 ? grains::kMotionSpacing / 2 : grains::kMotionSpacing;
   return std::abs(lag) > least ? std::clamp(lag / kLagSteps, -kMaxCatchUp, kMaxCatchUp) : 0;
 }
@@ -339,7 +339,8 @@ WallVelocities wall_velocities(const State& state) {
     const std::int64_t lag = state.wall_remainders[number];
     constexpr auto kUnit = static_cast<std::int32_t>(kSpacing / grains::kMotionSpacing);
     const std::int32_t own = grains::velocity(*wall.motion, wall.travel, lag);
-    const std::int32_t speed = kUnit * (own + static_cast<std::int32_t>(haste(lag, own)));
+    const std::int32_t speed =
+        kUnit * (own + static_cast<std::int32_t>(catch_up_velocity(lag, own)));
     const UnitVector& unit = unit_of(wall.motion->direction);
     result[number].x = rounded(product(speed, unit.x), kUnitBits);
     result[number].y = rounded(product(speed, unit.y), kUnitBits);
@@ -371,7 +372,7 @@ bool walls_rest(const State& state) {
     }
     const std::int64_t lag = state.wall_remainders[number];
     const std::int32_t own = grains::velocity(*wall.motion, wall.travel, lag);
-    const bool pushes_no_harder = own == 0 || std::abs(haste(lag, own)) == kMaxCatchUp;
+    const bool pushes_no_harder = own == 0 || std::abs(catch_up_velocity(lag, own)) == kMaxCatchUp;
     const bool held_up = wall.travel.stalled_since &&
                          state.grains.step - *wall.travel.stalled_since >= kQuietSteps &&
                          pushes_no_harder;

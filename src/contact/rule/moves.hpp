@@ -1,8 +1,10 @@
 #pragma once
-// Motion between contacts: acceleration, remainders, and moves of grains and walls by single sites.
+// Motion between contacts: acceleration, remainders, and moves of grains and walls by
+// single sites.
 //
 // A remainder is the offset of a grain from its site: where the grain is free to move, at most half
-// a spacing along any direction after its moves; where it is held up, at most two (cut_remainders).
+// a spacing along any direction after its moves; where it is held up, at most two
+// (collide_blocked).
 
 #include <algorithm>
 #include <array>
@@ -215,8 +217,8 @@ struct Cuts {
 /// order does not matter, momentum is conserved, and no energy is gained. Where nothing is in the
 /// way, the grain is faster than it can move: it loses velocity with the distance. `ids`: grains
 /// whose remainders may be that long, each once, in any order.
-Cuts cut_remainders(State& state, const SiteMoves& moves, const Motion& motion,
-                    std::span<const std::uint32_t> ids);
+Cuts collide_blocked(State& state, const SiteMoves& moves, const BodyVelocities& bodies,
+                     std::span<const std::uint32_t> ids);
 
 /// Whether no wall will move while no grain does: each has finished or has been blocked for the
 /// settling time, so that its push no longer grows.

@@ -11,32 +11,32 @@ namespace clca::contact {
 namespace {
 
 /// Contacts that carry nothing bounce: new ones, and those whose bodies have parted.
-void bounce_loose(std::vector<Touch>& contacts, const Motion& motion) {
-  for (Touch& touch : contacts) {
+void bounce_loose(std::vector<StepContact>& contacts, const BodyVelocities& bodies) {
+  for (StepContact& touch : contacts) {
     if (touch.contact.impulse.normal == 0) {
-      motion.at(touch.contact, [&](const auto& touching) {
-        touch.bounce = bounce(-separation_velocity(touching), motion.rule.restitution);
+      bodies.at(touch.contact, [&](const auto& touching) {
+        touch.bounce = bounce(-separation_velocity(touching), bodies.rule.restitution);
       });
     }
   }
 }
 
-void apply_all(const std::vector<Touch>& contacts, const Motion& motion) {
-  for (const Touch& touch : contacts) {
-    motion.at(touch.contact, [&](auto& touching) {
-      apply(touching, touch.contact.impulse, motion.rule.law.rotates);
+void apply_all(const std::vector<StepContact>& contacts, const BodyVelocities& bodies) {
+  for (const StepContact& touch : contacts) {
+    bodies.at(touch.contact, [&](auto& touching) {
+      apply(touching, touch.contact.impulse, bodies.rule.law.rotates);
     });
   }
 }
 
 /// Sweeps alternate forwards and backwards.
-void sweep(std::vector<Touch>& contacts, const Motion& motion) {
-  const Rule& rule = motion.rule;
+void sweep(std::vector<StepContact>& contacts, const BodyVelocities& bodies) {
+  const Rule& rule = bodies.rule;
   for (int i = 0; i < rule.sweeps; ++i) {
     for (std::size_t k = 0; k < contacts.size(); ++k) {
-      Touch& touch = contacts[i % 2 == 0 ? k : contacts.size() - 1 - k];
+      StepContact& touch = contacts[i % 2 == 0 ? k : contacts.size() - 1 - k];
       Contact& contact = touch.contact;
-      motion.at(contact, [&](auto& touching) {
+      bodies.at(contact, [&](auto& touching) {
         solve(contact.impulse, touching, touch.bounce, rule.friction_with(contact.other), rule.law);
       });
     }
@@ -267,42 +267,42 @@ void Reference::move_grains() {
   const std::size_t grains = state_.grains.particles.size();
   WallVelocities walls = wall_velocities(state_);
   Velocity<> side;
-  const Motion motion = {state_.grains, rule_, [&](grains::Owner body) -> Velocity<>& {
-                           if (grains::is_particle(body)) {
-                             return state_.velocities[grains::particle_id(body)];
-                           }
-                           return is_side(body) ? side : walls[grains::wall_number(body)];
-                         }};
+  const BodyVelocities bodies = {state_.grains, rule_, [&](grains::Owner body) -> Velocity<>& {
+                                   if (grains::is_particle(body)) {
+                                     return state_.velocities[grains::particle_id(body)];
+                                   }
+                                   return is_side(body) ? side : walls[grains::wall_number(body)];
+                                 }};
   const auto velocity = [&](std::uint32_t id) -> Velocity<>& { return state_.velocities[id]; };
 
   // 1. Who touches whom; the contacts in order.
-  const std::vector<Touch> now = touches(box_, down, normals_, walls);
-  std::vector<Touch> contacts =
+  const std::vector<StepContact> now = all_contacts(box_, down, normals_, walls);
+  std::vector<StepContact> contacts =
       next_contacts(state_.grains, state_.contacts, now, down, sorts_contacts(state_));
   state_.changed = false;
 
   // 2. Contacts without impulse bounce: impacts in small groups at once, others in the sweeps.
-  bounce_loose(contacts, motion);
-  const std::vector<std::vector<Touch*>> groups = active_groups(contacts, grains);
-  for (const std::vector<Touch*>& group : groups) {
-    solve_impact(group, motion);
+  bounce_loose(contacts, bodies);
+  const std::vector<std::vector<StepContact*>> groups = active_groups(contacts, grains);
+  for (const std::vector<StepContact*>& group : groups) {
+    solve_impact(group, bodies);
   }
 
   // 3. Gravity and the vessel.
   accelerate_all(state_, rule_.gravity, velocity);
 
   // 4. The impulses of the last step, once more.
-  apply_all(contacts, motion);
+  apply_all(contacts, bodies);
 
   // 5. Sweeps over the contacts change the impulses and the velocities; in small groups more of
   // them do, which are not remembered.
-  sweep(contacts, motion);
-  for (const std::vector<Touch*>& group : groups) {
-    finish(group, motion);
+  sweep(contacts, bodies);
+  for (const std::vector<StepContact*>& group : groups) {
+    converge_group(group, bodies);
   }
   state_.contacts.clear();
   std::vector<bool> touching(grains, false);
-  for (const Touch& touch : contacts) {
+  for (const StepContact& touch : contacts) {
     state_.contacts.push_back(touch.contact);
     touching[touch.contact.upper] = true;
     if (grains::is_particle(touch.contact.other)) {
@@ -326,7 +326,7 @@ void Reference::move_grains() {
   // 9. Remainders of grains that were held up are cut, and momentum is passed on.
   std::vector<std::uint32_t> ids(grains);
   std::iota(ids.begin(), ids.end(), 0U);
-  cuts_ = cut_remainders(state_, moves, motion, ids);
+  cuts_ = collide_blocked(state_, moves, bodies, ids);
 
   // 10. Walls and vessel end the step.
   end_step(state_, wall_moves, moves, at_rest);

@@ -19,7 +19,8 @@ namespace clca::contact {
 inline constexpr std::size_t kMostGrains = 8;
 
 /// The contacts of each small group with one that carries or bounces, in their order.
-std::vector<std::vector<Touch*>> active_groups(std::span<Touch> contacts, std::size_t grains);
+std::vector<std::vector<StepContact*>> active_groups(std::span<StepContact> contacts,
+                                                     std::size_t grains);
 
 /// Where a contact of a small group bounces, sets `impact` of all of them and changes the
 /// velocities. First the bodies are stopped, by
@@ -27,12 +28,12 @@ std::vector<std::vector<Touch*>> active_groups(std::span<Touch> contacts, std::s
 /// restitution (Poisson's hypothesis with one ratio for the whole impact), or less, so that the
 /// kinetic energy does not rise. The contacts do not bounce once more. `contacts`: all of their
 /// grains.
-void solve_impact(std::span<Touch* const> contacts, const Motion& motion);
+void solve_impact(std::span<StepContact* const> contacts, const BodyVelocities& bodies);
 
 /// Goes on sweeping a small group until its impulses hardly change any more. What the sweeps of the
 /// step have left is added to `impact`: the next step begins with the impulses of these sweeps
 /// alone, which stay soft where the group becomes part of a bed.
-void finish(std::span<Touch* const> contacts, const Motion& motion);
+void converge_group(std::span<StepContact* const> contacts, const BodyVelocities& bodies);
 
 /// Ends a step: updates walls and vessel. `at_rest`: no grain is faster than the rest limit.
 void end_step(State& state, std::span<const WallMove> walls, const SiteMoves& moves, bool at_rest);

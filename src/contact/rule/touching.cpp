@@ -47,8 +47,8 @@ constexpr int kNear = 3;
 /// Walls and sides of the box near a grain that form one surface, however it is cut into bodies; as
 /// far as is known, so each by itself at first.
 struct Surface {
-  /// Bodies that touch the grain, and their sites next to it: from its reference site, one for each
-  /// direction in which they block it.
+  /// Bodies that touch the grain, and their sites next to it: from its reference site,
+  /// one for each direction in which they block it.
   std::map<grains::Owner, std::vector<Axial>> touched = {};
   unsigned directions = 0;       ///< that these block, as bits
   bool has_side = false;         ///< of the box
@@ -262,8 +262,8 @@ std::vector<grains::Owner> bodies_of_contacts(const Surface& surface, const Wall
 
 }  // namespace
 
-std::size_t add_wall_touches(const grains::Box& box, std::uint32_t id, const WallVelocities& walls,
-                             std::vector<Touch>& touches) {
+std::size_t add_wall_contacts(const grains::Box& box, std::uint32_t id, const WallVelocities& walls,
+                              std::vector<StepContact>& touches) {
   const grains::Particle& grain = box.state.particles[id];
   std::map<grains::Owner, Surface> bodies = touched_bodies(box, grain);
   const std::size_t count = bodies.size();
@@ -293,22 +293,23 @@ std::size_t add_wall_touches(const grains::Box& box, std::uint32_t id, const Wal
           {.contact = {.upper = id, .other = body, .normal = unit_vector(Axial() - blocked)}});
     }
   }
-  std::sort(touches.begin() + first, touches.end(), [](const Touch& one, const Touch& other) {
-    return one.contact.other < other.contact.other;
-  });
+  std::sort(touches.begin() + first, touches.end(),
+            [](const StepContact& one, const StepContact& other) {
+              return one.contact.other < other.contact.other;
+            });
   return count;
 }
 
-std::vector<Touch> touches(const grains::Box& box, lattice::Direction down, NormalTable& normals,
-                           const WallVelocities& walls) {
+std::vector<StepContact> all_contacts(const grains::Box& box, lattice::Direction down,
+                                      NormalTable& normals, const WallVelocities& walls) {
   const grains::State& state = box.state;
-  std::vector<Touch> result;
+  std::vector<StepContact> result;
   for (std::uint32_t id = 0; id < state.particles.size(); ++id) {
     const grains::Particle& grain = state.particles[id];
     if (!grain.present) {
       continue;
     }
-    add_wall_touches(box, id, walls, result);
+    add_wall_contacts(box, id, walls, result);
     std::set<grains::Owner> others;
     box.for_each_index(grain, box.footprints.of(grain).ring,
                        [&](std::size_t index) { others.insert(box.occupancy.owner(index)); });
@@ -328,15 +329,16 @@ std::vector<Touch> touches(const grains::Box& box, lattice::Direction down, Norm
   return result;
 }
 
-std::vector<const Touch*> followed_by(std::span<const Contact> before, std::span<const Touch> now) {
+std::vector<const StepContact*> followed_by(std::span<const Contact> before,
+                                            std::span<const StepContact> now) {
   // Of 45 degrees, see cosine(). The normals of one straight wall are at most 30 degrees apart.
   constexpr std::int64_t kLeastCosine = std::int64_t{759'250'125} << kUnitBits;
   // The best first. Whether the body is the same counts last: a surface may have several.
-  using Match =
-      std::tuple<bool, std::int64_t, bool, grains::Owner, grains::Owner, std::size_t, const Touch*>;
+  using Match = std::tuple<bool, std::int64_t, bool, grains::Owner, grains::Owner, std::size_t,
+                           const StepContact*>;
   std::vector<Match> matches;
   for (std::size_t i = 0; i < before.size(); ++i) {
-    for (const Touch& touch : now) {
+    for (const StepContact& touch : now) {
       const grains::Owner was = before[i].other;
       const grains::Owner is = touch.contact.other;
       const std::int64_t like = cosine(before[i].normal, touch.contact.normal);
@@ -346,7 +348,7 @@ std::vector<const Touch*> followed_by(std::span<const Contact> before, std::span
     }
   }
   std::ranges::sort(matches, std::greater());
-  std::vector<const Touch*> result(before.size(), nullptr);
+  std::vector<const StepContact*> result(before.size(), nullptr);
   for (const auto& [same_kind, like, same_body, was, is, i, touch] : matches) {
     if (result[i] == nullptr && std::ranges::find(result, touch) == result.end()) {
       result[i] = touch;
@@ -355,15 +357,17 @@ std::vector<const Touch*> followed_by(std::span<const Contact> before, std::span
   return result;
 }
 
-std::vector<Touch> next_contacts(const grains::State& state, const std::vector<Contact>& before,
-                                 const std::vector<Touch>& now, lattice::Direction down,
-                                 bool sorted) {
+std::vector<StepContact> next_contacts(const grains::State& state,
+                                       const std::vector<Contact>& before,
+                                       const std::vector<StepContact>& now, lattice::Direction down,
+                                       bool sorted) {
   const auto bodies = [](const Contact& contact) {
     return both_bodies(contact.upper, contact.other);
   };
-  std::map<std::pair<grains::Owner, grains::Owner>, Touch> left;  // that no earlier one goes on as
-  std::vector<Touch> at_walls;
-  for (const Touch& touch : now) {
+  std::map<std::pair<grains::Owner, grains::Owner>, StepContact>
+      left;  // that no earlier one goes on as
+  std::vector<StepContact> at_walls;
+  for (const StepContact& touch : now) {
     left.emplace(bodies(touch.contact), touch);
     if (!grains::is_particle(touch.contact.other)) {
       at_walls.push_back(touch);
@@ -372,16 +376,16 @@ std::vector<Touch> next_contacts(const grains::State& state, const std::vector<C
   std::vector<Contact> were_at_walls;
   std::ranges::copy_if(before, std::back_inserter(were_at_walls),
                        [](const Contact& contact) { return !grains::is_particle(contact.other); });
-  const std::vector<const Touch*> next = followed_by(were_at_walls, at_walls);
+  const std::vector<const StepContact*> next = followed_by(were_at_walls, at_walls);
   auto next_at_wall = next.begin();
-  std::vector<Touch> all;
+  std::vector<StepContact> all;
   for (const Contact& contact : before) {
-    const Touch* at_wall = grains::is_particle(contact.other) ? nullptr : *next_at_wall++;
+    const StepContact* at_wall = grains::is_particle(contact.other) ? nullptr : *next_at_wall++;
     const auto found = left.find(bodies(at_wall == nullptr ? contact : at_wall->contact));
     if (found == left.end() || (at_wall == nullptr && !grains::is_particle(contact.other))) {
       continue;
     }
-    Touch& kept = all.emplace_back(found->second);
+    StepContact& kept = all.emplace_back(found->second);
     kept.contact.impulse =
         kept.contact.upper == contact.upper ? contact.impulse : turned_over(contact.impulse);
     left.erase(found);
@@ -391,7 +395,7 @@ std::vector<Touch> next_contacts(const grains::State& state, const std::vector<C
     all.push_back(touch);
   }
   std::sort(all.begin() + (sorted ? 0 : first_new), all.end(),
-            [&](const Touch& one, const Touch& other) {
+            [&](const StepContact& one, const StepContact& other) {
               return one.key(state, down) < other.key(state, down);
             });
   return all;

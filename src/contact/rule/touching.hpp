@@ -61,7 +61,7 @@ class NormalTable {
 };
 
 /// A contact in a step.
-struct Touch {
+struct StepContact {
   Contact contact = {};       ///< with its present normal, and the impulses of the last step
   lattice::Axial apart = {};  ///< from the upper grain to the other; of walls none
   std::int32_t bounce = 0;    ///< the velocity with which its bodies are to separate
@@ -85,20 +85,21 @@ inline std::pair<grains::Owner, grains::Owner> both_bodies(std::uint32_t upper,
 using WallVelocities = std::vector<Velocity<>>;
 
 /// All contacts as if they were new.
-std::vector<Touch> touches(const grains::Box& box, lattice::Direction down, NormalTable& normals,
-                           const WallVelocities& walls);
+std::vector<StepContact> all_contacts(const grains::Box& box, lattice::Direction down,
+                                      NormalTable& normals, const WallVelocities& walls);
 
 /// Adds the contacts of a grain with walls and sides to `touches`, sorted by `other`: one with each
 /// surface that they form around it, or one with each body of a surface of those that move unlike.
 /// Returns how many walls and sides the grain touches.
-std::size_t add_wall_touches(const grains::Box& box, std::uint32_t id, const WallVelocities& walls,
-                             std::vector<Touch>& touches);
+std::size_t add_wall_contacts(const grains::Box& box, std::uint32_t id, const WallVelocities& walls,
+                              std::vector<StepContact>& touches);
 
 /// What each earlier contact with a wall or a side goes on as, null for one that ends: the contact
 /// of the same grain with the most similar normal, at most 45 degrees from its own; first those of
 /// walls as one of a wall and those of sides as one of a side, then the others. Of like normals
 /// that of the same body, so that it does not matter of how many a surface is made.
-std::vector<const Touch*> followed_by(std::span<const Contact> before, std::span<const Touch> now);
+std::vector<const StepContact*> followed_by(std::span<const Contact> before,
+                                            std::span<const StepContact> now);
 
 /// The impulses if the other grain is the upper one: those along normal and tangent stay.
 inline Impulse<> turned_over(Impulse<> impulse) {
@@ -108,9 +109,10 @@ inline Impulse<> turned_over(Impulse<> impulse) {
 
 /// The contacts of `before` that still touch, in order, followed by new ones.
 /// With `sorted` all are sorted anew. A pair keeps its impulses if upper and lower body swap.
-std::vector<Touch> next_contacts(const grains::State& state, const std::vector<Contact>& before,
-                                 const std::vector<Touch>& now, lattice::Direction down,
-                                 bool sorted);
+std::vector<StepContact> next_contacts(const grains::State& state,
+                                       const std::vector<Contact>& before,
+                                       const std::vector<StepContact>& now, lattice::Direction down,
+                                       bool sorted);
 
 /// Whether a step sorts the contacts anew.
 inline bool sorts_contacts(const State& state) {

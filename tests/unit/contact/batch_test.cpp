@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t kGrains = 40;
 
 struct Workload {
-  std::vector<Body> bodies = std::vector<Body>(kGrains + 1);
+  std::vector<BodyVelocity> bodies = std::vector<BodyVelocity>(kGrains + 1);
   std::vector<Batch> batches;
 };
 
@@ -156,9 +156,9 @@ TEST(ContactSlots, HaveNothingInALaneThatIsEmptied) {
   slots.add(contact, {});
   EXPECT_EQ(slots.contact(0), contact);
   slots.remove(0);
-  std::vector<Body> bodies(4, {{7, 8, 9}});
+  std::vector<BodyVelocity> bodies(4, {{7, 8, 9}});
   bodies[kRestingBody] = {};
-  const Pair* pairs = bed.rule.bodies.pairs().data();
+  const Pair* pairs = bed.rule.coefficients.pairs().data();
   for (const BatchFunctions& functions : {plain_functions(), fastest_functions()}) {
     functions.apply(slots.batches().data(), 1, bodies.data(), pairs, true);
     functions.sweep(slots.batches().data(), 1, bodies.data(), pairs, {.rotates = true}, false);

@@ -25,16 +25,16 @@ grains::State hexagons(const std::vector<lattice::Site>& sites, int columns = 30
 
 constexpr lattice::Direction kDown = lattice::Direction::down;
 
-std::vector<Touch> touches_of(grains::State state) {
+std::vector<StepContact> touches_of(grains::State state) {
   NormalTable normals(state.kinds);
-  return touches(grains::Box(state), kDown, normals, WallVelocities(state.walls.size()));
+  return all_contacts(grains::Box(state), kDown, normals, WallVelocities(state.walls.size()));
 }
 
 using Bodies2 = std::pair<std::uint32_t, grains::Owner>;
 
-std::vector<Bodies2> pairs(const std::vector<Touch>& contacts) {
+std::vector<Bodies2> pairs(const std::vector<StepContact>& contacts) {
   std::vector<Bodies2> result;
-  for (const Touch& one : contacts) {
+  for (const StepContact& one : contacts) {
     result.emplace_back(one.contact.upper, one.contact.other);
   }
   return result;
@@ -43,7 +43,7 @@ std::vector<Bodies2> pairs(const std::vector<Touch>& contacts) {
 TEST(Touches, NameTheUpperGrainTheFloorAndTheSides) {
   // One in the corner, one upon it, one alone.
   const grains::State state = hexagons({{1, 1}, {1, 4}, {20, 20}});
-  const std::vector<Touch> found = touches_of(state);
+  const std::vector<StepContact> found = touches_of(state);
   ASSERT_EQ(found.size(), 4U);
   EXPECT_EQ((Bodies2{found[0].contact.upper, found[0].contact.other}), (Bodies2{0, kFloor}));
   EXPECT_EQ(found[0].contact.normal, (UnitVector{0, 1 << kUnitBits}));
@@ -58,7 +58,7 @@ TEST(Touches, NameWallsAndReachAcrossThePeriodicSeam) {
   grains::State state = hexagons({{0, 20}, {17, 20}}, 20);
   state.lattice = lattice::Lattice(20, 40, true);
   state.walls = {{.sites = {{10, 10}}}, {.sites = {{17, 18}}}};
-  const std::vector<Touch> found = touches_of(state);
+  const std::vector<StepContact> found = touches_of(state);
   ASSERT_EQ(found.size(), 2U);
   EXPECT_EQ((Bodies2{found[0].contact.upper, found[0].contact.other}),
             (Bodies2{1, grains::wall_code(1)}));
@@ -89,7 +89,7 @@ TEST(TheOrder, GoesDownAndFromTheLeft) {
 TEST(NextContacts, KeepTheirPlaceAndTheirImpulsesAndNewOnesAreBehind) {
   // A pile of three on the floor; the one on top is listed first when all is sorted.
   const grains::State state = hexagons({{10, 1}, {10, 4}, {10, 7}});
-  const std::vector<Touch> now = touches_of(state);
+  const std::vector<StepContact> now = touches_of(state);
   const std::vector<Contact> before = {
       {.upper = 0, .other = kFloor, .normal = {0, 1 << kUnitBits}, .impulse = {5, 4, 3}}};
   const auto kept = next_contacts(state, before, now, kDown, false);

@@ -42,11 +42,11 @@ struct Bench {
     grains::Box box(state.grains);
     const SiteMoves moves(state, box);
     Velocity<std::int32_t> fixed;
-    const Motion motion = {
+    const BodyVelocities motion = {
         state.grains, rule, [&](grains::Owner body) -> Velocity<>& {
           return grains::is_particle(body) ? state.velocities[grains::particle_id(body)] : fixed;
         }};
-    cut_remainders(state, moves, motion, ids);
+    collide_blocked(state, moves, motion, ids);
     EXPECT_EQ(fixed, Velocity<std::int32_t>());
   }
   double mass(std::size_t id) const {

@@ -225,18 +225,18 @@ struct Cluster {
   /// Returns how many contacts the impacts have.
   std::size_t collide() {
     NormalTable normals(state.grains.kinds);
-    std::vector<Touch> contacts =
-        touches(grains::Box(state.grains), lattice::Direction::down, normals, {});
+    std::vector<StepContact> contacts =
+        all_contacts(grains::Box(state.grains), lattice::Direction::down, normals, {});
     Velocity<std::int32_t> fixed;
-    const Motion motion = {
+    const BodyVelocities motion = {
         state.grains, rule, [&](grains::Owner body) -> Velocity<>& {
           return grains::is_particle(body) ? state.velocities[grains::particle_id(body)] : fixed;
         }};
     std::size_t count = 0;
-    for (Touch& touch : contacts) {
+    for (StepContact& touch : contacts) {
       touch.bounce = 1;
     }
-    for (const std::vector<Touch*>& impact :
+    for (const std::vector<StepContact*>& impact :
          active_groups(contacts, state.grains.particles.size())) {
       solve_impact(impact, motion);
       count += impact.size();

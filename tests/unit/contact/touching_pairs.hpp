@@ -10,7 +10,7 @@
 namespace clca::contact {
 
 using Number = std::int32_t;
-using Pairing = ContactState<Number>;
+using Pairing = ContactKinematics<Number>;
 
 inline Number length(double spacings) {
   return static_cast<Number>(std::lround(spacings * kSpacing));
@@ -38,8 +38,8 @@ inline UnitVector any_normal(std::mt19937_64& random) {
 inline Pair pair_of(int radius, std::optional<int> other) {
   std::vector<grains::Kind> kinds = {{lattice::Shape::hexagon(radius), 0},
                                      {lattice::Shape::hexagon(other.value_or(0)), 1}};
-  return Bodies(kinds).pair(0,
-                            other ? std::optional<std::uint16_t>(std::uint16_t{1}) : std::nullopt);
+  return PairCoefficients(kinds).pair(
+      0, other ? std::optional<std::uint16_t>(std::uint16_t{1}) : std::nullopt);
 }
 
 inline double sites_of(int radius) {

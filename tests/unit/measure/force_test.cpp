@@ -37,7 +37,7 @@ TEST(Force, SumsUpTheContactsOfAPlate) {
   EXPECT_EQ(summary.jammed, 1U);
   EXPECT_DOUBLE_EQ(summary.cone_share.value(), 1);
   ASSERT_EQ(summary.walls.size(), 1U);
-  const WallForce& wall = summary.walls[0];
+  const WallOverlap& wall = summary.walls[0];
   EXPECT_EQ(wall.wall, 0U);
   EXPECT_EQ(wall.travel, 0);
   EXPECT_EQ(wall.stalled_since, 17U);

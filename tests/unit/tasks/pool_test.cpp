@@ -78,7 +78,7 @@ class PoolTest : public ::testing::Test {
     }
     shares_ = pool.carried_out();
     all_stopped_ = pool.is_stopped();
-    stopped_by_ = ranks.stopped_by();
+    stop_signal_ = ranks.stop_signal();
     return found;
   }
   /// With the other ranks, which end then.
@@ -108,7 +108,7 @@ class PoolTest : public ::testing::Test {
   std::vector<std::thread> others_;
   std::vector<std::size_t> shares_;  // tasks that each rank has carried out
   bool all_stopped_ = false;
-  int stopped_by_ = 0;
+  int stop_signal_ = 0;
 };
 
 TEST_F(PoolTest, CarriesOutAllTasksByThreads) {
@@ -238,7 +238,7 @@ TEST_F(PoolTest, ARankThatIsStoppedBeginsNothingMoreAndStopsAll) {
   const auto found = results_of_ranks();
   EXPECT_EQ(begun, 2);
   EXPECT_TRUE(all_stopped_);
-  EXPECT_EQ(stopped_by_, 15);
+  EXPECT_EQ(stop_signal_, 15);
   EXPECT_GE(std::count_if(found.begin(), found.end(),
                           [](const auto& one) { return one.second == kNone; }),
             2);
@@ -266,7 +266,7 @@ TEST_F(PoolTest, ARankThatIsStoppedTellsAtOnceWhateverItsTasksTake) {
     pool.take_finished(kPause);
     is_told = pool.is_stopped();
   }
-  EXPECT_EQ(ranks->stopped_by(), 15);
+  EXPECT_EQ(ranks->stop_signal(), 15);
   join();
 }
 

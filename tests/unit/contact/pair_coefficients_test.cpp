@@ -7,7 +7,7 @@
 #include "contact/rule/law.hpp"
 #include "contact/rule/touching.hpp"
 
-namespace clca::contact::bodies_test {
+namespace clca::contact::pair_coefficients_test {
 namespace {
 
 using lattice::Axial;
@@ -156,7 +156,7 @@ TEST(Discs, TouchAlongTheLineOfTheirCentres) {
 
 TEST(ReducedMasses, AreThoseOfTheTwoOrOfTheGrainAloneAtAWall) {
   const std::vector<grains::Kind> kinds = {{Shape::hexagon(1), 0}, {Shape::hexagon(2), 1}};
-  const Bodies bodies(kinds);
+  const PairCoefficients bodies(kinds);
   const double unit = mass_unit(kinds);
   const double reduced = 7.0 * 19 / (7 + 19) / unit;
   const auto mass = [](std::int32_t value) { return std::ldexp(value, -kMassBits); };
@@ -170,4 +170,4 @@ TEST(ReducedMasses, AreThoseOfTheTwoOrOfTheGrainAloneAtAWall) {
 }
 
 }  // namespace
-}  // namespace clca::contact::bodies_test
+}  // namespace clca::contact::pair_coefficients_test
