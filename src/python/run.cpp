@@ -55,7 +55,7 @@ std::filesystem::path run_scene(const LoadedScene& loaded,
                                 std::optional<int> threads, bool keep, bool overwrite,
                                 const py::object& report) {
   const auto run_it = [&](const auto& scene) {
-    // Wherever the process goes meanwhile.
+    // The current folder may change while the run goes on.
     const std::filesystem::path folder = output.value_or("renders/" + scene.name);
     run::RunOptions options = {.folder = std::filesystem::absolute(folder),
                                .threads = threads.value_or(default_threads(loaded.scene)),

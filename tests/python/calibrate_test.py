@@ -15,7 +15,7 @@ for module in ("scipy", "sklearn", "yaml"):
 
 import clca
 from clca._study import read_study
-from clca._surrogate import Surrogate, likely, sobol
+from clca._surrogate import Surrogate, posterior, sobol
 
 NOISE = (1.0, 0.05)
 STUDY = {
@@ -44,7 +44,7 @@ class StatisticsTest(unittest.TestCase):
                 surrogates.append(Surrogate(points, means, numpy.full(64, noise**2 / seeds)))
             errors = [noise / 8**0.5 for noise in NOISE]
             targets = [(value[0] + error * random.normal(), error) for value, error in zip(measures(truth[None]), errors)]
-            found = likely(surrogates, targets, 2)
+            found = posterior(surrogates, targets, 2)
             self.assertAlmostEqual(found.weights.sum(), 1)
             held += (found.quantile(0.025) <= truth) & (truth <= found.quantile(0.975))
         self.assertGreaterEqual(held.min(), 10)  # of 12: 95 %
@@ -52,7 +52,7 @@ class StatisticsTest(unittest.TestCase):
     def test_a_parameter_that_changes_nothing_stays_open(self):
         points = sobol(2, 32, 1)
         surrogate = Surrogate(points, points[:, 0], numpy.full(32, 1e-4))
-        found = likely([surrogate], [(0.4, 0.02)], 2)
+        found = posterior([surrogate], [(0.4, 0.02)], 2)
         width = found.quantile(0.975) - found.quantile(0.025)
         self.assertLess(width[0], 0.15)
         self.assertGreater(width[1], 0.9)

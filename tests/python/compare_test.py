@@ -165,8 +165,8 @@ class CompareTest(FolderTest):
         self.assertIn("output.fields", self.refused())
 
     def test_what_is_no_run_or_one_of_the_wrong_kind_is_refused(self):
-        self.assertIn("expected a run of kind", self.refused(one="gas", other="grains"))
-        self.assertIn("expected a run of kind boltzmann, found automaton", self.refused(other="grains"))
+        self.assertIn("expected a run of grains, found one of kind boltzmann", self.refused(one="gas", other="grains"))
+        self.assertIn("expected a run of a gas, found one of kind automaton", self.refused(other="grains"))
         self.assertIn("is not the folder of a run", self.refused(one="."))
         self.assertIn("nowhere", self.refused(other="nowhere"))
         write_gas("5", 0.001, 0.02, particles=0)
@@ -245,7 +245,7 @@ class PythonTest(FolderTest):
         with self.assertRaisesRegex(clca.Error, r"mine: clca did not make the folder, and there are files in it \(distances.csv\)"):
             clca.compare("grains", "gas", "mine")
         self.assertEqual(Path("mine/distances.csv").read_text(), "mine")
-        with self.assertRaisesRegex(clca.Error, "found boltzmann"):
+        with self.assertRaisesRegex(clca.Error, "found one of kind boltzmann"):
             clca.compare("gas", "grains")
         with self.assertRaisesRegex(clca.Error, "there is a run of kind boltzmann in it"):
             clca.compare("grains", "gas", "gas")

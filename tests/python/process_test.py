@@ -101,23 +101,38 @@ class FolderTest(ScratchTest):
 
     def test_the_process_may_go_elsewhere_while_it_works(self):
         os.mkdir("elsewhere")
+        told = []
 
         def go(progress):
+            told.append(progress)
             os.chdir(self.folder / "elsewhere")
 
+        lasting = {"stages.packing.until.steps": 2_000_000, "output": {}}  # more than a second
         for name, call in {
-            "run": lambda: clca.run(SCENE, output="run", progress=go),
-            "renders/scene": lambda: clca.run(SCENE, progress=go),
-            "gas": lambda: clca.run(GAS, output="gas", progress=go),
+            "run": lambda: clca.run(ENDLESS, output="run", set=lasting, progress=go),
+            "renders/scene": lambda: clca.run(ENDLESS, set=lasting, progress=go),
+            "gas": lambda: clca.run(LARGE_GAS, output="gas", progress=go),
             "sweep": lambda: clca.sweep(SCENE, seeds=[1, 2], output="sweep", progress=go),
             "renders/scene-sweep": lambda: clca.sweep(SCENE, seeds=[1], progress=go),
+            "run again": lambda: clca.resume("run", until={"steps": 4_000_000}, progress=go),
         }.items():
             with self.subTest(name):
                 os.chdir(self.folder)
-                self.assertEqual(call().folder, self.folder / name)
-        os.chdir(self.folder)
-        self.assertEqual(clca.resume("run", until={"steps": 60}, progress=go).folder, self.folder / "run")
+                told.clear()
+                self.assertEqual(call().folder, self.folder / name.removesuffix(" again"))
+                self.assertTrue(told)
         self.assertEqual(os.listdir(self.folder / "elsewhere"), [])
+
+    def test_absolute_paths_need_no_current_folder(self):
+        scene = clca.run(SCENE, output="run").folder / "scene.yaml"
+        os.mkdir("gone")
+        os.chdir("gone")
+        os.rmdir(self.folder / "gone")
+        self.assertEqual(clca.sweep(scene, seeds=[1], output=self.folder / "sweep").folder, self.folder / "sweep")
+        for call in (lambda: clca.open("run"), lambda: clca.resume("run"), lambda: clca.run(scene, output="run")):
+            with self.assertRaises(clca.Error):
+                call()
+        os.chdir(self.folder)
 
     def test_a_folder_that_is_gone_is_an_error(self):
         run = clca.run(SCENE, output="run")

@@ -125,7 +125,10 @@ def path(value: str | os.PathLike[str]) -> str:
 
 def absolute(value: str | os.PathLike[str]) -> Path:
     """The same wherever the process goes."""
-    return Path(path(value)).absolute()
+    try:
+        return Path(path(value)).absolute()
+    except OSError as failure:
+        raise ArgumentError(f"cannot name the current folder: {failure.strerror}") from None
 
 
 def at_most_runs(name: str, values: Iterable[T]) -> list[T]:

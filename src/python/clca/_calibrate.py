@@ -102,7 +102,7 @@ class Calibration(Folder):
 
 
 def tables_of(answer: Answer) -> dict[str, Rows]:
-    study, found = answer.study, answer.likely
+    study, found = answer.study, answer.posterior
     points = numpy.array([found.best(), found.mean(), found.quantile((1 - SURE) / 2), found.quantile((1 + SURE) / 2)])
     parameters = zip(study.vary, *scaled(study, points))
     rows, surrogates = [], iter(answer.surrogates)
@@ -124,7 +124,7 @@ def tables_of(answer: Answer) -> dict[str, Rows]:
 def notes_of(answer: Answer, tables: Mapping[str, Rows], correlations: Numbers) -> Iterator[str]:
     """What has to be known beside the numbers."""
     vary = answer.study.vary
-    least = numpy.abs(answer.likely.misfits).max(axis=1).min()
+    least = numpy.abs(answer.posterior.misfits).max(axis=1).min()
     if least > 2:
         yield f"No values in these ranges give all targets: at the nearest, one is off by {least:.1f} standard deviations."
     for row, (key, (low, high)) in zip(tables["parameters"], vary.items()):
@@ -236,7 +236,7 @@ def calibrate(
     """
     from ._scene import sweep
 
-    is_alone = isinstance(tests, (list, tuple)) and not tests
+    is_alone = tests is None or isinstance(tests, (list, tuple)) and not tests
     if (scene is None) == is_alone:
         raise ArgumentError("calibrate: either a scene with targets, or tests")
     one = {"scene": scene, "targets": mapping("targets", targets), "set": mapping("set", set)}

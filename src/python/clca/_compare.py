@@ -27,7 +27,6 @@ from ._folder import Run, read_json, write_files
 from ._table import Table, csv_of
 
 ROUNDING = 1e-6  # tables may be cut to fewer digits
-MODELS, GAS = ("automaton", "contact", "voids", "baxter"), ("boltzmann",)
 
 
 class Distribution(NamedTuple):
@@ -49,11 +48,12 @@ def hellinger(one: Iterable[float], other: Iterable[float]) -> float:
     return max(0.0, 1 - sum(math.sqrt(p * q) for p, q in zip(one, other)))
 
 
-def run_of(folder: Run | str | os.PathLike[str], kinds: tuple[str, ...]) -> Run:
+def run_of(folder: Run | str | os.PathLike[str], what: str) -> Run:
+    """`what`: grains or a gas."""
     run = folder if isinstance(folder, Run) else Run(folder)
-    if run.kind not in kinds:
+    if (run.kind == "boltzmann") != (what == "a gas"):
         name = folder.folder if isinstance(folder, Run) else os.fspath(folder)
-        raise Error(f"{name}: expected a run of kind {' or '.join(kinds)}, found {run.kind}")
+        raise Error(f"{name}: expected a run of {what}, found one of kind {run.kind}")
     return run
 
 
@@ -68,7 +68,7 @@ def shares_of(table: Table, column: str) -> list[float]:
     return [float(share) for share in shares]
 
 
-def of_grains(run: Run, stage: str | None) -> tuple[str, list[Distribution]]:
+def distributions_of_grains(run: Run, stage: str | None) -> tuple[str, list[Distribution]]:
     """The stage, by default the last one that has a table, and its distributions."""
     found = [name for name in run.stages if f"fluctuation-{name}" in run.tables]
     if not found:
@@ -83,7 +83,7 @@ def of_grains(run: Run, stage: str | None) -> tuple[str, list[Distribution]]:
     return stage, [Distribution(name, shares_of(table, key), samples) for name, key in columns.items()]
 
 
-def of_gas(run: Run, time: float | None, restitution: float | None) -> tuple[float, list[Distribution]]:
+def distributions_of_gas(run: Run, time: float | None, restitution: float | None) -> tuple[float, list[Distribution]]:
     """The time, by default the latest one, and its distributions: no rotation of spheres that do not spin."""
     found = [(re.fullmatch(r"histogram-(\d+(?:\.\d+)?(?:e[+-]?\d+)?)", name), name) for name in run.tables]
     times = {float(match[1]): name for match, name in found if match}
@@ -121,8 +121,8 @@ def compared(
     run: Run, other: Run, output: Path, stage: str | None, time: float | None, restitution: float | None
 ) -> tuple[dict[str, bytes], list[str]]:
     """comparison.csv, distances.csv and a run.json for that folder, and what to say of them."""
-    stage, grains = of_grains(run, stage)
-    time, gas = of_gas(other, time, restitution)
+    stage, grains = distributions_of_grains(run, stage)
+    time, gas = distributions_of_gas(other, time, restitution)
     bins = len(grains[0].shares)
     for one in grains + gas:
         if one.samples == 0:
@@ -164,7 +164,7 @@ def compare(
     default `stage` is the last one that has a table, `time` the latest. Throws Error.
     """
     folder = absolute(output)
-    grains, gas = run_of(automaton, MODELS), run_of(boltzmann, GAS)
+    grains, gas = run_of(automaton, "grains"), run_of(boltzmann, "a gas")
     numbers = [None if one is None else number(name, one) for name, one in (("time", time), ("restitution", restitution))]
     files, _ = compared(grains, gas, folder, None if stage is None else text("stage", stage), *numbers)
     write_files(folder, files.items())
@@ -174,7 +174,7 @@ def compare(
 def command(options: dict[str, Any], of_automaton: str, of_boltzmann: str, output: str) -> None:
     """Answers the files and the figure of them, and a line for each distance."""
     time, restitution = (float(options[key]) if key in options else None for key in ("time", "restitution"))
-    runs = run_of(of_automaton, MODELS), run_of(of_boltzmann, GAS)
+    runs = run_of(of_automaton, "grains"), run_of(of_boltzmann, "a gas")
     files, said = compared(*runs, Path(output), options.get("stage"), time, restitution)
     with TemporaryDirectory() as folder:
         for name, content in files.items():

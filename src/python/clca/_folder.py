@@ -247,7 +247,7 @@ class Run(Result):
     `folder` is absolute, so that it stays the same one.
     """
 
-    kind: str  #: automaton, contact, voids, baxter or boltzmann
+    kind: str  #: the model of the scene, or boltzmann
     scene: str  #: its name
     title: str
     version: str  #: of clca
@@ -315,7 +315,7 @@ class Run(Result):
         table = self.table(f"profile-{stage}")
         table._check_numbers("height_start", "height_end")
         come = (table["height_end"] > 0) & ~(table["height_start"] > 0)
-        return "left" if come[0] else "right" if come[-1] else ""
+        return "left" if come[:1].any() else "right" if come[-1:].any() else ""
 
     def picture(self, step: int, **frames: Any) -> Picture:
         """The box at a step of the trajectory. `frames` are keys of `output.frames` in place of the scene's, such as

@@ -13,11 +13,11 @@ from ._arguments import suggestion
 from ._error import Error
 from ._folder import Sweep
 from ._study import Study, Test
-from ._surrogate import Likely, Numbers, Surrogate, likely, sobol
+from ._surrogate import Numbers, Posterior, Surrogate, posterior, sobol
 from ._table import Table
 
 
-class Planned(NamedTuple):
+class PlannedSweep(NamedTuple):
     """A sweep that is needed before it goes on."""
 
     test: Test
@@ -59,7 +59,7 @@ class Measured:
 
 class Answer(NamedTuple):
     study: Study
-    likely: Likely
+    posterior: Posterior
     surrogates: list[Surrogate]
     check: list[Measured]  #: of each test, at the most likely values
     runs: int
@@ -74,14 +74,14 @@ def scaled(study: Study, points: Numbers) -> Numbers:
     return numpy.column_stack(columns)
 
 
-def step(study: Study, folder: Path, number: int) -> list[Planned] | Answer:
+def step(study: Study, folder: Path, number: int) -> list[PlannedSweep] | Answer:
     """What to run next, from what is in the folder: step 0 is one run of each test, step 1 the first round, the last one but one
     the runs that check the answer. The same folder gives the same.
     """
 
-    def planned(values: Numbers, seeds: range, part: str) -> list[Planned]:
+    def planned(values: Numbers, seeds: range, part: str) -> list[PlannedSweep]:
         rows: list[tuple[float, ...]] = list(dict.fromkeys(map(tuple, values.tolist())))
-        return [Planned(test, rows, seeds, folder / part / test.name) for test in study.tests]
+        return [PlannedSweep(test, rows, seeds, folder / part / test.name) for test in study.tests]
 
     seeds, keys = range(1, study.seeds + 1), list(study.vary)
     first = scaled(study, sobol(len(keys), study.points, seed=1))
@@ -104,7 +104,7 @@ def step(study: Study, folder: Path, number: int) -> list[Planned] | Answer:
     if all(surrogate.is_constant for surrogate in surrogates):
         named = ", ".join(f"{test.name}: {target}" for test in study.tests for target in test.targets)
         raise Error(f"no target depends on {' or '.join(keys)}: the same in all runs ({named})")
-    found = likely(surrogates, [value for test in study.tests for value in test.targets.values()], len(keys))
+    found = posterior(surrogates, [value for test in study.tests for value in test.targets.values()], len(keys))
     if (drawn := number - 1) <= study.rounds:
         more = scaled(study, found.drawn(study.points // 2, drawn))
         return planned(numpy.vstack([design[0].points, more]), seeds, "runs")

@@ -39,7 +39,7 @@ WORDS = {"true": True, "false": False, "null": None, "~": None, "": None}
 NUMBERS = {"seeds": (8, 2, 1000), "points": (32, 8, 1024), "rounds": (2, 0, 20), "check": (8, 2, 1000)}  # usual, least, most
 
 
-class Said(NamedTuple):
+class StudyValue(NamedTuple):
     """A value of a study, and where it stands."""
 
     value: Any
@@ -49,10 +49,10 @@ class Said(NamedTuple):
     def wrong(self, text: str) -> Error:
         return self.refuse(self.place, text)
 
-    def items(self, what: str, known: Sequence[str] = (), required: Sequence[str] = ()) -> dict[str, Said]:
+    def items(self, what: str, known: Sequence[str] = (), required: Sequence[str] = ()) -> dict[str, StudyValue]:
         if not isinstance(self.value, Mapping) or not self.value or not all(isinstance(key, str) for key in self.value):
             raise self.wrong(f"expected a map of {what}")
-        found = {key: Said(one, (*self.place, key), self.refuse) for key, one in self.value.items()}
+        found = {key: StudyValue(one, (*self.place, key), self.refuse) for key, one in self.value.items()}
         for key in found:
             text(".".join(map(str, self.place)) or what, key)
             if known and key not in known:
@@ -74,7 +74,7 @@ class Said(NamedTuple):
             raise self.wrong(f"expected {what}, found '{found}'{hint}") from None
 
 
-def test_of(said: Said, vary: Mapping[str, Any], names: Sequence[str]) -> Test:
+def test_of(said: StudyValue, vary: Mapping[str, Any], names: Sequence[str]) -> Test:
     """`names`: of the tests before it."""
     items = said.items("scene and targets", ("scene", "set", "targets"), ("scene", "targets"))
     scene = items["scene"].value
@@ -101,7 +101,7 @@ def test_of(said: Said, vary: Mapping[str, Any], names: Sequence[str]) -> Test:
 
 def study_of(said: Mapping[str, Any], refuse: Refuse) -> Study:
     """Checks what a file or a call says. Throws what `refuse` makes of a place and a text."""
-    items = Said(said, (), refuse).items("tests and vary", ("tests", "vary", *NUMBERS), ("tests", "vary"))
+    items = StudyValue(said, (), refuse).items("tests and vary", ("tests", "vary", *NUMBERS), ("tests", "vary"))
     vary = {}
     for key, one in items["vary"].items("parameters and their ranges").items():
         low, high = vary[key] = one.two("the range [LOWEST, HIGHEST]")
@@ -114,7 +114,7 @@ def study_of(said: Mapping[str, Any], refuse: Refuse) -> Study:
         raise items["tests"].wrong("expected a list of tests")
     tests: list[Test] = []
     for index, test in enumerate(listed):
-        tests.append(test_of(Said(test, ("tests", index), refuse), vary, [before.name for before in tests]))
+        tests.append(test_of(StudyValue(test, ("tests", index), refuse), vary, [before.name for before in tests]))
     numbers = {}
     for key, (usual, *limits) in NUMBERS.items():
         try:

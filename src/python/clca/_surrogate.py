@@ -52,7 +52,7 @@ def sobol(dimensions: int, count: int, seed: int) -> Numbers:
     return numpy.asarray(qmc.Sobol(dimensions, seed=seed).random(count))
 
 
-class Likely(NamedTuple):
+class Posterior(NamedTuple):
     """Points of the unit cube, each with its probability."""
 
     points: Numbers
@@ -80,7 +80,7 @@ class Likely(NamedTuple):
         return numpy.asarray(generator.choice(self.points, count, replace=False, p=self.weights))
 
 
-def likely(surrogates: Sequence[Surrogate], targets: Sequence[tuple[float, float]], dimensions: int) -> Likely:
+def posterior(surrogates: Sequence[Surrogate], targets: Sequence[tuple[float, float]], dimensions: int) -> Posterior:
     """The posterior of parameters that are equally likely in the unit cube before. `targets`: values with their standard
     deviations, taken as normal and independent.
     """
@@ -97,4 +97,4 @@ def likely(surrogates: Sequence[Surrogate], targets: Sequence[tuple[float, float
         near = points[weights > 1e-4]
         margin = 0.05 * (high - low)
         low, high = numpy.maximum(near.min(0) - margin, 0), numpy.minimum(near.max(0) + margin, 1)
-    return Likely(points, weights / weights.sum(), misfits)
+    return Posterior(points, weights / weights.sum(), misfits)

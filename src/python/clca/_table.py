@@ -78,7 +78,7 @@ def as_array(cells: Any) -> NDArray[Any]:
         longest = max(map(len, cells), default=0)
         if longest * len(cells) > 8 * sum(map(len, cells)) + 2**20:
             return numpy.array(cells, dtype=object)
-    return numpy.asarray(cells)
+    return numpy.asarray(cells, dtype=str if isinstance(cells, list) and not cells else None)
 
 
 class Table(numpy.ndarray[Any, numpy.dtype[Any]]):
