@@ -29,7 +29,7 @@ CLI::Validator time_span();
 CLI::Validator byte_size();
 
 /// Adds an option. `type`: what the help calls its values; empty: as their C++ type. `values`:
-/// their form.
+/// checks the values.
 template <class T>
 CLI::Option* add_option(CLI::App* command, const char* name, T& value, const char* type,
                         const std::string& what, const std::optional<CLI::Validator>& values = {}) {

@@ -70,7 +70,7 @@ void check(const GasCourse& course, const scene::BoltzmannScene& scene) {
 /// Moves a gas back if the end of the run changes.
 void move_end(model::GasMember& member, std::size_t lasting, std::size_t shared, double until) {
   if (member.gas ? member.observations.size() < shared : member.observations.empty()) {
-    return;  // it is on the same way
+    return;  // all of it comes before the earlier end
   }
   if (lasting > shared) {
     throw reflection::Mismatch(

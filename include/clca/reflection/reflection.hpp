@@ -22,7 +22,7 @@
 #include <utility>
 #include <vector>
 
-/// Names of members, and these of a value.
+/// Declares fields: the names of members, and references to them in a value.
 #define CLCA_FIELDS(...)          \
   auto fields() {                 \
     return std::tie(__VA_ARGS__); \

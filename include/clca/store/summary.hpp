@@ -69,7 +69,7 @@ struct KindSummary {
 };
 
 struct RunSummary {
-  std::string kind = "automaton";  ///< or contact, boltzmann
+  std::string kind = "automaton";  ///< the model, or boltzmann
   std::string version;
   std::string scene;  ///< its name
   std::string title;  ///< of the scene

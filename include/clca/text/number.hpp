@@ -8,7 +8,8 @@
 
 namespace clca::text {
 
-/// What all of a text says, as std::from_chars reads it. `format`: what that takes besides.
+/// The number that the whole text is, as std::from_chars reads it; none if it is none. `format`:
+/// further arguments of that function.
 template <class T>
 std::optional<T> number(std::string_view text, auto... format) {
   T result = 0;
