@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "clca/scene/parse.hpp"
 #include "clca/text/utf8.hpp"
 #include "document/internal/document.hpp"
 #include "scene/limits.hpp"
