@@ -73,9 +73,9 @@ std::filesystem::path sweep_scene(const std::string& source, const std::optional
   Warnings warnings;
   sweep::Plan plan;
   std::filesystem::path folder;
-  const bool is_anywhere = output && output->is_absolute();
+  const bool is_absolute = output && output->is_absolute();
   const std::filesystem::path here =
-      is_anywhere ? std::filesystem::path() : std::filesystem::current_path();
+      is_absolute ? std::filesystem::path() : std::filesystem::current_path();
   interrupt.during([&] {
     plan = plan_of(source, text, overrides, varied, seeds, interrupt);
     folder = here / output.value_or("renders/" + plan.variants.front().scene.name + "-sweep");

@@ -56,8 +56,8 @@ struct CombinedWalls {
 CombinedWalls combined(const grains::State& state, const measure::ForceSummary& summary,
                        const std::vector<double>& surface_at_start) {
   CombinedWalls result;
-  for (const measure::WallOverlap& force : summary.walls) {
-    const grains::Wall& wall = state.walls[force.wall];
+  for (const measure::WallOverlap& overlap : summary.walls) {
+    const grains::Wall& wall = state.walls[overlap.wall];
     if (!wall.present) {
       continue;
     }
@@ -66,7 +66,7 @@ CombinedWalls combined(const grains::State& state, const measure::ForceSummary& 
       result.depth = std::max(result.depth.value_or(*depth), *depth);
     }
     if (is_stalled(wall)) {
-      const auto step = static_cast<double>(*force.stalled_since);
+      const auto step = static_cast<double>(*overlap.stalled_since);
       result.stalled_since = std::min(result.stalled_since.value_or(step), step);
     }
   }
@@ -180,20 +180,20 @@ std::vector<std::string> stall_lines(const scene::Scene& scene, const model::Sce
   const grains::State& state = model.state();
   const auto contacts = measure::contacts(state, model.grains().occupancy());
   std::vector<std::string> lines;
-  for (const measure::WallOverlap& force :
+  for (const measure::WallOverlap& overlap :
        measure::force_summary(state, model.grains().occupancy(), contacts).walls) {
-    const grains::Wall& wall = state.walls[force.wall];
+    const grains::Wall& wall = state.walls[overlap.wall];
     if (!is_stalled(wall)) {
       continue;
     }
     std::string line =
-        fmt::format("wall {} stalls since step {} after {} sites", scene.walls[force.wall].name,
-                    *force.stalled_since, force.travel);
+        fmt::format("wall {} stalls since step {} after {} sites", scene.walls[overlap.wall].name,
+                    *overlap.stalled_since, overlap.travel);
     if (wall.lets_overlap()) {
       const auto depth = measure::penetration(state, wall, surface_at_start);
       line += depth && *depth > 0 ? fmt::format(", {:.1f} spacings deep", *depth) : "";
-      line += fmt::format(": {} sites overlap, {} particles are jammed", force.chain_sites,
-                          force.jammed);
+      line += fmt::format(": {} sites overlap, {} particles are jammed", overlap.chain_sites,
+                          overlap.jammed);
     }
     lines.push_back(line);
   }
