@@ -101,26 +101,41 @@ class FolderTest(ScratchTest):
 
     def test_the_process_may_go_elsewhere_while_it_works(self):
         os.mkdir("elsewhere")
-        told = []
 
-        def go(progress):
-            told.append(progress)
+        class Left(Exception):
+            pass
+
+        def leave(progress):
             os.chdir(self.folder / "elsewhere")
+            raise Left  # ends the run, which then writes its files
 
-        lasting = {"stages.packing.until.steps": 2_000_000, "output": {}}  # more than a second
+        endless_gas = LARGE_GAS | {"boltzmann": LARGE_GAS["boltzmann"] | {"until": 100_000}}
+        no_files = {"output": {}}
         for name, call in {
-            "run": lambda: clca.run(ENDLESS, output="run", set=lasting, progress=go),
-            "renders/scene": lambda: clca.run(ENDLESS, set=lasting, progress=go),
-            "gas": lambda: clca.run(LARGE_GAS, output="gas", progress=go),
-            "sweep": lambda: clca.sweep(SCENE, seeds=[1, 2], output="sweep", progress=go),
-            "renders/scene-sweep": lambda: clca.sweep(SCENE, seeds=[1], progress=go),
-            "run again": lambda: clca.resume("run", until={"steps": 4_000_000}, progress=go),
+            "run": lambda: clca.run(ENDLESS, output="run", set=no_files, progress=leave),
+            "renders/scene": lambda: clca.run(ENDLESS, set=no_files, progress=leave),
+            "gas": lambda: clca.run(endless_gas, output="gas", progress=leave),
+            "run again": lambda: clca.resume("run", progress=leave),
         }.items():
             with self.subTest(name):
                 os.chdir(self.folder)
-                told.clear()
-                self.assertEqual(call().folder, self.folder / name.removesuffix(" again"))
-                self.assertTrue(told)
+                self.assertRaises(Left, call)
+                self.assertEqual(clca.open(self.folder / name.removesuffix(" again")).status, "interrupted")
+        self.assertEqual(os.listdir(self.folder / "elsewhere"), [])
+
+    def test_a_sweep_stays_that_of_its_folder_wherever_the_process_goes(self):
+        os.mkdir("elsewhere")
+        told = []
+
+        def leave(progress):
+            told.append(progress)
+            os.chdir(self.folder / "elsewhere")
+
+        for folder, chosen in {"sweep": {"output": "sweep"}, "renders/scene-sweep": {}}.items():
+            with self.subTest(folder):
+                os.chdir(self.folder)
+                self.assertEqual(clca.sweep(SCENE, seeds=[1, 2], progress=leave, **chosen).folder, self.folder / folder)
+        self.assertTrue(told)
         self.assertEqual(os.listdir(self.folder / "elsewhere"), [])
 
     def test_absolute_paths_need_no_current_folder(self):
