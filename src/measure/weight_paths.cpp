@@ -105,13 +105,13 @@ std::vector<SupportForce> in_shares(const grains::State& state, const Vector2d& 
 
 /// As a force of the contact model, with the same points on floor and walls.
 contact::Force as_contact(const grains::State& state, std::uint32_t id,
-                          const SupportForce& passed) {
+                          const SupportForce& on_support) {
   const grains::Particle& grain = state.particles[id];
   const Vector2d centre = grains::centre_in_box(state, grain);
-  contact::Force result = {.upper = id, .other = passed.body};
-  result.along_normal = passed.force.norm();
-  result.normal = -passed.force / result.along_normal;
-  result.branch = passed.body == contact::kFloor
+  contact::Force result = {.upper = id, .other = on_support.body};
+  result.along_normal = on_support.force.norm();
+  result.normal = -on_support.force / result.along_normal;
+  result.branch = on_support.body == contact::kFloor
                       ? Vector2d(0, centre.y() - lattice::Lattice::corner().y())
                       : Vector2d(state.shape(grain).diameter() / 2 * result.normal);
   result.point = state.lattice.in_box(centre - result.branch);
@@ -198,11 +198,11 @@ WeightPaths weight_paths(const grains::State& state, const std::vector<Supported
                                                        random::Purpose::weight_pair),
                                           result.outside);
     draws += static_cast<std::uint32_t>(grain.supports.size());
-    for (const SupportForce& passed : all) {
-      if (grains::is_particle(passed.body)) {
-        received[grains::particle_id(passed.body)] += passed.force;
+    for (const SupportForce& on_support : all) {
+      if (grains::is_particle(on_support.body)) {
+        received[grains::particle_id(on_support.body)] += on_support.force;
       }
-      result.forces.push_back(as_contact(state, grain.id, passed));
+      result.forces.push_back(as_contact(state, grain.id, on_support));
     }
   }
   return result;

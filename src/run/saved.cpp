@@ -27,8 +27,7 @@ scene::AnyScene prolonged(const scene::AnyScene& saved, const std::string& text,
                         {stage + "until=" + (plain ? fmt::format("{{steps: {}}}", until) : until),
                          fmt::format("{}max_steps={}", stage, max_steps)});
   };
-  constexpr std::uint64_t kHighest = 1'000'000'000'000;  // that max_steps may be
-  const scene::Scene longer = with_bound(kHighest);
+  const scene::Scene longer = with_bound(scene::kMaxSteps);
   return with_bound(std::max(automaton->stages.back().max_steps,
                              scene::least_steps(longer.stages.back(), longer)));
 }

@@ -43,7 +43,6 @@ inline constexpr double kMaxLength = 1000;  ///< spacings, of a shape
 inline constexpr std::uint64_t kMaxParticles = std::numeric_limits<std::int32_t>::max();
 inline constexpr std::uint64_t kMaxSpeciesWeight = 1'000'000;  ///< weight of a species in a source
 inline constexpr double kMaxRate = 1000;
-inline constexpr std::uint64_t kMaxSteps = 1'000'000'000'000;
 
 inline constexpr int kMaxOffset = 1'000'000;  ///< of a moving wall from home
 /// The sine of a motion takes 4 x amplitude x period squared in 64 bits.

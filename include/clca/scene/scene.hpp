@@ -189,6 +189,8 @@ struct VesselShake {
 /// Of Model::contact.
 using VesselMotion = std::variant<Tilt, Rotate, VesselShake>;
 
+inline constexpr std::uint64_t kMaxSteps = 1'000'000'000'000;
+
 struct Stage {
   std::string name;
   std::optional<Fill> fill;
@@ -201,8 +203,8 @@ struct Stage {
   std::optional<automaton::Rules> rules = {};
   std::optional<contact::Parameters> contact = {};  ///< differ in friction and restitution only
   Until until;
-  std::uint64_t max_steps = 1'000'000;
-  std::string insert_location;  ///< of the list `insert`
+  std::uint64_t max_steps = 1'000'000;  ///< at most kMaxSteps
+  std::string insert_location;          ///< of the list `insert`
 };
 
 /// Whether the vessel rotates or is shaken in the stage, and so has cycles.
