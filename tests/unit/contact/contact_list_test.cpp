@@ -30,10 +30,10 @@ std::vector<StepContact> touches_of(grains::State state) {
   return all_contacts(grains::Box(state), kDown, normals, WallVelocities(state.walls.size()));
 }
 
-using Bodies2 = std::pair<std::uint32_t, grains::Owner>;
+using BodyPair = std::pair<std::uint32_t, grains::Owner>;
 
-std::vector<Bodies2> pairs(const std::vector<StepContact>& contacts) {
-  std::vector<Bodies2> result;
+std::vector<BodyPair> pairs(const std::vector<StepContact>& contacts) {
+  std::vector<BodyPair> result;
   for (const StepContact& one : contacts) {
     result.emplace_back(one.contact.upper, one.contact.other);
   }
@@ -45,12 +45,12 @@ TEST(Touches, NameTheUpperGrainTheFloorAndTheSides) {
   const grains::State state = hexagons({{1, 1}, {1, 4}, {20, 20}});
   const std::vector<StepContact> found = touches_of(state);
   ASSERT_EQ(found.size(), 4U);
-  EXPECT_EQ((Bodies2{found[0].contact.upper, found[0].contact.other}), (Bodies2{0, kFloor}));
+  EXPECT_EQ((BodyPair{found[0].contact.upper, found[0].contact.other}), (BodyPair{0, kFloor}));
   EXPECT_EQ(found[0].contact.normal, (UnitVector{0, 1 << kUnitBits}));
-  EXPECT_EQ((Bodies2{found[1].contact.upper, found[1].contact.other}), (Bodies2{0, kLeftSide}));
+  EXPECT_EQ((BodyPair{found[1].contact.upper, found[1].contact.other}), (BodyPair{0, kLeftSide}));
   EXPECT_EQ(found[1].contact.normal, (UnitVector{1 << kUnitBits, 0}));
-  EXPECT_EQ((Bodies2{found[2].contact.upper, found[2].contact.other}), (Bodies2{1, kLeftSide}));
-  EXPECT_EQ((Bodies2{found[3].contact.upper, found[3].contact.other}), (Bodies2{1, 0}));
+  EXPECT_EQ((BodyPair{found[2].contact.upper, found[2].contact.other}), (BodyPair{1, kLeftSide}));
+  EXPECT_EQ((BodyPair{found[3].contact.upper, found[3].contact.other}), (BodyPair{1, 0}));
   EXPECT_EQ(found[3].apart, (lattice::Axial{0, -3}));
 }
 
@@ -60,11 +60,11 @@ TEST(Touches, NameWallsAndReachAcrossThePeriodicSeam) {
   state.walls = {{.sites = {{10, 10}}}, {.sites = {{17, 18}}}};
   const std::vector<StepContact> found = touches_of(state);
   ASSERT_EQ(found.size(), 2U);
-  EXPECT_EQ((Bodies2{found[0].contact.upper, found[0].contact.other}),
-            (Bodies2{1, grains::wall_code(1)}));
+  EXPECT_EQ((BodyPair{found[0].contact.upper, found[0].contact.other}),
+            (BodyPair{1, grains::wall_code(1)}));
   EXPECT_EQ(found[0].contact.normal, (UnitVector{0, 1 << kUnitBits}));
   // The grain in column 17 is half a site higher.
-  EXPECT_EQ((Bodies2{found[1].contact.upper, found[1].contact.other}), (Bodies2{1, 0}));
+  EXPECT_EQ((BodyPair{found[1].contact.upper, found[1].contact.other}), (BodyPair{1, 0}));
   EXPECT_EQ(found[1].apart.x, 3);
 }
 
@@ -93,12 +93,12 @@ TEST(NextContacts, KeepTheirPlaceAndTheirImpulsesAndNewOnesAreBehind) {
   const std::vector<Contact> before = {
       {.upper = 0, .other = kFloor, .normal = {0, 1 << kUnitBits}, .impulse = {5, 4, 3}}};
   const auto kept = next_contacts(state, before, now, kDown, false);
-  EXPECT_EQ(pairs(kept), (std::vector<Bodies2>{{0, kFloor}, {2, 1}, {1, 0}}));
+  EXPECT_EQ(pairs(kept), (std::vector<BodyPair>{{0, kFloor}, {2, 1}, {1, 0}}));
   EXPECT_EQ(kept[0].contact.impulse, (Impulse<std::int32_t>{5, 4, 3}));
   EXPECT_EQ(kept[1].contact.impulse, Impulse<std::int32_t>());
 
   const auto sorted = next_contacts(state, before, now, kDown, true);
-  EXPECT_EQ(pairs(sorted), (std::vector<Bodies2>{{2, 1}, {1, 0}, {0, kFloor}}));
+  EXPECT_EQ(pairs(sorted), (std::vector<BodyPair>{{2, 1}, {1, 0}, {0, kFloor}}));
   EXPECT_EQ(sorted[2].contact.impulse, (Impulse<std::int32_t>{5, 4, 3}));
 }
 
@@ -108,14 +108,14 @@ TEST(NextContacts, LeaveOutWhatNoLongerTouches) {
                                        {.upper = 0, .other = kFloor, .normal = {0, 1 << kUnitBits}},
                                        {.upper = 1, .other = kLeftSide}};
   EXPECT_EQ(pairs(next_contacts(state, before, touches_of(state), kDown, false)),
-            (std::vector<Bodies2>{{0, kFloor}}));
+            (std::vector<BodyPair>{{0, kFloor}}));
 }
 
 TEST(NextContacts, OfAPairThatHasTurnedOverKeepTheImpulseWithTheMomentReversed) {
   const grains::State state = hexagons({{10, 20}, {10, 23}});
   const std::vector<Contact> before = {{.upper = 0, .other = 1, .impulse = {50, -20, 7}}};
   const auto next = next_contacts(state, before, touches_of(state), kDown, false);
-  ASSERT_EQ(pairs(next), (std::vector<Bodies2>{{1, 0}}));
+  ASSERT_EQ(pairs(next), (std::vector<BodyPair>{{1, 0}}));
   EXPECT_EQ(next[0].contact.impulse, (Impulse<std::int32_t>{50, -20, -7}));
 }
 

@@ -42,11 +42,11 @@ struct Bench {
     grains::Box box(state.grains);
     const SiteMoves moves(state, box);
     Velocity<std::int32_t> fixed;
-    const BodyVelocities motion = {
+    const BodyVelocities bodies = {
         state.grains, rule, [&](grains::Owner body) -> Velocity<>& {
           return grains::is_particle(body) ? state.velocities[grains::particle_id(body)] : fixed;
         }};
-    collide_blocked(state, moves, motion, ids);
+    collide_blocked(state, moves, bodies, ids);
     EXPECT_EQ(fixed, Velocity<std::int32_t>());
   }
   double mass(std::size_t id) const {

@@ -228,7 +228,7 @@ struct Cluster {
     std::vector<StepContact> contacts =
         all_contacts(grains::Box(state.grains), lattice::Direction::down, normals, {});
     Velocity<std::int32_t> fixed;
-    const BodyVelocities motion = {
+    const BodyVelocities bodies = {
         state.grains, rule, [&](grains::Owner body) -> Velocity<>& {
           return grains::is_particle(body) ? state.velocities[grains::particle_id(body)] : fixed;
         }};
@@ -238,7 +238,7 @@ struct Cluster {
     }
     for (const std::vector<StepContact*>& impact :
          active_groups(contacts, state.grains.particles.size())) {
-      solve_impact(impact, motion);
+      solve_impact(impact, bodies);
       count += impact.size();
     }
     return count;

@@ -156,16 +156,16 @@ TEST(Discs, TouchAlongTheLineOfTheirCentres) {
 
 TEST(ReducedMasses, AreThoseOfTheTwoOrOfTheGrainAloneAtAWall) {
   const std::vector<grains::Kind> kinds = {{Shape::hexagon(1), 0}, {Shape::hexagon(2), 1}};
-  const PairCoefficients bodies(kinds);
+  const PairCoefficients coefficients(kinds);
   const double unit = mass_unit(kinds);
   const double reduced = 7.0 * 19 / (7 + 19) / unit;
   const auto mass = [](std::int32_t value) { return std::ldexp(value, -kMassBits); };
-  EXPECT_NEAR(mass(bodies.pair(0, 1).mass), reduced, 0x1p-11);
-  EXPECT_NEAR(mass(bodies.pair(0, 1).shear_mass), reduced * 2 / 7, 0x1p-11);
-  EXPECT_NEAR(mass(bodies.pair(1, std::nullopt).mass), 19 / unit, 0x1p-11);
-  EXPECT_EQ(bodies.pair(1, std::nullopt).other_inverse_mass, 0);
-  EXPECT_EQ(bodies.pair(1, std::nullopt).other_turning, 0);
-  EXPECT_NEAR(std::ldexp(bodies.pair(0, 1).other_inverse_mass, -kInverseMassBits), unit / 19,
+  EXPECT_NEAR(mass(coefficients.pair(0, 1).mass), reduced, 0x1p-11);
+  EXPECT_NEAR(mass(coefficients.pair(0, 1).shear_mass), reduced * 2 / 7, 0x1p-11);
+  EXPECT_NEAR(mass(coefficients.pair(1, std::nullopt).mass), 19 / unit, 0x1p-11);
+  EXPECT_EQ(coefficients.pair(1, std::nullopt).other_inverse_mass, 0);
+  EXPECT_EQ(coefficients.pair(1, std::nullopt).other_turning, 0);
+  EXPECT_NEAR(std::ldexp(coefficients.pair(0, 1).other_inverse_mass, -kInverseMassBits), unit / 19,
               std::ldexp(0.5, -kInverseMassBits));
 }
 

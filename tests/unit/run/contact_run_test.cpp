@@ -1,71 +1,35 @@
 // Runs of the contact model: what they leave, and that they go on as if they had never been
 // stopped.
 
-#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <filesystem>
 #include <limits>
 #include <map>
 #include <numeric>
+#include <string>
+#include <vector>
 
-#include "clca/image/png.hpp"
 #include "clca/run/run.hpp"
+#include "clca/scene/parse.hpp"
 #include "clca/store/checkpoint.hpp"
-#include "clca/store/file.hpp"
+#include "clca/store/summary.hpp"
 #include "clca/store/table.hpp"
-#include "record/energy_record.hpp"
-#include "run/stage.hpp"
+#include "contact_runs.hpp"
+#include "run/saved.hpp"
 #include "support/run_folders.hpp"
-#include "support/runs.hpp"
 
 namespace clca::run::contact_run_test {
 namespace {
 
 namespace fs = std::filesystem;
 using ::testing::EndsWith;
-using ::testing::HasSubstr;
 
-constexpr double kMuch = 1e9;
-
-constexpr const char* kSmall = R"(clca: 1
-model: contact
-seed: 3
-box: {width: 40, height: 60}
-species: {grain: {shape: {hexagon: 1}}}
-walls: {gate: {box: [20, 0, 21, 60], friction: 0.1}}
-sources: {spout: {region: [4, 50, 12, 54], species: {grain: 1}, rate: 0.05, count: 4}}
-outlets: {drain: {region: [22, 0, 41, 8]}}
-probes: {gap: [20, 0, 40, 30]}
-lines: {gate: {from: [20, 0], to: [20, 30], parts: 6}, brink: {from: [0, 8.2], to: [40, 8.2]}}
-stages:
-  - name: packing
-    fill: {region: [0, 0, 20, 60], counts: {grain: 40}}
-    until: {steps: 300}
-  - name: flow
-    remove: [gate]
-    sources: [spout]
-    until: {steps: 300}
-measure: [profile, packing, moved, outflow, force]
-output:
-  frames: {every: 100, width: 96, height: 64, color_by: force, overlay: forces}
-  series: {every: 1}
-  trajectory: {every: 10}
-  checkpoint: {every: 50}
-)";
-
-class ContactRunTest : public ::testing::Test {
- protected:
-  static scene::Scene small(const std::vector<scene::Override>& overrides = {}) {
-    return scene::parse(kSmall, "small.yaml", overrides);
-  }
-  fs::path path(const char* name = "run") const { return folder.path() / name; }
-
-  testing::ScratchFolder folder;
-};
+using ContactRunTest = ContactRuns;
 
 TEST_F(ContactRunTest, ItsSidesAndWallsOfTheSameNameAreToldApart) {
   run(scene::parse(R"(clca: 1
@@ -105,51 +69,6 @@ stages:
   EXPECT_GT(sums["box.floor"], 1);
 }
 
-// Shapes that lock into one another: none gets faster where it is. Once by 62 %.
-TEST_F(ContactRunTest, ABedOfShapesThatInterlockGainsNoEnergy) {
-  for (const int seed : {1, 2, 3}) {
-    const store::RunSummary summary =
-        run(scene::parse(R"(clca: 1
-model: contact
-box: {width: 80.4, height: 97, periodic: true}
-species:
-  a: {shape: {sites: [[0, 0], [1, 0], [2, -1], [-1, 1], [1, -1], [1, -2], [1, 1]]}}
-  b:
-    shape: {sites: [[0, 0], [1, -1], [1, -2], [-1, 0], [-1, 1], [1, -3], [0, 1], [2, -4], [-2, 0]]}
-    orientations: any
-contact: {rolling: none, fall_height: 42.5}
-walls: {w0: {disc: {centre: [30.1, 26.4], radius: 2.5}}}
-stages:
-  - name: bed
-    fill: {region: [0, 0, 80.4, 68], mix: {a: 1, b: 1}, method: deposition, level: 15}
-    until: settled
-    max_steps: 6000
-)",
-                         "locked.yaml", {fmt::format("seed={}", seed)}),
-            {.folder = path(), .overwrite = true});
-    EXPECT_LT(testing::measure_of(summary, "bed", "energy_growth"), 0.002) << seed;
-    EXPECT_EQ(summary.stages.front().ended, "settled") << seed;
-  }
-}
-
-// The grain touches a side all the time, so that it rests where it turns.
-TEST_F(ContactRunTest, RestLiftsNoGrain) {
-  std::string warnings;
-  const RunEvents events = {.warning = [&](const std::string& line) { warnings += line; }};
-  const store::RunSummary summary = run(scene::parse(R"(clca: 1
-model: contact
-seed: 7
-box: {width: 2.7, height: 6}
-species: {grain: {shape: {hexagon: 1}}}
-contact: {rolling: resistance, friction: 1, restitution: 0.9, resolution: 0.2}
-stages: [{name: fall, fill: {region: [0, 0, 2.7, 6], counts: {grain: 1}}, until: {steps: 3000}}]
-)",
-                                                     "narrow.yaml"),
-                                        {.folder = path()}, events);
-  EXPECT_LT(testing::measure_of(summary, "fall", "energy_growth"), 0.002);
-  EXPECT_EQ(warnings, "");
-}
-
 TEST_F(ContactRunTest, RunJsonHasTheSidesOfItsBox) {
   run(small({"box.periodic=true"}), {.folder = path()});
   const auto box = store::read_summary(path() / "run.json").box;
@@ -159,22 +78,6 @@ TEST_F(ContactRunTest, RunJsonHasTheSidesOfItsBox) {
   EXPECT_EQ(box->floor, -0.5);
   EXPECT_EQ(box->top, 60);
   EXPECT_TRUE(box->periodic);
-}
-
-TEST_F(ContactRunTest, TheSeriesHasItsEnergies) {
-  run(small(), {.folder = path()});
-  const auto kinetic = testing::csv_column(path() / "series.csv", "kinetic_energy");
-  const auto potential = testing::csv_column(path() / "series.csv", "potential_energy");
-  const auto discharged = testing::csv_column(path() / "series.csv", "discharged_particles");
-  ASSERT_EQ(kinetic.size(), 601U);
-  EXPECT_EQ(kinetic.front(), 0);
-  EXPECT_GT(potential.front(), 40 * 7 * 10);
-  EXPECT_GT(*std::max_element(kinetic.begin(), kinetic.end()), 0);
-  // While nothing enters, what falls only gains what it loses, but for what rest forgets.
-  for (std::size_t step = 0; step <= 300; ++step) {
-    EXPECT_LE(kinetic[step] + potential[step], 1.005 * potential.front());
-  }
-  EXPECT_GT(discharged.back(), 0);
 }
 
 TEST_F(ContactRunTest, ItsSummaryAndCheckpointsAreOfItsKind) {
@@ -205,27 +108,6 @@ output: {series: {every: 10}}
   EXPECT_NEAR(testing::measure_of(summary, "tilt", "vessel_angle_deg"), 30, 1e-9);
   // Level with the floor still.
   EXPECT_NEAR(testing::measure_of(summary, "tilt", "repose_gravity_left_deg"), 30, 2);
-}
-
-TEST_F(ContactRunTest, WhatIsDissipatedClosesTheBalance) {
-  run(small(), {.folder = path()});
-  const auto column = [&](const char* name) {
-    return testing::csv_column(path() / "series.csv", name);
-  };
-  const auto kinetic = column("kinetic_energy");
-  const auto potential = column("potential_energy");
-  const auto dissipated = column("dissipated_energy");
-  // Nothing comes or goes in the first stage; what has begun the second one has no row.
-  for (std::size_t step = 0; step < 300; ++step) {
-    EXPECT_DOUBLE_EQ(dissipated[step], potential[0] - kinetic[step] - potential[step]);
-  }
-  EXPECT_GT(dissipated[299], 0.1 * potential[0]);
-  // Four grains of 7 sites come in from above, and many leave: neither is dissipated.
-  const auto discharged = column("discharged_sites");
-  ASSERT_GT(discharged.back(), 0);
-  EXPECT_GT(dissipated.back(), 0);
-  EXPECT_GT(potential[300] + 4 * 7 * 54 - potential.back(), dissipated.back());
-  EXPECT_LT(potential[300] - potential.back(), dissipated.back() + 4 * 7 * 54);
 }
 
 constexpr const char* kBed = R"(clca: 1
@@ -363,76 +245,6 @@ stages:
   }
 }
 
-// By default a grain moves a site a step at most where it falls freely. Where it is made to fall
-// faster than it can move, it loses velocity and energy, and a line says so.
-TEST_F(ContactRunTest, AGrainThatFallsFarGainsNoEnergy) {
-  constexpr const char* kTall = R"(clca: 1
-model: contact
-box: {width: 20, height: 1000}
-species: {grain: {shape: {hexagon: 1}}}
-stages: [{name: fall, fill: {region: [0, 980, 20, 1000], counts: {grain: 1}}, until: {steps: 900}}]
-output: {series: {every: 1}}
-)";
-  for (const bool is_default : {true, false}) {
-    std::string warnings;
-    const RunEvents events = {.warning = [&](const std::string& line) { warnings += line; }};
-    const std::vector<scene::Override> overrides =
-        is_default ? std::vector<scene::Override>()
-                   : std::vector<scene::Override>{"contact.fall_height=10"};
-    run(scene::parse(kTall, "tall.yaml", overrides), {.folder = path(), .overwrite = true}, events);
-    const store::ReadTable series = store::read_table(path() / "series.csv");
-    const double whole =
-        series.numbers("kinetic_energy")[0] + series.numbers("potential_energy")[0];
-    const std::vector<double> dissipated = series.numbers("dissipated_energy");
-    EXPECT_GT(*std::min_element(dissipated.begin(), dissipated.end()), -0.002 * whole);
-    if (is_default) {
-      EXPECT_EQ(warnings, "");
-    } else {
-      EXPECT_THAT(warnings, HasSubstr("a grain falls faster than it can move, and loses velocity"));
-    }
-  }
-}
-
-TEST_F(ContactRunTest, EnergyThatFallsWithoutEndIsMeasuredByItsFall) {
-  const auto scene = small();
-  model::SceneModel model(scene, first_state(scene), {});
-  prepare_stage(model, scene, 0);
-  record::EnergyRecord record(scene);
-  record.begin(scene.stages.front(), model);
-  const auto energy = model.contact()->energy();
-  const double start = energy.kinetic + energy.potential;
-  EXPECT_FALSE(record.add(model, {.sources = 100 * start}));
-  EXPECT_EQ(record.growth().value(), 0);
-  EXPECT_FALSE(record.add(model, {.outlets = 0.3 * start}));
-  EXPECT_NEAR(record.growth().value(), 0.003, 1e-12);
-}
-
-TEST_F(ContactRunTest, EnergyThatGrowsIsToldOnce) {
-  const auto scene = small();
-  model::SceneModel model(scene, first_state(scene), {});
-  prepare_stage(model, scene, 0);
-  record::EnergyRecord record(scene);
-  record.begin(scene.stages.front(), model);
-  const auto energy = model.contact()->energy();
-  const double start = energy.kinetic + energy.potential;
-  EXPECT_FALSE(record.add(model, {.outlets = 0.008 * start}));
-  const auto growth = record.add(model, {.outlets = 0.004 * start});
-  ASSERT_TRUE(growth);
-  EXPECT_DOUBLE_EQ(growth->scale, start);
-  EXPECT_DOUBLE_EQ(growth->now, 1.012 * start);
-  EXPECT_NEAR(record.growth().value(), 0.012, 1e-12);
-  EXPECT_FALSE(record.add(model, {.outlets = start}));
-  record.begin(scene.stages.back(), model);  // with a source
-  EXPECT_FALSE(record.growth());
-}
-
-TEST_F(ContactRunTest, TheSeriesOfAnAutomatonHasNone) {
-  run(small({"model=automaton", "walls.gate={box: [20, 0, 21, 60]}",
-             "output.frames.color_by=species", "output.frames.overlay=none"}),
-      {.folder = path()});
-  EXPECT_THROW(testing::csv_column(path() / "series.csv", "kinetic_energy"), std::out_of_range);
-}
-
 TEST_F(ContactRunTest, TheReferenceEngineLeavesTheSameRun) {
   const auto fast = run(small(), {.folder = path("fast"), .threads = 2});
   const auto reference = run(small(), {.folder = path("reference"), .reference = true});
@@ -467,119 +279,6 @@ TEST_F(ContactRunTest, StoppedTimeAndAgainARunIsTheSameAsInOneGo) {
   EXPECT_EQ(resume(load_run(path(), kMuch), {.time_limit = 0.0}).status, "interrupted");
   EXPECT_EQ(resume(load_run(path(), kMuch), {}).state_hash, expected.state_hash);
   EXPECT_EQ(testing::difference_of_runs(path("unbroken"), path()), "");
-}
-
-TEST_F(ContactRunTest, UnitsChangeNoStateAndScaleTimesAndVelocities) {
-  const std::vector<scene::Override> fields = {
-      "output.fields={cell: 10, every: 100}",
-      "lines={gate: {from: [20, 0], to: [20, 10], parts: 1}}"};
-  auto with_units = fields;
-  with_units.emplace_back("units={spacing: 2 mm, gravity: 5}");
-  const auto plain = run(small(fields), {.folder = path("plain")});
-  const auto real = run(small(with_units), {.folder = path("real")});
-  EXPECT_EQ(real.state_hash, plain.state_hash);
-  const double second = std::sqrt(0.002 / 5);  // for one √(spacing/gravity)
-  const double speed = std::sqrt(0.002 * 5);   // for one √(spacing·gravity)
-  const auto expect_scaled = [&](const char* table, const char* column, double factor) {
-    const auto before = testing::csv_column(path("plain") / table, column);
-    const auto after = testing::csv_column(path("real") / table, column);
-    ASSERT_EQ(after.size(), before.size());
-    EXPECT_GT(*std::max_element(before.begin(), before.end()), 0) << column;
-    for (std::size_t row = 0; row < before.size(); ++row) {
-      EXPECT_NEAR(after[row], factor * before[row], 1e-12 * std::abs(after[row])) << column;
-    }
-  };
-  expect_scaled("series.csv", "step", 1);
-  expect_scaled("series.csv", "time", second);
-  expect_scaled("series.csv", "mean_height", 1);
-  expect_scaled("series.csv", "kinetic_energy", 1);
-  expect_scaled("fields.csv", "step", 1);
-  expect_scaled("fields.csv", "time", second);
-  expect_scaled("fields.csv", "vx", speed);
-  expect_scaled("fields.csv", "fluctuation", speed * speed);
-  expect_scaled("lines-flow.csv", "flux", 1);
-  expect_scaled("lines-flow.csv", "v_across", speed);
-  expect_scaled("lines-flow.csv", "v_along_se", speed);
-  const auto measure = [](const store::RunSummary& summary, const char* name) {
-    return testing::measure_of(summary, "flow", name);
-  };
-  EXPECT_EQ(measure(real, "outflow_sites_per_step"), measure(plain, "outflow_sites_per_step"));
-  EXPECT_GT(measure(plain, "outflow_sites_per_time"), 0);
-  EXPECT_NEAR(measure(real, "outflow_sites_per_time"),
-              measure(plain, "outflow_sites_per_time") / second, 1e-9);
-  EXPECT_NEAR(measure(plain, "outflow_sites_per_time"),
-              measure(plain, "outflow_sites_per_step") / plain.units->time_step, 1e-12);
-  EXPECT_NEAR(measure(real, "fluctuation_energy"),
-              measure(plain, "fluctuation_energy") * speed * speed, 1e-12);
-}
-
-// s = g t²/2; the tolerance of a step is what rounding up and the two steps at rest cost.
-TEST_F(ContactRunTest, AGrainFallsFreelyForTheSecondsOfNewton) {
-  const scene::Scene fall = scene::parse(R"(clca: 1
-model: contact
-box: {width: 20, height: 420}
-species: {grain: {shape: {hexagon: 1}}}
-contact: {fall_height: 400}
-units: {spacing: 1 cm}
-stages:
-  - name: fall
-    fill: {region: [8, 408, 12, 414], counts: {grain: 1}}
-    until: {time: 0.9}
-output: {series: {}, fields: {cell: 1000, every: 50}}
-)",
-                                         "fall.yaml");
-  const auto summary = run(fall, {.folder = path()});
-  constexpr double kGravity = 9.81;
-  const double time_step = summary.units->time_step;
-  const auto time = testing::csv_column(path() / "series.csv", "time");
-  const auto potential = testing::csv_column(path() / "series.csv", "potential_energy");
-  const auto kinetic = testing::csv_column(path() / "series.csv", "kinetic_energy");
-  EXPECT_NEAR(time.back(), 0.9, time_step);
-  constexpr double kSites = 7;
-  const auto fallen = [&](std::size_t row) {  // metres
-    return (potential.front() - potential[row]) / kSites * 0.01;
-  };
-  for (const double height : {0.1, 0.5, 1.0, 2.0, 3.5}) {
-    std::size_t row = 0;
-    while (fallen(row) < height) {
-      ASSERT_LT(++row, time.size());
-    }
-    EXPECT_NEAR(time[row], std::sqrt(2 * height / kGravity), 1.5 * time_step) << height;
-    EXPECT_NEAR(kinetic[row], potential.front() - potential[row], 0.05 * kinetic[row]) << height;
-  }
-  const auto end = testing::csv_column(path() / "fields.csv", "time");
-  const auto velocity = testing::csv_column(path() / "fields.csv", "vy");
-  ASSERT_GT(end.size(), 3U);
-  for (std::size_t window = 0; window + 1 < end.size(); ++window) {  // the last one is shorter
-    const double middle = end[window] - 25 * time_step;
-    EXPECT_NEAR(velocity[window], -kGravity * middle, 0.01 / (50 * time_step)) << window;
-  }
-}
-
-TEST_F(ContactRunTest, AStageUntilATimeTakesItsStepsAndGoesOnToALaterOne) {
-  const auto timed = [&](const std::string& time) {
-    return small({"units={spacing: 1 mm}", "stages.flow.until={time: " + time + "}"});
-  };
-  const auto first = run(timed("0.1"), {.folder = path()});
-  EXPECT_EQ(first.stages[1].ended, "time");
-  EXPECT_EQ(first.stages[1].steps, *scene::steps_of(timed("0.1").stages[1].until));
-  EXPECT_THAT([&] { resume(load_run(path(), kMuch, "{time: 0.05}"), {}); },
-              ::testing::ThrowsMessage<scene::SceneError>(HasSubstr("has passed this end")));
-  const auto later = resume(load_run(path(), kMuch, "{time: 0.2}"), {});
-  EXPECT_EQ(later.state_hash, run(timed("0.2"), {.folder = path("at once")}).state_hash);
-  EXPECT_EQ(testing::difference_of_runs(path("at once"), path()), "");
-}
-
-TEST_F(ContactRunTest, PicturesAndProgressSayTheTime) {
-  std::string last;
-  const RunEvents events = {.progress = [&](const Progress& at) { last = at.time; },
-                            .progress_interval = {}};
-  const auto summary = run(small({"units={spacing: 1 mm}"}), {.folder = path()}, events);
-  EXPECT_EQ(last, summary.units->time_text(600));
-  EXPECT_THAT(last, EndsWith(" s"));
-  const auto text = image::decode_png(testing::bytes_of(path() / "frames/small-000600.png")).text;
-  EXPECT_EQ(text.at("Time"), last);
-  EXPECT_EQ(text.at("Step"), "600");
 }
 
 // Contents that no run has saved, under a right checksum.

@@ -247,8 +247,7 @@ constexpr auto kBadBasics = std::to_array<BadScene>({
      "4, found '8'"},
     {"a view beside the box", "output: {view: [100, 0, 120, 20]}",
      "scene.yaml:12:16: error: output.view: nothing of the box, 100 wide and 50 high, lies in "
-     "[100, "
-     "0, 120, 20]",
+     "[100, 0, 120, 20]",
      Judge::parser},
     {"a view inside out", "output: {frames: {view: [10, 0, 5, 20]}}",
      "scene.yaml:12:25: error: output.frames.view: expected [left, bottom, right, top] with "
