@@ -57,50 +57,32 @@ Keys<AScene> first_keys() {
 
 Keys<Scene> scene_keys() {
   Keys<Scene> keys = first_keys<Scene>();
-  keys.add(
-      {key("model", &Scene::model, choice(kModelNames),
-           "what moves the grains: rules, velocities and the friction of contacts, voids that "
-           "rise, or energies of velocities and axes; [model](#model)"),
-       key("begin", &Scene::begin, begin_type(),
-           "the state of another run that this one begins with: [begin](#begin)")
-           .defaults_to("an empty box"),
-       required("box", &Scene::box, box_type(), "the [box](#box) that everything happens in"),
-       required("species", &Scene::species, species_type(),
-                "kinds of particles, by name: [species](#species)"),
-       key("rules", &Scene::rules, rules_type(), "what a particle does in a step: [rules](#rules)")
-           .of(Model::automaton)
-           .defaults_to("that of each of its keys"),
-       key("contact", &Scene::contact, contact_type(),
-           "what particles do to each other where they touch: [contact](#contact)")
-           .of(Model::contact)
-           .defaults_to("that of each of its keys"),
-       key("voids", &Scene::voids, voids_type(), "which grains rising voids take: [voids](#voids)")
-           .of(Model::voids)
-           .defaults_to("that of each of its keys"),
-       key("baxter", &Scene::baxter, baxter_type(),
-           "which velocities and axes grains choose: [baxter](#baxter)")
-           .of(Model::baxter)
-           .defaults_to("that of each of its keys"),
-       key("units", &Scene::units, units_type(),
-           "the length of a lattice spacing, gravity: [units](#units)")
-           .of(Model::contact)
-           .defaults_to("none"),
-       list_key("walls", &Scene::walls, walls_type(),
-                "obstacles, standing or moving, by name: [walls](#walls)"),
-       list_key("sources", &Scene::sources, sources_type(),
-                "points and regions that emit particles, by name: [sources](#sources)"),
-       list_key("outlets", &Scene::outlets, outlets_type(),
-                "regions that remove and count particles, by name: [outlets](#outlets)"),
-       list_key("probes", &Scene::probes, probes_type(),
-                "regions of the box that are observed, by name: [probes](#probes)"),
-       list_key("lines", &Scene::lines, lines_type(),
-                "lines across which flux and velocity are measured, by name: [lines](#lines)"),
-       required("stages", &Scene::stages, stages_type(),
-                "what happens, one after the other: [stages](#stages)"),
-       measure_key(),
-       key("output", &Scene::output, output_type(),
-           "pictures, tables, trajectory and checkpoints: [output](#output)")
-           .defaults_to("that of each of its keys")});
+  keys.add({key("model", &Scene::model, choice(kModelNames),
+                "what moves the grains: rules, velocities and the friction of contacts, voids that "
+                "rise, or energies of velocities and axes; [model](#model)"),
+            key("begin", &Scene::begin, begin_type(),
+                "the state of another run that this one begins with: [begin](#begin)")
+                .defaults_to("an empty box"),
+            required("box", &Scene::box, box_type(), "the [box](#box) that everything happens in"),
+            required("species", &Scene::species, species_type(),
+                     "kinds of particles, by name: [species](#species)")});
+  keys.add(model_blocks());
+  keys.add({list_key("walls", &Scene::walls, walls_type(),
+                     "obstacles, standing or moving, by name: [walls](#walls)"),
+            list_key("sources", &Scene::sources, sources_type(),
+                     "points and regions that emit particles, by name: [sources](#sources)"),
+            list_key("outlets", &Scene::outlets, outlets_type(),
+                     "regions that remove and count particles, by name: [outlets](#outlets)"),
+            list_key("probes", &Scene::probes, probes_type(),
+                     "regions of the box that are observed, by name: [probes](#probes)"),
+            list_key("lines", &Scene::lines, lines_type(),
+                     "lines across which flux and velocity are measured, by name: [lines](#lines)"),
+            required("stages", &Scene::stages, stages_type(),
+                     "what happens, one after the other: [stages](#stages)"),
+            measure_key(),
+            key("output", &Scene::output, output_type(),
+                "pictures, tables, trajectory and checkpoints: [output](#output)")
+                .defaults_to("that of each of its keys")});
   return keys;
 }
 

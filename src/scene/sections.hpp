@@ -18,8 +18,8 @@ Type<Begin> begin_type();
 Type<Box> box_type();
 Type<automaton::Rules> rules_type();
 Type<contact::Parameters> contact_type();
-Type<voids::Rules> voids_type();
-Type<baxter::Rules> baxter_type();
+/// The block of each model, and other keys of one model.
+Keys<Scene> model_blocks();
 /// Of a stage: what is left out is as in the scene.
 Type<automaton::Rules> stage_rules_type();
 Type<contact::Parameters> stage_contact_type();
