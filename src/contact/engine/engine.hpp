@@ -18,9 +18,9 @@ namespace clca::contact {
 /// in between it is not looked at. It may wait in several directions, in each for one other body.
 class Mover {
  public:
-  static constexpr double kGrainBytes = sizeof(std::uint8_t) +
-                                        (3 * lattice::kDirectionCount + 2) * sizeof(std::int32_t) +
-                                        grains::kListRoom * 4 * sizeof(std::uint32_t);
+  static constexpr double kGrainBytes =
+      sizeof(std::uint8_t) + (3 * lattice::kDirectionCount + 1) * sizeof(std::int32_t) +
+      sizeof(std::uint64_t) + grains::kListRoom * 5 * sizeof(std::uint32_t);
 
   /// Both outlive the mover.
   Mover(State& state, grains::Box& box);
@@ -70,12 +70,14 @@ class Mover {
   std::vector<std::uint32_t> ids_;
   std::vector<std::uint32_t> free_;      // those that go at once
   std::vector<std::uint32_t> ready_;     // to be tried
+  std::vector<std::uint32_t> blocked_;   // those that have waited in this direction
   std::vector<std::uint8_t> waiting_;    // by id: directions as bits
   std::vector<Waiting> first_;           // by obstacle
   std::vector<std::uint32_t> obstacle_;  // by what waits
   std::vector<Waiting> next_;            // of the same obstacle
   std::vector<Waiting> previous_;        // the same; of the first one -1 - obstacle
-  std::vector<std::uint32_t> walk_of_;   // by id
+  std::vector<std::uint64_t> walk_of_;   // by id: the last that came by
+  std::uint64_t walks_ = 0;
 };
 
 class Engine final : public Steps {

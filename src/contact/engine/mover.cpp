@@ -56,6 +56,7 @@ void Mover::move_all(Direction down, std::span<const std::uint32_t> ids,
   moves_.begin();
   const std::size_t grains = state_.grains.particles.size();
   waiting_.resize(grains, 0);
+  walk_of_.resize(grains, 0);
   first_.resize(grains + 1, kNone);
   obstacle_.resize(lattice::kDirectionCount * grains);
   next_.resize(lattice::kDirectionCount * grains, kNone);
@@ -67,9 +68,11 @@ void Mover::move_all(Direction down, std::span<const std::uint32_t> ids,
 
 void Mover::move(Direction direction, std::span<WallMove> walls) {
   free_.clear();
+  blocked_.clear();
   for (const std::uint32_t id : ids_) {
-    if (!waits(id, direction) && is_move_due(state_.remainders[id], direction) &&
-        !wait(id, direction)) {
+    if (waits(id, direction)) {
+      blocked_.push_back(id);
+    } else if (is_move_due(state_.remainders[id], direction) && !wait(id, direction)) {
       free_.push_back(id);
     }
   }
@@ -108,17 +111,17 @@ void Mover::release(std::span<const std::uint32_t> ids, Direction direction) {
 
 /// Whether some grain waits for one that waits for one ... that waits for it.
 bool Mover::has_ring(Direction direction) {
-  walk_of_.assign(waiting_.size(), 0);
-  for (std::uint32_t walk = 1; walk <= ids_.size(); ++walk) {
-    std::uint32_t id = ids_[walk - 1];
-    while (waits(id, direction) && walk_of_[id] == 0) {
-      walk_of_[id] = walk;
+  const std::uint64_t before = walks_;
+  for (std::uint32_t id : blocked_) {
+    ++walks_;
+    while (waits(id, direction) && walk_of_[id] <= before) {
+      walk_of_[id] = walks_;
       const std::uint32_t waits_for = obstacle_[static_cast<std::size_t>(waiting(id, direction))];
       if (waits_for == kWalls) {
         break;
       }
       id = waits_for - 1;
-      if (waits(id, direction) && walk_of_[id] == walk) {
+      if (waits(id, direction) && walk_of_[id] == walks_) {
         return true;
       }
     }
@@ -163,6 +166,7 @@ bool Mover::wait(std::uint32_t id, Direction direction) {
       grains::is_particle(in_the_way) ? Mover::obstacle(grains::particle_id(in_the_way)) : kWalls;
   const Waiting entry = waiting(id, direction);
   const auto at = static_cast<std::size_t>(entry);
+  blocked_.push_back(id);
   waiting_[id] = static_cast<std::uint8_t>(waiting_[id] | 1U << lattice::index_of(direction));
   obstacle_[at] = static_cast<std::uint32_t>(obstacle);
   next_[at] = std::exchange(first_[obstacle], entry);
