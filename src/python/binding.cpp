@@ -1,5 +1,7 @@
 // The module _clca: what the Python package needs of the library, in plain tuples and arrays.
 
+#include "python/binding.hpp"
+
 #include <pybind11/pybind11.h>
 
 #include <exception>
@@ -7,7 +9,6 @@
 
 #include "clca/text/message.hpp"
 #include "python/interpreter.hpp"
-#include "python/scene.hpp"
 
 namespace {
 
@@ -39,5 +40,4 @@ PYBIND11_MODULE(_clca, module) {
   clca::python::add_pictures(module);
   clca::python::add_simulation(module);
   clca::python::add_gas(module);
-  clca::python::add_sweep(module);
 }

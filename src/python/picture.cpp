@@ -10,9 +10,8 @@
 #include "clca/drawing/redraw.hpp"
 #include "clca/image/png.hpp"
 #include "clca/run/setup.hpp"
-#include "python/arrays.hpp"
-#include "python/interrupt.hpp"
-#include "python/scene.hpp"
+#include "python/binding.hpp"
+#include "python/interpreter.hpp"
 
 namespace clca::python {
 

@@ -1,10 +1,11 @@
-#include "python/scene.hpp"
+// Scenes as Python gives them.
 
 #include <fmt/format.h>
 #include <pybind11/stl.h>
 
 #include "clca/run/setup.hpp"
 #include "clca/scene/resolve.hpp"
+#include "python/binding.hpp"
 #include "python/interpreter.hpp"
 
 namespace clca::python {
@@ -39,9 +40,7 @@ const scene::BoltzmannScene& LoadedScene::of_gas() const {
 }
 
 void add_scene(py::module_& module) {
-  py::class_<LoadedScene> bound(module, "Scene");
-  refuse_pickle(bound);
-  bound
+  py::class_<LoadedScene>(module, "Scene")
       .def(py::init<std::string, std::optional<std::string>, std::vector<scene::Override>>(),
            py::call_guard<Released>())
       .def_property_readonly(

@@ -20,8 +20,7 @@ from numpy.typing import NDArray
 from . import _answer
 from ._error import ArgumentError, Error, WriteError
 from ._folder import Run, check_free
-from ._frames import Frame, Frames
-from ._trajectory import PITCH, axial, in_h5py, slices, trajectory_in, trapezoids
+from ._frames import PITCH, Frame, Frames, axial, in_h5py, slices, trajectory_in, trapezoids
 
 MANY = 1 << 14  # particles that are written together
 VECTORS = ("position", "velocity", "displacement", "image")
