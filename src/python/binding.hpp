@@ -60,10 +60,8 @@ inline py::array pixels(const image::Image& image) {
   return py::array_t<std::uint8_t>({image.height, image.width, 3}, &image.pixels.data()->red);
 }
 
-void add_scene(py::module_& module);
 void add_run(py::module_& module);
 void add_gas(py::module_& module);
-void add_pictures(py::module_& module);
 void add_simulation(py::module_& module);
 
 }  // namespace clca::python

@@ -1,4 +1,5 @@
-// Runs and sweeps of scenes, stopped as Python's signal handlers say.
+// Runs and sweeps of scenes, and pictures of their folders, stopped as Python's signal handlers
+// say.
 
 #include "clca/run/run.hpp"
 
@@ -11,6 +12,8 @@
 #include <set>
 #include <stdexcept>
 
+#include "clca/drawing/redraw.hpp"
+#include "clca/image/png.hpp"
 #include "clca/record/provenance.hpp"
 #include "clca/run/setup.hpp"
 #include "clca/sweep/sweep.hpp"
@@ -169,12 +172,63 @@ void sweep_scene(const std::string& source, const std::optional<std::string>& te
   });
 }
 
+drawing::RunToDraw run_to_draw(const fs::path& folder,
+                               const std::vector<scene::Override>& overrides) {
+  drawing::RunToDraw drawn = {.scene = drawing::drawn_scene(folder, overrides), .folder = folder};
+  run::check_memory(drawn.scene, run::default_memory_limit());
+  return drawn;
+}
+
+py::array picture(const fs::path& folder, std::uint64_t step,
+                  const std::vector<scene::Override>& overrides) {
+  image::Image image;
+  {
+    const Released free;
+    image = drawing::picture(run_to_draw(folder, overrides), step, run::default_memory_limit());
+  }
+  return pixels(image);
+}
+
+void movie(const fs::path& folder, const fs::path& file, int frames_per_second,
+           std::optional<double> duration, const std::optional<std::string>& stage,
+           const std::vector<scene::Override>& overrides) {
+  Interrupt interrupt;
+  interrupt.during([&] {
+    drawing::Redraw redraw({run_to_draw(folder, overrides)},
+                           {.movie = file,
+                            .frames_per_second = frames_per_second,
+                            .duration = duration,
+                            .stage = stage,
+                            .max_bytes = run::default_memory_limit(),
+                            .stop = interrupt.stop()});
+    drawing::RedrawEvents events;
+    events.progress = [&](const drawing::RedrawProgress& /*progress*/) { interrupt.look(); };
+    redraw.draw(events);
+  });
+}
+
+py::bytes png(const py::array_t<std::uint8_t, py::array::c_style>& pixels) {
+  if (pixels.ndim() != 3 || pixels.shape(2) != 3) {
+    throw std::invalid_argument("expected rows x columns x 3");
+  }
+  image::Image image(static_cast<int>(pixels.shape(1)), static_cast<int>(pixels.shape(0)), {});
+  if (image.pixels.empty()) {
+    throw std::invalid_argument("a picture without pixels is no PNG");
+  }
+  std::copy_n(pixels.data(), pixels.size(), &image.pixels.data()->red);
+  const std::vector<std::uint8_t> bytes = image::encode_png(image, {});
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
 }  // namespace
 
 void add_run(py::module_& module) {
   module.def("run", run_scene);
   module.def("resume", resume);
   module.def("sweep", sweep_scene);
+  module.def("picture", picture);
+  module.def("movie", movie);
+  module.def("png", png);
   module.def("version", record::version);
 }
 
