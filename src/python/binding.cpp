@@ -1,26 +1,85 @@
-// The module _clca: what the Python package needs of the library, in plain tuples and arrays.
+// The module _clca: what the Python package needs of the library, in plain tuples and arrays. Here
+// scenes; the other sources add what they have.
 
-#include <pybind11/pybind11.h>
+#include "python/binding.hpp"
+
+#include <fmt/format.h>
+#include <pybind11/stl.h>
 
 #include <exception>
 #include <stdexcept>
 
+#include "clca/run/setup.hpp"
+#include "clca/scene/resolve.hpp"
 #include "clca/text/message.hpp"
 #include "python/interpreter.hpp"
-#include "python/scene.hpp"
+
+namespace clca::python {
+
+LoadedScene::LoadedScene(const std::string& source, const std::optional<std::string>& given,
+                         const std::vector<scene::Override>& overrides)
+    : file(given ? source : run::scene_file(source)),
+      text(given ? *given : scene::scene_text(file)),
+      absolute(std::filesystem::absolute(file)),
+      scene(scene::parse_any(text, file, overrides)) {
+  run::complete(scene, file, run::default_memory_limit(), run::machine_threads());
+}
+
+std::string LoadedScene::place() const {
+  return std::filesystem::absolute(file) == absolute ? file : absolute.string();
+}
+
+const scene::Scene& LoadedScene::of_grains() const {
+  if (const auto* gas = std::get_if<scene::BoltzmannScene>(&scene)) {
+    throw scene::SceneError(
+        fmt::format("{}: error: expected a scene of grains, found one of a gas", gas->location));
+  }
+  return std::get<scene::Scene>(scene);
+}
+
+const scene::BoltzmannScene& LoadedScene::of_gas() const {
+  if (const auto* grains = std::get_if<scene::Scene>(&scene)) {
+    throw scene::SceneError(fmt::format("{}: error: expected a scene of a gas, found one of grains",
+                                        grains->box.location));
+  }
+  return std::get<scene::BoltzmannScene>(scene);
+}
 
 namespace {
 
+void add_scene(py::module_& module) {
+  py::class_<LoadedScene>(module, "Scene")
+      .def(py::init<std::string, std::optional<std::string>, std::vector<scene::Override>>(),
+           py::call_guard<Released>())
+      .def_property_readonly(
+          "name",
+          [](const LoadedScene& loaded) {
+            return std::visit([](const auto& scene) { return std::string(scene.name); },
+                              loaded.scene);
+          },
+          "That of its file, without `.yaml`, or as it was given.")
+      .def(
+          "to_yaml",
+          [](const LoadedScene& loaded) {
+            return std::visit([](const auto& scene) { return scene::to_yaml(scene); },
+                              loaded.scene);
+          },
+          "The scene with every default filled in.")
+      .def_property_readonly("_origin", [](const LoadedScene& loaded) {
+        return py::make_tuple(py::bytes(loaded.place()), py::bytes(loaded.text));
+      });
+}
+
 void raise(const char* type, const std::exception& error) {
-  const auto found = pybind11::module_::import("clca._error").attr(type);
-  PyErr_SetString(found.ptr(), clca::text::printable(error.what()).c_str());
+  const auto found = py::module_::import("clca._error").attr(type);
+  PyErr_SetString(found.ptr(), text::printable(error.what()).c_str());
 }
 
 /// Whatever the library reports is a clca.Error.
 void translate(std::exception_ptr failure) {
   try {
     std::rethrow_exception(std::move(failure));
-  } catch (const pybind11::builtin_exception&) {
+  } catch (const py::builtin_exception&) {
     throw;
   } catch (const std::runtime_error& error) {
     raise("Error", error);
@@ -32,12 +91,12 @@ void translate(std::exception_ptr failure) {
 }  // namespace
 
 PYBIND11_MODULE(_clca, module) {
-  pybind11::register_local_exception_translator(translate);
-  clca::python::watch_end();
-  clca::python::add_scene(module);
-  clca::python::add_run(module);
-  clca::python::add_pictures(module);
-  clca::python::add_simulation(module);
-  clca::python::add_gas(module);
-  clca::python::add_sweep(module);
+  py::register_local_exception_translator(translate);
+  watch_end();
+  add_scene(module);
+  add_run(module);
+  add_simulation(module);
+  add_gas(module);
 }
+
+}  // namespace clca::python

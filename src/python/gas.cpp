@@ -13,15 +13,14 @@
 #include "clca/parallel/team.hpp"
 #include "clca/run/setup.hpp"
 #include "clca/scene/boltzmann.hpp"
-#include "python/arrays.hpp"
-#include "python/interrupt.hpp"
-#include "python/scene.hpp"
+#include "python/binding.hpp"
+#include "python/interpreter.hpp"
 
 namespace clca::python {
 
 namespace {
 
-class Gas {
+class Gas : public Held {
  public:
   Gas(const LoadedScene& loaded, std::optional<int> threads)
       : process_(scene::process(loaded.of_gas(), loaded.of_gas().restitutions.front())),
@@ -80,11 +79,7 @@ class Gas {
 };
 
 py::dict moments(const Gas& gas) {
-  const boltzmann::Gas& now = gas.now();
-  const boltzmann::Moments moments = [&] {
-    const Released free;
-    return boltzmann::moments(now.motions);
-  }();
+  const boltzmann::Moments moments = boltzmann::moments(gas.now().motions);
   py::dict result;
   reflection::for_each_field<boltzmann::Moments>(
       [&](std::string_view name, auto part) { result[py::str(name)] = *part(moments); });
@@ -93,19 +88,9 @@ py::dict moments(const Gas& gas) {
 
 }  // namespace
 
-}  // namespace clca::python
-
-template <>
-class pybind11::detail::type_caster<clca::python::Gas>
-    : public clca::python::HeldCaster<clca::python::Gas> {};
-
-namespace clca::python {
-
 void add_gas(py::module_& module) {
   constexpr int kSpin = 3;
-  py::class_<Gas> bound(module, "Gas");
-  refuse_pickle(bound);
-  bound
+  py::class_<Gas>(module, "Gas")
       .def(py::init<const LoadedScene&, std::optional<int>>(), py::arg("scene"),
            py::arg("threads") = py::none())
       .def("_advance", &Gas::advance)

@@ -23,29 +23,11 @@ struct End {
   }
 };
 
-/// How often this thread has given the interpreter up.
-int& works() {
-  thread_local int count = 0;
-  return count;
-}
-
-void begin_work() {
-  ++works();
-  ++End::get().at_work;
-}
-
-void end_work() {
-  --works();
-  --End::get().at_work;
-}
-
 /// For ever, where Python comes to its end in another thread.
 void wait_at_end() {
-  const End& end = End::get();
+  End& end = End::get();
   if (end.is_near && end.thread.load() != std::this_thread::get_id()) {
-    if (works() > 0) {
-      end_work();
-    }
+    --end.at_work;
     for (;;) {
       ::pause();
     }
@@ -61,27 +43,27 @@ void come_to_end() {
   end.thread = std::this_thread::get_id();
   end.is_near = true;
   const pybind11::gil_scoped_release free;
-  for (int tries = 0; end.at_work > works() && tries < kTries; ++tries) {
+  for (int tries = 0; end.at_work > 0 && tries < kTries; ++tries) {
     std::this_thread::sleep_for(1ms);
   }
 }
 
 /// The other threads are not in the child.
 void forked() {
-  End::get().at_work = works();
+  End::get().at_work = 0;
 }
 
 }  // namespace
 
 Released::Released() : state_(PyEval_SaveThread()) {
-  begin_work();
+  ++End::get().at_work;
   wait_at_end();
 }
 
 Released::~Released() {
   wait_at_end();
   PyEval_RestoreThread(state_);
-  end_work();
+  --End::get().at_work;
 }
 
 Acquired::Acquired() : state_((wait_at_end(), PyGILState_Ensure())) {}

@@ -1,7 +1,16 @@
 #pragma once
-// Giving the interpreter up and taking it back while Python may come to its end.
+// Giving the interpreter up and taking it back while Python may come to its end; signals meanwhile.
 
 #include <pybind11/pybind11.h>
+
+#include <atomic>
+#include <chrono>
+#include <csignal>
+#include <optional>
+#include <utility>
+
+#include "clca/process/program.hpp"
+#include "clca/text/input_error.hpp"
 
 namespace clca::python {
 
@@ -33,5 +42,96 @@ class Acquired {
 
 /// Python tells when it comes to its end.
 void watch_end();
+
+/// Looks for signals, and keeps what their handlers in Python raise.
+class Interrupt {
+ public:
+  const std::atomic<int>* stop() const { return &stop_; }
+  /// Does not need the interpreter.
+  void look() {
+    look([] {});
+  }
+  /// Also calls `report`, with the interpreter; what it raises ends the work likewise.
+  template <class Report>
+  void look(Report report) {
+    const Acquired interpreter;
+    if (raised_) {
+      return;
+    }
+    try {
+      if (PyErr_CheckSignals() != 0) {
+        throw pybind11::error_already_set();
+      }
+      report();
+    } catch (pybind11::error_already_set& error) {
+      raised_.emplace(std::move(error));
+      stop_ = SIGINT;
+    }
+  }
+  /// The same some ten times a second.
+  void look_at_times() {
+    if (const auto now = Clock::now(); now >= due_) {
+      look();
+      due_ = now + kInterval;
+    }
+  }
+  /// As look_at_times(). Throws process::StoppedError after a signal whose handler raises.
+  void check() {
+    look_at_times();
+    if (stop_ != 0) {
+      throw process::StoppedError("stopped by a signal");
+    }
+  }
+  /// Calls `work` without the interpreter, which the caller has; then raises what was kept.
+  template <class Work>
+  void during(Work work) {
+    stop_ = 0;
+    try {
+      const Released free;
+      work();
+    } catch (const process::StoppedError&) {  // of a program that was stopped for that reason
+      raise();
+      throw;
+    }
+    raise();
+  }
+
+ private:
+  void raise() {
+    if (raised_) {
+      throw *std::exchange(raised_, std::nullopt);
+    }
+  }
+
+  using Clock = std::chrono::steady_clock;
+  static constexpr auto kInterval = std::chrono::milliseconds(100);
+
+  std::atomic<int> stop_ = 0;
+  std::optional<pybind11::error_already_set> raised_;
+  Clock::time_point due_ = Clock::now() + kInterval;
+};
+
+/// While an object is being changed, with the interpreter or without: other changes, by a signal
+/// handler or another thread, are refused.
+class Change {
+ public:
+  /// `busy` is of the object.
+  explicit Change(bool& busy) : busy_(busy) {
+    check(busy);
+    busy = true;
+  }
+  ~Change() { busy_ = false; }
+  Change(const Change&) = delete;
+  Change& operator=(const Change&) = delete;
+
+  static void check(bool busy) {
+    if (busy) {
+      throw text::InputError("another call is at work on this object");
+    }
+  }
+
+ private:
+  bool& busy_;
+};
 
 }  // namespace clca::python

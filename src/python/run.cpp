@@ -1,47 +1,85 @@
-// Runs of scenes, stopped as Python's signal handlers say.
+// Runs and sweeps of scenes, and pictures of their folders, stopped as Python's signal handlers
+// say.
 
 #include "clca/run/run.hpp"
 
+#include <fmt/format.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include <algorithm>
+#include <set>
+#include <stdexcept>
+
+#include "clca/drawing/redraw.hpp"
+#include "clca/image/png.hpp"
 #include "clca/record/provenance.hpp"
 #include "clca/run/setup.hpp"
-#include "python/interrupt.hpp"
-#include "python/scene.hpp"
+#include "clca/sweep/sweep.hpp"
+#include "python/binding.hpp"
+#include "python/interpreter.hpp"
 
 namespace clca::python {
 
 namespace {
 
-/// Calls `run_it` without the interpreter; the folder that it names. Its warnings become those of
-/// Python. `report`: None, or called as in _clca.pyi.
+namespace fs = std::filesystem;
+using Values = std::vector<std::string>;
+/// Keys that vary together, and rows of their values.
+using VariedKeys = std::pair<Values, std::vector<Values>>;
+
+/// What runs tell while the interpreter is free: how far they are, and warnings.
+class Work : public Interrupt {
+ public:
+  /// `report`: None, or called as in _clca.pyi.
+  explicit Work(const py::object& report) : report_(report) {}
+
+  void report(const std::string& stage, std::uint64_t done, std::optional<std::uint64_t> of,
+              std::optional<double> seconds_left) {
+    look([&] {
+      if (!report_.is_none()) {
+        report_(stage, done, of, seconds_left);
+      }
+    });
+  }
+  std::function<void(const std::string&)> warning() {
+    return [this](const std::string& text) { warnings_.push_back(text); };
+  }
+  /// As that of Interrupt; then the warnings are those of Python.
+  template <class DoIt>
+  void during(DoIt do_it) {
+    Interrupt::during(do_it);
+    for (const std::string& text : warnings_) {
+      if (PyErr_WarnEx(PyExc_UserWarning, text.c_str(), 2) != 0) {
+        throw py::error_already_set();
+      }
+    }
+  }
+
+ private:
+  const py::object& report_;
+  std::vector<std::string> warnings_;
+};
+
+/// Calls `run_it`; the folder that it names.
 template <class RunIt>
-std::filesystem::path carry_out(run::RunOptions options, const py::object& report, RunIt run_it) {
-  Interrupt interrupt;
-  Warnings warnings;
-  std::filesystem::path used;
-  interrupt.during([&] {
-    options.stop = interrupt.stop();
+fs::path carry_out(run::RunOptions options, const py::object& report, RunIt run_it) {
+  Work work(report);
+  fs::path used;
+  work.during([&] {
+    options.stop = work.stop();
     run::RunEvents events;
-    const auto look = [&](const auto& progress, std::uint64_t done,
-                          std::optional<std::uint64_t> of) {
-      interrupt.look([&] {
-        if (!report.is_none()) {
-          report(progress.stage, done, of, progress.seconds_left);
-        }
-      });
+    events.progress = [&](const run::Progress& now) {
+      work.report(now.stage, now.step, {}, now.seconds_left);
     };
-    events.progress = [&](const run::Progress& progress) { look(progress, progress.step, {}); };
-    events.gas_progress = [&](const run::GasProgress& progress) {
-      look(progress, progress.gases_done, progress.gases);
+    events.gas_progress = [&](const run::GasProgress& now) {
+      work.report(now.stage, now.gases_done, now.gases, now.seconds_left);
     };
-    events.folder = [&](const std::filesystem::path& folder) { used = folder; };
-    events.warning = warnings.take();
+    events.folder = [&](const fs::path& folder) { used = folder; };
+    events.warning = work.warning();
     run_it(options, events);
   });
-  warnings.issue();
   return used;
 }
 
@@ -50,29 +88,22 @@ int default_threads(const scene::AnyScene& scene) {
   return std::holds_alternative<scene::BoltzmannScene>(scene) ? run::machine_threads() : 1;
 }
 
-std::filesystem::path run_scene(const LoadedScene& loaded,
-                                const std::optional<std::filesystem::path>& output,
-                                std::optional<int> threads, bool keep, bool overwrite,
-                                const py::object& report) {
-  const auto run_it = [&](const auto& scene) {
-    // The current folder may change while the run goes on.
-    const std::filesystem::path folder = output.value_or("renders/" + scene.name);
-    run::RunOptions options = {.folder = std::filesystem::absolute(folder),
-                               .threads = threads.value_or(default_threads(loaded.scene)),
-                               .overwrite = overwrite,
-                               .keep = keep};
-    if (!keep) {
-      run::check_output(loaded.place(), options.folder);
-    }
-    return carry_out(std::move(options), report,
-                     [&](const run::RunOptions& chosen, const run::RunEvents& events) {
-                       return run::run(scene, chosen, events);
-                     });
-  };
-  return std::visit(run_it, loaded.scene);
+fs::path run_scene(const LoadedScene& loaded, const fs::path& folder, std::optional<int> threads,
+                   bool keep, bool overwrite, const py::object& report) {
+  if (!keep) {
+    run::check_output(loaded.place(), folder);
+  }
+  return carry_out({.folder = folder,
+                    .threads = threads.value_or(default_threads(loaded.scene)),
+                    .overwrite = overwrite,
+                    .keep = keep},
+                   report, [&](const run::RunOptions& options, const run::RunEvents& events) {
+                     std::visit([&](const auto& scene) { run::run(scene, options, events); },
+                                loaded.scene);
+                   });
 }
 
-void resume(const std::filesystem::path& folder, const std::optional<std::string>& until,
+void resume(const fs::path& folder, const std::optional<std::string>& until,
             std::optional<int> threads, const py::object& report) {
   const double limit = run::default_memory_limit();
   run::SavedRun saved = run::load_run(folder, limit, until);
@@ -83,8 +114,110 @@ void resume(const std::filesystem::path& folder, const std::optional<std::string
   run::check_memory(saved.scene, limit, chosen);
   carry_out({.threads = chosen}, report,
             [&](const run::RunOptions& options, const run::RunEvents& events) {
-              return run::resume(std::move(saved), options, events);
+              run::resume(std::move(saved), options, events);
             });
+}
+
+/// What the command refuses where it reads the text of options.
+void check(const std::vector<VariedKeys>& varied, const std::vector<std::uint64_t>& seeds) {
+  if (seeds.empty() || std::set(seeds.begin(), seeds.end()).size() < seeds.size()) {
+    throw std::invalid_argument("expected seeds, each once");
+  }
+  for (const auto& [keys, rows] : varied) {
+    std::set<Values> known;
+    for (Values row : rows) {
+      if (row.size() != keys.size()) {
+        throw std::invalid_argument(fmt::format("{}: expected {} values, found {}",
+                                                fmt::join(keys, ", "), keys.size(), row.size()));
+      }
+      std::ranges::transform(row, row.begin(), document::canonical_value);
+      known.insert(std::move(row));
+    }
+    if (rows.empty() || known.size() < rows.size()) {
+      throw std::invalid_argument(
+          fmt::format("{}: expected values, each once", fmt::join(keys, ", ")));
+    }
+  }
+}
+
+void sweep_scene(const std::string& source, const std::optional<std::string>& text,
+                 const std::vector<scene::Override>& overrides,
+                 const std::vector<VariedKeys>& varied, std::vector<std::uint64_t> seeds,
+                 const fs::path& folder, const std::optional<int>& jobs, const py::object& report) {
+  Work work(report);
+  work.during([&] {
+    check(varied, seeds);
+    std::ranges::sort(seeds);
+    sweep::Request request = {.scene = text ? source : run::scene_file(source),
+                              .overrides = overrides,
+                              .variations = {},
+                              .seeds = std::move(seeds),
+                              .text = text};
+    for (const auto& [keys, rows] : varied) {
+      request.variations.push_back({.keys = keys, .rows = rows});
+    }
+    const double memory = run::default_memory_limit();
+    const auto look = [&] { work.check(); };
+    const sweep::Plan plan = sweep::plan(std::move(request), memory, look);
+    const int fitting =
+        sweep::fitting_jobs(plan, jobs.value_or(run::machine_threads()), memory, look);
+    sweep::execute(
+        plan,
+        {.folder = folder, .jobs = fitting, .max_bytes = memory / fitting, .stop = work.stop()},
+        {.progress =
+             [&](const sweep::Progress& now) {
+               work.report("", now.done + now.failed, now.runs, now.seconds_left);
+             },
+         .warning = work.warning()});
+  });
+}
+
+drawing::RunToDraw run_to_draw(const fs::path& folder,
+                               const std::vector<scene::Override>& overrides) {
+  drawing::RunToDraw drawn = {.scene = drawing::drawn_scene(folder, overrides), .folder = folder};
+  run::check_memory(drawn.scene, run::default_memory_limit());
+  return drawn;
+}
+
+py::array picture(const fs::path& folder, std::uint64_t step,
+                  const std::vector<scene::Override>& overrides) {
+  image::Image image;
+  {
+    const Released free;
+    image = drawing::picture(run_to_draw(folder, overrides), step, run::default_memory_limit());
+  }
+  return pixels(image);
+}
+
+void movie(const fs::path& folder, const fs::path& file, int frames_per_second,
+           std::optional<double> duration, const std::optional<std::string>& stage,
+           const std::vector<scene::Override>& overrides) {
+  Interrupt interrupt;
+  interrupt.during([&] {
+    drawing::Redraw redraw({run_to_draw(folder, overrides)},
+                           {.movie = file,
+                            .frames_per_second = frames_per_second,
+                            .duration = duration,
+                            .stage = stage,
+                            .max_bytes = run::default_memory_limit(),
+                            .stop = interrupt.stop()});
+    drawing::RedrawEvents events;
+    events.progress = [&](const drawing::RedrawProgress& /*progress*/) { interrupt.look(); };
+    redraw.draw(events);
+  });
+}
+
+py::bytes png(const py::array_t<std::uint8_t, py::array::c_style>& pixels) {
+  if (pixels.ndim() != 3 || pixels.shape(2) != 3) {
+    throw std::invalid_argument("expected rows x columns x 3");
+  }
+  image::Image image(static_cast<int>(pixels.shape(1)), static_cast<int>(pixels.shape(0)), {});
+  if (image.pixels.empty()) {
+    throw std::invalid_argument("a picture without pixels is no PNG");
+  }
+  std::copy_n(pixels.data(), pixels.size(), &image.pixels.data()->red);
+  const std::vector<std::uint8_t> bytes = image::encode_png(image, {});
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
 }  // namespace
@@ -92,6 +225,10 @@ void resume(const std::filesystem::path& folder, const std::optional<std::string
 void add_run(py::module_& module) {
   module.def("run", run_scene);
   module.def("resume", resume);
+  module.def("sweep", sweep_scene);
+  module.def("picture", picture);
+  module.def("movie", movie);
+  module.def("png", png);
   module.def("version", record::version);
 }
 

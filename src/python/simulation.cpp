@@ -15,15 +15,14 @@
 #include "clca/scene/resolve.hpp"
 #include "clca/scene/units.hpp"
 #include "clca/text/input_error.hpp"
-#include "python/arrays.hpp"
-#include "python/interrupt.hpp"
-#include "python/scene.hpp"
+#include "python/binding.hpp"
+#include "python/interpreter.hpp"
 
 namespace clca::python {
 
 namespace {
 
-class Simulation : public run::Simulation {
+class Simulation : public run::Simulation, public Held {
  public:
   Simulation(const scene::Scene& scene, int threads, const std::shared_ptr<Interrupt>& by)
       : run::Simulation(scene, threads, [by] { by->check(); }), interrupt(by) {}
@@ -61,8 +60,7 @@ py::list measures_now(const Simulation& simulation, const std::optional<std::str
   const std::vector<scene::Measure>& asked = simulation.scene().measures;
   std::optional<scene::Measure> wanted;
   if (name) {
-    const auto found = std::ranges::find_if(
-        asked, [&](scene::Measure measure) { return scene::name_of_measure(measure) == *name; });
+    const auto found = std::ranges::find(asked, *name, scene::name_of_measure);
     if (found == asked.end()) {
       throw text::InputError(
           fmt::format("the scene does not measure '{}'; add it to its key measure", *name));
@@ -80,8 +78,8 @@ py::list measures_now(const Simulation& simulation, const std::optional<std::str
 }
 
 /// Texts in UTF-8, or rows of numbers.
-py::object values_of(store::Dataset dataset) {
-  const auto to_python = [&]<class Item>(std::vector<Item>& items) -> py::object {
+py::object values_of(const store::Dataset& dataset) {
+  const auto to_python = [&]<class Item>(const std::vector<Item>& items) -> py::object {
     if constexpr (std::is_same_v<Item, std::string>) {
       py::list texts;
       for (const std::string& text : items) {
@@ -89,8 +87,11 @@ py::object values_of(store::Dataset dataset) {
       }
       return texts;
     } else {
-      const py::object numbers = array_of(std::move(items));
-      return dataset.columns == 1 ? numbers : numbers.attr("reshape")(-1, dataset.columns);
+      py::array numbers = py::array_t<Item>(static_cast<py::ssize_t>(items.size()), items.data());
+      if (dataset.columns > 1) {
+        numbers = numbers.reshape({py::ssize_t{-1}, static_cast<py::ssize_t>(dataset.columns)});
+      }
+      return numbers;
     }
   };
   return std::visit(to_python, dataset.values);
@@ -105,9 +106,8 @@ py::dict datasets_now(const Simulation& simulation) {
                                simulation.contact_frame());
   }
   py::dict result;
-  for (store::Dataset& dataset : datasets) {
-    const py::str path(dataset.path);
-    result[path] = values_of(std::move(dataset));
+  for (const store::Dataset& dataset : datasets) {
+    result[py::str(dataset.path)] = values_of(dataset);
   }
   return result;
 }
@@ -155,14 +155,6 @@ py::array particles(const Simulation& simulation) {
 
 }  // namespace
 
-}  // namespace clca::python
-
-template <>
-class pybind11::detail::type_caster<clca::python::Simulation>
-    : public clca::python::HeldCaster<clca::python::Simulation> {};
-
-namespace clca::python {
-
 void add_simulation(py::module_& module) {
   PYBIND11_NUMPY_DTYPE_EX(grains::Particle, column, "column", row, "row", kind, "kind", previous,
                           "move", present, "present");
@@ -173,9 +165,8 @@ void add_simulation(py::module_& module) {
     interrupt->during([&] { made = std::make_unique<Simulation>(scene, threads, interrupt); });
     return made;
   };
-  py::class_<Simulation> bound(module, "Simulation");
-  refuse_pickle(bound);
-  bound.def(py::init(make), py::arg("scene"), py::arg("threads") = 1)
+  py::class_<Simulation>(module, "Simulation")
+      .def(py::init(make), py::arg("scene"), py::arg("threads") = 1)
       .def("_step", step)
       .def("next_stage", next_stage,
            "Ends the stage here and begins the next one. Throws Error in the last one.")
@@ -195,12 +186,9 @@ void add_simulation(py::module_& module) {
             return how.empty() ? py::object(py::none()) : py::str(how);
           },
           "How the stage has ended (settled, steps ...); None while it goes on.")
-      .def_property_readonly(
-          "over", [](const Simulation& simulation) { return simulation.is_over(); },
-          "Whether the last stage has ended.")
-      .def_property_readonly(
-          "state_hash", [](const Simulation& simulation) { return simulation.hash(); },
-          "As `state_hash` of a run: equal for equal bits.")
+      .def_property_readonly("over", &Simulation::is_over, "Whether the last stage has ended.")
+      .def_property_readonly("state_hash", &Simulation::hash,
+                             "As `state_hash` of a run: equal for equal bits.")
       .def_property_readonly(
           "particles", particles,
           "N: all particles as the model has them, by id: column and row of the reference site "
@@ -210,7 +198,7 @@ void add_simulation(py::module_& module) {
       .def("_measures", measures_now)
       .def("_heights",
            [](const Simulation& simulation) {
-             return array_of(measure::surface_profile(simulation.grains()));
+             return measure::surface_profile(simulation.grains());
            })
       .def("_datasets", datasets_now)
       .def("_summary", summary)

@@ -15,7 +15,7 @@ import clca
 import h5py
 import numpy
 from clca._export import chosen
-from clca._trajectory import trapezoids
+from clca._frames import trapezoids
 from support import CONTACT, GAS, PROGRAM, SCENE, ScratchTest, clca_program, needs
 
 FORMATS = {"vtp": "pvd", "gsd": "gsd", "xyz": "xyz", "h5md": "h5"}

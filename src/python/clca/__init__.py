@@ -21,14 +21,12 @@ from ._table import Table, Value
 
 if TYPE_CHECKING:
     from ._compare import compare
-    from ._scene import Scene, resume, run, sweep
-    from ._simulation import Gas, Simulation
+    from ._scene import Gas, Scene, Simulation, resume, run, sweep
 
     __version__: str
 
 # Loaded when it is asked for: what runs and steps is compiled, and folders can be read without it.
-_LATER = {"compare": "_compare", "Gas": "_simulation", "Simulation": "_simulation"}
-_LATER |= dict.fromkeys(("Scene", "resume", "run", "sweep"), "_scene")
+_LATER = {"compare": "_compare"} | dict.fromkeys(("Gas", "Scene", "Simulation", "resume", "run", "sweep"), "_scene")
 
 
 def __getattr__(name: str) -> Any:

@@ -7,7 +7,7 @@ import io
 import json
 import math
 import os
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 from itertools import combinations
 from pathlib import Path
@@ -23,7 +23,7 @@ from ._notebook import Progress
 from ._rounds import Answer, scaled, step
 from ._study import Place, Study, read_study, study_of
 from ._surrogate import Numbers
-from ._table import Table, csv_of
+from ._table import Quantity, Table, csv_of
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure  # type: ignore[import]
@@ -50,7 +50,6 @@ TARGETS = {
     "checked_se": ("Standard error", "of the checked value"),
     "deviation": ("Deviation", "of the checked from the measured value, in standard deviations of both together"),
 }
-Rows = list[dict[str, Any]]
 
 
 class Calibration(Folder):
@@ -101,10 +100,9 @@ class Calibration(Folder):
         return figure
 
 
-def tables_of(answer: Answer) -> dict[str, Rows]:
+def tables_of(answer: Answer) -> dict[str, Table]:
     study, found = answer.study, answer.posterior
     points = numpy.array([found.best(), found.mean(), found.quantile((1 - SURE) / 2), found.quantile((1 + SURE) / 2)])
-    parameters = zip(study.vary, *scaled(study, points))
     rows, surrogates = [], iter(answer.surrogates)
     for test, check in zip(study.tests, answer.check):
         for target, (value, error) in test.targets.items():
@@ -112,16 +110,21 @@ def tables_of(answer: Answer) -> dict[str, Rows]:
             _, means, variances = check.means(target)
             checked, standard_error = (means[0], math.sqrt(variances[0])) if len(means) else (math.nan, math.nan)
             deviation = (checked - value) / math.hypot(error, standard_error)
-            numbers = (value, error, predicted, own, checked, standard_error, deviation)
-            rows.append((test.name, target, check.units[target], *map(float, numbers)))
+            rows.append((test.name, target, check.units[target], value, error, predicted, own, checked, standard_error, deviation))
+    likely = {key: (key, "equally likely values, a row each") for key in study.vary}
+
+    def table(known: Mapping[str, tuple[str, str]], columns: Iterable[Any]) -> Table:
+        named = zip(known.items(), columns)
+        return Table((key, numpy.array(cells), Quantity(name, description=what)) for (key, (name, what)), cells in named)
+
     return {
-        "parameters": [dict(zip(PARAMETERS, row)) for row in parameters],
-        "targets": [dict(zip(TARGETS, row)) for row in rows],
-        "likely": [dict(zip(study.vary, row)) for row in scaled(study, found.drawn(DRAWN, 0)).tolist()],
+        "parameters": table(PARAMETERS, [list(study.vary), *scaled(study, points)]),
+        "targets": table(TARGETS, zip(*rows)),
+        "likely": table(likely, scaled(study, found.drawn(DRAWN, 0)).T),
     }
 
 
-def notes_of(answer: Answer, tables: Mapping[str, Rows], correlations: Numbers) -> Iterator[str]:
+def notes_of(answer: Answer, tables: Mapping[str, Table], correlations: Numbers) -> Iterator[str]:
     """What has to be known beside the numbers."""
     vary = answer.study.vary
     least = numpy.abs(answer.posterior.misfits).max(axis=1).min()
@@ -145,27 +148,25 @@ def notes_of(answer: Answer, tables: Mapping[str, Rows], correlations: Numbers) 
             yield f"{checked}, {abs(row['deviation']):.1f} standard deviations from {row['value']:.4g}."
 
 
-def content_of(answer: Answer) -> tuple[dict[str, Any], dict[str, Rows]]:
-    """What is written about an answer: calibration.json, and the rows of each table."""
+def content_of(answer: Answer) -> tuple[dict[str, Any], dict[str, Table]]:
+    """What is written about an answer: calibration.json, and the tables."""
     study, tables = answer.study, tables_of(answer)
-    points = numpy.array([list(row.values()) for row in tables["likely"]])
+    points = numpy.array(tables["likely"].tolist())
     # Of ranks: also where one parameter falls with the other along a curve.
     correlations = numpy.atleast_2d(numpy.corrcoef(points.argsort(0).argsort(0), rowvar=False))
-    likely = {key: (key, "equally likely values, a row each") for key in study.vary}
-    meanings = {"parameters": PARAMETERS, "targets": TARGETS, "likely": likely}
     tests = []
     for test in study.tests:
         scene = os.fspath(test.scene) if isinstance(test.scene, (str, os.PathLike)) else test.name
         tests.append({"name": test.name, "scene": scene, "set": plain("set", test.set), "targets": test.targets})
-    summary: dict[str, Any] = {"tests": tests} | {name: value for name, value in study._asdict().items() if name != "tests"}
-    summary |= {"runs": answer.runs, "correlations": correlations.tolist()}
+    summary = study._asdict() | {"tests": tests, "runs": answer.runs, "correlations": correlations.tolist()}
     summary |= {"notes": list(notes_of(answer, tables, correlations)), "tables": {}}
-    for table, columns in meanings.items():
-        summary["tables"][table] = [{"key": key, "name": name, "meaning": what} for key, (name, what) in columns.items()]
+    for name, table in tables.items():
+        known = table._quantities.items()
+        summary["tables"][name] = [{"key": key, "name": what.name, "meaning": what.description} for key, what in known]
     return summary, tables
 
 
-def files_of(summary: dict[str, Any], tables: dict[str, Rows]) -> Iterator[tuple[str, bytes]]:
+def files_of(summary: dict[str, Any], tables: dict[str, Table]) -> Iterator[tuple[str, bytes]]:
     """By name. The first one tells that it is the folder of a calibration."""
     from matplotlib.figure import Figure
 
@@ -173,20 +174,19 @@ def files_of(summary: dict[str, Any], tables: dict[str, Rows]) -> Iterator[tuple
     from ._report import html
 
     yield "calibration.json", json.dumps(summary, indent=1, ensure_ascii=False).encode() + b"\n"
-    for name, rows in tables.items():
-        yield f"{name}.csv", csv_of(rows[0], *(row.values() for row in rows))
+    for name, table in tables.items():
+        yield f"{name}.csv", csv_of(table.names, *table.tolist())
     png, side = io.BytesIO(), 1 + 2.2 * len(summary["vary"])
     with style(1):
         figure = Figure(figsize=(side, side), layout="constrained")
-        drawn = {key: [row[key] for row in tables["likely"]] for key in summary["vary"]}
-        draw(figure, summary["vary"], tables["parameters"], drawn)
+        draw(figure, summary["vary"], tables["parameters"], tables["likely"])
         figure.savefig(png, format="png", dpi=150, metadata={"Software": None})
     yield "calibration.png", png.getvalue()
     picture = f"data:image/png;base64,{base64.b64encode(png.getvalue()).decode()}"
     yield "report.html", html("calibration.html", {}, **(summary | tables), picture=picture)
 
 
-def summary_lines(parameters: Any, targets: Any, notes: Sequence[str]) -> list[str]:
+def summary_lines(parameters: Table, targets: Table, notes: Sequence[str]) -> list[str]:
     """The answer for a terminal, from rows of its tables."""
     lines = [f"{row['parameter']}: {row['best']:.4g}, likely {row['low']:.4g} to {row['high']:.4g}" for row in parameters]
     for row in targets:
@@ -195,22 +195,20 @@ def summary_lines(parameters: Any, targets: Any, notes: Sequence[str]) -> list[s
     return [*lines, *notes]
 
 
-def draw(figure: Any, vary: Mapping[str, Sequence[float]], parameters: Any, drawn: Any) -> None:
-    """What is likely into a figure: parameters alone on the diagonal, pairs below it. `drawn`: values by parameter."""
+def draw(figure: Any, vary: Mapping[str, Sequence[float]], parameters: Table, likely: Table) -> None:
+    """What is likely into a figure: parameters alone on the diagonal, pairs below it."""
     axes = figure.subplots(len(vary), len(vary), squeeze=False)
     for i, (key, row) in enumerate(zip(vary, parameters)):
-        for j, (other, column) in enumerate(zip(vary, parameters)):
-            ax = axes[i, j]
-            if j > i:
-                ax.remove()
-                continue
-            if i == j:
-                ax.hist(drawn[key], bins=40, range=tuple(vary[key]), density=True)
+        for ax in axes[i, i + 1 :]:
+            ax.remove()
+        for ax, other, column in zip(axes[i, : i + 1], vary, parameters):
+            if other == key:
+                ax.hist(likely[key], bins=40, range=tuple(vary[key]), density=True)
                 ax.axvspan(row["low"], row["high"], alpha=0.15, zorder=0)
                 ax.axvline(row["best"], color="black")
                 ax.set(xlim=vary[key], ylabel="probability density")
             else:
-                ax.scatter(drawn[other], drawn[key], s=4, alpha=0.4, linewidths=0)
+                ax.scatter(likely[other], likely[key], s=4, alpha=0.4, linewidths=0)
                 ax.plot(column["best"], row["best"], "k+", markersize=10)
                 ax.set(xlim=vary[other], ylim=vary[key], ylabel=key)
             if i == len(vary) - 1:

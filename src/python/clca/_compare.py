@@ -107,16 +107,6 @@ def distributions_of_gas(run: Run, time: float | None, restitution: float | None
     return time, [Distribution(f"boltzmann_{name}", shares[name], run.particles) for name in shown_names]
 
 
-def distances_of(grains: list[Distribution], gas: list[Distribution]) -> list[tuple[str, float, float, int]]:
-    """Name, distance, floor, samples: each from chi-square, then each of grains from each of the gas."""
-    bins = len(grains[0].shares)
-    rows = [(one.name, hellinger(one.shares, [1 / bins] * bins), one.floor, one.samples) for one in grains + gas]
-    for one, other in product(grains, gas):
-        distance, samples = hellinger(one.shares, other.shares), min(one.samples, other.samples)
-        rows.append((f"{one.name}:{other.name}", distance, one.floor + other.floor, samples))
-    return rows
-
-
 def compared(
     run: Run, other: Run, output: Path, stage: str | None, time: float | None, restitution: float | None
 ) -> tuple[dict[str, bytes], list[str]]:
@@ -133,7 +123,11 @@ def compared(
     there = output / "run.json"
     if there.exists() and (kind := read_json(there).get("kind")) != "comparison":
         raise Error(f"{output}: there is a run of kind {kind} in it; write the comparison elsewhere")
-    distances = distances_of(grains, gas)
+    # Name, distance, floor, samples: each from chi-square, then each of grains from each of the gas.
+    distances = [(one.name, hellinger(one.shares, [1 / bins] * bins), one.floor, one.samples) for one in grains + gas]
+    for one, two in product(grains, gas):
+        distance, samples = hellinger(one.shares, two.shares), min(one.samples, two.samples)
+        distances.append((f"{one.name}:{two.name}", distance, one.floor + two.floor, samples))
     measures = {f"hellinger_{name}": distance for name, distance, _, _ in distances[: len(grains + gas)]}
     summary = {key: run.summary[key] for key in ("clca", "threads", "build")}
     summary |= {"kind": "comparison", "scene": f"{run.scene}, {stage}, and {other.scene} at {shown(time)}"}

@@ -20,8 +20,7 @@ from numpy.typing import NDArray
 from . import _answer
 from ._error import ArgumentError, Error, WriteError
 from ._folder import Run, check_free
-from ._frames import Frame, Frames
-from ._trajectory import PITCH, axial, in_h5py, slices, trajectory_in, trapezoids
+from ._frames import PITCH, Frame, axial, in_h5py, slices, trajectory_in, trapezoids
 
 MANY = 1 << 14  # particles that are written together
 VECTORS = ("position", "velocity", "displacement", "image")
@@ -90,8 +89,7 @@ class Source:
             self.columns["image"] = ("1", "widths of the box that it has moved to the right; 0, 0")
 
     def frames(self) -> Iterator[Frame]:
-        frames = Frames(self.trajectory)
-        return (frames[number] for number in self.chosen)
+        return (Frame(self.trajectory, number) for number in self.chosen)
 
     def force(self, frame: Frame) -> float:
         """One of the forces of a frame, in the unit of the export."""

@@ -152,6 +152,7 @@ class Figure(NamedTuple):
     log: bool = False
     style: str = "line"
     each: str = ""  #: a figure for each `file` or for each value of this column
+    where: tuple[str, Any] = ("", None)  #: a column: only rows with this text there, or a number that is not less
     draw: Callable[[Source, Figure, Files, str, Table], Panel] | None = None
 
 
@@ -199,12 +200,10 @@ def profile(source: Source, figure: Figure, files: Files, part: str, table: Tabl
 
 def slope(source: Source, figure: Figure, files: Files, part: str, table: Table) -> Panel:
     y = "repose_gravity_deg" if has(table, "repose_gravity_deg") else figure.y
-    panel = lines(source, figure._replace(y=y, style="points"), files, part, table)
-    return panel._replace(y=Axis(panel.y.label))
+    return lines(source, figure._replace(y=y, style="points"), files, part, table)
 
 
 def neighbours(source: Source, figure: Figure, files: Files, part: str, table: Table) -> Panel:
-    table = table[table["pairs"] >= ENOUGH_PAIRS]
     fallen = table["fallen_d"]
     kept = Curve("neighbours kept", fallen, table["kept"], style="marked", color=0)
     apart = Curve("diffusion of pairs (right)", fallen, table["pair_diffusion"], style="marked", color=1)
@@ -272,7 +271,7 @@ def arrows(ax: Any, places: Sequence[Any], ends: Sequence[Any], cell: float, col
 
 
 def field(source: Source, figure: Figure, files: Files, part: str, table: Table) -> Panel:
-    xs, ys, means, windows = grid_of(table[table["stage"] == part] if part else table)
+    xs, ys, means, windows = grid_of(table)
     wide, tall = pitch_of(xs, ys), pitch_of(ys, xs)
     speeds = numpy.hypot(means["vx"], means["vy"])
     has_arrows = figure.y == "packing" and bool((speeds > 0).any())
@@ -406,12 +405,8 @@ def measure_of(source: Source, name: str) -> float:
 
 def energy(source: Source, figure: Figure, files: Files, part: str, table: Table) -> Panel:
     """Distributions at the times of the histograms, and chi-square with three degrees of freedom."""
-    kind, curves, end = figure.name.partition("-")[2], [], 0.0
+    curves, end = [], 0.0
     for label, table in files:
-        table = table[table["energy"] == kind]
-        table = of_restitution(table, part)
-        if not len(table):
-            continue
         x, y, width = density(table, "share")
         end = max(end, float(numpy.nanmax(table["upper"])))
         shown = numpy.where(y > 0, y, 1e-12)  # in place of 0, which a logarithmic axis does not have
@@ -420,23 +415,17 @@ def energy(source: Source, figure: Figure, files: Files, part: str, table: Table
     x = numpy.linspace(0, end, 400)[1:]
     curves.append(Curve("chi-square", x, numpy.sqrt(x / (2 * math.pi)) * numpy.exp(-x / 2), line="--", color=THEORY))
     least = max(1e-4, min(float(curve.y[curve.y > 1e-12].min(initial=1)) for curve in curves) / 2)
-    symbol = "ω" if kind == "rotational" else "v"
+    symbol = "ω" if "rotational" in figure.where else "v"
     y_axis = Axis("Probability density of X", log=True, low=least)
     return Panel(curves, Axis(f"X = |{symbol}|² / {symbol}₀²(t)", low=0, high=end), y_axis, f"ε = {part}" if part else "")
 
 
-def of_restitution(table: Table, part: str) -> Table:
-    chosen: Table = table[table["restitution"] == float(part)] if part else table
-    return chosen
-
-
 def stress(source: Source, figure: Figure, files: Files, part: str, table: Table) -> Panel:
-    table, theory = of_restitution(table, part), theory_of(source, "p_xy")
-    columns = ["p_xx", "p_yy", "p_xy"]
+    columns, theory = ["p_xx", "p_yy", "p_xy"], theory_of(source, "p_xy")
     curves = [curve_of(source, name.replace("_", " "), table, "time", name, style="sparse") for name in columns]
     if theory is not None:
-        theory = of_restitution(theory, part)
-        curves += [Curve("", theory["time"], theory[name], line="--", color=i) for i, name in enumerate(columns)]
+        rows = dict(groups_of(theory, "restitution")).get(part, theory[:0])
+        curves += [Curve("", rows["time"], rows[name], line="--", color=i) for i, name in enumerate(columns)]
         curves.append(legend_entry("theory, steady"))
     return Panel(curves, Axis(table.label("time")), Axis("Stress / mean pressure"), f"ε = {part}" if part else "")
 
@@ -493,7 +482,7 @@ FIGURES = [
     Figure("surface-height", "cycles", "height_mean", "Mean height of the surface above the floor of the box, by cycle.", 0,
            "cycle", zero=True),
     Figure("neighbours", "mixing-*", "kept", "Neighbours kept, and diffusion of pairs, against the distance that they have fallen.",
-           7, "fallen_d", each="file", draw=neighbours),
+           7, "fallen_d", each="file", draw=neighbours, where=("pairs", ENOUGH_PAIRS)),
     Figure("base-pressure", "weight_paths-*", "pressure_inner", "Pressure below a bed at rest, over its mean: of weight passed on "
            "by rules, and of the contact model.", 6, "base_position", each="file", draw=base_pressure),
     Figure("convection", "convection-*", "dx", "Mean drift in a cycle of shaking or turning, as arrows: of mean length 0.7 times "
@@ -521,10 +510,10 @@ FIGURES = [
            "time", log=True, draw=gas),
     Figure("energy-rotational", "histogram-*", "share", "Distribution of the rotational energy at the times of the histograms, and "
            "chi-square with 3 degrees of freedom: Figs. 2 (case 1) and 5 (case 2) of Ogawa & Kato 1982.", 5, "upper",
-           each="restitution", draw=energy),
+           each="restitution", draw=energy, where=("energy", "rotational")),
     Figure("energy-translational", "histogram-*", "share", "Distribution of the translational energy at the times of the "
            "histograms, and chi-square with 3 degrees of freedom: Fig. 4 (case 2) of Ogawa & Kato 1982.", 5, "upper",
-           each="restitution", draw=energy),
+           each="restitution", draw=energy, where=("energy", "translational")),
     Figure("cumulant-translational", "series", "a2_tr", "Second cumulant of the translational motion: 0 for a normal distribution.",
            4, "time", draw=gas),
     Figure("cumulant-rotational", "series", "a2_rot", "Second cumulant of the rotational motion: 0 for a normal distribution.", 4,
@@ -546,13 +535,9 @@ def allows(figure: Figure, table: Table) -> bool:
     """Whether a table has what the figure needs, with values."""
     if figure.y.endswith("*"):
         return any(name.startswith(figure.y[:-1]) and set(name) <= LABEL and has(table, name) for name in table.names)
-    if figure.draw is energy:
-        table = table[table["energy"] == figure.name.partition("-")[2]] if "energy" in table.names else table[:0]
-    if figure.draw is neighbours:
-        table = table[table["pairs"] >= ENOUGH_PAIRS] if "pairs" in table.names else table[:0]
     if figure.name == "particles" and has(table, "particles"):
         return len(numpy.unique(table["particles"])) > 1
-    return all(has(table, column) for column in (*figure.y.split("/"), figure.x, *figure.needs) if column)
+    return all(has(table, column) for column in (*figure.y.split("/"), figure.x, *figure.needs, figure.where[0]) if column)
 
 
 def charts_of(source: Source, figure: Figure) -> list[Chart]:
@@ -570,13 +555,14 @@ def charts_of(source: Source, figure: Figure) -> list[Chart]:
         files = [(label, table) for label, table in files if is_over_time and source.choice.y2 in table.names]
     if figure.name == "contacts":
         files = [(label, table) for label, table in files if f"loads-{label}" in source.names]
-    if figure.each == "file":
-        parts = {label: [(label, table)] for label, table in files}
-    elif figure.each:
-        groups = [group for _, table in files for group in groups_of(table, figure.each)]
-        parts = {group: files for group, rows in groups if allows(figure, rows)}
-    else:
-        parts = {"": files} if files else {}
+    parts: dict[str, Files] = {}
+    column, value = figure.where
+    for label, table in files:
+        if column:
+            table = table[table[column] == value if isinstance(value, str) else table[column] >= value]
+        for group, rows in groups_of(table, figure.each):
+            if allows(figure, rows):
+                parts.setdefault(label if figure.each == "file" else group, []).append((label, rows))
     what = "Stage" if figure.each == "file" else figure.each
 
     def chart(part: str, those: Files) -> Chart:

@@ -15,10 +15,9 @@ from numpy.typing import NDArray
 
 from ._arguments import MOST, absolute, at_most_runs, flag, number, path, place_of, text, whole
 from ._error import ArgumentError, Error, WriteError, without_compiled_part
-from ._frames import Frames, Kind
+from ._frames import Frames, Kind, trajectory_in
 from ._notebook import Movie, Picture, overrides, shown
 from ._table import Named, Quantity, Table, Value, check_regular, quantities, read_table
-from ._trajectory import trajectory_in
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes  # type: ignore[import]
@@ -176,18 +175,15 @@ class Folder:
             raise Error(f"cannot read {self.folder}: the folder is not there")
         return sorted(file.stem for file in self.folder.glob("*.csv"))
 
-    def _columns(self, table: str) -> dict[str, Quantity]:
-        known = self.summary.get("tables", {})
-        kinds = [kind for kind in known if table == kind or table.startswith(f"{kind}-")]
-        return quantities(known[max(kinds, key=len)]) if kinds else {}
-
     def table(self, name: str) -> Table:
         """`NAME.csv` of the folder, such as `profile-flow`. Numbers are float64, whole ones int64; an empty cell is NaN.
         Throws Error.
         """
         if text("name", name) not in self.tables:
             raise Error(f"{self.folder}: no table {name!r}; there are {', '.join(self.tables) or 'none'}")
-        return read_table(self.folder / f"{name}.csv", self._columns(name))
+        known = self.summary.get("tables", {})
+        kind = max((kind for kind in known if name == kind or name.startswith(f"{kind}-")), key=len, default="")
+        return read_table(self.folder / f"{name}.csv", quantities(known.get(kind, [])))
 
 
 class Result(Folder):

@@ -1,19 +1,26 @@
-"""Scenes, and the runs and sweeps of them."""
+"""Scenes, and what is made of them: runs, sweeps, simulations step by step, gases."""
 
 from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from contextlib import nullcontext
+from functools import cached_property, partial
 from typing import Any
 
+import numpy
+from numpy.typing import NDArray
+
 from . import _clca
-from ._arguments import MOST, absolute, at_most_runs, flag, mapping, path, text, to_yaml, whole, workers
-from ._error import ArgumentError
+from ._arguments import MOST, absolute, at_most_runs, flag, mapping, number, path, refused, text, to_yaml, whole, workers
+from ._error import ArgumentError, Error
 from ._folder import Run, Sweep
-from ._notebook import Progress, reporting
+from ._frames import PITCH, Frame, Kind, Look, Trajectory
+from ._notebook import Picture, Progress, overrides, reporting
+from ._table import Quantity, Table, Value
 
 
-def overrides(seed: int | None, set: Mapping[str, Any] | None) -> dict[str, str]:
+def replaced(seed: int | None, set: Mapping[str, Any] | None) -> dict[str, str]:
     """Keys and their values in the syntax of a scene."""
     keys = mapping("set", set) | ({} if seed is None else {"seed": seed})
     return {text("set", key): to_yaml(key, value) for key, value in keys.items()}
@@ -36,15 +43,12 @@ class Scene(_clca.Scene):
             file, content = path(name), to_yaml("scene", source, indent=1).encode()
         else:
             file, content = path(source), None
-        self._load(os.fsencode(file), content, overrides(seed, set))
+        self._load(os.fsencode(file), content, replaced(seed, set))
 
     def _load(self, file: bytes, text: bytes | None, overrides: dict[str, str]) -> None:
         self._overrides = overrides
-        super().__init__(file, text, self._as_options())
-
-    def _as_options(self) -> list[bytes]:
-        """As for `--set`."""
-        return [f"{key}={value}".encode() for key, value in self._overrides.items()]
+        self._options = [f"{key}={value}".encode() for key, value in overrides.items()]  # as for --set
+        super().__init__(file, text, self._options)
 
     @classmethod
     def _again(cls, file: bytes, text: bytes, overrides: dict[str, str]) -> Scene:
@@ -60,7 +64,7 @@ class Scene(_clca.Scene):
             return cls(scene, seed, set)
         if seed is None and not set:
             return scene
-        return cls._again(*scene._origin, scene._overrides | overrides(seed, set))
+        return cls._again(*scene._origin, scene._overrides | replaced(seed, set))
 
     def __reduce__(self) -> tuple[Any, ...]:
         return Scene._again, (*self._origin, self._overrides)
@@ -90,9 +94,10 @@ def run(
     """
     if all([flag("keep", keep), flag("overwrite", overwrite)]):
         raise ArgumentError("keep excludes overwrite")
-    folder = None if output is None else path(output)
     with reporting(progress) as report:
-        return Run(_clca.run(Scene.of(scene, seed, set), folder, workers("threads", threads), keep, overwrite, report))
+        checked = Scene.of(scene, seed, set)
+        folder = absolute(f"renders/{checked.name}" if output is None else output)
+        return Run(_clca.run(checked, folder, workers("threads", threads), keep, overwrite, report))
 
 
 def resume(
@@ -130,7 +135,108 @@ def sweep(
         lists = [[row] if isinstance(keys, str) else at_most_runs(name, row) for row in rows]
         varied.append((of, [[to_yaml(name, value) for value in row] for row in lists]))
     numbers = [whole("seeds", seed, 0, MOST) for seed in at_most_runs("seeds", seeds)]
-    folder = None if output is None else path(output)
+    folder = absolute(f"renders/{checked.name}-sweep" if output is None else output)
     with reporting(progress) as report:
-        of_scene = *checked._origin, checked._as_options()
-        return Sweep(_clca.sweep(*of_scene, varied, numbers, folder, workers("jobs", jobs), report))
+        _clca.sweep(*checked._origin, checked._options, varied, numbers, folder, workers("jobs", jobs), report)
+    return Sweep(folder)
+
+
+class Simulation(_clca.Simulation):
+    """A scene of grains, of which you take the steps: with the bits of a run, without its files.
+
+    `scene`, `seed` and `set` are as for `Scene`. Throws Error. After `step` or `next_stage` has failed, later calls throw
+    the same.
+    """
+
+    def __init__(self, scene: AnyScene, seed: int | None = None, set: Mapping[str, Any] | None = None, threads: int = 1) -> None:
+        super().__init__(Scene.of(scene, seed, set), whole("threads", threads, 1, 1024))
+
+    def __repr__(self) -> str:
+        try:
+            return f"<simulation at step {self.steps}, stage {self.stage}>"
+        except Error as error:
+            return f"<simulation that has failed: {error}>"
+
+    def __reduce__(self) -> Any:
+        raise TypeError("cannot pickle Simulation")
+
+    def step(self, steps: int = 1) -> int:
+        """Takes so many steps, and begins stages where others have ended. Returns how many were taken: fewer if the last
+        stage has ended.
+        """
+        return self._step(steps) if type(steps) is int and 0 <= steps <= MOST else self._step(whole("steps", steps, 0, MOST))
+
+    def _now(self) -> Trajectory:
+        """Of one frame: what is there now."""
+        return Trajectory([partial(nullcontext, self._datasets())], self._summary())
+
+    @cached_property
+    def _look(self) -> Look:
+        return self._now().look
+
+    @property
+    def kinds(self) -> list[Kind]:
+        """The kinds of particles, by their number in `particles`."""
+        return self._look.kinds
+
+    @property
+    def walls(self) -> dict[str, NDArray[numpy.float64]]:
+        """Of each wall sites x 2: their positions at home, in lattice spacings."""
+        return self._look.walls
+
+    @property
+    def frame(self) -> Frame:
+        """The particles in the box as they are now, as of a run; a copy."""
+        return Frame(self._now(), 0)
+
+    @property
+    def measures(self) -> dict[str, Value]:
+        """What a run has of its stage, taken as of now."""
+        return {key: Value(number, *what) for key, number, *what in self._measures(None)}
+
+    def measure(self, name: str) -> dict[str, Value] | Table:
+        """One of the measures of the scene's key `measure`: its values by name; of `profile` a table of the free
+        surface, with `x` and `height` in lattice spacings. Throws Error if the scene does not have it.
+        """
+        if name == "profile":
+            heights = numpy.array(self._heights())
+            x = "x", PITCH * numpy.arange(len(heights)), Quantity("Position", "spacings")
+            return Table([x, ("height", heights, Quantity("Height of the surface", "spacings"))])
+        return {key: Value(number, *what) for key, number, *what in self._measures(text("name", name))}
+
+    def picture(self, **frames: Any) -> Picture:
+        """The box as it is now. `frames` are keys of `output.frames` in place of the scene's, such as
+        `color_by="stage_layer"`, `width=400`. Throws Error.
+        """
+        return self._picture(overrides(frames)).view(Picture)
+
+
+class Gas(_clca.Gas):
+    """The first gas of the ensemble of a scene of the Boltzmann equation, with its first restitution.
+
+    `scene`, `seed` and `set` are as for `Scene`. Velocities are in v0, the root of <v^2>/3 at time 0, and times in the
+    unit of docs/boltzmann.md. `threads`: all by default; the bits do not depend on it. Throws Error.
+    """
+
+    def __init__(
+        self, scene: AnyScene, seed: int | None = None, set: Mapping[str, Any] | None = None, threads: int | None = None
+    ) -> None:
+        super().__init__(Scene.of(scene, seed, set), workers("threads", threads))
+
+    def __reduce__(self) -> Any:
+        raise TypeError("cannot pickle Gas")
+
+    def advance(self, time: float) -> None:
+        """Goes on to this time, which is not before that of the gas. The bits are those of a run where that also stops at it: its
+        times of observation.
+        """
+        until, now = number("time", time), self.time
+        if until < now:
+            raise refused("time", f"{now:g} or later", time)
+        self._advance(until)
+
+    def __repr__(self) -> str:
+        try:
+            return f"<gas at time {self.time:g}>"
+        except Error as error:
+            return f"<gas that has failed: {error}>"

@@ -36,6 +36,12 @@ def label_of(keys: Sequence[str], cell: Cell) -> str:
     return ", ".join(f"{key}={text_of(value)}" for key, value in zip(keys, cell))
 
 
+def grouped(rows: Table, keys: Sequence[str]) -> list[tuple[Cell, Table]]:
+    """The rows of each combination of values that is there."""
+    cells = rows_of(rows, keys)
+    return [(cell, rows[numpy.array([one == cell for one in cells])]) for cell in dict.fromkeys(cells)]
+
+
 class Keys:
     """What of the keys that vary goes along the axis, tells curves, panels and figures apart."""
 
@@ -54,10 +60,9 @@ class Keys:
         return math.prod(len(self.values[key]) for key in keys)
 
     def combinations(self, rows: Table, keys: Sequence[str]) -> list[tuple[Cell, Table]]:
-        """The rows of each combination of values that is there, in order."""
-        cells = rows_of(rows, keys)
-        there = sorted(set(cells), key=lambda cell: [self.values[key].index(value) for key, value in zip(keys, cell)])
-        return [(cell, rows[numpy.array([one == cell for one in cells])]) for cell in there]
+        """As grouped(), in order."""
+        places = [self.values[key] for key in keys]
+        return sorted(grouped(rows, keys), key=lambda group: list(map(list.index, places, group[0])))
 
     def label(self, cell: Cell) -> str:
         """Of a curve; a word alone says enough."""
@@ -195,9 +200,7 @@ def mean_charts(source: Source, sweep: Sweep, name: str) -> list[Chart]:
         return Curve(label, those[x], means, means - error, means + error, style=style)
 
     charts = []
-    cells = rows_of(table, groups)
-    for group in dict.fromkeys(cells):
-        rows = table[numpy.array([cell == group for cell in cells])]
+    for group, rows in grouped(table, groups):
         group_name = "-".join(group)
         for number, (values, part) in enumerate(ways.combinations(rows, ways.apart), 1):
             where = listed(group_name or "-".join(name.split("-")[2:]), label_of(ways.apart, values))
