@@ -53,8 +53,8 @@ void leave_out_none(Value& value, const std::vector<KeyDescription>& keys) {
   };
   std::erase_if(value.entries, [&](const Entry& entry) {
     const auto key = key_of(entry);
-    return key != keys.end() && may_be_none(*key) && entry.value.is(Value::Kind::scalar) &&
-           !entry.value.quoted && entry.value.text == "none";
+    return key != keys.end() && may_be_none(*key) && !entry.value.quoted &&
+           entry.value.text == "none";
   });
   for (Entry& entry : value.entries) {
     const auto key = key_of(entry);
@@ -107,15 +107,13 @@ KeyDescription described(std::string_view name, const AnyType& type, std::string
           .keys = type.keys};
 }
 
-AnyKey any_key(std::string_view name, const Way& way, const AnyType& type, std::string_view about) {
-  return {described(name, type, about), {}, way, std::make_shared<const AnyType>(type), {}};
-}
-
 AnyKey any_key(std::string_view name, const Way& way, const AnyType& type, std::string_view about,
                const void* otherwise) {
-  AnyKey key = any_key(name, way, type, about);
-  key.default_value = type.text_of(otherwise, Scene());
-  key.otherwise = fmt::format("`{}`", flow_text(*key.default_value));
+  AnyKey key = {described(name, type, about), {}, way, std::make_shared<const AnyType>(type), {}};
+  if (otherwise != nullptr) {
+    key.default_value = type.text_of(otherwise, Scene());
+    key.otherwise = fmt::format("`{}`", flow_text(*key.default_value));
+  }
   return key;
 }
 
@@ -155,7 +153,7 @@ AnyType map_type(const std::vector<AnyKey>& keys, const std::vector<std::string>
     return result;
   };
   type.keys = std::make_shared<const std::vector<KeyDescription>>(keys.begin(), keys.end());
-  type.schema = map_schema(type.keys, one_of, std::string(conditions));
+  type.schema = map_schema(*type.keys, one_of, conditions);
   return type;
 }
 

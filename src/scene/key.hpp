@@ -18,7 +18,7 @@
 #include <vector>
 
 #include "clca/scene/scene.hpp"
-#include "scene/keyed_map.hpp"
+#include "scene/place.hpp"
 #include "scene/schema.hpp"
 
 namespace clca::scene {
@@ -181,7 +181,7 @@ struct Map {
   std::vector<std::string> one_of = {};  ///< of these keys exactly one is given
   /// What depends on several keys, once they have been read.
   Action<Owner> check = nullptr;
-  std::string_view conditions = {};  ///< the same as far as a schema can say it; JSON
+  std::string_view conditions = {};  ///< the same as far as a schema can say it: members of it
 };
 
 /// Whether it is left out by `none` as its value, too.
@@ -195,10 +195,9 @@ std::string without_markup(std::string text);
 std::string meaning(const KeyDescription& key);
 
 KeyDescription described(std::string_view name, const AnyType& type, std::string_view about);
-AnyKey any_key(std::string_view name, const Way& way, const AnyType& type, std::string_view about);
-/// The same with a default that is a value.
+/// `otherwise`: its default, if that is a value.
 AnyKey any_key(std::string_view name, const Way& way, const AnyType& type, std::string_view about,
-               const void* otherwise);
+               const void* otherwise = nullptr);
 
 /// To what the second way leads to from where the first one ends.
 Way joined(const Way& first, const Way& second);
@@ -237,18 +236,12 @@ Key<Owner> required(std::string_view name, T Owner::*member, const Type<T>& type
   return Key<Owner>(any_key(name, to_member(member), type, about)).is_required();
 }
 
-/// A member of the Owner that has this default.
-template <class Owner, class T>
-Key<Owner> key(std::string_view name, T Owner::*member, const Type<T>& type, std::string_view about,
-               const std::type_identity_t<T>& otherwise) {
-  return Key<Owner>(any_key(name, to_member(member), type, about, &otherwise));
-}
-
 /// A member of the Owner, whose default is that of the struct.
 template <class Owner, class T>
 Key<Owner> key(std::string_view name, T Owner::*member, const Type<T>& type,
                std::string_view about) {
-  return key(name, member, type, about, Owner().*member);
+  const Owner defaults;
+  return Key<Owner>(any_key(name, to_member(member), type, about, &(defaults.*member)));
 }
 
 /// A member of the Owner that may have no value.

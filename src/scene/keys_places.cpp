@@ -70,9 +70,9 @@ Type<std::vector<Source>> sources_type() {
                     .with_condition("this or `region`"),
                 position("region", region(), "emits at any site of this region of the box")
                     .with_condition("this or `at`"),
-                key("species", &Source::weights, weights_type(), "weights of what is emitted", {})
+                key("species", &Source::weights, weights_type(), "weights of what is emitted")
                     .defaults_to("all alike"),
-                required("rate", &Source::rate, number(1e-6, kMaxRate), "particles per step"),
+                required("rate", &Source::rate, number(1e-6, 1000), "particles per step"),
                 key("count", &Source::count, count(1, kMaxParticles),
                     "closes for good after so many")
                     .defaults_to("no end")},

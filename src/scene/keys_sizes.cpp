@@ -10,12 +10,9 @@ namespace clca::scene {
 
 namespace {
 
-constexpr std::array<Named<SizeLaw>, 3> kLawNames = {
-    {{"uniform", SizeLaw::uniform}, {"lognormal", SizeLaw::lognormal}, {"list", SizeLaw::list}}};
-constexpr std::array<Named<SharesBy>, 2> kSharesByNames = {
-    {{"number", SharesBy::number}, {"area", SharesBy::area}}};
-constexpr std::array<Named<RoundShape>, 2> kRoundShapeNames = {
-    {{"hexagon", RoundShape::hexagon}, {"disc", RoundShape::disc}}};
+constexpr auto kLawNames = in_order<SizeLaw>("uniform", "lognormal", "list");
+constexpr auto kSharesByNames = in_order<SharesBy>("number", "area");
+constexpr auto kRoundShapeNames = in_order<RoundShape>("hexagon", "disc");
 
 Type<std::vector<double>> list(const Type<double>& number) {
   auto type = list_of(number, 1, kMaxKinds);
@@ -70,12 +67,10 @@ Type<Sizes> sizes_type() {
                     "whether the law is that of the number of particles or of the area they cover"),
                 key("kinds", &Sizes::kinds, count(1, kMaxKinds),
                     "classes of equal width that the law is divided into, at most"),
-                key("diameters", &Sizes::diameters, list(diameter), "of a list", {})
+                key("diameters", &Sizes::diameters, list(diameter), "of a list")
                     .with_condition("required for a list"),
                 key("shares", &Sizes::shares, list(above_zero(1e9)),
-                    "of a list: one for each diameter, "
-                    "of any sum",
-                    {})
+                    "of a list: one for each diameter, of any sum")
                     .with_condition("required for a list"),
                 key("shape", &Sizes::shape, choice(kRoundShapeNames),
                     "hexagons, or discs: of more sizes, but notched")},

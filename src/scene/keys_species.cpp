@@ -18,28 +18,11 @@ namespace {
 
 /// Of `[x, q]`, each once.
 Type<std::vector<lattice::Axial>> sites(std::size_t least, std::size_t most) {
-  const auto site = converted<lattice::Axial>(
-      "", list_of(integer(-kMaxSiteCoordinate, kMaxSiteCoordinate), 2, 2),
-      [](const std::vector<int>& pair) {
-        return lattice::Axial{pair[0], pair[1]};
-      },
-      [](lattice::Axial axial) {
-        return std::vector<int>{axial.x, axial.q};
-      });
+  const auto site =
+      list_of_members("", integer(-1000, 1000), &lattice::Axial::x, &lattice::Axial::q);
   auto type = set_of(site, least, most, flow_text);
   type.allowed = fmt::format("{} to {} `[x, q]`", least, most);
   return type;
-}
-
-Type<RectangleSpec> size() {
-  return converted<RectangleSpec>(
-      "`[width, height]`", list_of(length(above_zero(kMaxLength)), 2, 2),
-      [](const std::vector<double>& sides) {
-        return RectangleSpec{sides[0], sides[1]};
-      },
-      [](const RectangleSpec& spec) {
-        return std::vector<double>{spec.width, spec.height};
-      });
 }
 
 Type<RodSpec> rod() {
@@ -57,7 +40,9 @@ Type<ShapeSpec> shape() {
            "has 7, 2 has 19"),
        alternative<ShapeSpec>("disc", as(&DiscSpec::radius, length(number(0, kMaxRadius))),
                               "all sites within that many spacings of the centre"),
-       alternative<ShapeSpec>("rectangle", size(),
+       alternative<ShapeSpec>("rectangle",
+                              list_of_members("`[width, height]`", length(above_zero(kMaxLength)),
+                                              &RectangleSpec::width, &RectangleSpec::height),
                               "an upright rectangle, to the nearest number of columns and of sites "
                               "in each"),
        alternative<ShapeSpec>("outline",
@@ -170,12 +155,12 @@ Type<std::vector<int>> orientations() {
           fail(place, "expected a multiple of 60, found {}", degrees);
         }
       });
-  angle.schema = schema(R"({"enum": [0, 60, 120, 180, 240, 300]})");
+  angle.schema = R"({"enum": [0, 60, 120, 180, 240, 300]})";
   const auto list = set_of(angle, 1, kAll.size(), flow_text);
   return own_type<std::vector<int>>(
       "list of 0, 60, 120, 180, 240, 300, or `any`", any_of({word_schema("any"), list.schema}),
       [=](const Place& place) {
-        if (place.value.is(Value::Kind::scalar) && place.value.text == "any") {
+        if (place.value.text == "any") {
           return kAll;
         }
         if (!place.value.is(Value::Kind::list)) {
@@ -192,7 +177,7 @@ image::Rgb read_color(const Place& place) {
   const std::string& text = place.value.text;
   const bool hexadecimal = text.size() == 7 && text.front() == '#' &&
                            text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
-  if (!place.value.is(Value::Kind::scalar) || !hexadecimal) {
+  if (!hexadecimal) {
     fail(place, "expected a colour like \"#3a6ea5\", in quotes, found {}", found(place));
   }
   const auto part = [&](std::size_t start) {
@@ -246,7 +231,7 @@ Type<std::vector<Species>> species_type() {
                                           "[sizes](#sizes)"))
                    .with_condition("this or `shape`"),
                key("orientations", &Species::orientations, orientations(),
-                   "angles it may start with, clockwise; one of them at random", {0}),
+                   "angles it may start with, clockwise; one of them at random"),
                key("color", &Species::color, color_type(), "colour for `color_by: species`")
                    .defaults_to("palette"),
                key("sieve", &Species::sieve, number(0, 1),

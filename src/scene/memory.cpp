@@ -184,10 +184,8 @@ Size size_of(const Scene& scene) {
   const double deposited = std::min(particles, filled(scene, FillMethod::deposition));
   const double awake = particles - (1 - kAwakeOfDeposited) * deposited;
   const auto index_count = static_cast<double>(lattice.index_count());
-  const bool overlaps = std::ranges::any_of(
-      scene.walls, [](const Wall& wall) { return wall.passive == grains::Passive::overlap; });
   const double model =
-      grains::OccupancyTable::bytes_for(index_count, overlaps) +
+      grains::OccupancyTable::bytes_for(index_count, lets_overlap(scene)) +
       grains::kParticleBytes * particles +
       (scene.model == Model::contact ? contact::step_bytes(particles)
                                      : automaton::step_bytes(index_count, particles, awake));

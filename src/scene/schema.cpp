@@ -3,40 +3,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "clca/text/message.hpp"
 #include "scene/key.hpp"
-#include "scene/limits.hpp"
 
 namespace clca::scene {
 
 namespace {
 
-/// The schema with a further member.
-Schema extended(const Schema& schema, const std::string& name, const Json& value) {
-  return [=] {
-    Json result = schema();
-    result[name] = value;
-    return result;
-  };
-}
+using Json = nlohmann::ordered_json;
 
-Schema of_range(std::string_view type, const Json& low, const Json& high) {
-  return [=] { return Json{{"type", type}, {"minimum", low}, {"maximum", high}}; };
-}
-
-Json list_of_schemas(const std::vector<Schema>& schemas) {
-  Json result = Json::array();
-  for (const Schema& schema : schemas) {
-    result.push_back(schema());
-  }
-  return result;
-}
-
-Schema sized(const Schema& array, std::size_t least, std::size_t most) {
-  return with(with(array, "minItems", least), "maxItems", most);
+/// What is between the brackets.
+std::string_view members(std::string_view schema) {
+  return schema.substr(1, schema.size() - 2);
 }
 
 /// Plain scalars become numbers, booleans or strings.
@@ -57,129 +37,71 @@ Json to_json(const Value& value) {
 
 }  // namespace
 
-Schema schema(std::string_view text) {
-  return [text = std::string(text)] { return Json::parse(text); };
+Schema with(const Schema& schema, std::string_view more) {
+  return fmt::format("{{{}, {}}}", members(schema), more);
 }
 
-Schema with(const Schema& schema, const std::string& name, std::uint64_t number) {
-  return extended(schema, name, number);
+Schema text_schema(std::string_view pattern) {
+  return fmt::format(R"({{"type": "string", "pattern": "{}"}})", pattern);
 }
 
-Schema number_schema(double low, double high) {
-  return of_range("number", low, high);
+Schema scalar_schema(std::string_view pattern) {
+  return fmt::format(R"({{"type": ["string", "number", "boolean"], "pattern": "{}"}})", pattern);
 }
 
-Schema above_zero_schema(double high) {
-  return [=] { return Json{{"type", "number"}, {"exclusiveMinimum", 0}, {"maximum", high}}; };
-}
-
-Schema number_or_text(const Schema& number, const std::string& pattern) {
-  return extended(number, "pattern", Json(pattern));
-}
-
-Schema integer_schema(std::int64_t low, std::int64_t high) {
-  return of_range("integer", low, high);
-}
-
-Schema count_schema(std::uint64_t low, std::uint64_t high) {
-  // Readers of schemas take whole numbers as signed ones.
-  constexpr std::uint64_t kMaxSigned = std::numeric_limits<std::int64_t>::max();
-  return of_range("integer", low, high > kMaxSigned ? Json(static_cast<double>(high)) : Json(high));
-}
-
-Schema text_schema(const std::string& pattern) {
-  return [=] { return Json{{"type", "string"}, {"pattern", pattern}}; };
-}
-
-Schema scalar_schema(const std::string& pattern) {
-  const Schema any = schema(R"({"type": ["string", "number", "boolean"]})");
-  return pattern.empty() ? any : extended(any, "pattern", pattern);
-}
-
-Schema word_schema(const std::string& word) {
-  return [=] { return Json{{"const", word}}; };
-}
-
-Schema choice_schema(const std::vector<std::string_view>& words) {
-  return [=] { return Json{{"enum", words}}; };
+Schema word_schema(std::string_view word) {
+  return fmt::format(R"({{"const": "{}"}})", word);
 }
 
 Schema any_of(const std::vector<Schema>& schemas) {
-  return [=] { return Json{{"anyOf", list_of_schemas(schemas)}}; };
+  return fmt::format(R"({{"anyOf": [{}]}})", fmt::join(schemas, ", "));
 }
 
-Schema array_schema(const Schema& item) {
-  return [=] { return Json{{"type", "array"}, {"items", item()}}; };
+Schema array_schema(const Schema& items) {
+  return fmt::format(R"({{"type": "array", "items": {}}})", items);
 }
 
-Schema array_schema(const Schema& item, std::size_t least, std::size_t most) {
-  return sized(array_schema(item), least, most);
+Schema array_schema(const Schema& items, std::size_t least, std::size_t most) {
+  return with(array_schema(items), fmt::format(R"("minItems": {}, "maxItems": {})", least, most));
 }
 
-Schema tuple_schema(const std::vector<Schema>& items) {
-  return sized(array_schema([=] { return list_of_schemas(items); }), items.size(), items.size());
+Schema object_schema(const Schema& value, std::string_view pattern) {
+  return fmt::format(
+      R"({{"type": "object", "propertyNames": {{"pattern": "{}"}}, "additionalProperties": {}}})",
+      pattern, value);
 }
 
-Schema unique(const Schema& array) {
-  return extended(array, "uniqueItems", true);
-}
-
-Schema object_schema(const Schema& value, const std::string& pattern) {
-  return [=] {
-    Json object = {{"type", "object"}};
-    if (!pattern.empty()) {
-      object["propertyNames"] = {{"pattern", pattern}};
+Schema map_schema(const std::vector<KeyDescription>& keys, const std::vector<std::string>& one_of,
+                  std::string_view conditions) {
+  std::vector<std::string> properties;
+  std::vector<std::string> required;
+  for (const KeyDescription& key : keys) {
+    const bool says_default = !key.required && !key.otherwise.empty() && !key.default_value;
+    const std::string about =
+        meaning(key) +
+        (says_default ? fmt::format(" (default: {})", without_markup(key.otherwise)) : "");
+    const Schema values = may_be_none(key) ? any_of({word_schema("none"), key.schema}) : key.schema;
+    properties.push_back(fmt::format(
+        R"("{}": {{"description": {}, {}{}}})", key.name, Json(about).dump(), members(values),
+        key.default_value ? fmt::format(R"(, "default": {})", to_json(*key.default_value).dump())
+                          : ""));
+    if (key.required) {
+      required.push_back(key.name);
     }
-    object["additionalProperties"] = value();
-    return object;
-  };
-}
-
-Schema named_schema(const Schema& value, std::size_t least) {
-  const Schema object =
-      with(object_schema(value, std::string(kNamePattern)), "maxProperties", kMaxItems);
-  return least > 0 ? with(object, "minProperties", least) : object;
-}
-
-Schema map_schema(const Descriptions& keys, const std::vector<std::string>& one_of,
-                  const std::string& conditions) {
-  return [=] {
-    Json result;
-    result["type"] = "object";
-    Json& properties = result["properties"] = Json::object();
-    std::vector<std::string> required;
-    for (const KeyDescription& key : *keys) {
-      Json property;
-      const bool says_default = !key.required && !key.otherwise.empty() && !key.default_value;
-      property["description"] =
-          meaning(key) +
-          (says_default ? fmt::format(" (default: {})", without_markup(key.otherwise)) : "");
-      property.update(may_be_none(key) ? any_of({word_schema("none"), key.schema})()
-                                       : key.schema());
-      if (key.default_value) {
-        property["default"] = to_json(*key.default_value);
-      }
-      if (key.required) {
-        required.push_back(key.name);
-      }
-      properties[key.name] = property;
-    }
-    if (!required.empty()) {
-      result["required"] = required;
-    }
-    result["additionalProperties"] = false;
-    if (one_of.size() == keys->size()) {
-      result.update({{"minProperties", 1}, {"maxProperties", 1}});
-    } else {
-      for (const std::string& name : one_of) {
-        result["oneOf"].push_back({{"required", {name}}});
-      }
-    }
-    if (!conditions.empty()) {
-      result.update(Json::parse(conditions));
-    }
-    return result;
-  };
+  }
+  Schema result =
+      fmt::format(R"({{"type": "object", "properties": {{{}}}}})", fmt::join(properties, ", "));
+  if (!required.empty()) {
+    result = with(result, fmt::format(R"("required": ["{}"])", fmt::join(required, R"(", ")")));
+  }
+  result = with(result, R"("additionalProperties": false)");
+  if (one_of.size() == keys.size()) {
+    result = with(result, R"("minProperties": 1, "maxProperties": 1)");
+  } else if (!one_of.empty()) {
+    const std::string keys_of = fmt::format("{}", fmt::join(one_of, R"("]}, {"required": [")"));
+    result = with(result, fmt::format(R"("oneOf": [{{"required": ["{}"]}}])", keys_of));
+  }
+  return conditions.empty() ? result : with(result, conditions);
 }
 
 namespace {

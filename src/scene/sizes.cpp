@@ -116,24 +116,6 @@ std::vector<RoundKind> discs(double largest) {
   return kinds;
 }
 
-/// The two kinds around a diameter, and the share of the upper one with which their mean diameter
-/// is this one: by number or by area, as that of the law.
-struct Neighbours {
-  std::size_t upper = 1;
-  double upper_share = 0;
-};
-
-Neighbours neighbours(const std::vector<RoundKind>& kinds, double diameter) {
-  Neighbours beside;
-  while (beside.upper + 1 < kinds.size() && kinds[beside.upper].diameter() < diameter) {
-    ++beside.upper;
-  }
-  const double low = kinds[beside.upper - 1].diameter();
-  const double high = kinds[beside.upper].diameter();
-  beside.upper_share = std::clamp((diameter - low) / (high - low), 0.0, 1.0);
-  return beside;
-}
-
 }  // namespace
 
 double largest_diameter(const Sizes& sizes) {
@@ -150,11 +132,18 @@ std::vector<SizeClass> size_classes(const Sizes& sizes) {
       sizes.shape == RoundShape::disc ? discs(largest) : hexagons(largest);
   std::map<std::size_t, double> shares;  // of the kinds, by what the law is by
   for (const Diameter& diameter : diameters_of(sizes)) {
-    const Neighbours beside = neighbours(kinds, diameter.value);
-    const double upper =
-        sizes.law == SizeLaw::list ? std::round(beside.upper_share) : beside.upper_share;
-    shares[beside.upper - 1] += (1 - upper) * diameter.share;
-    shares[beside.upper] += upper * diameter.share;
+    // The two kinds around it, and the share of the upper one with which their mean diameter is
+    // this one: by number or by area, as that of the law.
+    std::size_t above = 1;
+    while (above + 1 < kinds.size() && kinds[above].diameter() < diameter.value) {
+      ++above;
+    }
+    const double low = kinds[above - 1].diameter();
+    const double share =
+        std::clamp((diameter.value - low) / (kinds[above].diameter() - low), 0.0, 1.0);
+    const double upper = sizes.law == SizeLaw::list ? std::round(share) : share;
+    shares[above - 1] += (1 - upper) * diameter.share;
+    shares[above] += upper * diameter.share;
   }
   std::erase_if(shares, [](const auto& of_kind) { return of_kind.second <= 0; });
   double all = 0;

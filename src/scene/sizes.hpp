@@ -11,7 +11,7 @@ namespace clca::scene {
 
 enum class SizeLaw : std::uint8_t { uniform, lognormal, list };
 enum class SharesBy : std::uint8_t { number, area };
-enum class RoundShape : std::uint8_t { disc, hexagon };
+enum class RoundShape : std::uint8_t { hexagon, disc };
 
 /// Diameters are those of circles of the same area, in lattice spacings.
 struct Sizes {

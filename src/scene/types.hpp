@@ -67,6 +67,15 @@ struct PictureFile {
 };
 /// The pixels of a PNG file that the value names, as it has been read. Throws SceneError.
 const image::Image& read_picture(const Place& place);
+/// The key of such a file, in the place of `rows`: a run folder has no other file.
+template <class Owner>
+Key<Owner> picture_file_key(Action<Owner> read) {
+  return own_key<Owner>(described("file", file_path_type(),
+                                  "a PNG of up to 1000000 pixels; a relative path begins at the "
+                                  "folder of the scene"),
+                        read)
+      .with_condition("this or `rows`");
+}
 /// Texts of one length, of characters for which `allowed` holds; `about` names them in messages,
 /// `pattern` in the schema.
 Type<std::vector<std::string>> rows_type(bool (*allowed)(char letter), const std::string& about,
@@ -128,7 +137,11 @@ Type<std::vector<T>> list_of(const Type<T>& item, std::size_t least, std::size_t
 template <class Owner>
 Type<std::vector<Owner>> by_name(const std::string& section, const Type<Owner>& thing,
                                  std::size_t least = 0) {
-  AnyType type = {.allowed = "map of names", .schema = named_schema(thing.schema, least)};
+  AnyType type = {
+      .allowed = "map of names",
+      .schema = with(object_schema(thing.schema, kNamePattern),
+                     fmt::format(R"("maxProperties": {}{})", kMaxItems,
+                                 least > 0 ? fmt::format(R"(, "minProperties": {})", least) : ""))};
   type.read_into = [=](const Place& place, void* result) {  // likewise
     auto& things = *static_cast<std::vector<Owner>*>(result);
     for (const Entry& entry : read_named(place)) {
@@ -170,6 +183,21 @@ Type<T> converted(std::string_view allowed, const Type<Other>& type, const From&
   return result;
 }
 
+/// A list with a value for each of these members.
+template <class Owner, class T, class... Members>
+Type<Owner> list_of_members(std::string_view allowed, const Type<T>& item,
+                            Members Owner::*... members) {
+  return converted<Owner>(
+      allowed, list_of(item, sizeof...(members), sizeof...(members)),
+      [=](const std::vector<T>& values) {
+        Owner owner;
+        std::size_t index = 0;
+        ((owner.*members = values[index++]), ...);
+        return owner;
+      },
+      [=](const Owner& owner) { return std::vector<T>{owner.*members...}; });
+}
+
 /// A map, or what `read` makes of another value; `text` writes that, and has none for a map.
 template <class T, class Read, class Text>
 Type<T> or_map(std::string_view allowed, const Schema& other, const Type<T>& map, const Read& read,
@@ -194,7 +222,7 @@ Type<std::vector<T>> set_of(const Type<T>& item, std::size_t least, std::size_t 
                             std::string (*shown)(const Value& item) = found,
                             const std::string& advice = {}) {
   Type<std::vector<T>> type = list_of(item, least, most);
-  type.schema = unique(type.schema);
+  type.schema = with(type.schema, kUnique);
   type.read_into = [=](const Place& place, void* result) {
     std::set<T> known;
     for (const Place& entry : read_list(place, least, most, [&](auto& one) { item.read(one); })) {
@@ -221,8 +249,9 @@ template <class T, std::size_t kCount>
 Type<T> choice(const std::array<Named<T>, kCount>& names) {
   const auto all = words(names);
   return own_type<T>(
-      fmt::format("`{}`", fmt::join(all, "`, `")), choice_schema({all.begin(), all.end()}),
-      [&names](const Place& place) { return read_choice(place, names); },
+      fmt::format("`{}`", fmt::join(all, "`, `")),
+      fmt::format(R"({{"enum": ["{}"]}})", fmt::join(all, R"(", ")")),
+      [&names](const Place& place) { return names[read_word(place, words(names))].value; },
       [&names](const T& value) { return Value::scalar(std::string(name_of(names, value))); });
 }
 

@@ -15,6 +15,11 @@ namespace clca::document {
 
 inline constexpr std::size_t kMaxNameLength = 64;
 
+/// Throws Error unless the text is UTF-8 without control characters, tabs (comments may hold some),
+/// byte order mark and YAML directives, not larger than kMaxBytes, not with more than 32 brackets
+/// inside each other and not with more than 260,000 values.
+void check_text(std::string_view text, std::shared_ptr<const Origin> origin);
+
 /// Reads the single document in `text`. Stricter than YAML: no duplicate or compound keys, anchors,
 /// aliases, merge keys, tags, directives or further documents.
 /// Without a document the value is nothing. Throws Error.

@@ -1,4 +1,4 @@
-// The contact model and its units.
+// The rules of each model, and the units of the contact model.
 
 #include "clca/scene/units.hpp"
 #include "scene/sections.hpp"
@@ -7,6 +7,34 @@
 namespace clca::scene {
 
 namespace {
+
+using Priority = std::array<automaton::UpdateClass, 3>;
+
+Type<Priority> priority_type() {
+  const auto list = set_of(choice(kUpdateClassNames), 3, 3, found, "; name each class once");
+  return converted<Priority>(
+      "`rest`, `inertia`, `gravity`, each once", list,
+      [](const std::vector<automaton::UpdateClass>& order) {
+        return Priority{order[0], order[1], order[2]};
+      },
+      [](const Priority& order) { return std::vector(order.begin(), order.end()); });
+}
+
+Keys<automaton::Rules> rules_keys() {
+  using automaton::Rules;
+  return {key("inertia", &Rules::inertia, number(0, 1),
+              "probability to keep the direction of the last step, if free"),
+          key("scatter", &Rules::scatter, number(0, 1),
+              "probability to take any free candidate, all alike, instead"),
+          key("candidates", &Rules::candidates, choice(kCandidateNames),
+              "directions a particle may take by itself: gravity and its neighbours, or all six"),
+          key("gravity", &Rules::gravity, choice(kDirectionNames), "direction of gravity"),
+          key("update_priority", &Rules::update_priority, priority_type(),
+              "who moves first: those at rest, those that keep their direction, those that fall "
+              "straight"),
+          key("ties", &Rules::ties, choice(kTiesNames),
+              "order within a class: by a draw for each particle, or for each direction")};
+}
 
 double read_spacing(const Place& place) {
   const std::optional<double> length = metres(place.value.text);
@@ -30,7 +58,7 @@ Type<double> spacing() {
 Type<int> sweeps() {
   Type<int> type = integer(2, 64);
   type.allowed += ", even";
-  type.schema = with(type.schema, "multipleOf", 2);
+  type.schema = with(type.schema, R"("multipleOf": 2)");
   return type.checked([](const int& sweeps, const Place& place) {
     if (sweeps % 2 != 0) {
       fail(place, "expected an even number, as every second sweep goes backwards, found '{}'",
@@ -64,6 +92,14 @@ Keys<contact::Parameters> friction_keys() {
 
 }  // namespace
 
+Type<automaton::Rules> rules_type() {
+  return type_of<automaton::Rules>({.keys = rules_keys()});
+}
+
+Type<automaton::Rules> stage_rules_type() {
+  return changed(&Scene::rules, rules_keys());
+}
+
 Type<Units> units_type() {
   return type_of<Units>(
       {.keys = {required("spacing", &Units::spacing, spacing(), "length of one lattice spacing"),
@@ -94,6 +130,25 @@ Type<contact::Parameters> contact_type() {
 
 Type<contact::Parameters> stage_contact_type() {
   return changed(&Scene::contact, friction_keys());
+}
+
+Type<voids::Rules> voids_type() {
+  return type_of<voids::Rules>(
+      {.keys = {key("straight", &voids::Rules::straight, number(0, 1),
+                    "weight of the grain straight above a void; the two beside it share the "
+                    "rest: 1/3 is equal chances")}});
+}
+
+Type<baxter::Rules> baxter_type() {
+  using baxter::Rules;
+  return type_of<Rules>(
+      {.keys = {key("power", &Rules::power, integer(0, baxter::kMaxPower),
+                    "α: power of the energy of neighbours with unlike velocities"),
+                key("gravity", &Rules::gravity, number(0, baxter::kMaxGravity),
+                    "E_G: energy of a grain that does not go down where it can"),
+                key("like_axes", &Rules::like_axes, number(0, 1),
+                    "s: factor of the energy of neighbours with equal axes; with 1, axes do not "
+                    "matter (β = 0)")}});
 }
 
 }  // namespace clca::scene
