@@ -270,7 +270,8 @@ std::optional<double> value_of(
   }
 }
 
-void evaluate_expressions(Value& root, const ExpressionKeys& keys) {
+void evaluate_expressions(Value& root, const std::vector<std::string_view>& taken,
+                          std::string_view text, std::string_view open) {
   Evaluator evaluator;
   const auto evaluate = [&](Value& value) { evaluator.evaluate(value); };
   Value* let = root.find("let");
@@ -281,13 +282,13 @@ void evaluate_expressions(Value& root, const ExpressionKeys& keys) {
     for (Entry& entry : let->entries) {
       evaluator.begin_let();
       for_each_expression(entry.value, evaluate);
-      evaluator.define(entry, keys.taken);
+      evaluator.define(entry, taken);
     }
   }
   for (Entry& entry : root.entries) {
-    if (entry.key == keys.open) {
+    if (entry.key == open) {
       for_each_expression(entry.value, [&](Value& value) { evaluator.name_numbers(value); });
-    } else if (entry.key != keys.text) {
+    } else if (entry.key != text) {
       for_each_expression(entry.value, evaluate);
     }
   }

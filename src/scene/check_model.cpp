@@ -7,7 +7,6 @@
 
 #include "clca/contact/contact_model.hpp"
 #include "clca/lattice/shape.hpp"
-#include "clca/scene/contact.hpp"
 #include "clca/scene/units.hpp"
 #include "scene/geometry.hpp"
 #include "scene/names.hpp"

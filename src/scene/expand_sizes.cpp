@@ -164,7 +164,8 @@ class Expansion {
     const std::string path = join_path("species", entry.key);
     check_name(entry.key, entry.location, "species");
     Family& family = families_[entry.key];
-    family.kinds = size_classes(sizes_type().read({sizes, join_path(path, "sizes"), scene}));
+    const Sizes law = sizes_type().read({sizes, join_path(path, "sizes"), scene});
+    family.kinds = size_classes(law);
     // Blue, vermilion and green of the palette.
     constexpr std::array<image::Rgb, 3> kColors = {{{0, 114, 178}, {213, 94, 0}, {0, 158, 115}}};
     image::Rgb color = kColors[(families_.size() - 1) % kColors.size()];
@@ -178,13 +179,9 @@ class Expansion {
       const TextLocation& location = sizes.location;
       std::erase_if(kind.value.entries,
                     [](const Entry& key) { return key.key == "sizes" || key.key == "color"; });
-      const auto* disc = std::get_if<DiscSpec>(&family.kinds[i].shape);
-      const auto* hexagon = std::get_if<HexagonSpec>(&family.kinds[i].shape);
       Value shape = Value::map(location);
-      shape.add(disc != nullptr ? "disc" : "hexagon",
-                Value::scalar(disc != nullptr ? fmt::format("{}", disc->radius)
-                                              : fmt::format("{}", hexagon->radius),
-                              location));
+      shape.add(law.shape == RoundShape::disc ? "disc" : "hexagon",
+                Value::scalar(fmt::format("{}", family.kinds[i].radius), location));
       kind.value.add("shape", std::move(shape));
       kind.value.add("color",
                      Value::scalar(shade(color, count > 1 ? static_cast<double>(i) /

@@ -5,7 +5,6 @@
 
 #include "clca/text/message.hpp"
 #include "scene/names.hpp"
-#include "scene/schema.hpp"
 #include "scene/sections.hpp"
 
 namespace clca::scene {

@@ -40,6 +40,13 @@ bool holds_no_site(const lattice::Lattice& lattice, const lattice::Rectangle& re
   return !any_site(lattice::SweptRegion(lattice), rectangle, [](lattice::Site) { return true; });
 }
 
+bool holds_no_site(const lattice::Lattice& lattice, const lattice::Segment& segment) {
+  // First without its thickness: a thick line across the box has many sites.
+  const lattice::Segment thin = {segment.from, segment.to, 0};
+  return lattice::sites_along(lattice, thin).empty() &&
+         lattice::sites_along(lattice, segment).empty();
+}
+
 void require_site(const lattice::Rectangle& region, const Place& place) {
   const Box& box = place.scene.box;
   if (holds_no_site(lattice_of(box), region)) {

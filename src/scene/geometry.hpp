@@ -22,8 +22,9 @@ std::string shown(const lattice::Rectangle& edges);
 /// the left, upwards.
 bool any_site(const lattice::SweptRegion& swept_region, const lattice::Rectangle& rectangle,
               const std::function<bool(lattice::Site)>& found);
-/// True when no site of the lattice lies in the rectangle.
+/// True when no site of the lattice lies in the rectangle, or on the straight wall.
 bool holds_no_site(const lattice::Lattice& lattice, const lattice::Rectangle& rectangle);
+bool holds_no_site(const lattice::Lattice& lattice, const lattice::Segment& segment);
 /// Refuses a rectangle that holds no site of the box. Throws SceneError.
 void require_site(const lattice::Rectangle& region, const Place& place);
 

@@ -44,11 +44,8 @@ Key<BoltzmannScene> friction_key() {
   return key("friction", &BoltzmannScene::friction, number(0, kMaxFriction),
              "η of Coulomb, of rough spheres")
       .defaults_to("nothing slides")
-      .written_as([](const BoltzmannScene& scene) {
-        return scene.friction != boltzmann::kNoSlidingLimit
-                   ? std::optional(Value::number(scene.friction))
-                   : std::nullopt;
-      });
+      .written_if(
+          [](const BoltzmannScene& scene) { return scene.friction != boltzmann::kNoSlidingLimit; });
 }
 
 bool is_majorant(const BoltzmannScene& scene) {
@@ -86,9 +83,7 @@ Key<BoltzmannScene> shear_rate_key() {
           refuse_key(fields, "shear_rate", scene);
         }
       })
-      .written_as([](const BoltzmannScene& scene) {
-        return is_majorant(scene) ? std::optional(Value::number(scene.shear_rate)) : std::nullopt;
-      });
+      .written_if(is_majorant);
 }
 
 void check_block(const KeyedMap& fields, BoltzmannScene& scene) {

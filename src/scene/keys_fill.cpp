@@ -23,14 +23,11 @@ using Weights = std::vector<std::uint32_t>;
 
 /// The name of a species, or weights by species.
 Type<Weights> part_type() {
-  return or_map(
-      "", R"({"type": "string"})", weights_type(),
-      [](const Place& place) {
-        Weights weights(place.scene.species.size(), 0);
-        weights[read_species(read_text(place), place.value.location, place)] = 1;
-        return weights;
-      },
-      [](const Weights& /*weights*/) { return std::optional<Value>(); });
+  return or_map("", R"({"type": "string"})", weights_type(), [](const Place& place) {
+    Weights weights(place.scene.species.size(), 0);
+    weights[read_species(read_text(place), place.value.location, place)] = 1;
+    return weights;
+  });
 }
 
 char letter(std::size_t part) {
@@ -73,13 +70,8 @@ void read_file(const KeyedMap& fields, FillPicture& picture) {
     const Value color = Value::scalar(entry.key, entry.location);
     colors.push_back(color_type().read({color, place.path, place.scene}));
   }
-  const image::Image& image = read_picture(fields.at("file"));
-  for (int y = 0; y < image.height; ++y) {
-    std::string& row = picture.rows.emplace_back();
-    for (int x = 0; x < image.width; ++x) {
-      row += pixel_of(image.at(x, y), colors);
-    }
-  }
+  picture.rows = rows_of(read_picture(fields.at("file")),
+                         [&](image::Rgb color) { return pixel_of(color, colors); });
 }
 
 /// Read with the file.

@@ -38,14 +38,11 @@ Type<DerivedMeasure> derived_type() {
                 key("about", &DerivedMeasure::about, title_type(),
                     "what it is, as axes and reports name it")
                     .defaults_to("the name")}});
-  type = or_map(
-      "", expression.schema, type,
-      [=](const Place& place) {
-        DerivedMeasure derived;
-        derived.value = expression.read(place);
-        return derived;
-      },
-      [](const DerivedMeasure& /*derived*/) { return std::optional<Value>(); });
+  type = or_map("", expression.schema, type, [=](const Place& place) {
+    DerivedMeasure derived;
+    derived.value = expression.read(place);
+    return derived;
+  });
   type.read_into = [read = type.read_into](const Place& place, void* derived) {
     read(place, derived);
     const Value* value = place.value.find("value");

@@ -77,24 +77,11 @@ bool is_dark(image::Rgb pixel) {
   return 299 * pixel.red + 587 * pixel.green + 114 * pixel.blue < 1000 * kMiddle;
 }
 
-Rows rows_of(const image::Image& picture) {
-  Rows rows;
-  for (int y = 0; y < picture.height; ++y) {
-    std::string& row = rows.emplace_back();
-    for (int x = 0; x < picture.width; ++x) {
-      row += is_dark(picture.at(x, y)) ? Picture::kDark : Picture::kLight;
-    }
-  }
-  return rows;
-}
-
-bool is_wall_pixel(char pixel) {
-  return pixel == Picture::kDark || pixel == Picture::kLight;
-}
-
 void read_rows(const KeyedMap& fields, Picture& picture) {
   if (fields.find("file") != nullptr && fields.find("rows") == nullptr) {
-    picture.rows = rows_of(read_picture(fields.at("file")));
+    picture.rows = rows_of(read_picture(fields.at("file")), [](image::Rgb color) {
+      return is_dark(color) ? Picture::kDark : Picture::kLight;
+    });
   }
 }
 
@@ -102,6 +89,17 @@ void read_rows(const KeyedMap& fields, Picture& picture) {
 
 void read_picture_files(Value& root, const std::string& folder) {
   PictureReader(folder).read_all(root);
+}
+
+Rows rows_of(const image::Image& image, const std::function<char(image::Rgb color)>& letter) {
+  Rows rows;
+  for (int y = 0; y < image.height; ++y) {
+    std::string& row = rows.emplace_back();
+    for (int x = 0; x < image.width; ++x) {
+      row += letter(image.at(x, y));
+    }
+  }
+  return rows;
 }
 
 const image::Image& read_picture(const Place& place) {
@@ -142,10 +140,12 @@ Type<Rows> rows_type(bool (*allowed)(char letter), const std::string& about,
 }
 
 Type<Picture> picture_type() {
+  const auto allowed = [](char pixel) {
+    return pixel == Picture::kDark || pixel == Picture::kLight;
+  };
   return type_of<Picture>(
       {.keys = {picture_file_key(read_rows),
-                key("rows", &Picture::rows,
-                    rows_type(is_wall_pixel, "the characters # and .", "^[#.]+$"),
+                key("rows", &Picture::rows, rows_type(allowed, "the characters # and .", "^[#.]+$"),
                     "the same as text, from the top: `#` for dark pixels, `.` for others")
                     .with_condition("this or `file`"),
                 required("box", &Picture::box, rectangle(), "what the picture covers")},

@@ -117,12 +117,6 @@ std::string model_conditions() {
   return fmt::format(R"("dependencies": {{{}}})", fmt::join(conditions, ", "));
 }
 
-Keys<BoltzmannScene> boltzmann_keys() {
-  Keys<BoltzmannScene> keys = first_keys<BoltzmannScene>();
-  keys.add({boltzmann_block(), boltzmann_output()});
-  return keys;
-}
-
 }  // namespace
 
 const Type<Scene>& scene_type() {
@@ -133,7 +127,11 @@ const Type<Scene>& scene_type() {
 }
 
 const Type<BoltzmannScene>& boltzmann_type() {
-  static const Type<BoltzmannScene> kType = type_of<BoltzmannScene>({.keys = boltzmann_keys()});
+  static const Type<BoltzmannScene> kType = [] {
+    Keys<BoltzmannScene> keys = first_keys<BoltzmannScene>();
+    keys.add({boltzmann_block(), boltzmann_output()});
+    return type_of<BoltzmannScene>({.keys = keys});
+  }();
   return kType;
 }
 

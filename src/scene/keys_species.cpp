@@ -5,7 +5,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <stdexcept>
 
 #include "scene/geometry.hpp"
@@ -186,12 +185,6 @@ image::Rgb read_color(const Place& place) {
   return {part(1), part(3), part(5)};
 }
 
-std::size_t sites_of(const std::vector<Species>& species) {
-  return std::accumulate(
-      species.begin(), species.end(), std::size_t{0},
-      [](std::size_t sum, const Species& next) { return sum + next.shape.size(); });
-}
-
 /// A particle that met itself across a periodic boundary would block itself.
 void check_width(const Species& species, const KeyedMap& fields) {
   const Box& box = fields.scene.box;
@@ -244,7 +237,11 @@ Type<std::vector<Species>> species_type() {
     } catch (const std::invalid_argument& error) {
       fail(fields.at("shape"), "{}", error.what());
     }
-    if (sites_of(fields.scene.species) > kMaxAllSites) {
+    std::size_t sites = 0;
+    for (const Species& each : fields.scene.species) {
+      sites += each.shape.size();
+    }
+    if (sites > kMaxAllSites) {
       fail(fields.at("shape"), "with this shape all species have more than {} sites", kMaxAllSites);
     }
     check_width(species, fields);

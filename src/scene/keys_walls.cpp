@@ -101,21 +101,6 @@ Type<grains::Path> path_type() {
       });
 }
 
-/// The key of the program; empty for a drive.
-std::string_view program_key(const KeyedMap& fields) {
-  constexpr std::array<std::string_view, 5> kKeys = {"period", "distance", "wave", "shake", "path"};
-  std::vector<std::string_view> given;
-  std::ranges::copy_if(kKeys, std::back_inserter(given),
-                       [&](std::string_view key) { return fields.find(key) != nullptr; });
-  const bool drive = std::ranges::all_of(
-      given, [](std::string_view key) { return key == "period" || key == "distance"; });
-  if (!drive && given.size() > 1) {
-    fail(fields, "expected either distance and period, or one of wave, shake, path, found {}",
-         fmt::join(given, " and "));
-  }
-  return drive ? "" : given.front();
-}
-
 /// A member of grains::Drive, the program unless another is given.
 template <class T>
 Key<WallMotion> drive_key(std::string_view name, T grains::Drive::*member, const Type<T>& type,
@@ -123,46 +108,27 @@ Key<WallMotion> drive_key(std::string_view name, T grains::Drive::*member, const
   return inlined_alternative(&WallMotion::program, key(name, member, type, about)).defaults_to("");
 }
 
-void check_program(const KeyedMap& fields, WallMotion& /*motion*/) {
-  if (!program_key(fields).empty()) {
-    return;
+void check_program(const KeyedMap& fields, WallMotion& motion) {
+  constexpr std::array<std::string_view, 5> kKeys = {"period", "distance", "wave", "shake", "path"};
+  std::vector<std::string_view> given;
+  std::ranges::copy_if(kKeys, std::back_inserter(given),
+                       [&](std::string_view key) { return fields.find(key) != nullptr; });
+  const bool is_drive = std::holds_alternative<grains::Drive>(motion.program);
+  if (!is_drive && given.size() > 1) {
+    fail(fields, "expected either distance and period, or one of wave, shake, path, found {}",
+         fmt::join(given, " and "));
   }
-  if (fields.find("distance") == nullptr) {
+  if (is_drive && fields.find("distance") == nullptr) {
     fail(fields, "motion without bound; give distance, or one of wave, shake, path");
   }
-  fields.at("direction");
+  if (is_drive) {
+    fields.at("direction");
+  }
 }
 
 template <class T>
 Key<WallMotion> program(std::string_view name, const Type<T>& type, std::string_view about) {
   return inlined(&WallMotion::program, alternative<Program>(name, type, about));
-}
-
-constexpr std::array<std::string_view, 6> kForms = {"box",  "line", "disc",
-                                                    "ring", "arc",  "picture"};
-
-bool covers_no_site(const lattice::Lattice& lattice, const lattice::Segment& segment) {
-  // First without its thickness: a thick line across the box has many sites.
-  const lattice::Segment thin = {segment.from, segment.to, 0};
-  return lattice::sites_along(lattice, thin).empty() &&
-         lattice::sites_along(lattice, segment).empty();
-}
-
-template <class Form>
-bool covers_no_site(const lattice::Lattice& lattice, const Form& form) {
-  return holds_no_site(lattice, form);
-}
-
-/// Refuses a form without a site of the box. Only a wall that moves may be outside it at home.
-void check_part(const WallPart& part, const Place& fields) {
-  const Place place = fields.at(kForms[part.index()]);
-  const Box& box = fields.scene.box;
-  if (const auto* rectangle = std::get_if<lattice::Rectangle>(&part)) {
-    require_site(*rectangle, place);
-  } else if (std::visit([&](const auto& form) { return covers_no_site(lattice_of(box), form); },
-                        part)) {
-    fail(place, "no site of the box, {} wide and {} high, lies on it", box.width, box.height);
-  }
 }
 
 Type<lattice::Segment> line() {
@@ -231,6 +197,19 @@ Type<std::vector<WallPart>> parts() {
   return type;
 }
 
+/// Refuses a form without a site of the box. Only a wall that moves may be outside it at home.
+void check_part(const WallPart& part, const Place& fields) {
+  static const std::vector<std::string> kNames = names_of<std::string>(forms());
+  const Place place = fields.at(kNames[part.index()]);
+  const Box& box = fields.scene.box;
+  if (const auto* rectangle = std::get_if<lattice::Rectangle>(&part)) {
+    require_site(*rectangle, place);
+  } else if (std::visit([&](const auto& form) { return holds_no_site(lattice_of(box), form); },
+                        part)) {
+    fail(place, "no site of the box, {} wide and {} high, lies on it", box.width, box.height);
+  }
+}
+
 void check_wall(const KeyedMap& fields, Wall& wall) {
   wall.location = reference(fields);
   if (wall.motion) {
@@ -285,25 +264,18 @@ Type<std::vector<Wall>> walls_type() {
   Keys<Wall> keys = inlined<Wall>(single, forms());
   keys.add({key("parts", &Wall::parts, parts(), "one body of several pieces")
                 .defaults_to("")
-                .written_as([](const Wall& wall, const Scene& scene) {
-                  return wall.parts.size() > 1 ? std::optional(parts().text(wall.parts, scene))
-                                               : std::nullopt;
-                }),
+                .written_if([](const Wall& wall) { return wall.parts.size() > 1; }),
             key("motion", &Wall::motion, motion_type(), "how it moves: [motion](#motion)")
                 .defaults_to("none: it stands"),
             key("passive", &Wall::passive, choice(kPassiveNames),
                 "of one that moves: whether particles in its way are pushed, or entered and "
                 "left to the passive rule")
-                .written_as([](const Wall& wall) {
-                  return wall.motion ? std::optional(Value::scalar(
-                                           std::string(name_of(kPassiveNames, wall.passive))))
-                                     : std::nullopt;
-                }),
+                .written_if([](const Wall& wall) { return wall.motion.has_value(); }),
             key("friction", &Wall::friction, number(0, contact::kMaxFriction),
                 "between particles and this wall")
                 .of(Model::contact)
                 .defaults_to("`contact.wall_friction`")});
-  std::vector<std::string> one_of(kForms.begin(), kForms.end());
+  std::vector<std::string> one_of = names_of<std::string>(forms());
   one_of.emplace_back("parts");
   return by_name<Wall>("walls", {.keys = keys,
                                  .one_of = one_of,

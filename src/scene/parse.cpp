@@ -20,12 +20,6 @@ namespace clca::scene {
 
 namespace {
 
-/// A misspelt `boltzmann` makes no scene of grains.
-bool stands_for_boltzmann(const Entry& entry) {
-  constexpr std::array<std::string_view, 1> kBlock = {"boltzmann"};
-  return text::nearest(entry.key, kBlock).has_value();
-}
-
 /// By the keys of the map. Throws SceneError where they belong to both kinds of scenes.
 bool is_boltzmann(const Value& root) {
   const std::vector<std::string_view> automaton_keys = names_of(*scene_type().keys);
@@ -48,9 +42,13 @@ bool is_boltzmann(const Value& root) {
            entry.key, other.key, fmt::join(boltzmann_keys, ", "), fmt::join(automaton_keys, ", "));
     }
   }
-  const bool misspelt =
-      automaton == nullptr && std::ranges::any_of(root.entries, stands_for_boltzmann);
-  return boltzmann != nullptr || misspelt;
+  // A misspelt `boltzmann` makes no scene of grains.
+  const auto is_misspelt = [](const Entry& entry) {
+    constexpr std::array<std::string_view, 1> kBlock = {"boltzmann"};
+    return text::nearest(entry.key, kBlock).has_value();
+  };
+  return boltzmann != nullptr ||
+         (automaton == nullptr && std::ranges::any_of(root.entries, is_misspelt));
 }
 
 /// What the run is called, and its files.
@@ -159,7 +157,7 @@ AnyScene parse_any(std::string_view text, const std::string& file,
   }
   std::vector<std::string_view> keys = names_of(*scene_type().keys);
   std::ranges::copy(names_of(*boltzmann_type().keys), std::back_inserter(keys));
-  evaluate_expressions(root, {.taken = keys, .text = "title", .open = "measure"});
+  document::evaluate_expressions(root, keys, "title", "measure");
   const bool gas = is_boltzmann(root);
   leave_out_none(root, gas ? *boltzmann_type().keys : *scene_type().keys);
   if (gas) {

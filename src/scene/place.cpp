@@ -8,7 +8,6 @@
 #include "clca/text/utf8.hpp"
 #include "document/internal/document.hpp"
 #include "scene/limits.hpp"
-#include "scene/schema.hpp"
 #include "scene/sections.hpp"
 
 namespace clca::scene {

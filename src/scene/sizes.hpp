@@ -26,7 +26,7 @@ struct Sizes {
 };
 
 struct SizeClass {
-  ShapeSpec shape;
+  double radius = 0;  ///< as in DiscSpec or HexagonSpec
   double share = 0;   ///< of the particles, by number; the sum is 1 but for rounding
   double extent = 1;  ///< of a particle: its sites for a law by area, else 1
 };

@@ -35,6 +35,14 @@ Type<T> ranged(const std::string& allowed, std::string_view type, const Json& lo
       kPlainText);
 }
 
+/// `10^12` for round large numbers.
+std::string limit_text(double number) {
+  const double power = std::log10(std::abs(number));
+  return power >= 9 && power == std::floor(power)
+             ? fmt::format("{}10^{}", number < 0 ? "-" : "", power)
+             : fmt::format("{}", number);
+}
+
 std::string range(double low, double high) {
   return fmt::format("{} to {}", limit_text(low), limit_text(high));
 }
@@ -91,13 +99,6 @@ Type<std::vector<Number>> by_species(std::uint64_t high) {
 }
 
 }  // namespace
-
-std::string limit_text(double number) {
-  const double power = std::log10(std::abs(number));
-  return power >= 9 && power == std::floor(power)
-             ? fmt::format("{}10^{}", number < 0 ? "-" : "", power)
-             : fmt::format("{}", number);
-}
 
 std::size_t read_species(const std::string& name, const TextLocation& location,
                          const Place& place) {
