@@ -12,12 +12,155 @@
 #include <unordered_map>
 #include <utility>
 
+#include "clca/document/document.hpp"
 #include "clca/text/message.hpp"
-#include "document/internal/source_text.hpp"
+#include "clca/text/utf8.hpp"
 
 namespace clca::document {
 
 namespace {
+
+constexpr std::size_t kMaxDepth = 32;  // nesting of lists and maps
+constexpr std::size_t kMaxValues = 260'000;
+constexpr std::size_t kBlock = 1024;
+
+std::size_t count_characters(std::string_view text) {
+  return static_cast<std::size_t>(std::ranges::count_if(text, [](char byte) {
+    return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80;  // not the middle of one
+  }));
+}
+
+/// The text before YAML parsing: allowed characters and line numbers.
+class SourceText {
+ public:
+  /// Throws as check_text().
+  SourceText(std::string_view text, std::shared_ptr<const Origin> origin)
+      : text_(text), origin_(std::move(origin)) {
+    if (text_.size() > kMaxBytes) {
+      fail({origin_, 1, 1}, "the text is larger than {} MiB", kMaxBytes >> 20U);
+    }
+    characters_ = {0};
+    for (std::size_t i = 0; i + kBlock <= text_.size(); i += kBlock) {
+      characters_.push_back(characters_.back() + count_characters(text_.substr(i, kBlock)));
+    }
+    for (std::size_t i = 0; i < text_.size(); ++i) {
+      if (text_[i] == '\n') {
+        line_starts_.push_back(i + 1);
+      }
+    }
+    check_characters();
+    check_directives();
+    check_brackets();
+  }
+
+  std::string_view text() const { return text_; }
+  /// The location of the byte at `position`.
+  TextLocation location(std::size_t position) const {
+    const std::size_t end = std::min(position, text_.size());
+    const auto next = std::upper_bound(line_starts_.begin(), line_starts_.end(), end);
+    const auto line = static_cast<std::size_t>(next - line_starts_.begin());
+    return {origin_, line, characters_before(end) - characters_before(line_starts_[line - 1]) + 1};
+  }
+
+  /// Where the quote that opens at `begin` closes; the size of the text if it does not.
+  std::size_t end_of_quote(std::size_t begin) const {
+    const char quote = text_[begin];
+    for (std::size_t i = begin + 1; i < text_.size(); ++i) {
+      const bool is_doubled = quote == '\'' && text_.substr(i, 2) == "''";  // a quote inside quotes
+      if (text_[i] == quote && !is_doubled) {
+        return i;
+      }
+      i += is_doubled || (quote == '"' && text_[i] == '\\') ? 1 : 0;
+    }
+    return text_.size();
+  }
+
+ private:
+  std::size_t characters_before(std::size_t position) const {
+    const std::size_t block = position / kBlock;
+    return characters_[block] +
+           count_characters(text_.substr(block * kBlock, position - block * kBlock));
+  }
+
+  void check_character(std::size_t position, std::size_t length) const {
+    if (length == 0) {
+      fail(location(position), "the byte 0x{:02x} is not UTF-8 text",
+           static_cast<unsigned char>(text_[position]));
+    }
+    const char32_t character = text::character_at(text_, position);
+    if (position == 0 && character == 0xFEFF) {
+      fail(location(0), "a byte order mark; save the file as UTF-8 without it");
+    }
+    const bool line_end = text_.substr(position, 2) == "\r\n";
+    if (text::is_control(character) && character != '\n' && character != '\t' && !line_end) {
+      fail(location(position), "the control character U+{:04X} is not allowed",
+           static_cast<unsigned>(character));
+    }
+  }
+
+  void check_characters() const {
+    bool comment = false;
+    for (std::size_t i = 0; i < text_.size();) {
+      const std::size_t length = text::character_length(text_, i);
+      check_character(i, length);
+      if (text_[i] == '\t' && !comment) {
+        fail(location(i), "a tab; indent and align with spaces");
+      }
+      comment = text_[i] != '\n' && (comment || text_[i] == '#');
+      i += length;
+    }
+  }
+
+  void check_directives() const {
+    for (const std::size_t start : line_starts_) {
+      const std::string_view rest = text_.substr(start);
+      if (rest.starts_with('%')) {
+        fail(location(start), "YAML directives ('%') are not part of the format");
+      }
+      const std::size_t first = std::min(rest.find_first_not_of(" \r"), rest.size());
+      if (first < rest.size() && rest[first] != '\n' && rest[first] != '#') {
+        return;
+      }
+    }
+  }
+
+  // yaml-cpp keeps all of a value in brackets in memory before it hands on the first of it: some
+  // 200 bytes a value. A value follows a comma, a colon, a bracket or the dash of a list.
+  void check_brackets() const {
+    constexpr std::string_view kBeforeValue = "\n:,-?[{";
+    std::size_t depth = 0;
+    std::size_t values = 0;
+    char before = '\n';  // the last character that is no space
+    for (std::size_t i = 0; i < text_.size(); ++i) {
+      const char letter = text_[i];
+      const bool begins = kBeforeValue.find(before) != std::string_view::npos;
+      if (letter == '#' && (i == 0 || text_[i - 1] == ' ' || text_[i - 1] == '\n')) {
+        i = std::min(text_.find('\n', i), text_.size()) - 1;
+      } else if (begins && (letter == '"' || letter == '\'')) {
+        i = end_of_quote(i);
+        before = letter;
+      } else if (letter != ' ' && letter != '\r') {
+        const bool opens = letter == '[' || letter == '{';
+        if (opens && begins && ++depth > kMaxDepth) {
+          fail(location(i), "nested deeper than {} levels", kMaxDepth);
+        }
+        depth -= (letter == ']' || letter == '}') && depth > 0 ? 1 : 0;
+        before = opens && !begins ? 'a' : letter;  // in the middle of a text it is a letter
+        const bool dash =
+            letter == '-' && (text_.substr(i, 2) == "- " || text_.substr(i, 2) == "-\n");
+        values += opens || dash || letter == ',' || letter == ':' || letter == '?' ? 1 : 0;
+        if (values > kMaxValues) {
+          fail(location(i), "more than {} values", kMaxValues);
+        }
+      }
+    }
+  }
+
+  std::string_view text_;
+  std::shared_ptr<const Origin> origin_;
+  std::vector<std::size_t> line_starts_ = {0};
+  std::vector<std::size_t> characters_;  // before each block of bytes, for long lines
+};
 
 constexpr std::size_t kMaxKeys = 10'000;  // of a map
 
@@ -43,22 +186,95 @@ class TreeBuilder final : public YAML::EventHandler {
   explicit TreeBuilder(const SourceText& source) : source_(source) {}
 
   /// The tree, after the end of the text.
-  Value take();
-  /// Translates a parser error.
-  [[noreturn]] void explain(const YAML::Exception& error) const;
+  Value take() {
+    if (bad_key_) {
+      fail(bad_key_->first, "{}", bad_key_->second);
+    }
+    if (root_) {
+      return std::move(*root_);
+    }
+    Value nothing;
+    nothing.location = source_.location(0);
+    return nothing;
+  }
 
-  void OnDocumentStart(const YAML::Mark& mark) override;
+  /// Translates a parser error.
+  [[noreturn]] void explain(const YAML::Exception& error) const {
+    const auto level = std::find_if(open_.rbegin(), open_.rend(),
+                                    [](const Open& candidate) { return candidate.bracketed; });
+    if (level != open_.rend() && error.msg.ends_with("flow not found")) {
+      const char bracket = level->value.is(Value::Kind::map) ? '{' : '[';
+      fail(level->value.location, "the '{}' is not closed, or a ',' is missing after it", bracket);
+    }
+    if (level != open_.rend() && error.msg == "illegal flow end") {
+      const bool brace = rest(error.mark).starts_with('}');
+      fail(location(error.mark), "a '{}' while a '{}' is still open", brace ? '}' : ']',
+           brace ? '[' : '{');
+    }
+    for (const auto& [theirs, ours] : kPlainWords) {
+      if (error.msg == theirs) {
+        fail(location(error.mark), "{}", ours);
+      }
+    }
+    fail(location(error.mark), "not valid YAML: {}", text::printable(error.msg));
+  }
+
+  void OnDocumentStart(const YAML::Mark& mark) override {
+    if (ended_) {
+      fail(location(mark), "a second document, or text after the end of the first");
+    }
+  }
+
   void OnDocumentEnd() override { ended_ = true; }
-  void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override;
-  void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override;
-  void OnAnchor(const YAML::Mark& mark, const std::string& name) override;
-  void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
-                const std::string& text) override;
-  void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
-                       YAML::EmitterStyle::value style) override;
+
+  void OnNull(const YAML::Mark& mark, YAML::anchor_t /*anchor*/) override {
+    Value value;
+    value.location = location(mark);
+    // For an empty value the mark is that of the next token.
+    const std::string_view next = rest(mark);
+    const bool written = next.starts_with('~') || next.starts_with('n') || next.starts_with('N');
+    if (!written && !open_.empty() && open_.back().entry) {
+      value.location = open_.back().entry->location;
+    }
+    add(std::move(value));
+  }
+
+  void OnAlias(const YAML::Mark& mark, YAML::anchor_t /*anchor*/) override {
+    fail(location(mark), kNoAliases);
+  }
+
+  void OnAnchor(const YAML::Mark& mark, const std::string& /*name*/) override {
+    fail(location(mark), "anchors ('&') are not part of the format");
+  }
+
+  void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t /*anchor*/,
+                const std::string& text) override {
+    check_tag(mark, tag);
+    Value value;
+    value.kind = Value::Kind::scalar;
+    value.location = location(mark);
+    value.text = text;
+    value.quoted = tag == "!";
+    if (value.quoted) {
+      check_closing_quote(mark);
+    }
+    add(std::move(value));
+  }
+
+  void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t /*anchor*/,
+                       YAML::EmitterStyle::value style) override {
+    check_tag(mark, tag);
+    open(Value::Kind::list, mark, style == YAML::EmitterStyle::Flow);
+  }
+
   void OnSequenceEnd() override { close(); }
-  void OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
-                  YAML::EmitterStyle::value style) override;
+
+  void OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t /*anchor*/,
+                  YAML::EmitterStyle::value style) override {
+    check_tag(mark, tag);
+    open(Value::Kind::map, mark, style == YAML::EmitterStyle::Flow);
+  }
+
   void OnMapEnd() override { close(); }
 
  private:
@@ -81,12 +297,76 @@ class TreeBuilder final : public YAML::EventHandler {
   bool awaits_key() const {
     return !open_.empty() && open_.back().value.is(Value::Kind::map) && !open_.back().entry;
   }
-  void check_tag(const YAML::Mark& mark, const std::string& tag) const;
-  void check_closing_quote(const YAML::Mark& mark) const;
-  void open(Value::Kind kind, const YAML::Mark& mark, bool bracketed);
-  void close();
-  void add(Value value);
-  void begin_entry(Value key);
+
+  /// "?" stands for no tag and "!" for quotes, but also for a bare '!' in the text.
+  void check_tag(const YAML::Mark& mark, const std::string& tag) const {
+    if (rest(mark).starts_with('!') || (!tag.empty() && tag != "?" && tag != "!")) {
+      fail(location(mark), "tags ('!') are not part of the format");
+    }
+  }
+
+  /// yaml-cpp accepts an unclosed quote at the end of the text.
+  void check_closing_quote(const YAML::Mark& mark) const {
+    const std::string_view text = rest(mark);
+    const char quote = text.empty() ? '\0' : text.front();
+    if (quote != '"' && quote != '\'') {
+      return;  // a block of lines after '|' or '>'
+    }
+    if (source_.end_of_quote(position(mark)) == source_.text().size()) {
+      fail(location(mark), "the quote that opens here is not closed");
+    }
+  }
+
+  void open(Value::Kind kind, const YAML::Mark& mark, bool bracketed) {
+    if (open_.size() >= kMaxDepth) {
+      fail(location(mark), "nested deeper than {} levels", kMaxDepth);
+    }
+    Open level;
+    level.value.kind = kind;
+    level.value.location = location(mark);
+    level.bracketed = bracketed;
+    open_.push_back(std::move(level));
+  }
+
+  void close() {
+    Value value = std::move(open_.back().value);
+    open_.pop_back();
+    add(std::move(value));
+  }
+
+  void add(Value value) {
+    if (open_.empty()) {
+      root_ = std::move(value);
+    } else if (awaits_key()) {
+      begin_entry(std::move(value));
+    } else if (Open& level = open_.back(); level.value.is(Value::Kind::list)) {
+      level.value.items.push_back(std::move(value));
+    } else {
+      level.entry->value = std::move(value);
+      level.value.entries.push_back(std::move(*level.entry));
+      level.entry.reset();
+    }
+  }
+
+  void begin_entry(Value key) {
+    Open& level = open_.back();
+    if (!key.is(Value::Kind::scalar)) {
+      if (!bad_key_) {
+        bad_key_ = {key.location, fmt::format("a key is text, found {}", found(key))};
+      }
+    } else if (key.text == "<<" && !key.quoted) {
+      fail(key.location, "merge keys ('<<') are not part of the format");
+    } else if (const auto [first, added] = level.line_of.emplace(key.text, key.location.line);
+               !added) {
+      const bool lines = key.location.origin->has_lines;
+      fail(key.location, "duplicate key {}{}", text::shown(key.text),
+           lines ? fmt::format(" (first on line {})", first->second) : "");
+    }
+    if (level.line_of.size() > kMaxKeys) {
+      fail(key.location, "more than {} keys in a map", kMaxKeys);
+    }
+    level.entry = Entry{std::move(key.text), std::move(key.location), {}};
+  }
 
   const SourceText& source_;
   std::vector<Open> open_;
@@ -96,161 +376,11 @@ class TreeBuilder final : public YAML::EventHandler {
   bool ended_ = false;
 };
 
-Value TreeBuilder::take() {
-  if (bad_key_) {
-    fail(bad_key_->first, "{}", bad_key_->second);
-  }
-  if (root_) {
-    return std::move(*root_);
-  }
-  Value nothing;
-  nothing.location = source_.location(0);
-  return nothing;
-}
-
-void TreeBuilder::explain(const YAML::Exception& error) const {
-  const auto level = std::find_if(open_.rbegin(), open_.rend(),
-                                  [](const Open& candidate) { return candidate.bracketed; });
-  if (level != open_.rend() && error.msg.ends_with("flow not found")) {
-    const char bracket = level->value.is(Value::Kind::map) ? '{' : '[';
-    fail(level->value.location, "the '{}' is not closed, or a ',' is missing after it", bracket);
-  }
-  if (level != open_.rend() && error.msg == "illegal flow end") {
-    const bool brace = rest(error.mark).starts_with('}');
-    fail(location(error.mark), "a '{}' while a '{}' is still open", brace ? '}' : ']',
-         brace ? '[' : '{');
-  }
-  for (const auto& [theirs, ours] : kPlainWords) {
-    if (error.msg == theirs) {
-      fail(location(error.mark), "{}", ours);
-    }
-  }
-  fail(location(error.mark), "not valid YAML: {}", text::printable(error.msg));
-}
-
-void TreeBuilder::OnDocumentStart(const YAML::Mark& mark) {
-  if (ended_) {
-    fail(location(mark), "a second document, or text after the end of the first");
-  }
-}
-
-void TreeBuilder::OnNull(const YAML::Mark& mark, YAML::anchor_t /*anchor*/) {
-  Value value;
-  value.location = location(mark);
-  // For an empty value the mark is that of the next token.
-  const std::string_view next = rest(mark);
-  const bool written = next.starts_with('~') || next.starts_with('n') || next.starts_with('N');
-  if (!written && !open_.empty() && open_.back().entry) {
-    value.location = open_.back().entry->location;
-  }
-  add(std::move(value));
-}
-
-void TreeBuilder::OnAlias(const YAML::Mark& mark, YAML::anchor_t /*anchor*/) {
-  fail(location(mark), kNoAliases);
-}
-
-void TreeBuilder::OnAnchor(const YAML::Mark& mark, const std::string& /*name*/) {
-  fail(location(mark), "anchors ('&') are not part of the format");
-}
-
-void TreeBuilder::OnScalar(const YAML::Mark& mark, const std::string& tag,
-                           YAML::anchor_t /*anchor*/, const std::string& text) {
-  check_tag(mark, tag);
-  Value value;
-  value.kind = Value::Kind::scalar;
-  value.location = location(mark);
-  value.text = text;
-  value.quoted = tag == "!";
-  if (value.quoted) {
-    check_closing_quote(mark);
-  }
-  add(std::move(value));
-}
-
-void TreeBuilder::OnSequenceStart(const YAML::Mark& mark, const std::string& tag,
-                                  YAML::anchor_t /*anchor*/, YAML::EmitterStyle::value style) {
-  check_tag(mark, tag);
-  open(Value::Kind::list, mark, style == YAML::EmitterStyle::Flow);
-}
-
-void TreeBuilder::OnMapStart(const YAML::Mark& mark, const std::string& tag,
-                             YAML::anchor_t /*anchor*/, YAML::EmitterStyle::value style) {
-  check_tag(mark, tag);
-  open(Value::Kind::map, mark, style == YAML::EmitterStyle::Flow);
-}
-
-/// "?" stands for no tag and "!" for quotes, but also for a bare '!' in the text.
-void TreeBuilder::check_tag(const YAML::Mark& mark, const std::string& tag) const {
-  if (rest(mark).starts_with('!') || (!tag.empty() && tag != "?" && tag != "!")) {
-    fail(location(mark), "tags ('!') are not part of the format");
-  }
-}
-
-/// yaml-cpp accepts an unclosed quote at the end of the text.
-void TreeBuilder::check_closing_quote(const YAML::Mark& mark) const {
-  const std::string_view text = rest(mark);
-  const char quote = text.empty() ? '\0' : text.front();
-  if (quote != '"' && quote != '\'') {
-    return;  // a block of lines after '|' or '>'
-  }
-  if (source_.end_of_quote(position(mark)) == source_.text().size()) {
-    fail(location(mark), "the quote that opens here is not closed");
-  }
-}
-
-void TreeBuilder::open(Value::Kind kind, const YAML::Mark& mark, bool bracketed) {
-  if (open_.size() >= kMaxDepth) {
-    fail(location(mark), "nested deeper than {} levels", kMaxDepth);
-  }
-  Open level;
-  level.value.kind = kind;
-  level.value.location = location(mark);
-  level.bracketed = bracketed;
-  open_.push_back(std::move(level));
-}
-
-void TreeBuilder::close() {
-  Value value = std::move(open_.back().value);
-  open_.pop_back();
-  add(std::move(value));
-}
-
-void TreeBuilder::add(Value value) {
-  if (open_.empty()) {
-    root_ = std::move(value);
-  } else if (awaits_key()) {
-    begin_entry(std::move(value));
-  } else if (Open& level = open_.back(); level.value.is(Value::Kind::list)) {
-    level.value.items.push_back(std::move(value));
-  } else {
-    level.entry->value = std::move(value);
-    level.value.entries.push_back(std::move(*level.entry));
-    level.entry.reset();
-  }
-}
-
-void TreeBuilder::begin_entry(Value key) {
-  Open& level = open_.back();
-  if (!key.is(Value::Kind::scalar)) {
-    if (!bad_key_) {
-      bad_key_ = {key.location, fmt::format("a key is text, found {}", found(key))};
-    }
-  } else if (key.text == "<<" && !key.quoted) {
-    fail(key.location, "merge keys ('<<') are not part of the format");
-  } else if (const auto [first, added] = level.line_of.emplace(key.text, key.location.line);
-             !added) {
-    const bool lines = key.location.origin->has_lines;
-    fail(key.location, "duplicate key {}{}", text::shown(key.text),
-         lines ? fmt::format(" (first on line {})", first->second) : "");
-  }
-  if (level.line_of.size() > kMaxKeys) {
-    fail(key.location, "more than {} keys in a map", kMaxKeys);
-  }
-  level.entry = Entry{std::move(key.text), std::move(key.location), {}};
-}
-
 }  // namespace
+
+void check_text(std::string_view text, std::shared_ptr<const Origin> origin) {
+  const SourceText checked(text, std::move(origin));
+}
 
 Value read_document(std::string_view text, std::shared_ptr<const Origin> origin) {
   const SourceText source(text, std::move(origin));

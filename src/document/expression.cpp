@@ -11,14 +11,23 @@
 #include "clca/document/document.hpp"
 #include "clca/text/message.hpp"
 #include "document/internal/document.hpp"
-#include "document/internal/number.hpp"
 
 namespace clca::document {
 
 namespace {
 
-bool is_expression(const Value& value) {
-  return value.is(Value::Kind::scalar) && value.text.starts_with('=');
+/// Calls visit(value) for each expression in a value.
+template <class Visit>
+void for_each_expression(Value& value, const Visit& visit) {
+  if (value.text.starts_with('=')) {
+    visit(value);
+  }
+  for (Value& item : value.items) {
+    for_each_expression(item, visit);
+  }
+  for (Entry& entry : value.entries) {
+    for_each_expression(entry.value, visit);
+  }
 }
 
 /// Shortest text that reads as the number; whole numbers without an exponent.
@@ -31,53 +40,50 @@ bool is_letter(char letter) {
   return letter == '_' || std::isalpha(static_cast<unsigned char>(letter)) != 0;
 }
 
-/// What stands at `begin`: a name, which may have dots, a number, or a single character.
-std::string_view token_at(std::string_view text, std::size_t begin) {
-  std::size_t end = begin + 1;
-  const auto goes_on = [&] {
-    return is_letter(text[end]) || is_digit(text[end]) || text[end] == '.';
-  };
-  const bool is_number = is_digit(text[begin]) || text[begin] == '.';
-  while ((is_number || is_letter(text[begin])) && end < text.size()) {
-    const char before = text[end - 1];
-    const bool is_sign =
-        is_number && (before == 'e' || before == 'E') && (text[end] == '-' || text[end] == '+');
-    if (!goes_on() && !is_sign) {
-      break;
-    }
-    ++end;
-  }
-  return text.substr(begin, end - begin);
-}
-
 using IsKnown = std::function<bool(std::string_view name)>;
 
-/// The same where names behind a dot, as of outlets, may have '-': the longest one that is known.
-std::string_view token_at(std::string_view text, std::size_t begin, const IsKnown& is_known) {
-  const std::string_view token = token_at(text, begin);
-  if (!is_letter(token.front()) || token.find('.') == std::string_view::npos) {
-    return token;
-  }
-  std::size_t end = begin;
-  while (end < text.size() &&
-         (is_letter(text[end]) || is_digit(text[end]) || text[end] == '.' || text[end] == '-')) {
-    ++end;
-  }
-  while (end > begin + token.size()) {
-    const bool is_call = end < text.size() && text[end] == '(';
-    if (!is_call && is_known(text.substr(begin, end - begin))) {
-      return text.substr(begin, end - begin);
+/// What the text begins with: a name, which may have dots, a number, or a single character. Names
+/// behind a dot, as of outlets, may have '-': the longest one that is known.
+std::string_view first_token(std::string_view text, const IsKnown& is_known) {
+  const auto is_part = [&](std::size_t at) {
+    return is_letter(text[at]) || is_digit(text[at]) || text[at] == '.';
+  };
+  const auto length = [&](const auto& goes_on) {
+    std::size_t end = 1;
+    while (end < text.size() && goes_on(end)) {
+      ++end;
     }
-    end = text.rfind('-', end - 1);
+    return end;
+  };
+  if (!is_part(0)) {
+    return text.substr(0, 1);
   }
-  return token;
+  if (!is_letter(text.front())) {
+    return text.substr(0, length([&](std::size_t at) {
+                         const bool is_exponent = text[at - 1] == 'e' || text[at - 1] == 'E';
+                         return is_part(at) ||
+                                (is_exponent && (text[at] == '-' || text[at] == '+'));
+                       }));
+  }
+  const std::string_view name = text.substr(0, length(is_part));
+  if (name.find('.') == std::string_view::npos) {
+    return name;
+  }
+  for (std::size_t end = length([&](auto at) { return is_part(at) || text[at] == '-'; });
+       end > name.size(); end = text.rfind('-', end - 1)) {
+    const bool is_call = end < text.size() && text[end] == '(';
+    if (!is_call && is_known(text.substr(0, end))) {
+      return text.substr(0, end);
+    }
+  }
+  return name;
 }
 
 /// Calls visit(token, is_name) for the parts of an expression, in their order.
 template <class Visit>
 void for_each_token(std::string_view expression, const IsKnown& is_known, const Visit& visit) {
   for (std::size_t at = 0; at < expression.size();) {
-    const std::string_view token = token_at(expression, at, is_known);
+    const std::string_view token = first_token(expression.substr(at), is_known);
     at += token.size();
     const bool is_call = at < expression.size() && expression[at] == '(';
     visit(token, is_letter(token.front()) && !is_call);
@@ -86,68 +92,46 @@ void for_each_token(std::string_view expression, const IsKnown& is_known, const 
 
 class Evaluator {
  public:
-  Evaluator();
+  Evaluator() {
+    parser_.ClearConst();  // those of the library have 13 digits
+    parser_.DefineConst("_pi", std::numbers::pi);
+    parser_.DefineConst("_e", std::numbers::e);
+  }
+
   /// A number under `let`, unless its name is taken.
-  void define(const Entry& entry, const std::vector<std::string_view>& taken);
+  void define(const Entry& entry, const std::vector<std::string_view>& taken) {
+    const std::string path = join_path("let", entry.key);
+    const auto refuse_name = [&](const std::string& why) {
+      fail(entry.location, "{}: {}", path, why);
+    };
+    if (std::ranges::count(taken, entry.key) > 0) {
+      refuse_name("a key of the scene has this name");
+    }
+    const auto number = number_in<double>(entry.value);
+    if (!number) {
+      fail(entry.value.location, "{}: expected a number or an expression like '=2*a', found {}",
+           path, found(entry.value));
+    }
+    constexpr const char* kNames =
+        "a name has up to 64 letters, digits and '_', no digit first, and is no function or "
+        "constant";
+    if (entry.key.size() > kMaxNameLength || is_known(entry.key)) {
+      refuse_name(kNames);
+    }
+    try {
+      parser_.DefineConst(entry.key, *number);
+    } catch (const mu::ParserError&) {
+      refuse_name(kNames);
+    }
+    names_.push_back(entry.key);
+  }
+
   /// What stands under `let` is defined one after the other.
   void begin_let() { let_begins_ = true; }
   /// All names have been replaced.
   void expect_no_names() { has_names_ = false; }
-  void evaluate(Value& value);
-  /// Puts numbers for names that have one into the expressions of a value.
-  void name_numbers(Value& value);
-  /// The value of `expression`, which the text of the value stands for.
-  double result_of(const std::string& expression, const Value& value);
-  /// Whether it is the name of a function or a number.
-  bool is_known(const std::string& name) const {
-    return parser_.GetFunDef().contains(name) || parser_.GetConst().contains(name);
-  }
 
- private:
-  [[noreturn]] void explain(const Value& value, const mu::ParserError& error) const;
-
-  mu::Parser parser_;
-  std::vector<std::string_view> names_;
-  bool let_begins_ = false;
-  bool has_names_ = true;
-};
-
-// Those of the library have 13 digits.
-Evaluator::Evaluator() {
-  parser_.ClearConst();
-  parser_.DefineConst("_pi", std::numbers::pi);
-  parser_.DefineConst("_e", std::numbers::e);
-}
-
-void Evaluator::define(const Entry& entry, const std::vector<std::string_view>& taken) {
-  const std::string path = join_path("let", entry.key);
-  const auto refuse_name = [&](const std::string& why) {
-    fail(entry.location, "{}: {}", path, why);
-  };
-  if (std::ranges::count(taken, entry.key) > 0) {
-    refuse_name("a key of the scene has this name");
-  }
-  const auto number =
-      entry.value.is(Value::Kind::scalar) ? number_in<double>(entry.value.text) : std::nullopt;
-  if (!number || entry.value.quoted) {
-    fail(entry.value.location, "{}: expected a number or an expression like '=2*a', found {}", path,
-         found(entry.value));
-  }
-  constexpr const char* kNames =
-      "a name has up to 64 letters, digits and '_', no digit first, and is no function or constant";
-  if (entry.key.size() > kMaxNameLength || is_known(entry.key)) {
-    refuse_name(kNames);
-  }
-  try {
-    parser_.DefineConst(entry.key, *number);
-  } catch (const mu::ParserError&) {
-    refuse_name(kNames);
-  }
-  names_.push_back(entry.key);
-}
-
-void Evaluator::evaluate(Value& value) {
-  if (is_expression(value)) {
+  void evaluate(Value& value) {
     value.expression = value.text;
     const double result = result_of(value.text.substr(1), value);
     if (!std::isfinite(result)) {
@@ -156,16 +140,9 @@ void Evaluator::evaluate(Value& value) {
     value.text = number_text(result + 0.0);  // no negative zero
     value.quoted = false;
   }
-  for (Value& item : value.items) {
-    evaluate(item);
-  }
-  for (Entry& entry : value.entries) {
-    evaluate(entry.value);
-  }
-}
 
-void Evaluator::name_numbers(Value& value) {
-  if (is_expression(value)) {
+  /// Puts numbers for names that have one into an expression.
+  void name_numbers(Value& value) const {
     value.expression = value.text;
     value.text = with_numbers(value.text, [&](std::string_view name) {
       const auto& numbers = parser_.GetConst();
@@ -173,58 +150,67 @@ void Evaluator::name_numbers(Value& value) {
       return found == numbers.end() ? std::nullopt : std::optional(found->second);
     });
   }
-  for (Value& item : value.items) {
-    name_numbers(item);
-  }
-  for (Entry& entry : value.entries) {
-    name_numbers(entry.value);
-  }
-}
 
-double Evaluator::result_of(const std::string& expression, const Value& value) {
-  try {
-    parser_.SetExpr(expression);
-    int count = 0;
-    const double* results = parser_.Eval(count);
-    if (count != 1) {
-      fail(value.location, "{}: expected one number, found {}", text::shown(value.text), count);
+  /// The value of `expression`, which the text of the value stands for.
+  double result_of(const std::string& expression, const Value& value) {
+    try {
+      parser_.SetExpr(expression);
+      int count = 0;
+      const double* results = parser_.Eval(count);
+      if (count != 1) {
+        fail(value.location, "{}: expected one number, found {}", text::shown(value.text), count);
+      }
+      return results[0];
+    } catch (const mu::ParserError& error) {
+      explain(value, error);
     }
-    return results[0];
-  } catch (const mu::ParserError& error) {
-    explain(value, error);
   }
-}
 
-void Evaluator::explain(const Value& value, const mu::ParserError& error) const {
-  const std::string expression = text::shown(value.text);
-  if (error.GetCode() == mu::ecUNASSIGNABLE_TOKEN) {
-    // The rest of the expression, from the name on.
-    const std::string& token = error.GetToken();  // with a space behind
-    const std::string rest = token.substr(0, token.find_last_not_of(' ') + 1);
-    const std::string name = rest.substr(0, rest.find_first_of(" +-*/^()<>=!&|?:,"));
-    const bool is_name = !name.empty() && (name.front() == '_' || std::isalpha(name.front()) != 0);
-    if (is_name && value.text.find(name + '(') != std::string::npos) {
-      fail(value.location, "cannot evaluate {}: {} is not a function", expression,
-           text::shown(name));
-    }
-    if (!has_names_ || !is_name) {
-      fail(value.location, "cannot evaluate {}: {} is not expected", expression, text::shown(rest));
-    }
-    const std::string known = !names_.empty() ? "known: " + text::listed(names_)
-                              : let_begins_   ? "nothing stands before it under let"
-                                              : "nothing stands under let";
-    fail(value.location, "unknown name {} in {} ({}){}", text::shown(name), expression, known,
-         text::suggestion(name, names_));
+  /// Whether it is the name of a function or a number.
+  bool is_known(const std::string& name) const {
+    return parser_.GetFunDef().contains(name) || parser_.GetConst().contains(name);
   }
-  std::string reason = text::printable(error.GetMsg());
-  reason.resize(std::min({reason.find(" at position"), reason.find('.'), reason.size()}));
-  fail(value.location, "cannot evaluate {}: {}", expression, reason);
-}
+
+ private:
+  [[noreturn]] void explain(const Value& value, const mu::ParserError& error) const {
+    const std::string expression = text::shown(value.text);
+    if (error.GetCode() == mu::ecUNASSIGNABLE_TOKEN) {
+      // The rest of the expression, from the name on.
+      const std::string& token = error.GetToken();  // with a space behind
+      const std::string rest = token.substr(0, token.find_last_not_of(' ') + 1);
+      const std::string name = rest.substr(0, rest.find_first_of(" +-*/^()<>=!&|?:,"));
+      const bool is_name =
+          !name.empty() && (name.front() == '_' || std::isalpha(name.front()) != 0);
+      if (is_name && value.text.find(name + '(') != std::string::npos) {
+        fail(value.location, "cannot evaluate {}: {} is not a function", expression,
+             text::shown(name));
+      }
+      if (!has_names_ || !is_name) {
+        fail(value.location, "cannot evaluate {}: {} is not expected", expression,
+             text::shown(rest));
+      }
+      const std::string known = !names_.empty() ? "known: " + text::listed(names_)
+                                : let_begins_   ? "nothing stands before it under let"
+                                                : "nothing stands under let";
+      fail(value.location, "unknown name {} in {} ({}){}", text::shown(name), expression, known,
+           text::suggestion(name, names_));
+    }
+    std::string reason = text::printable(error.GetMsg());
+    reason.resize(std::min({reason.find(" at position"), reason.find('.'), reason.size()}));
+    fail(value.location, "cannot evaluate {}: {}", expression, reason);
+  }
+
+  mu::Parser parser_;
+  std::vector<std::string_view> names_;
+  bool let_begins_ = false;
+  bool has_names_ = true;
+};
 
 }  // namespace
 
 void evaluate_expression(Value& value) {
-  Evaluator().evaluate(value);
+  Evaluator evaluator;
+  for_each_expression(value, [&](Value& each) { evaluator.evaluate(each); });
 }
 
 std::string with_numbers(
@@ -241,8 +227,10 @@ std::string with_numbers(
 }
 
 bool is_expression_name(const std::string& name) {
-  return name.size() <= kMaxNameLength && name.find('.') == std::string::npos && !name.empty() &&
-         is_letter(name.front()) && token_at(name, 0) == name && !Evaluator().is_known(name);
+  return name.size() <= kMaxNameLength && !name.empty() && is_letter(name.front()) &&
+         !Evaluator().is_known(name) && std::ranges::all_of(name, [](char letter) {
+           return is_letter(letter) || is_digit(letter);
+         });
 }
 
 void check_expression(const Value& value) {
@@ -282,24 +270,26 @@ std::optional<double> value_of(
   }
 }
 
-void evaluate_expressions(Value& root, const ExpressionKeys& keys) {
+void evaluate_expressions(Value& root, const std::vector<std::string_view>& taken,
+                          std::string_view text, std::string_view open) {
   Evaluator evaluator;
+  const auto evaluate = [&](Value& value) { evaluator.evaluate(value); };
   Value* let = root.find("let");
-  if (let != nullptr && !(let->is(Value::Kind::scalar) && let->text == "none")) {
+  if (let != nullptr && let->text != "none") {
     if (!let->is(Value::Kind::map)) {
       fail(let->location, "let: expected a map, found {}", found(*let));
     }
     for (Entry& entry : let->entries) {
       evaluator.begin_let();
-      evaluator.evaluate(entry.value);
-      evaluator.define(entry, keys.taken);
+      for_each_expression(entry.value, evaluate);
+      evaluator.define(entry, taken);
     }
   }
   for (Entry& entry : root.entries) {
-    if (entry.key == keys.open) {
-      evaluator.name_numbers(entry.value);
-    } else if (entry.key != keys.text) {
-      evaluator.evaluate(entry.value);
+    if (entry.key == open) {
+      for_each_expression(entry.value, [&](Value& value) { evaluator.name_numbers(value); });
+    } else if (entry.key != text) {
+      for_each_expression(entry.value, evaluate);
     }
   }
 }

@@ -1,4 +1,3 @@
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,7 +7,6 @@
 #include "clca/text/message.hpp"
 #include "clca/text/number.hpp"
 #include "document/internal/document.hpp"
-#include "document/internal/number.hpp"
 
 namespace clca::document {
 
@@ -70,7 +68,7 @@ std::string canonical_text(const Value& value) {
     case Value::Kind::nothing:
       return "null";
     case Value::Kind::scalar: {
-      const auto number = value.quoted ? std::nullopt : number_in<double>(value.text);
+      const auto number = number_in<double>(value);
       return number ? fmt::format("{}", *number + 0.0) : flow_text(Value::quoted_text(value.text));
     }
     case Value::Kind::list:

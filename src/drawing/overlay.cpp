@@ -12,7 +12,7 @@
 #include "clca/measure/snapshot.hpp"
 #include "clca/measure/weight_paths.hpp"
 #include "clca/record/quantity.hpp"
-#include "clca/scene/contact.hpp"
+#include "clca/scene/units.hpp"
 #include "drawing/internal/frame_painter.hpp"
 #include "grains/internal/apart_table.hpp"
 

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "clca/model/initial_state.hpp"
-#include "clca/scene/contact.hpp"
+#include "clca/scene/units.hpp"
 
 namespace clca::model {
 

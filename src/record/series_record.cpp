@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "clca/scene/contact.hpp"
+#include "clca/scene/units.hpp"
 
 namespace clca::record {
 

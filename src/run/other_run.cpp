@@ -10,7 +10,7 @@
 #include "clca/model/initial_state.hpp"
 #include "clca/random/draw.hpp"
 #include "clca/run/setup.hpp"
-#include "clca/scene/contact.hpp"
+#include "clca/scene/units.hpp"
 #include "clca/store/file.hpp"
 #include "clca/store/trajectory.hpp"
 #include "grains/internal/filling.hpp"

@@ -33,16 +33,11 @@ constexpr double kRowTextBytes = 512;
 constexpr double kBinBytes = 16;
 constexpr double kBinTextBytes = 128;
 
-double bin_count(const QuantileBins& bins) {
-  return bins.count;
-}
-double bin_count(const UniformBins& bins) {
-  return std::ceil(bins.end / bins.width) + 1;
-}
-
 double table_bytes(const BoltzmannScene& scene) {
   const double rows = scene.until / scene.series_every + 2;
-  const double bins = std::visit([](const auto& spec) { return bin_count(spec); }, scene.bins);
+  const auto* uniform = std::get_if<UniformBins>(&scene.bins);
+  const double bins = uniform != nullptr ? std::ceil(uniform->end / uniform->width) + 1
+                                         : std::get<QuantileBins>(scene.bins).count;
   const double shares = static_cast<double>(scene.histograms.size()) * bins;
   const auto gases = static_cast<double>(scene.ensemble);
   return static_cast<double>(scene.restitutions.size()) *

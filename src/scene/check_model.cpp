@@ -7,7 +7,6 @@
 
 #include "clca/contact/contact_model.hpp"
 #include "clca/lattice/shape.hpp"
-#include "clca/scene/contact.hpp"
 #include "clca/scene/units.hpp"
 #include "scene/geometry.hpp"
 #include "scene/names.hpp"
@@ -106,16 +105,19 @@ void check_vessels(const Place& stages) {
 
 }  // namespace
 
+bool lets_overlap(const Scene& scene) {
+  return std::ranges::any_of(
+      scene.walls, [](const Wall& wall) { return wall.passive == grains::Passive::overlap; });
+}
+
 void check_weight_paths(const Place& place) {
   const Scene& scene = place.scene;
-  const bool overlaps = std::ranges::any_of(
-      scene.walls, [](const Wall& wall) { return wall.passive == grains::Passive::overlap; });
   const bool turns = std::ranges::any_of(
       scene.stages, [](const Stage& stage) { return stage.vessel.has_value(); });
-  if (overlaps || turns) {
+  if (lets_overlap(scene) || turns) {
     fail(place, "no paths of weight {}",
-         overlaps ? "with a wall that moves with passive: overlap"
-                  : "in a vessel that tilts or moves");
+         lets_overlap(scene) ? "with a wall that moves with passive: overlap"
+                             : "in a vessel that tilts or moves");
   }
 }
 

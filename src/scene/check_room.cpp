@@ -1,9 +1,11 @@
-// Rejects fills that cannot fit and outlets that no particle fits into.
+// Rejects moving walls that never enter the box or meet another wall, fills that cannot fit, and
+// outlets that no particle fits into.
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "clca/scene/parse.hpp"
 #include "clca/scene/walls.hpp"
@@ -14,34 +16,89 @@ namespace clca::scene {
 
 namespace {
 
-/// Whether `found` returns true for a site in the rectangle; from below, from the left.
-template <class Found>
-bool any_site(const lattice::Lattice& lattice, const lattice::Rectangle& rectangle, Found found) {
-  const auto bounded = [](double value, int end) {
-    return static_cast<int>(std::clamp(std::floor(value), 0.0, static_cast<double>(end)));
-  };
-  const int last_column = bounded(rectangle.right / lattice::kColumnPitch + 2, lattice.columns());
-  const int last_row = bounded(rectangle.top + 2, lattice.rows());
-  for (int column = bounded(rectangle.left / lattice::kColumnPitch - 1, lattice.columns());
-       column < last_column; ++column) {
-    for (int row = bounded(rectangle.bottom - 1, lattice.rows()); row < last_row; ++row) {
-      const lattice::Site site = {column, row};
-      if (rectangle.contains(lattice::position(site)) && found(site)) {
-        return true;
-      }
+template <class... Args>
+[[noreturn]] void fail(const Wall& wall, fmt::format_string<Args...> message, Args&&... args) {
+  throw_error(wall.location, fmt::format("walls.{}: {}", wall.name,
+                                         fmt::format(message, std::forward<Args>(args)...)));
+}
+
+/// True if both walls share an initial site for which `counts` is true.
+template <class Counts>
+bool share_initial_site(const lattice::Lattice& lattice, const Wall& a, const Wall& b,
+                        Counts counts) {
+  const std::vector<lattice::Site> sites = wall_sites(lattice, a);
+  const std::vector<lattice::Site> others = wall_sites(lattice, b);
+  return std::ranges::any_of(sites, [&](lattice::Site site) {
+    return counts(site) && std::binary_search(others.begin(), others.end(), site);
+  });
+}
+
+/// Checks the initial positions.
+void check_begin(const lattice::Lattice& lattice, const Wall& mover, const Wall& other) {
+  const auto in_box = [&](lattice::Site site) { return lattice.contains(site); };
+  if (share_initial_site(lattice, mover, other, in_box)) {
+    fail(mover,
+         "stands in wall '{}' at the start; insert one of them later, or move "
+         "one of them elsewhere",
+         other.name);
+  }
+}
+
+/// The walls present in some stage that moves `mover`.
+std::vector<bool> companions(const Scene& scene, const std::vector<std::vector<bool>>& there,
+                             std::size_t mover) {
+  std::vector<bool> result(scene.walls.size(), false);
+  for (std::size_t i = 0; i < scene.stages.size(); ++i) {
+    if (std::ranges::count(scene.stages[i].move, mover) > 0) {
+      std::transform(result.begin(), result.end(), there[i].begin(), result.begin(),
+                     std::logical_or<>());
     }
   }
-  return false;
+  result[mover] = false;
+  return result;
+}
+
+/// One bit per site index.
+std::vector<bool> way_of(const lattice::Lattice& lattice, const Wall& wall) {
+  std::vector<bool> way(lattice.index_count(), false);
+  bool empty = true;
+  any_swept_site(lattice, wall, [&](lattice::Site site) {
+    way[lattice.index(site)] = true;
+    empty = false;
+    return false;
+  });
+  return empty ? std::vector<bool>() : way;
+}
+
+void check_pair(const lattice::Lattice& lattice, const Wall& mover, const std::vector<bool>& way,
+                const Wall& other) {
+  if (other.motion == mover.motion) {
+    if (share_initial_site(lattice, mover, other, [](lattice::Site) { return true; })) {
+      fail(mover,
+           "shares sites with wall '{}', which has the same motion; make them "
+           "parts of one wall, "
+           "or move one of them elsewhere",
+           other.name);
+    }
+    return;
+  }
+  if (any_swept_site(lattice, other,
+                     [&](lattice::Site site) { return way[lattice.index(site)]; })) {
+    fail(mover, "its way meets {} wall '{}'; {}, or move one of them elsewhere",
+         other.motion ? "that of" : "the standing", other.name,
+         other.motion ? "shorten a distance or amplitude" : "shorten the distance or amplitude");
+  }
 }
 
 /// Whether the species fits into the rectangle in one of its orientations on `free` sites.
 template <class Free>
 bool finds_room(const lattice::Lattice& lattice, const lattice::Rectangle& rectangle,
                 const Species& species, Free free) {
+  const lattice::SweptRegion box(lattice);
   return std::ranges::any_of(species.orientations, [&](int degrees) {
     const lattice::Shape shape = species.shape.rotated(degrees / kDegreesPerSixth);
     const lattice::Axial first = shape.sites().front();
-    return any_site(lattice, rectangle, [&](lattice::Site at) {
+    return any_site(box, rectangle, [&](lattice::Site at) {
       return std::ranges::all_of(shape.sites(), [&](lattice::Axial part) {
         lattice::Site site = at + (part - first);
         site.column = lattice.wrapped(site.column);
@@ -57,11 +114,9 @@ std::vector<bool> covered_at_begin(const Scene& scene, const lattice::Lattice& l
                                    std::size_t stage, const std::vector<bool>& there) {
   std::vector<bool> covered(lattice.index_count(), false);
   for (std::size_t wall = 0; wall < scene.walls.size(); ++wall) {
-    const bool moved =
-        std::any_of(scene.stages.begin(), scene.stages.begin() + static_cast<std::ptrdiff_t>(stage),
-                    [wall](const Stage& earlier) {
-                      return std::ranges::find(earlier.move, wall) != earlier.move.end();
-                    });
+    const bool moved = std::any_of(
+        scene.stages.begin(), scene.stages.begin() + static_cast<std::ptrdiff_t>(stage),
+        [wall](const Stage& earlier) { return std::ranges::count(earlier.move, wall) > 0; });
     if (!there[wall] || moved) {
       continue;
     }
@@ -91,7 +146,7 @@ void check_fill(const Scene& scene, const lattice::Lattice& lattice, const Stage
     }
   }
   double sites = 0;
-  any_site(lattice, fill.region, [&](lattice::Site site) {
+  any_site(lattice::SweptRegion(lattice), fill.region, [&](lattice::Site site) {
     sites += free(site) ? 1 : 0;
     return false;
   });
@@ -106,6 +161,31 @@ void check_fill(const Scene& scene, const lattice::Lattice& lattice, const Stage
 }
 
 }  // namespace
+
+void check_walls(const Scene& scene) {
+  const lattice::Lattice lattice = lattice_of(scene.box);
+  const std::vector<std::vector<bool>> there = walls_present_by_stage(scene);
+  const std::vector<bool> first = walls_present_at_start(scene);
+  for (std::size_t i = 0; i < scene.walls.size(); ++i) {
+    const Wall& mover = scene.walls[i];
+    if (!mover.motion) {
+      continue;
+    }
+    const std::vector<bool> way = way_of(lattice, mover);
+    if (way.empty()) {
+      fail(mover, "no site of the box, {} wide and {} high, lies on its way", scene.box.width,
+           scene.box.height);
+    }
+    const std::vector<bool> met = companions(scene, there, i);
+    for (std::size_t other = 0; other < scene.walls.size(); ++other) {
+      if (met[other]) {
+        check_pair(lattice, mover, way, scene.walls[other]);
+      } else if (other != i && first[i] && first[other]) {
+        check_begin(lattice, mover, scene.walls[other]);
+      }
+    }
+  }
+}
 
 void check_room(const Scene& scene) {
   const lattice::Lattice lattice = lattice_of(scene.box);

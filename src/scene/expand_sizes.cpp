@@ -36,7 +36,7 @@ Value whole(double number, const TextLocation& location) {
 
 double amount_in(const Entry& entry, const std::string& path, std::uint64_t most) {
   return static_cast<double>(
-      read_count({entry.value, join_path(path, entry.key), Scene()}, 0, most));
+      read_number<std::uint64_t>({entry.value, join_path(path, entry.key), Scene()}, 0, most));
 }
 
 /// Species with sizes, each replaced by its kinds.
@@ -68,7 +68,7 @@ class Expansion {
   /// a kind, by number or by area as the law, goes to the next one, so that the mean changes
   /// little.
   void divide_counts(Value& counts, const std::string& path) {
-    change(counts, [&](const Entry& entry, const Family& family, std::vector<Entry>& result) {
+    divide(counts, [&](const Entry& entry, const Family& family) {
       const double all = amount_in(entry, path, kMaxParticles);
       if (all > 0 && all < static_cast<double>(family.kinds.size())) {
         fail(entry.value.location, "{}: expected at least {}, one of each kind, found {}",
@@ -85,7 +85,7 @@ class Expansion {
         left -= numbers[i];
       }
       numbers.front() = left;
-      append(entry, family, numbers, result);
+      return numbers;
     });
   }
 
@@ -105,13 +105,13 @@ class Expansion {
         entry.value = whole(scale * weight_of(entry), entry.value.location);
       }
     }
-    change(weights, [&](const Entry& entry, const Family& family, std::vector<Entry>& result) {
+    divide(weights, [&](const Entry& entry, const Family& family) {
       const double weight = weight_of(entry);
       std::vector<double> numbers;
       for (const SizeClass& kind : family.kinds) {
         numbers.push_back(std::max(std::min(weight, 1.0), std::round(scale * weight * kind.share)));
       }
-      append(entry, family, numbers, result);
+      return numbers;
     });
   }
 
@@ -129,7 +129,7 @@ class Expansion {
 
   /// A species by its name becomes weights, too.
   void divide_part(Value& part, const std::string& path) {
-    if (part.is(Value::Kind::scalar) && families_.contains(part.text)) {
+    if (families_.contains(part.text)) {
       Value weights = Value::map(part.location);
       weights.add(part.text, whole(1, part.location));
       part = weights;
@@ -164,7 +164,8 @@ class Expansion {
     const std::string path = join_path("species", entry.key);
     check_name(entry.key, entry.location, "species");
     Family& family = families_[entry.key];
-    family.kinds = size_classes(sizes_type().read({sizes, join_path(path, "sizes"), scene}));
+    const Sizes law = sizes_type().read({sizes, join_path(path, "sizes"), scene});
+    family.kinds = size_classes(law);
     // Blue, vermilion and green of the palette.
     constexpr std::array<image::Rgb, 3> kColors = {{{0, 114, 178}, {213, 94, 0}, {0, 158, 115}}};
     image::Rgb color = kColors[(families_.size() - 1) % kColors.size()];
@@ -178,13 +179,9 @@ class Expansion {
       const TextLocation& location = sizes.location;
       std::erase_if(kind.value.entries,
                     [](const Entry& key) { return key.key == "sizes" || key.key == "color"; });
-      const auto* disc = std::get_if<DiscSpec>(&family.kinds[i].shape);
-      const auto* hexagon = std::get_if<HexagonSpec>(&family.kinds[i].shape);
       Value shape = Value::map(location);
-      shape.add(disc != nullptr ? "disc" : "hexagon",
-                Value::scalar(disc != nullptr ? fmt::format("{}", disc->radius)
-                                              : fmt::format("{}", hexagon->radius),
-                              location));
+      shape.add(law.shape == RoundShape::disc ? "disc" : "hexagon",
+                Value::scalar(fmt::format("{}", family.kinds[i].radius), location));
       kind.value.add("shape", std::move(shape));
       kind.value.add("color",
                      Value::scalar(shade(color, count > 1 ? static_cast<double>(i) /
@@ -195,29 +192,27 @@ class Expansion {
     }
   }
 
-  template <class Change>
-  void change(Value& map, Change change) const {
+  /// Replaces each species with sizes by those of its kinds of which `numbers_of(entry, family)`
+  /// says that there are any.
+  template <class Numbers>
+  void divide(Value& map, const Numbers& numbers_of) {
     std::vector<Entry> result;
     for (Entry& entry : map.entries) {
       const auto family = families_.find(entry.key);
       if (family == families_.end()) {
         result.push_back(std::move(entry));
-      } else {
-        change(entry, family->second, result);
+        continue;
+      }
+      const std::vector<std::string>& names = family->second.names;
+      const std::vector<double> numbers = numbers_of(entry, family->second);
+      for (std::size_t i = 0; i < numbers.size(); ++i) {
+        if (numbers[i] > 0) {
+          used_.insert(names[i]);
+          result.push_back({names[i], entry.location, whole(numbers[i], entry.value.location)});
+        }
       }
     }
     map.entries = std::move(result);
-  }
-
-  void append(const Entry& entry, const Family& family, const std::vector<double>& numbers,
-              std::vector<Entry>& result) {
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-      if (numbers[i] > 0) {
-        used_.insert(family.names[i]);
-        result.push_back(
-            {family.names[i], entry.location, whole(numbers[i], entry.value.location)});
-      }
-    }
   }
 
   std::vector<std::string> plain_;

@@ -5,12 +5,13 @@
 
 #include "clca/text/message.hpp"
 #include "scene/names.hpp"
-#include "scene/schema.hpp"
 #include "scene/sections.hpp"
 
 namespace clca::scene {
 
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 /// A key and how users write where it is.
 struct FoundKey {
@@ -66,8 +67,8 @@ std::vector<FoundKey> found_keys(std::string_view path) {
   std::vector<FoundKey> found;
   for (const Descriptions& top : tops) {
     const FoundKey match = find(top, parts);
-    if (match.keys != nullptr && (found.empty() || match.key == nullptr ||
-                                  match.key->schema() != found.front().key->schema())) {
+    if (match.keys != nullptr &&
+        (found.empty() || match.key == nullptr || match.key->schema != found.front().key->schema)) {
       found.push_back(match);
     }
   }
@@ -228,7 +229,7 @@ std::vector<std::string> words_of(std::string_view path) {
   for (const Descriptions& top : {scene_type().keys, boltzmann_type().keys}) {
     const FoundKey found = find(top, document::parts_of_path(path));
     if (found.key != nullptr) {
-      add_words(found.key->schema(), words);
+      add_words(Json::parse(found.key->schema), words);
     }
   }
   return words;
@@ -265,7 +266,7 @@ std::string json_schema() {
   const auto define = [&](const char* name, const AnyType& type, std::string_view about) {
     Json& definition = schema["definitions"][name];
     definition["description"] = about;
-    definition.update(type.schema());
+    definition.update(Json::parse(type.schema));
   };
   define("grains", scene_type(),
          "A scene of grains on the lattice. Lengths in lattice spacings from the lower left site, "

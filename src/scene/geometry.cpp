@@ -1,13 +1,8 @@
-// Points and rectangles in the box.
-
 #include "scene/geometry.hpp"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 
-#include "scene/keyed_map.hpp"
-#include "scene/limits.hpp"
+#include "lattice/internal/bounded.hpp"
 
 namespace clca::scene {
 
@@ -19,21 +14,37 @@ std::string shown(const lattice::Rectangle& edges) {
   return fmt::format("[{}, {}, {}, {}]", edges.left, edges.bottom, edges.right, edges.top);
 }
 
-bool holds_no_site(const lattice::Lattice& lattice, const lattice::Rectangle& rectangle) {
-  // Columns of one parity are alike, so the first inside of each decides.
-  const auto bounded = [](double value, int most) {
-    return static_cast<int>(std::clamp(value, 0.0, static_cast<double>(most)));
-  };
-  const int column = bounded(rectangle.left / lattice::kColumnPitch - 1, lattice.columns());
-  const int row = bounded(rectangle.bottom - 1, lattice.rows());
-  for (int i = column; i < std::min(column + 5, lattice.columns()); ++i) {
-    for (int j = row; j < std::min(row + 4, lattice.rows()); ++j) {
-      if (rectangle.contains(lattice::position(lattice::Site{i, j}))) {
-        return false;
+bool any_site(const lattice::SweptRegion& swept_region, const lattice::Rectangle& rectangle,
+              const std::function<bool(lattice::Site)>& found) {
+  const int first = swept_region.first_column();
+  const int end = swept_region.end_column();
+  const int last = lattice::bounded(rectangle.right / lattice::kColumnPitch + 2, first, end);
+  for (int column = lattice::bounded(rectangle.left / lattice::kColumnPitch - 1, first, end);
+       column < last; ++column) {
+    const lattice::RowRange rows = swept_region.rows(column);
+    const auto row_at = [&](double height) {
+      return lattice::bounded(height, rows.first, std::max(rows.first, rows.end));
+    };
+    const int end_row = row_at(rectangle.top + 2);
+    for (int row = row_at(rectangle.bottom - 1); row < end_row; ++row) {
+      const lattice::Site site = {column, row};
+      if (rectangle.contains(lattice::position(site)) && found(site)) {
+        return true;
       }
     }
   }
-  return true;
+  return false;
+}
+
+bool holds_no_site(const lattice::Lattice& lattice, const lattice::Rectangle& rectangle) {
+  return !any_site(lattice::SweptRegion(lattice), rectangle, [](lattice::Site) { return true; });
+}
+
+bool holds_no_site(const lattice::Lattice& lattice, const lattice::Segment& segment) {
+  // First without its thickness: a thick line across the box has many sites.
+  const lattice::Segment thin = {segment.from, segment.to, 0};
+  return lattice::sites_along(lattice, thin).empty() &&
+         lattice::sites_along(lattice, segment).empty();
 }
 
 void require_site(const lattice::Rectangle& region, const Place& place) {

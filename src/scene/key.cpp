@@ -1,10 +1,38 @@
 #include "scene/key.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "clca/text/message.hpp"
 
 namespace clca::scene {
 
 namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// What is between the brackets.
+std::string_view members(std::string_view schema) {
+  return schema.substr(1, schema.size() - 2);
+}
+
+/// Plain scalars become numbers, booleans or strings.
+Json to_json(const Value& value) {
+  if (value.is(Value::Kind::scalar)) {
+    const Json number = value.quoted ? Json(value.text) : Json::parse(value.text, nullptr, false);
+    return number.is_discarded() ? Json(value.text) : number;
+  }
+  Json result = value.is(Value::Kind::map) ? Json::object() : Json::array();
+  for (const Value& item : value.items) {
+    result.push_back(to_json(item));
+  }
+  for (const Entry& entry : value.entries) {
+    result[entry.key] = to_json(entry.value);
+  }
+  return result;
+}
 
 std::optional<Value> key_text(const AnyKey& key, const void* owner, const Scene& scene) {
   if (key.text) {
@@ -39,7 +67,142 @@ void read_key(const AnyKey& key, const KeyedMap& fields, void* owner) {
   }
 }
 
+/// A map with these keys, and exactly one of some. `conditions`: further members.
+Schema map_schema(const std::vector<KeyDescription>& keys, const std::vector<std::string>& one_of,
+                  std::string_view conditions) {
+  std::vector<std::string> properties;
+  std::vector<std::string> required;
+  for (const KeyDescription& key : keys) {
+    const bool says_default = !key.required && !key.otherwise.empty() && !key.default_value;
+    const std::string about =
+        meaning(key) +
+        (says_default ? fmt::format(" (default: {})", without_markup(key.otherwise)) : "");
+    const Schema values = may_be_none(key) ? any_of({word_schema("none"), key.schema}) : key.schema;
+    properties.push_back(fmt::format(
+        R"("{}": {{"description": {}, {}{}}})", key.name, Json(about).dump(), members(values),
+        key.default_value ? fmt::format(R"(, "default": {})", to_json(*key.default_value).dump())
+                          : ""));
+    if (key.required) {
+      required.push_back(key.name);
+    }
+  }
+  Schema result =
+      fmt::format(R"({{"type": "object", "properties": {{{}}}}})", fmt::join(properties, ", "));
+  if (!required.empty()) {
+    result = with(result, fmt::format(R"("required": ["{}"])", fmt::join(required, R"(", ")")));
+  }
+  result = with(result, R"("additionalProperties": false)");
+  if (one_of.size() == keys.size()) {
+    result = with(result, R"("minProperties": 1, "maxProperties": 1)");
+  } else if (!one_of.empty()) {
+    const std::string keys_of = fmt::format("{}", fmt::join(one_of, R"("]}, {"required": [")"));
+    result = with(result, fmt::format(R"("oneOf": [{{"required": ["{}"]}}])", keys_of));
+  }
+  return conditions.empty() ? result : with(result, conditions);
+}
+
+struct PlacedKey {
+  const KeyDescription* key = nullptr;
+  std::string path;
+};
+
+/// All keys, the shortest paths first.
+std::vector<PlacedKey> all_keys(const Descriptions& top) {
+  std::vector<PlacedKey> all;
+  const auto add = [&all](const Descriptions& keys, const std::string& above) {
+    for (const KeyDescription& key : *keys) {
+      all.push_back({&key, join_path(above, key.name)});
+    }
+  };
+  add(top, "");
+  std::size_t next = 0;
+  while (next < all.size()) {
+    const auto [key, path] = all[next++];
+    if (key->keys != nullptr) {
+      add(key->keys, key->is_collection ? path + ".NAME" : path);
+    }
+  }
+  return all;
+}
+
+/// Paths of the keys that are meant.
+template <class IsMeant>
+std::vector<std::string> paths_of(const Descriptions& top, const IsMeant& is_meant) {
+  std::vector<std::string> paths;
+  for (const auto& [key, path] : all_keys(top)) {
+    if (is_meant(*key)) {
+      paths.push_back(path);
+    }
+  }
+  return paths;
+}
+
 }  // namespace
+
+Schema with(const Schema& schema, std::string_view more) {
+  return fmt::format("{{{}, {}}}", members(schema), more);
+}
+
+Schema text_schema(std::string_view pattern) {
+  return fmt::format(R"({{"type": "string", "pattern": "{}"}})", pattern);
+}
+
+Schema scalar_schema(std::string_view pattern) {
+  return fmt::format(R"({{"type": ["string", "number", "boolean"], "pattern": "{}"}})", pattern);
+}
+
+Schema word_schema(std::string_view word) {
+  return fmt::format(R"({{"const": "{}"}})", word);
+}
+
+Schema any_of(const std::vector<Schema>& schemas) {
+  return fmt::format(R"({{"anyOf": [{}]}})", fmt::join(schemas, ", "));
+}
+
+Schema array_schema(const Schema& items) {
+  return fmt::format(R"({{"type": "array", "items": {}}})", items);
+}
+
+Schema array_schema(const Schema& items, std::size_t least, std::size_t most) {
+  return with(array_schema(items), fmt::format(R"("minItems": {}, "maxItems": {})", least, most));
+}
+
+Schema object_schema(const Schema& value, std::string_view pattern) {
+  return fmt::format(
+      R"({{"type": "object", "propertyNames": {{"pattern": "{}"}}, "additionalProperties": {}}})",
+      pattern, value);
+}
+
+std::vector<std::string> paths_of_key(const Descriptions& top, std::string_view name) {
+  return paths_of(top, [&](const KeyDescription& key) { return key.name == name; });
+}
+
+std::vector<std::string> paths_about(const Descriptions& top, std::string_view word) {
+  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+  constexpr std::ptrdiff_t kLeastLetters = 3;  // shorter ones are in too many texts
+  if (std::ranges::count_if(word, is_letter) < kLeastLetters) {
+    return {};
+  }
+  return paths_of(top, [&](const KeyDescription& key) {
+    const std::string about =
+        fmt::format(" {} {} ", without_markup(key.about), without_markup(key.allowed));
+    std::size_t at = about.find(word, 1);
+    while (at != std::string::npos &&
+           (is_letter(about[at - 1]) || is_letter(about[at + word.size()]))) {
+      at = about.find(word, at + 1);
+    }
+    return at != std::string::npos;
+  });
+}
+
+std::string path_suggestion(const Descriptions& top, std::string_view name) {
+  std::vector<std::string_view> names;
+  for (const PlacedKey& placed : all_keys(top)) {
+    names.push_back(placed.key->name);
+  }
+  const auto nearest = text::nearest(name, names);
+  return nearest ? fmt::format("; did you mean '{}'?", paths_of_key(top, *nearest).front()) : "";
+}
 
 bool may_be_none(const KeyDescription& key) {
   return !key.required && !key.default_value &&
@@ -47,29 +210,24 @@ bool may_be_none(const KeyDescription& key) {
 }
 
 void leave_out_none(Value& value, const std::vector<KeyDescription>& keys) {
-  const auto key_of = [&](const Entry& entry) {
-    return std::ranges::find_if(keys,
-                                [&](const KeyDescription& key) { return key.name == entry.key; });
-  };
-  std::erase_if(value.entries, [&](const Entry& entry) {
-    const auto key = key_of(entry);
-    return key != keys.end() && may_be_none(*key) && entry.value.is(Value::Kind::scalar) &&
-           !entry.value.quoted && entry.value.text == "none";
-  });
-  for (Entry& entry : value.entries) {
-    const auto key = key_of(entry);
-    if (key == keys.end() || key->keys == nullptr) {
+  for (const KeyDescription& key : keys) {
+    Value* given = value.find(key.name);
+    if (given == nullptr) {
       continue;
     }
-    if (!key->is_collection) {
-      leave_out_none(entry.value, *key->keys);
-    }
-    for (Value& item : entry.value.items) {
-      leave_out_none(item, *key->keys);
-    }
-    for (Entry& named : entry.value.entries) {
-      if (key->is_collection) {
-        leave_out_none(named.value, *key->keys);
+    if (may_be_none(key) && !given->quoted && given->text == "none") {
+      std::erase_if(value.entries, [&](const Entry& entry) { return entry.key == key.name; });
+    } else if (key.keys != nullptr) {
+      if (!key.is_collection) {
+        leave_out_none(*given, *key.keys);
+      }
+      for (Value& item : given->items) {
+        leave_out_none(item, *key.keys);
+      }
+      for (Entry& named : given->entries) {
+        if (key.is_collection) {
+          leave_out_none(named.value, *key.keys);
+        }
       }
     }
   }
@@ -107,15 +265,13 @@ KeyDescription described(std::string_view name, const AnyType& type, std::string
           .keys = type.keys};
 }
 
-AnyKey any_key(std::string_view name, const Way& way, const AnyType& type, std::string_view about) {
-  return {described(name, type, about), {}, way, std::make_shared<const AnyType>(type), {}};
-}
-
 AnyKey any_key(std::string_view name, const Way& way, const AnyType& type, std::string_view about,
                const void* otherwise) {
-  AnyKey key = any_key(name, way, type, about);
-  key.default_value = type.text_of(otherwise, Scene());
-  key.otherwise = fmt::format("`{}`", flow_text(*key.default_value));
+  AnyKey key = {described(name, type, about), {}, way, std::make_shared<const AnyType>(type), {}};
+  if (otherwise != nullptr) {
+    key.default_value = type.text_of(otherwise, Scene());
+    key.otherwise = fmt::format("`{}`", flow_text(*key.default_value));
+  }
   return key;
 }
 
@@ -155,7 +311,7 @@ AnyType map_type(const std::vector<AnyKey>& keys, const std::vector<std::string>
     return result;
   };
   type.keys = std::make_shared<const std::vector<KeyDescription>>(keys.begin(), keys.end());
-  type.schema = map_schema(type.keys, one_of, std::string(conditions));
+  type.schema = map_schema(*type.keys, one_of, conditions);
   return type;
 }
 

@@ -18,10 +18,34 @@
 #include <vector>
 
 #include "clca/scene/scene.hpp"
-#include "scene/keyed_map.hpp"
-#include "scene/schema.hpp"
+#include "scene/place.hpp"
 
 namespace clca::scene {
+
+/// An object of a JSON Schema, as text: only `clca explain` needs it as anything else.
+using Schema = std::string;
+
+struct KeyDescription;
+/// Shared, since types and keys are copied into each other.
+using Descriptions = std::shared_ptr<const std::vector<KeyDescription>>;
+
+/// The schema with more members: what is between the brackets of an object.
+Schema with(const Schema& schema, std::string_view more);
+
+/// Text that matches the pattern.
+Schema text_schema(std::string_view pattern);
+/// The same for text that need not be in quotes.
+Schema scalar_schema(std::string_view pattern);
+Schema word_schema(std::string_view word);
+
+/// Of an array without equal items.
+inline constexpr std::string_view kUnique = R"("uniqueItems": true)";
+
+Schema any_of(const std::vector<Schema>& schemas);
+Schema array_schema(const Schema& items);
+Schema array_schema(const Schema& items, std::size_t least, std::size_t most);
+/// An object whose names match the pattern.
+Schema object_schema(const Schema& value, std::string_view pattern);
 
 /// A key as users see it. Texts are Markdown.
 struct KeyDescription {
@@ -84,16 +108,18 @@ auto any_text(const Text& text) {
   };
 }
 
-/// A type with functions of its own: `read(place)`, and `text(value)` or `text(value, scene)`.
+/// A type with functions of its own: `read(place)`, and `text(value)` or `text(value, scene)`; with
+/// `keys` if values may be maps.
 template <class T, class Read, class Text>
-Type<T> own_type(std::string_view allowed, const Schema& schema, const Read& read,
-                 const Text& text) {
+Type<T> own_type(std::string_view allowed, const Schema& schema, const Read& read, const Text& text,
+                 const Descriptions& keys = {}) {
   return Type<T>(
       AnyType{.allowed = std::string(allowed),
               .schema = schema,
               .read_into = [read](const Place& place,
                                   void* result) { *static_cast<T*>(result) = read(place); },
-              .text_of = any_text<T>(text)});
+              .text_of = any_text<T>(text),
+              .keys = keys});
 }
 
 /// Reads something into an owner, or checks it.
@@ -158,6 +184,13 @@ struct Key : AnyKey {
     before = any_action(action);
     return *this;
   }
+  /// Left out of the resolved scene where this does not hold.
+  Key& written_if(bool (*holds)(const Owner& owner)) {
+    way = [way = way, holds](void* owner, bool make) {
+      return make || holds(*static_cast<const Owner*>(owner)) ? way(owner, make) : nullptr;
+    };
+    return *this;
+  }
   /// `own(owner)` or `own(owner, scene)`: none if it is left out.
   template <class Text>
   Key& written_as(const Text& own) {
@@ -181,8 +214,18 @@ struct Map {
   std::vector<std::string> one_of = {};  ///< of these keys exactly one is given
   /// What depends on several keys, once they have been read.
   Action<Owner> check = nullptr;
-  std::string_view conditions = {};  ///< the same as far as a schema can say it; JSON
+  std::string_view conditions = {};  ///< the same as far as a schema can say it: members of it
 };
+
+/// Paths of the keys of this name below `top`, the shortest first; `walls.NAME.motion` where a name
+/// of the scene stands in between.
+std::vector<std::string> paths_of_key(const Descriptions& top, std::string_view name);
+
+/// Paths of the keys below `top` that say this word about themselves, the shortest first.
+std::vector<std::string> paths_about(const Descriptions& top, std::string_view word);
+
+/// `; did you mean 'rules.inertia'?` for a key of this or a similar name below `top`, or nothing.
+std::string path_suggestion(const Descriptions& top, std::string_view name);
 
 /// Whether it is left out by `none` as its value, too.
 bool may_be_none(const KeyDescription& key);
@@ -195,10 +238,9 @@ std::string without_markup(std::string text);
 std::string meaning(const KeyDescription& key);
 
 KeyDescription described(std::string_view name, const AnyType& type, std::string_view about);
-AnyKey any_key(std::string_view name, const Way& way, const AnyType& type, std::string_view about);
-/// The same with a default that is a value.
+/// `otherwise`: its default, if that is a value.
 AnyKey any_key(std::string_view name, const Way& way, const AnyType& type, std::string_view about,
-               const void* otherwise);
+               const void* otherwise = nullptr);
 
 /// To what the second way leads to from where the first one ends.
 Way joined(const Way& first, const Way& second);
@@ -237,18 +279,12 @@ Key<Owner> required(std::string_view name, T Owner::*member, const Type<T>& type
   return Key<Owner>(any_key(name, to_member(member), type, about)).is_required();
 }
 
-/// A member of the Owner that has this default.
-template <class Owner, class T>
-Key<Owner> key(std::string_view name, T Owner::*member, const Type<T>& type, std::string_view about,
-               const std::type_identity_t<T>& otherwise) {
-  return Key<Owner>(any_key(name, to_member(member), type, about, &otherwise));
-}
-
 /// A member of the Owner, whose default is that of the struct.
 template <class Owner, class T>
 Key<Owner> key(std::string_view name, T Owner::*member, const Type<T>& type,
                std::string_view about) {
-  return key(name, member, type, about, Owner().*member);
+  const Owner defaults;
+  return Key<Owner>(any_key(name, to_member(member), type, about, &(defaults.*member)));
 }
 
 /// A member of the Owner that may have no value.

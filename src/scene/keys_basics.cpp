@@ -1,24 +1,13 @@
-// Title, box and rules of the automaton.
+// Title, box, and the state of another run that a run begins with.
 
 #include "clca/text/message.hpp"
+#include "clca/text/number.hpp"
 #include "scene/sections.hpp"
 #include "scene/types.hpp"
 
 namespace clca::scene {
 
 namespace {
-
-using Priority = std::array<automaton::UpdateClass, 3>;
-
-Type<Priority> priority_type() {
-  const auto list = set_of(choice(kUpdateClassNames), 3, 3, found, "; name each class once");
-  return converted<Priority>(
-      "`rest`, `inertia`, `gravity`, each once", list,
-      [](const std::vector<automaton::UpdateClass>& order) {
-        return Priority{order[0], order[1], order[2]};
-      },
-      [](const Priority& order) { return std::vector(order.begin(), order.end()); });
-}
 
 std::string read_title(const Place& place) {
   const std::string& title = read_text(place);
@@ -32,20 +21,23 @@ std::string read_title(const Place& place) {
   return title;
 }
 
-Keys<automaton::Rules> rules_keys() {
-  using automaton::Rules;
-  return {key("inertia", &Rules::inertia, number(0, 1),
-              "probability to keep the direction of the last step, if free"),
-          key("scatter", &Rules::scatter, number(0, 1),
-              "probability to take any free candidate, all alike, instead"),
-          key("candidates", &Rules::candidates, choice(kCandidateNames),
-              "directions a particle may take by itself: gravity and its neighbours, or all six"),
-          key("gravity", &Rules::gravity, choice(kDirectionNames), "direction of gravity"),
-          key("update_priority", &Rules::update_priority, priority_type(),
-              "who moves first: those at rest, those that keep their direction, those that fall "
-              "straight"),
-          key("ties", &Rules::ties, choice(kTiesNames),
-              "order within a class: by a draw for each particle, or for each direction")};
+constexpr std::size_t kHashDigits = 16;
+
+std::uint64_t read_hash(const Place& place) {
+  constexpr int kHexadecimal = 16;
+  const std::string& digits = read_text(place);
+  const auto hash = text::number<std::uint64_t>(digits, kHexadecimal);
+  if (digits.size() != kHashDigits || !hash) {
+    fail(place, "expected {} hexadecimal digits, found {}", kHashDigits, found(place));
+  }
+  return *hash;
+}
+
+Type<std::uint64_t> hash_type() {
+  return own_type<std::uint64_t>(
+      fmt::format("{} hexadecimal digits, in quotes", kHashDigits),
+      text_schema("^[0-9A-Fa-f]{16}$"), read_hash,
+      [](std::uint64_t hash) { return Value::quoted_text(fmt::format("{:016x}", hash)); });
 }
 
 }  // namespace
@@ -53,8 +45,9 @@ Keys<automaton::Rules> rules_keys() {
 Type<std::string> title_type() {
   return own_type<std::string>(
       fmt::format("1 to {} characters", kMaxTitleLength),
-      with(with(scalar_schema(), "minLength", 1), "maxLength", kMaxTitleLength), read_title,
-      [](const std::string& title) { return Value::quoted_text(title); });
+      fmt::format(R"({{"type": ["string", "number", "boolean"], "minLength": 1, "maxLength": {}}})",
+                  kMaxTitleLength),
+      read_title, [](const std::string& title) { return Value::quoted_text(title); });
 }
 
 Type<Box> box_type() {
@@ -69,12 +62,19 @@ Type<Box> box_type() {
        .check = [](const KeyedMap& fields, Box& box) { box.location = reference(fields); }});
 }
 
-Type<automaton::Rules> rules_type() {
-  return type_of<automaton::Rules>({.keys = rules_keys()});
-}
-
-Type<automaton::Rules> stage_rules_type() {
-  return changed(&Scene::rules, rules_keys());
+Type<Begin> begin_type() {
+  return type_of<Begin>(
+      {.keys = {required("run", &Begin::run, file_path_type(),
+                         "folder of the run; a relative one begins at the folder of the scene"),
+                key("step", &Begin::step,
+                    word_or_value("last", count(0, kMaxSteps),
+                                  fmt::format("a whole number from 0 to {}", kMaxSteps)),
+                    "its end, or a step of its trajectory"),
+                key("state", &Begin::state, hash_type(),
+                    "hash of the state there: another one is refused. Runs note it in their "
+                    "`scene.yaml`")
+                    .defaults_to("any state")},
+       .check = [](const KeyedMap& fields, Begin& begin) { begin.location = reference(fields); }});
 }
 
 }  // namespace clca::scene

@@ -23,14 +23,11 @@ using Weights = std::vector<std::uint32_t>;
 
 /// The name of a species, or weights by species.
 Type<Weights> part_type() {
-  return or_map(
-      "", schema(R"({"type": "string"})"), weights_type(),
-      [](const Place& place) {
-        Weights weights(place.scene.species.size(), 0);
-        weights[read_species(read_text(place), place.value.location, place)] = 1;
-        return weights;
-      },
-      [](const Weights& /*weights*/) { return std::optional<Value>(); });
+  return or_map("", R"({"type": "string"})", weights_type(), [](const Place& place) {
+    Weights weights(place.scene.species.size(), 0);
+    weights[read_species(read_text(place), place.value.location, place)] = 1;
+    return weights;
+  });
 }
 
 char letter(std::size_t part) {
@@ -56,7 +53,7 @@ char pixel_of(image::Rgb color, const std::vector<image::Rgb>& colors) {
   return pixel;
 }
 
-/// Of the keys that stand for `rows` and `pixels`: a run folder has no other file.
+/// Of the keys that stand for `rows` and `pixels`.
 void read_file(const KeyedMap& fields, FillPicture& picture) {
   constexpr std::array<std::string_view, 2> kSources = {"file", "rows"};
   if (fields.only(kSources) != "file") {
@@ -73,22 +70,8 @@ void read_file(const KeyedMap& fields, FillPicture& picture) {
     const Value color = Value::scalar(entry.key, entry.location);
     colors.push_back(color_type().read({color, place.path, place.scene}));
   }
-  const image::Image& image = read_picture(fields.at("file"));
-  for (int y = 0; y < image.height; ++y) {
-    std::string& row = picture.rows.emplace_back();
-    for (int x = 0; x < image.width; ++x) {
-      row += pixel_of(image.at(x, y), colors);
-    }
-  }
-}
-
-Key<FillPicture> parts_file_key() {
-  return own_key<FillPicture>(
-             described("file", file_path_type(),
-                       "a PNG of up to 1000000 pixels; a relative path begins at the folder of the "
-                       "scene"),
-             read_file)
-      .with_condition("this or `rows`");
+  picture.rows = rows_of(read_picture(fields.at("file")),
+                         [&](image::Rgb color) { return pixel_of(color, colors); });
 }
 
 /// Read with the file.
@@ -101,9 +84,8 @@ Key<FillPicture> colors_key() {
        .allowed = "map of colours",
        .otherwise = "goes with `file`",
        .is_condition = true,
-       .schema =
-           with(with(object_schema(part_type().schema, "^#[0-9A-Fa-f]{6}$"), "minProperties", 1),
-                "maxProperties", kMaxParts)});
+       .schema = with(object_schema(part_type().schema, "^#[0-9A-Fa-f]{6}$"),
+                      fmt::format(R"("minProperties": 1, "maxProperties": {})", kMaxParts))});
 }
 
 using Parts = std::map<char, Weights>;
@@ -111,7 +93,7 @@ using Parts = std::map<char, Weights>;
 Type<Parts> pixels_type() {
   const Type<Weights> part = part_type();
   return own_type<Parts>(
-      "map of letters", with(object_schema(part.schema, "^[A-Z]$"), "minProperties", 1),
+      "map of letters", with(object_schema(part.schema, "^[A-Z]$"), R"("minProperties": 1)"),
       [=](const Place& place) {
         Parts weights;
         for (const Entry& entry : read_map(place)) {
@@ -167,19 +149,18 @@ void check_picture(const KeyedMap& fields, FillPicture& picture) {
 Type<FillPicture> picture() {
   const auto allowed = [](char pixel) { return pixel == kEmptyPixel || is_part_letter(pixel); };
   return type_of<FillPicture>(
-      {.keys = {parts_file_key(), colors_key(),
+      {.keys = {picture_file_key(read_file), colors_key(),
                 key("rows", &FillPicture::rows,
                     rows_type(allowed, "the letters A to Z and .", "^[A-Z.]+$"),
                     "the same as text, from the top: a letter for each part, `.` for what stays "
-                    "empty",
-                    {})
+                    "empty")
                     .with_condition("this or `file`"),
                 key("pixels", &FillPicture::weights, pixels_type(),
-                    "of rows: by letter, a species or weights by species", {})
+                    "of rows: by letter, a species or weights by species")
                     .with_condition("goes with `rows`")},
        .check = check_picture,
        .conditions =
-           R"({"oneOf": [{"required": ["file", "colors"]}, {"required": ["rows", "pixels"]}]})"});
+           R"("oneOf": [{"required": ["file", "colors"]}, {"required": ["rows", "pixels"]}])"});
 }
 
 void check_keys_of_fill(const KeyedMap& fields, Fill& fill) {

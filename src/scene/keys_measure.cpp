@@ -38,14 +38,11 @@ Type<DerivedMeasure> derived_type() {
                 key("about", &DerivedMeasure::about, title_type(),
                     "what it is, as axes and reports name it")
                     .defaults_to("the name")}});
-  type = or_map(
-      "", expression.schema, type,
-      [=](const Place& place) {
-        DerivedMeasure derived;
-        derived.value = expression.read(place);
-        return derived;
-      },
-      [](const DerivedMeasure& /*derived*/) { return std::optional<Value>(); });
+  type = or_map("", expression.schema, type, [=](const Place& place) {
+    DerivedMeasure derived;
+    derived.value = expression.read(place);
+    return derived;
+  });
   type.read_into = [read = type.read_into](const Place& place, void* derived) {
     read(place, derived);
     const Value* value = place.value.find("value");
@@ -77,6 +74,12 @@ void read_derived(const Place& place, Scene& scene) {
 }
 
 void read_measures(const KeyedMap& fields, Scene& scene) {
+  for (const auto& named : kMeasureNames) {
+    // Mixing takes time in each step; paths of weight are of beds at rest only.
+    if (named.value != Measure::mixing && named.value != Measure::weight_paths) {
+      scene.measures.push_back(named.value);
+    }
+  }
   if (fields.find("measure") == nullptr) {
     return;
   }
@@ -85,14 +88,15 @@ void read_measures(const KeyedMap& fields, Scene& scene) {
     read_derived(place, scene);
     return;
   }
+  const Type<Measure> word = choice(kMeasureNames);
   scene.measures.clear();
   for (const Place& item : read_list(place, 0, kMeasureNames.size() + kMaxDerived,
-                                     [](auto& word) { read_choice(word, kMeasureNames); })) {
+                                     [&](auto& item) { word.read(item); })) {
     if (item.value.is(Value::Kind::map)) {
       read_derived(item, scene);
       continue;
     }
-    const Measure measure = read_choice(item, kMeasureNames);
+    const Measure measure = word.read(item);
     if (std::ranges::count(scene.measures, measure) > 0) {
       fail(item, "{} is named twice", found(item));
     }
@@ -124,8 +128,8 @@ std::optional<Value> measures_text(const Scene& scene) {
 Key<Scene> measure_key() {
   const Type<Measure> word = choice(kMeasureNames);
   const Type<DerivedMeasure> derived = derived_type();
-  const Schema by_name =
-      with(object_schema(derived.schema, kExpressionNamePattern), "maxProperties", kMaxDerived);
+  const Schema by_name = with(object_schema(derived.schema, kExpressionNamePattern),
+                              fmt::format(R"("maxProperties": {})", kMaxDerived));
   return own_key<Scene>(
              {.name = "measure",
               .about = "what is measured at the end of each stage: [measures](#measures)",
@@ -135,7 +139,8 @@ Key<Scene> measure_key() {
                   "[derived measures](#derived-measures) by name, or such a map beside the default",
               .otherwise = "all but `mixing` and `weight_paths`",
               .is_collection = true,
-              .schema = any_of({unique(array_schema(any_of({word.schema, by_name}))), by_name}),
+              .schema =
+                  any_of({with(array_schema(any_of({word.schema, by_name})), kUnique), by_name}),
               .keys = derived.keys},
              read_measures)
       .written_as(measures_text);

@@ -10,11 +10,6 @@ namespace clca::scene {
 
 namespace {
 
-bool lets_overlap(const Scene& scene) {
-  return std::ranges::any_of(
-      scene.walls, [](const Wall& wall) { return wall.passive == grains::Passive::overlap; });
-}
-
 bool moves_in_cycles(const Scene& scene) {
   return std::ranges::any_of(
              scene.walls,
@@ -197,7 +192,7 @@ Type<Checkpoints> checkpoint_type() {
                                        fail(fields, "expected every (steps), seconds or both");
                                      }
                                    },
-                               .conditions = R"({"minProperties": 1})"});
+                               .conditions = R"("minProperties": 1)"});
 }
 
 Type<Checkpoints> gas_checkpoint_type() {
@@ -226,8 +221,7 @@ Type<Output> output_type() {
                     "[output.trajectory](#outputtrajectory)"),
                 key("checkpoint", &Output::checkpoint, or_none(checkpoint_type()),
                     "when the run saves a checkpoint, besides at its end and when it is stopped: "
-                    "[output.checkpoint](#outputcheckpoint)",
-                    std::optional(kDefaultCheckpoints))},
+                    "[output.checkpoint](#outputcheckpoint)")},
        .check = [](const KeyedMap& /*fields*/, Output& output) {
          if (output.frames && !output.frames->view) {
            output.frames->view = output.view;

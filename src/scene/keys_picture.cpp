@@ -1,15 +1,72 @@
-// A wall from a picture: from a PNG file, or row by row.
+// Pictures: the files that a scene names, and walls from them or row by row.
 
 #include <algorithm>
+#include <map>
+#include <memory>
+#include <stdexcept>
+#include <utility>
 
+#include "clca/image/png.hpp"
+#include "clca/scene/parse.hpp"
 #include "clca/text/message.hpp"
+#include "clca/text/read.hpp"
 #include "document/internal/document.hpp"
+#include "scene/limits.hpp"
 #include "scene/sections.hpp"
 #include "scene/types.hpp"
 
 namespace clca::scene {
 
 namespace {
+
+class PictureReader {
+ public:
+  explicit PictureReader(std::string folder) : folder_(std::move(folder)) {}
+
+  void read_all(Value& value) {
+    for (Value& item : value.items) {
+      read_all(item);
+    }
+    for (Entry& entry : value.entries) {
+      Value* file = entry.key == "picture" ? entry.value.find("file") : nullptr;
+      if (file != nullptr && file->is(Value::Kind::scalar)) {
+        read(*file);
+      }
+      read_all(entry.value);
+    }
+  }
+
+ private:
+  void read(Value& value) {
+    constexpr std::size_t kPixelRowBytes = 14;  // beside the pixels, in the resolved scene
+    std::shared_ptr<const PictureFile>& known = files_[file_at(folder_, value.text)];
+    if (!known) {
+      known = std::make_shared<const PictureFile>(read_file(file_at(folder_, value.text)));
+    }
+    const auto width = static_cast<std::size_t>(known->image.width);
+    text_bytes_ += (width + kPixelRowBytes) * static_cast<std::size_t>(known->image.height);
+    if (text_bytes_ > document::kMaxBytes) {
+      fail(value.location, "with this picture the rows of all pictures are larger than {} MiB",
+           document::kMaxBytes >> 20U);
+    }
+    value.attached = known;
+  }
+
+  PictureFile read_file(const std::string& file) {
+    try {
+      const auto bytes = text::read_file(file, std::min(kMaxPictureBytes, bytes_left_));
+      bytes_left_ -= static_cast<double>(bytes.size());
+      return {.image = image::decode_png(bytes, kMaxPicturePixels).image, .problem = {}};
+    } catch (const std::runtime_error& error) {
+      return {.image = {}, .problem = error.what()};
+    }
+  }
+
+  std::string folder_;
+  std::map<std::string, std::shared_ptr<const PictureFile>> files_;
+  double bytes_left_ = kMaxAllPictureBytes;
+  std::size_t text_bytes_ = 0;
+};
 
 using lattice::Picture;
 using Rows = std::vector<std::string>;
@@ -20,36 +77,30 @@ bool is_dark(image::Rgb pixel) {
   return 299 * pixel.red + 587 * pixel.green + 114 * pixel.blue < 1000 * kMiddle;
 }
 
-Rows rows_of(const image::Image& picture) {
+void read_rows(const KeyedMap& fields, Picture& picture) {
+  if (fields.find("file") != nullptr && fields.find("rows") == nullptr) {
+    picture.rows = rows_of(read_picture(fields.at("file")), [](image::Rgb color) {
+      return is_dark(color) ? Picture::kDark : Picture::kLight;
+    });
+  }
+}
+
+}  // namespace
+
+void read_picture_files(Value& root, const std::string& folder) {
+  PictureReader(folder).read_all(root);
+}
+
+Rows rows_of(const image::Image& image, const std::function<char(image::Rgb color)>& letter) {
   Rows rows;
-  for (int y = 0; y < picture.height; ++y) {
+  for (int y = 0; y < image.height; ++y) {
     std::string& row = rows.emplace_back();
-    for (int x = 0; x < picture.width; ++x) {
-      row += is_dark(picture.at(x, y)) ? Picture::kDark : Picture::kLight;
+    for (int x = 0; x < image.width; ++x) {
+      row += letter(image.at(x, y));
     }
   }
   return rows;
 }
-
-bool is_wall_pixel(char pixel) {
-  return pixel == Picture::kDark || pixel == Picture::kLight;
-}
-
-/// The key that stands for `rows`: a run folder has no other file.
-Key<Picture> file_key() {
-  return own_key<Picture>(
-             described("file", file_path_type(),
-                       "a PNG of up to 1000000 pixels; a relative path begins at the folder of the "
-                       "scene"),
-             [](const KeyedMap& fields, Picture& picture) {
-               if (fields.find("file") != nullptr && fields.find("rows") == nullptr) {
-                 picture.rows = rows_of(read_picture(fields.at("file")));
-               }
-             })
-      .with_condition("this or `rows`");
-}
-
-}  // namespace
 
 const image::Image& read_picture(const Place& place) {
   const std::string file = file_path_type().read(place);
@@ -63,7 +114,7 @@ const image::Image& read_picture(const Place& place) {
 Type<Rows> rows_type(bool (*allowed)(char letter), const std::string& about,
                      const std::string& pattern) {
   return own_type<Rows>(
-      "list of texts", with(array_schema(text_schema(pattern)), "minItems", 1),
+      "list of texts", with(array_schema(text_schema(pattern)), R"("minItems": 1)"),
       [=](const Place& place) {
         Rows rows;
         std::size_t pixels = 0;
@@ -89,11 +140,13 @@ Type<Rows> rows_type(bool (*allowed)(char letter), const std::string& about,
 }
 
 Type<Picture> picture_type() {
+  const auto allowed = [](char pixel) {
+    return pixel == Picture::kDark || pixel == Picture::kLight;
+  };
   return type_of<Picture>(
-      {.keys = {file_key(),
-                key("rows", &Picture::rows,
-                    rows_type(is_wall_pixel, "the characters # and .", "^[#.]+$"),
-                    "the same as text, from the top: `#` for dark pixels, `.` for others", {})
+      {.keys = {picture_file_key(read_rows),
+                key("rows", &Picture::rows, rows_type(allowed, "the characters # and .", "^[#.]+$"),
+                    "the same as text, from the top: `#` for dark pixels, `.` for others")
                     .with_condition("this or `file`"),
                 required("box", &Picture::box, rectangle(), "what the picture covers")},
        .one_of = {"file", "rows"}});

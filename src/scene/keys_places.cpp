@@ -10,14 +10,6 @@ namespace {
 
 using Position = decltype(Source::position);
 
-void check_point(const Eigen::Vector2d& point, const Place& place) {
-  const Box& box = place.scene.box;
-  if (!lattice_of(box).contains(lattice::nearest_site(point))) {
-    fail(place, "expected a point in the box, {} wide and {} high, found [{}, {}]", box.width,
-         box.height, point.x(), point.y());
-  }
-}
-
 void check_region(const lattice::Rectangle& region, const Place& place) {
   const Box& box = place.scene.box;
   if (region.left < 0 || region.bottom < 0 || region.right > box.width || region.top > box.height) {
@@ -49,7 +41,11 @@ void check_line(const KeyedMap& fields, Line& line) {
 
 void check_source(const KeyedMap& fields, Source& source) {
   if (const auto* at = std::get_if<Eigen::Vector2d>(&source.position)) {
-    check_point(*at, fields.at("at"));
+    const Box& box = fields.scene.box;
+    if (!lattice_of(box).contains(lattice::nearest_site(*at))) {
+      fail(fields.at("at"), "expected a point in the box, {} wide and {} high, found [{}, {}]",
+           box.width, box.height, at->x(), at->y());
+    }
   } else {
     check_region(std::get<lattice::Rectangle>(source.position), fields.at("region"));
   }
@@ -70,9 +66,9 @@ Type<std::vector<Source>> sources_type() {
                     .with_condition("this or `region`"),
                 position("region", region(), "emits at any site of this region of the box")
                     .with_condition("this or `at`"),
-                key("species", &Source::weights, weights_type(), "weights of what is emitted", {})
+                key("species", &Source::weights, weights_type(), "weights of what is emitted")
                     .defaults_to("all alike"),
-                required("rate", &Source::rate, number(1e-6, kMaxRate), "particles per step"),
+                required("rate", &Source::rate, number(1e-6, 1000), "particles per step"),
                 key("count", &Source::count, count(1, kMaxParticles),
                     "closes for good after so many")
                     .defaults_to("no end")},

@@ -20,11 +20,10 @@ Key<AScene> version_key() {
                           .about = "version of the format, without quotes",
                           .allowed = fmt::format("`{}`", version),
                           .required = true,
-                          .schema = schema(fmt::format(R"({{"const": {}}})", version))},
+                          .schema = fmt::format(R"({{"const": {}}})", version)},
                          [](const KeyedMap& fields, AScene& /*scene*/) {
                            const Place place = fields.at("clca");
-                           if (!place.value.is(Value::Kind::scalar) || place.value.quoted ||
-                               place.value.text != std::to_string(kVersion)) {
+                           if (place.value.quoted || place.value.text != std::to_string(kVersion)) {
                              fail(place, "expected version {} of the format, found {}", kVersion,
                                   found(place));
                            }
@@ -42,7 +41,7 @@ Key<AScene> let_key() {
        .about = "numbers with names, for [expressions](#expressions) in the place of numbers",
        .allowed = "numbers by name",
        .otherwise = "none",
-       .schema = object_schema(schema(R"({"type": "number"})"), kExpressionNamePattern)});
+       .schema = object_schema(R"({"type": "number"})", kExpressionNamePattern)});
 }
 
 /// What both kinds begin with.
@@ -97,13 +96,7 @@ std::string model_conditions() {
                       name_of(kModelNames, *key.model)));
     }
   }
-  return fmt::format(R"({{"dependencies": {{{}}}}})", fmt::join(conditions, ", "));
-}
-
-Keys<BoltzmannScene> boltzmann_keys() {
-  Keys<BoltzmannScene> keys = first_keys<BoltzmannScene>();
-  keys.add({boltzmann_block(), boltzmann_output()});
-  return keys;
+  return fmt::format(R"("dependencies": {{{}}})", fmt::join(conditions, ", "));
 }
 
 }  // namespace
@@ -116,26 +109,12 @@ const Type<Scene>& scene_type() {
 }
 
 const Type<BoltzmannScene>& boltzmann_type() {
-  static const Type<BoltzmannScene> kType = type_of<BoltzmannScene>({.keys = boltzmann_keys()});
+  static const Type<BoltzmannScene> kType = [] {
+    Keys<BoltzmannScene> keys = first_keys<BoltzmannScene>();
+    keys.add({boltzmann_block(), boltzmann_output()});
+    return type_of<BoltzmannScene>({.keys = keys});
+  }();
   return kType;
-}
-
-Scene default_scene() {
-  Scene scene;
-  for (const auto& named : kMeasureNames) {
-    // Mixing takes time in each step; paths of weight are of beds at rest only.
-    if (named.value != Measure::mixing && named.value != Measure::weight_paths) {
-      scene.measures.push_back(named.value);
-    }
-  }
-  scene.output.checkpoint = kDefaultCheckpoints;
-  return scene;
-}
-
-BoltzmannScene default_boltzmann_scene() {
-  BoltzmannScene scene;
-  scene.checkpoint = kDefaultCheckpoints;
-  return scene;
 }
 
 }  // namespace clca::scene

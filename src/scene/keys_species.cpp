@@ -5,7 +5,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <stdexcept>
 
 #include "scene/geometry.hpp"
@@ -18,28 +17,11 @@ namespace {
 
 /// Of `[x, q]`, each once.
 Type<std::vector<lattice::Axial>> sites(std::size_t least, std::size_t most) {
-  const auto site = converted<lattice::Axial>(
-      "", list_of(integer(-kMaxSiteCoordinate, kMaxSiteCoordinate), 2, 2),
-      [](const std::vector<int>& pair) {
-        return lattice::Axial{pair[0], pair[1]};
-      },
-      [](lattice::Axial axial) {
-        return std::vector<int>{axial.x, axial.q};
-      });
+  const auto site =
+      list_of_members("", integer(-1000, 1000), &lattice::Axial::x, &lattice::Axial::q);
   auto type = set_of(site, least, most, flow_text);
   type.allowed = fmt::format("{} to {} `[x, q]`", least, most);
   return type;
-}
-
-Type<RectangleSpec> size() {
-  return converted<RectangleSpec>(
-      "`[width, height]`", list_of(length(above_zero(kMaxLength)), 2, 2),
-      [](const std::vector<double>& sides) {
-        return RectangleSpec{sides[0], sides[1]};
-      },
-      [](const RectangleSpec& spec) {
-        return std::vector<double>{spec.width, spec.height};
-      });
 }
 
 Type<RodSpec> rod() {
@@ -57,7 +39,9 @@ Type<ShapeSpec> shape() {
            "has 7, 2 has 19"),
        alternative<ShapeSpec>("disc", as(&DiscSpec::radius, length(number(0, kMaxRadius))),
                               "all sites within that many spacings of the centre"),
-       alternative<ShapeSpec>("rectangle", size(),
+       alternative<ShapeSpec>("rectangle",
+                              list_of_members("`[width, height]`", length(above_zero(kMaxLength)),
+                                              &RectangleSpec::width, &RectangleSpec::height),
                               "an upright rectangle, to the nearest number of columns and of sites "
                               "in each"),
        alternative<ShapeSpec>("outline",
@@ -170,12 +154,12 @@ Type<std::vector<int>> orientations() {
           fail(place, "expected a multiple of 60, found {}", degrees);
         }
       });
-  angle.schema = schema(R"({"enum": [0, 60, 120, 180, 240, 300]})");
+  angle.schema = R"({"enum": [0, 60, 120, 180, 240, 300]})";
   const auto list = set_of(angle, 1, kAll.size(), flow_text);
   return own_type<std::vector<int>>(
       "list of 0, 60, 120, 180, 240, 300, or `any`", any_of({word_schema("any"), list.schema}),
       [=](const Place& place) {
-        if (place.value.is(Value::Kind::scalar) && place.value.text == "any") {
+        if (place.value.text == "any") {
           return kAll;
         }
         if (!place.value.is(Value::Kind::list)) {
@@ -192,19 +176,13 @@ image::Rgb read_color(const Place& place) {
   const std::string& text = place.value.text;
   const bool hexadecimal = text.size() == 7 && text.front() == '#' &&
                            text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
-  if (!place.value.is(Value::Kind::scalar) || !hexadecimal) {
+  if (!hexadecimal) {
     fail(place, "expected a colour like \"#3a6ea5\", in quotes, found {}", found(place));
   }
   const auto part = [&](std::size_t start) {
     return static_cast<std::uint8_t>(std::stoi(text.substr(start, 2), nullptr, 16));
   };
   return {part(1), part(3), part(5)};
-}
-
-std::size_t sites_of(const std::vector<Species>& species) {
-  return std::accumulate(
-      species.begin(), species.end(), std::size_t{0},
-      [](std::size_t sum, const Species& next) { return sum + next.shape.size(); });
 }
 
 /// A particle that met itself across a periodic boundary would block itself.
@@ -246,7 +224,7 @@ Type<std::vector<Species>> species_type() {
                                           "[sizes](#sizes)"))
                    .with_condition("this or `shape`"),
                key("orientations", &Species::orientations, orientations(),
-                   "angles it may start with, clockwise; one of them at random", {0}),
+                   "angles it may start with, clockwise; one of them at random"),
                key("color", &Species::color, color_type(), "colour for `color_by: species`")
                    .defaults_to("palette"),
                key("sieve", &Species::sieve, number(0, 1),
@@ -259,7 +237,11 @@ Type<std::vector<Species>> species_type() {
     } catch (const std::invalid_argument& error) {
       fail(fields.at("shape"), "{}", error.what());
     }
-    if (sites_of(fields.scene.species) > kMaxAllSites) {
+    std::size_t sites = 0;
+    for (const Species& each : fields.scene.species) {
+      sites += each.shape.size();
+    }
+    if (sites > kMaxAllSites) {
       fail(fields.at("shape"), "with this shape all species have more than {} sites", kMaxAllSites);
     }
     check_width(species, fields);

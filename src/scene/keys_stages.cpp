@@ -1,5 +1,11 @@
-// Stages: what happens one after the other.
+// Stages: what happens one after the other, how the vessel stands and moves, when a stage ends.
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "clca/scene/units.hpp"
+#include "clca/text/message.hpp"
 #include "document/internal/document.hpp"
 #include "scene/sections.hpp"
 #include "scene/types.hpp"
@@ -7,6 +13,185 @@
 namespace clca::scene {
 
 namespace {
+
+/// An angle, or a map with the angle and how fast it is reached.
+Type<Tilt> tilt() {
+  const Type<double> angle = number(-180, 180);
+  const auto turn = type_of<Tilt>(
+      {.keys = {required("to", &Tilt::to, angle, "degrees"),
+                key("rate", &Tilt::rate, above_zero(kMaxVesselRate), "degrees per unit of time")
+                    .is_required()}});
+  return or_map(
+      angle.allowed, angle.schema, turn,
+      [=](const Place& place) { return Tilt{.to = angle.read(place), .rate = {}}; },
+      [](const Tilt& tilt) {
+        return tilt.rate ? std::nullopt : std::optional(Value::number(tilt.to));
+      });
+}
+
+Type<Rotate> rotate() {
+  return type_of<Rotate>(
+      {.keys = {required("rate", &Rotate::rate, number(-kMaxVesselRate, kMaxVesselRate),
+                         "turns per unit of time: anticlockwise, or clockwise below 0"),
+                key("centre", &Rotate::centre, point(), "what it turns about")
+                    .defaults_to("the middle of the box")},
+       .check = [](const KeyedMap& fields, Rotate& rotate) {
+         if (fields.scene.box.periodic) {
+           fail(fields, "a periodic box has no centre to turn about; say 'periodic: false'");
+         }
+         if (rotate.rate == 0) {
+           fail(fields.at("rate"), "expected a rate other than 0");
+         }
+       }});
+}
+
+Type<VesselShake> vessel_shake() {
+  return type_of<VesselShake>(
+      {.keys = {required("gamma", &VesselShake::gamma, above_zero(1000),
+                         "greatest acceleration over that of gravity"),
+                required("amplitude", &VesselShake::amplitude, length(above_zero(1000)),
+                         "spacings to either side"),
+                key("direction", &VesselShake::sideways, choice(kShakeDirectionNames),
+                    "along gravity, beginning upwards, or across it, beginning to the right")}});
+}
+
+/// The first periodic wall of the stage; null if there is none.
+const Wall* cyclic_wall(const Stage& stage, const Scene& scene) {
+  for (const std::size_t wall : stage.move) {
+    if (scene.walls[wall].motion && grains::is_cyclic(*scene.walls[wall].motion)) {
+      return &scene.walls[wall];
+    }
+  }
+  return nullptr;
+}
+
+/// The unending motion of the vessel in the stage; empty if there is none.
+std::string_view vessel_cycle(const Stage& stage) {
+  if (!vessel_has_cycles(stage)) {
+    return {};
+  }
+  return std::holds_alternative<Rotate>(*stage.vessel) ? "turns" : "is shaken";
+}
+
+constexpr std::uint64_t kMaxCycleLength = 10'000'000;  // times kMaxSteps fits 64 bits
+
+/// Minimum steps of a cycle of the wall; 0 without cycles.
+std::uint64_t min_cycle(const Wall& wall) {
+  if (!wall.motion) {
+    return 0;
+  }
+  if (const auto* wave = std::get_if<grains::Wave>(&wall.motion->program)) {
+    return wave->period;
+  }
+  const auto* shake = std::get_if<grains::Shake>(&wall.motion->program);
+  return shake == nullptr
+             ? 0
+             : 2 * static_cast<std::uint64_t>(shake->amplitude) + shake->wait.value_or(0);
+}
+
+/// Why particles never come to rest in this stage, apart from walls; empty if they do.
+std::string why_never_at_rest(const Stage& stage, const Scene& scene) {
+  const automaton::Rules& rules = stage.rules ? *stage.rules : scene.rules;
+  if (rules.candidates == automaton::Candidates::all) {
+    return "with rules.candidates: all";
+  }
+  const lattice::Direction gravity = rules.gravity;
+  if (scene.box.periodic && gravity != lattice::Direction::down &&
+      gravity != lattice::Direction::up) {
+    return "with a sideways rules.gravity in a periodic box";
+  }
+  for (const std::size_t source : stage.sources) {
+    if (!scene.sources[source].count) {
+      return fmt::format("while source '{}' is open, which has no count",
+                         scene.sources[source].name);
+    }
+  }
+  return {};
+}
+
+/// Why a stage until settled would never end, and a remedy; empty if it ends.
+std::string endless(const Stage& stage, const Scene& scene) {
+  if (const Wall* wall = cyclic_wall(stage, scene)) {
+    return fmt::format(
+        "while wall '{}' goes to and fro; end the stage after cycles or steps, or "
+        "give max_steps",
+        wall->name);
+  }
+  if (const std::string_view motion = vessel_cycle(stage); !motion.empty()) {
+    return fmt::format(
+        "while the vessel {}; end the stage after cycles or steps, or give max_steps", motion);
+  }
+  const std::string reason = why_never_at_rest(stage, scene);
+  return reason.empty() ? reason : reason + "; give max_steps";
+}
+
+/// Rejects cycles of a shake that waits for rest that never comes.
+void check_waits(const Stage& stage, const Place& until) {
+  const Scene& scene = until.scene;
+  const std::string reason = why_never_at_rest(stage, scene);
+  for (const std::size_t number : stage.move) {
+    const Wall& wall = scene.walls[number];
+    const auto* shake = wall.motion ? std::get_if<grains::Shake>(&wall.motion->program) : nullptr;
+    if (shake != nullptr && !shake->wait && !reason.empty()) {
+      fail(until,
+           "wall '{}' waits until all is settled, which never comes {}; give its shake a wait "
+           "in steps, or give max_steps",
+           wall.name, reason);
+    }
+  }
+}
+
+/// Refuses fewer steps than the end takes, if they are given.
+void check_max_steps(const Place& fields, const Stage& stage, std::uint64_t least,
+                     std::string_view reason) {
+  if (fields.find("max_steps") != nullptr && stage.max_steps < least) {
+    fail(fields.at("max_steps"), "{} is less than the {} steps {}", stage.max_steps, least, reason);
+  }
+}
+
+/// Refuses an end that the stage cannot come to.
+void check_possible(const Stage& stage, const Place& until) {
+  const Scene& scene = until.scene;
+  if (std::holds_alternative<UntilCycles>(stage.until) && cyclic_wall(stage, scene) == nullptr &&
+      vessel_cycle(stage).empty()) {
+    fail(until,
+         "no wall of this stage goes to and fro{}; name one with a wave or a shake under move",
+         scene.model == Model::contact ? ", and its vessel neither turns nor is shaken" : "");
+  }
+  if (std::holds_alternative<UntilDischarged>(stage.until) && scene.outlets.empty()) {
+    fail(until, "nothing can be discharged, the scene has no outlets");
+  }
+}
+
+/// An end other than settled.
+Type<Until> end_type() {
+  const auto end = [](std::string_view name, const auto& type, std::string_view about) {
+    return alternative<Until>(name, type, about);
+  };
+  return one_of<Until>(
+      {end("steps", as(&UntilSteps::steps, count(1, kMaxSteps)), "after N steps, at rest or not"),
+       end("discharged", as(&UntilDischarged::share, above_zero(1)),
+           "when this share of the particles has left through the outlets"),
+       end("cycles", as(&UntilCycles::cycles, count(1, kMaxSteps)),
+           "after so many cycles of each wall with a wave or a shake, and of a vessel that turns "
+           "or "
+           "is shaken"),
+       end("time", as(&UntilTime::time, above_zero(kMaxTime)),
+           "after this time: in seconds where the scene has [`units`](#units), else in "
+           "√(spacing/gravity)")
+           .of(Model::contact)});
+}
+
+UntilSettled read_settled(const Place& place) {
+  constexpr std::array<std::string_view, 1> kSettled = {"settled"};
+  if (place.value.text != kSettled.front()) {
+    fail(place,
+         "expected settled, {{steps: N}}, {{discharged: SHARE}}, {{cycles: N}} or {{time: T}}, "
+         "found {}{}",
+         found(place), text::suggestion(place.value.text, kSettled));
+  }
+  return {};
+}
 
 void check_stage(const KeyedMap& fields, Stage& stage) {
   if (fields.find("insert") != nullptr) {
@@ -55,6 +240,79 @@ Map<Stage> stage_map() {
 }
 
 }  // namespace
+
+Type<VesselMotion> vessel_type() {
+  return one_of<VesselMotion>(
+      {alternative<VesselMotion>("tilt", tilt(),
+                                 "stands at this angle from upright, in degrees anticlockwise: at "
+                                 "once, or turned to it the shorter way"),
+       alternative<VesselMotion>("rotate", rotate(), "turns without end"),
+       alternative<VesselMotion>("shake", vessel_shake(), "swings as a sine")});
+}
+
+Type<Until> until_type() {
+  return or_map(
+      "`settled`", word_schema("settled"), end_type(), read_settled, [](const Until& until) {
+        return std::holds_alternative<UntilSettled>(until) ? std::optional(Value::scalar("settled"))
+                                                           : std::nullopt;
+      });
+}
+
+std::uint64_t least_steps(const Stage& stage, const Scene& scene) {
+  if (const auto steps = steps_of(stage.until)) {
+    return *steps;
+  }
+  const auto* cycles = std::get_if<UntilCycles>(&stage.until);
+  std::uint64_t longest = 0;
+  for (std::size_t i = 0; cycles != nullptr && i < stage.move.size(); ++i) {
+    longest = std::max(longest, min_cycle(scene.walls[stage.move[i]]));
+  }
+  return cycles != nullptr ? cycles->cycles * std::min(longest, kMaxCycleLength) : 0;
+}
+
+void check_until(const KeyedMap& fields, Stage& stage) {
+  const Scene& scene = fields.scene;
+  const Value* given = fields.find("until");
+  const Place until = {given != nullptr ? *given : fields.value, join_path(fields.path, "until"),
+                       scene};
+  check_possible(stage, until);
+  const std::uint64_t least = least_steps(stage, scene);
+  const bool cycles = std::holds_alternative<UntilCycles>(stage.until);
+  if (fields.find("max_steps") != nullptr) {
+    check_max_steps(fields, stage, least, cycles ? "that the cycles of until take" : "of until");
+    return;
+  }
+  if (least > kMaxSteps) {
+    fail(until, "the cycles take {} steps; expected at most {}", least, kMaxSteps);
+  }
+  if (std::holds_alternative<UntilSettled>(stage.until)) {
+    if (const std::string reason = endless(stage, scene); !reason.empty()) {
+      fail(until, "never comes to rest {}", reason);
+    }
+  }
+  if (cycles) {
+    check_waits(stage, until);
+  }
+  stage.max_steps = std::max(stage.max_steps, least);
+}
+
+void count_steps(Scene& scene, const Value& list) {
+  for (std::size_t number = 0; number < scene.stages.size(); ++number) {
+    Stage& stage = scene.stages[number];
+    auto* until = std::get_if<UntilTime>(&stage.until);
+    if (until == nullptr) {
+      continue;
+    }
+    const Place fields = {list.items[number], join_path("stages", stage.name), scene};
+    const double steps = steps_until(until->time, *conversion(scene));
+    if (steps > static_cast<double>(kMaxSteps)) {
+      fail(fields.at("until"), "it takes {:.3g} steps; expected at most {}", steps, kMaxSteps);
+    }
+    until->steps = static_cast<std::uint64_t>(steps);
+    check_max_steps(fields, stage, until->steps, "of until");
+    stage.max_steps = std::max(stage.max_steps, until->steps);
+  }
+}
 
 std::string stage_path(const Value& value, std::size_t number) {
   const Value* name = value.find("name");

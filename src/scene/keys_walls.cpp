@@ -12,54 +12,123 @@ namespace clca::scene {
 
 namespace {
 
-constexpr std::array<std::string_view, 6> kForms = {"box",  "line", "disc",
-                                                    "ring", "arc",  "picture"};
+using grains::WallMotion;
+using Program = decltype(WallMotion::program);
 
-/// Parameter range (0 to 1) of the segment inside the rectangle; low > high if none.
-std::pair<double, double> clipped(const lattice::Segment& segment,
-                                  const lattice::Rectangle& rectangle) {
-  double low = 0;
-  double high = 1;
-  const auto clip = [&](double from, double along, double least, double most) {
-    if (along == 0) {
-      high = from >= least && from <= most ? high : -1;
-      return;
-    }
-    const auto [enter, leave] = std::minmax({(least - from) / along, (most - from) / along});
-    low = std::max(low, enter);
-    high = std::min(high, leave);
-  };
-  const Eigen::Vector2d along = segment.to - segment.from;
-  clip(segment.from.x(), along.x(), rectangle.left, rectangle.right);
-  clip(segment.from.y(), along.y(), rectangle.bottom, rectangle.top);
-  return {low, high};
-}
-
-bool covers_no_site(const lattice::Lattice& lattice, const lattice::Segment& segment) {
-  // More than two spacings inside, every point has a nearby site; this avoids counting the sites of
-  // long walls.
-  const lattice::Rectangle inside = {2, 2, lattice::kColumnPitch * lattice.columns() - 3,
-                                     lattice.rows() - 3.0};
-  const auto [low, high] = clipped(segment, inside);
-  const bool crosses = inside.left < inside.right && inside.bottom < inside.top && low <= high;
-  return !crosses && lattice::sites_along(lattice, segment).empty();
-}
-
-template <class Form>
-bool covers_no_site(const lattice::Lattice& lattice, const Form& form) {
-  return holds_no_site(lattice, form);
-}
-
-/// Refuses a form without a site of the box. Only a wall that moves may be outside it at home.
-void check_part(const WallPart& part, const Place& fields) {
-  const Place place = fields.at(kForms[part.index()]);
-  const Box& box = fields.scene.box;
-  if (const auto* rectangle = std::get_if<lattice::Rectangle>(&part)) {
-    require_site(*rectangle, place);
-  } else if (std::visit([&](const auto& form) { return covers_no_site(lattice_of(box), form); },
-                        part)) {
-    fail(place, "no site of the box, {} wide and {} high, lies on it", box.width, box.height);
+void check_wave(const KeyedMap& fields, grains::Wave& wave) {
+  const std::uint64_t least = grains::least_period(wave);
+  if (wave.period < least) {
+    fail(fields.at("period"),
+         "expected at least {} steps for a {} of amplitude {}, which moves one site a step at "
+         "most, found '{}'",
+         least, name_of(kWaveformNames, wave.form), wave.amplitude, wave.period);
   }
+}
+
+Type<grains::Wave> wave() {
+  using grains::Wave;
+  return type_of<Wave>(
+      {.keys = {key("form", &Wave::form, choice(kWaveformNames), "offset over time"),
+                required("amplitude", &Wave::amplitude, integer(1, kMaxWaveAmplitude),
+                         "sites to either side"),
+                required(
+                    "period", &Wave::period, count(1, kMaxWavePeriod),
+                    fmt::format("steps of a cycle: at least {} for each site of amplitude of a "
+                                "sine, {} of a triangle",
+                                grains::kSineSteps, grains::kTriangleSteps))},
+       .check = check_wave});
+}
+
+Type<int> shake_amplitude() {
+  Type<int> type = integer(1, kMaxOffset);
+  type.read_into = [read = type.read_into](const Place& place, void* amplitude) {
+    if (place.value.text == "0") {
+      fail(place, "expected a whole number from 1 to {}, found '0'; a shake of 0 does nothing",
+           kMaxOffset);
+    }
+    read(place, amplitude);
+  };
+  return type;
+}
+
+Type<grains::Shake> shake() {
+  using grains::Shake;
+  const auto wait = word_or_value("settled", count(1, kMaxSteps),
+                                  fmt::format("a whole number from 1 to {}", kMaxSteps));
+  auto period = key("period", &Shake::period, count(1, 1'000'000), "steps for each site")
+                    .of(Model::contact)
+                    .defaults_to("10");
+  return type_of<Shake>(
+      {.keys = {required("amplitude", &Shake::amplitude, shake_amplitude(), "sites"),
+                key("wait", &Shake::wait, wait, "until no particle moves, or so many steps"),
+                period}});
+}
+
+using Point = grains::Path::Point;
+
+grains::Path read_points(const Place& place) {
+  grains::Path way;
+  Point before;
+  for (const Place& item : read_list(place, 1, kMaxPoints)) {
+    const std::vector<Place> pair = read_list(item, 2, 2);
+    const Point point = {.step = read_number<std::uint64_t>(pair[0], 1, kMaxSteps),
+                         .offset = read_number(pair[1], -kMaxOffset, kMaxOffset)};
+    if (point.step <= before.step) {
+      fail(pair[0], "expected a step after {}, found '{}'", before.step, point.step);
+    }
+    if (grains::is_steep(before, point)) {
+      fail(item, "from [{}, {}] to [{}, {}] is steeper than one site a step", before.step,
+           before.offset, point.step, point.offset);
+    }
+    way.points.push_back(point);
+    before = point;
+  }
+  return way;
+}
+
+Type<grains::Path> path_type() {
+  const Schema point =
+      fmt::format(R"({{"type": "array", "items": [{}, {}], "minItems": 2, "maxItems": 2}})",
+                  count(1, kMaxSteps).schema, integer(-kMaxOffset, kMaxOffset).schema);
+  return own_type<grains::Path>(
+      fmt::format("list of 1 to {} `[step, offset]`", kMaxPoints),
+      array_schema(point, 1, kMaxPoints), read_points, [](const grains::Path& path) {
+        Value list = Value::list();
+        for (const Point& entry : path.points) {
+          list.items.push_back(Value::scalar(fmt::format("[{}, {}]", entry.step, entry.offset)));
+        }
+        return list;
+      });
+}
+
+/// A member of grains::Drive, the program unless another is given.
+template <class T>
+Key<WallMotion> drive_key(std::string_view name, T grains::Drive::*member, const Type<T>& type,
+                          std::string_view about) {
+  return inlined_alternative(&WallMotion::program, key(name, member, type, about)).defaults_to("");
+}
+
+void check_program(const KeyedMap& fields, WallMotion& motion) {
+  constexpr std::array<std::string_view, 5> kKeys = {"period", "distance", "wave", "shake", "path"};
+  std::vector<std::string_view> given;
+  std::ranges::copy_if(kKeys, std::back_inserter(given),
+                       [&](std::string_view key) { return fields.find(key) != nullptr; });
+  const bool is_drive = std::holds_alternative<grains::Drive>(motion.program);
+  if (!is_drive && given.size() > 1) {
+    fail(fields, "expected either distance and period, or one of wave, shake, path, found {}",
+         fmt::join(given, " and "));
+  }
+  if (is_drive && fields.find("distance") == nullptr) {
+    fail(fields, "motion without bound; give distance, or one of wave, shake, path");
+  }
+  if (is_drive) {
+    fields.at("direction");
+  }
+}
+
+template <class T>
+Key<WallMotion> program(std::string_view name, const Type<T>& type, std::string_view about) {
+  return inlined(&WallMotion::program, alternative<Program>(name, type, about));
 }
 
 Type<lattice::Segment> line() {
@@ -100,7 +169,7 @@ void check_arc(const KeyedMap& fields, Arc& arc) {
 }
 
 Type<Arc> arc() {
-  const Type<double> angle = number(-kMaxAngle, kMaxAngle);
+  const Type<double> angle = number(-360, 360);
   Keys<Arc> keys = inlined<Arc>(to_member(&Arc::ring), ring_keys());
   keys.add(
       {required("from", &Arc::from, angle, "one end, in degrees anticlockwise from the x axis"),
@@ -128,6 +197,19 @@ Type<std::vector<WallPart>> parts() {
   return type;
 }
 
+/// Refuses a form without a site of the box. Only a wall that moves may be outside it at home.
+void check_part(const WallPart& part, const Place& fields) {
+  static const std::vector<std::string> kNames = names_of<std::string>(forms());
+  const Place place = fields.at(kNames[part.index()]);
+  const Box& box = fields.scene.box;
+  if (const auto* rectangle = std::get_if<lattice::Rectangle>(&part)) {
+    require_site(*rectangle, place);
+  } else if (std::visit([&](const auto& form) { return holds_no_site(lattice_of(box), form); },
+                        part)) {
+    fail(place, "no site of the box, {} wide and {} high, lies on it", box.width, box.height);
+  }
+}
+
 void check_wall(const KeyedMap& fields, Wall& wall) {
   wall.location = reference(fields);
   if (wall.motion) {
@@ -150,6 +232,29 @@ void check_wall(const KeyedMap& fields, Wall& wall) {
 
 }  // namespace
 
+Type<WallMotion> motion_type() {
+  return type_of<WallMotion>(
+      {.keys = {key("direction", &WallMotion::direction, choice(kDirectionNames),
+                    "where to; required with `distance`"),
+                drive_key("period", &grains::Drive::period, count(1, kMaxSteps),
+                          "steps for each site of the distance")
+                    .defaults_to("1"),
+                drive_key("distance", &grains::Drive::distance, integer(1, kMaxOffset),
+                          "sites in all, then it stands"),
+                program("wave", wave(), "to and fro about home"),
+                program("shake", shake(),
+                        "lifted, dropped back home, then a wait; again and again"),
+                program(
+                    "path", path_type(),
+                    "from point to point, straight between them: steps increase, and nowhere is "
+                    "it steeper than one site a step, counted from `[0, 0]`")},
+       .check = check_program,
+       .conditions = R"(
+         "oneOf": [{"required": ["distance"]}, {"required": ["wave"]}, {"required": ["shake"]},
+                   {"required": ["path"]}],
+         "dependencies": {"distance": ["direction"], "period": ["distance"]})"});
+}
+
 Type<std::vector<Wall>> walls_type() {
   // A wall of a single part is not in a list.
   const auto single = [](void* wall, bool make) -> void* {
@@ -159,30 +264,23 @@ Type<std::vector<Wall>> walls_type() {
   Keys<Wall> keys = inlined<Wall>(single, forms());
   keys.add({key("parts", &Wall::parts, parts(), "one body of several pieces")
                 .defaults_to("")
-                .written_as([](const Wall& wall, const Scene& scene) {
-                  return wall.parts.size() > 1 ? std::optional(parts().text(wall.parts, scene))
-                                               : std::nullopt;
-                }),
+                .written_if([](const Wall& wall) { return wall.parts.size() > 1; }),
             key("motion", &Wall::motion, motion_type(), "how it moves: [motion](#motion)")
                 .defaults_to("none: it stands"),
             key("passive", &Wall::passive, choice(kPassiveNames),
                 "of one that moves: whether particles in its way are pushed, or entered and "
                 "left to the passive rule")
-                .written_as([](const Wall& wall) {
-                  return wall.motion ? std::optional(Value::scalar(
-                                           std::string(name_of(kPassiveNames, wall.passive))))
-                                     : std::nullopt;
-                }),
+                .written_if([](const Wall& wall) { return wall.motion.has_value(); }),
             key("friction", &Wall::friction, number(0, contact::kMaxFriction),
                 "between particles and this wall")
                 .of(Model::contact)
                 .defaults_to("`contact.wall_friction`")});
-  std::vector<std::string> one_of(kForms.begin(), kForms.end());
+  std::vector<std::string> one_of = names_of<std::string>(forms());
   one_of.emplace_back("parts");
   return by_name<Wall>("walls", {.keys = keys,
                                  .one_of = one_of,
                                  .check = check_wall,
-                                 .conditions = R"({"dependencies": {"passive": ["motion"]}})"});
+                                 .conditions = R"("dependencies": {"passive": ["motion"]})"});
 }
 
 }  // namespace clca::scene

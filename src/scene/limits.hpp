@@ -24,7 +24,6 @@ inline constexpr double kMaxBoxHeight = 1'000'000;
 inline constexpr double kMaxCoordinate = 1'000'000;  ///< of a coordinate in lattice spacings
 inline constexpr double kMaxThickness = 100;
 inline constexpr double kMinRingThickness = 1;  ///< a thinner one would let sites through
-inline constexpr double kMaxAngle = 360;
 
 inline constexpr std::size_t kMaxPicturePixels = 1'000'000;  ///< of a wall
 inline constexpr double kMaxPictureBytes = 1 << 24;
@@ -34,7 +33,6 @@ inline constexpr int kMaxRadius = 100;
 inline constexpr double kMaxDiameter = 100;  ///< of a distribution of sizes
 inline constexpr std::size_t kMaxKinds = 64;
 inline constexpr std::uint64_t kMaxWeightBesideSizes = 1000;
-inline constexpr int kMaxSiteCoordinate = 1000;         ///< of a coordinate of a shape
 inline constexpr std::size_t kMaxSites = 100'000;       ///< of a shape
 inline constexpr std::size_t kMaxAllSites = 2'000'000;  ///< of the shapes of all species
 inline constexpr std::size_t kMaxCorners = 1000;
@@ -42,7 +40,6 @@ inline constexpr double kMaxLength = 1000;  ///< spacings, of a shape
 
 inline constexpr std::uint64_t kMaxParticles = std::numeric_limits<std::int32_t>::max();
 inline constexpr std::uint64_t kMaxSpeciesWeight = 1'000'000;  ///< weight of a species in a source
-inline constexpr double kMaxRate = 1000;
 
 inline constexpr int kMaxOffset = 1'000'000;  ///< of a moving wall from home
 /// The sine of a motion takes 4 x amplitude x period squared in 64 bits.
@@ -55,7 +52,6 @@ inline constexpr double kMinLineLength = 1;  ///< lattice spacings
 
 // Of the contact model.
 inline constexpr double kMaxFallHeight = 1e6;
-inline constexpr double kMaxTilt = 180;        ///< degrees
 inline constexpr double kMaxVesselRate = 1e6;  ///< per unit of time
 inline constexpr double kMinSpacing = 1e-9;    ///< metres
 inline constexpr double kMaxSpacing = 1e3;     ///< metres

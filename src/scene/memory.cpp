@@ -163,12 +163,6 @@ double source_bytes(const Scene& scene, const lattice::Lattice& lattice) {
   return sum;
 }
 
-/// Whether a stage has other rules, for which a second model is made beside the first.
-bool changes_rules(const Scene& scene) {
-  return std::ranges::any_of(scene.stages,
-                             [](const Stage& stage) { return stage.rules || stage.contact; });
-}
-
 }  // namespace
 
 Size size_of(const Scene& scene) {
@@ -184,15 +178,16 @@ Size size_of(const Scene& scene) {
   const double deposited = std::min(particles, filled(scene, FillMethod::deposition));
   const double awake = particles - (1 - kAwakeOfDeposited) * deposited;
   const auto index_count = static_cast<double>(lattice.index_count());
-  const bool overlaps = std::ranges::any_of(
-      scene.walls, [](const Wall& wall) { return wall.passive == grains::Passive::overlap; });
   const double model =
-      grains::OccupancyTable::bytes_for(index_count, overlaps) +
+      grains::OccupancyTable::bytes_for(index_count, lets_overlap(scene)) +
       grains::kParticleBytes * particles +
       (scene.model == Model::contact ? contact::step_bytes(particles)
                                      : automaton::step_bytes(index_count, particles, awake));
-  double bytes = model * (changes_rules(scene) ? 2 : 1) + fill_bytes(scene, lattice) +
-                 kind_bytes(scene) + source_bytes(scene, lattice);
+  // A stage that has other rules has a second model beside the first.
+  const bool changes_rules = std::ranges::any_of(
+      scene.stages, [](const Stage& stage) { return stage.rules || stage.contact; });
+  double bytes = model * (changes_rules ? 2 : 1) + fill_bytes(scene, lattice) + kind_bytes(scene) +
+                 source_bytes(scene, lattice);
   for (const Wall& wall : scene.walls) {
     bytes += sizeof(lattice::Site) * wall_sites_at_most(lattice, wall);
   }

@@ -10,9 +10,8 @@
 #include "clca/text/message.hpp"
 #include "clca/text/read.hpp"
 #include "document/internal/document.hpp"
-#include "document/internal/source_text.hpp"
-#include "scene/keyed_map.hpp"
 #include "scene/limits.hpp"
+#include "scene/place.hpp"
 #include "scene/sections.hpp"
 #include "scene/sizes.hpp"
 #include "scene/types.hpp"
@@ -20,12 +19,6 @@
 namespace clca::scene {
 
 namespace {
-
-/// A misspelt `boltzmann` makes no scene of grains.
-bool stands_for_boltzmann(const Entry& entry) {
-  constexpr std::array<std::string_view, 1> kBlock = {"boltzmann"};
-  return text::nearest(entry.key, kBlock).has_value();
-}
 
 /// By the keys of the map. Throws SceneError where they belong to both kinds of scenes.
 bool is_boltzmann(const Value& root) {
@@ -49,9 +42,13 @@ bool is_boltzmann(const Value& root) {
            entry.key, other.key, fmt::join(boltzmann_keys, ", "), fmt::join(automaton_keys, ", "));
     }
   }
-  const bool misspelt =
-      automaton == nullptr && std::ranges::any_of(root.entries, stands_for_boltzmann);
-  return boltzmann != nullptr || misspelt;
+  // A misspelt `boltzmann` makes no scene of grains.
+  const auto is_misspelt = [](const Entry& entry) {
+    constexpr std::array<std::string_view, 1> kBlock = {"boltzmann"};
+    return text::nearest(entry.key, kBlock).has_value();
+  };
+  return boltzmann != nullptr ||
+         (automaton == nullptr && std::ranges::any_of(root.entries, is_misspelt));
 }
 
 /// What the run is called, and its files.
@@ -83,7 +80,7 @@ void override_with(Value& root, const Override& text, std::string_view option) {
   const std::optional<Value> kept = view != nullptr ? std::optional(*view) : std::nullopt;
   document::apply_override(root, text, option, is_choice);
   const Value* frames = root.find_path("output.frames");
-  if (kept && frames->is(Value::Kind::scalar) && !frames->quoted && frames->text == "none") {
+  if (kept && !frames->quoted && frames->text == "none") {
     Value& output = *root.find("output");
     std::erase_if(output.entries, [](const Entry& entry) { return entry.key == "view"; });
     output.entries.push_back({"view", kept->location, *kept});
@@ -99,7 +96,7 @@ void give_series(Scene& scene, const Value& root) {
 }
 
 Scene read_scene(Value root, const std::string& file) {
-  Scene scene = default_scene();
+  Scene scene;
   if (const Value* units = root.find("units")) {  // first: lengths may be in them
     scene.units = units_type().read({*units, "units", scene});
   }
@@ -120,7 +117,7 @@ Scene read_scene(Value root, const std::string& file) {
 }
 
 BoltzmannScene read_boltzmann_scene(const Value& root, const std::string& file) {
-  BoltzmannScene scene = default_boltzmann_scene();
+  BoltzmannScene scene;
   scene.title = scene.name = name_of_file(file, {root.location.origin, 1, 1});
   const Scene none;
   const Place place = {root, "", none};
@@ -160,7 +157,7 @@ AnyScene parse_any(std::string_view text, const std::string& file,
   }
   std::vector<std::string_view> keys = names_of(*scene_type().keys);
   std::ranges::copy(names_of(*boltzmann_type().keys), std::back_inserter(keys));
-  evaluate_expressions(root, {.taken = keys, .text = "title", .open = "measure"});
+  document::evaluate_expressions(root, keys, "title", "measure");
   const bool gas = is_boltzmann(root);
   leave_out_none(root, gas ? *boltzmann_type().keys : *scene_type().keys);
   if (gas) {
@@ -205,7 +202,7 @@ std::string to_yaml(const BoltzmannScene& scene) {
 
 void check_resolved(std::string_view yaml, std::string_view file) {
   const document::Origin origin = {text::printable(file) + ", with all defaults", true};
-  const document::SourceText checked(yaml, std::make_shared<const document::Origin>(origin));
+  document::check_text(yaml, std::make_shared<const document::Origin>(origin));
 }
 
 }  // namespace clca::scene

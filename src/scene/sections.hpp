@@ -7,17 +7,13 @@
 
 namespace clca::scene {
 
-/// A scene of grains, and one of the Boltzmann equation; read into the default one.
+/// A scene of grains, and one of the Boltzmann equation.
 const Type<Scene>& scene_type();
 const Type<BoltzmannScene>& boltzmann_type();
-Scene default_scene();
-BoltzmannScene default_boltzmann_scene();
 
 Type<std::string> title_type();
 Type<Begin> begin_type();
 Type<Box> box_type();
-Type<automaton::Rules> rules_type();
-Type<contact::Parameters> contact_type();
 /// The block of each model, and other keys of one model.
 Keys<Scene> model_blocks();
 /// Of a stage: what is left out is as in the scene.
@@ -64,6 +60,8 @@ void put_numbers_into_derived(Scene& scene);
 /// Across stages: names are unique, and walls come, move and go in an order that can be. `list` is
 /// what the stages were read from.
 void check_history(const Place& list);
+/// Whether a wall lets particles overlap.
+bool lets_overlap(const Scene& scene);
 /// Refuses paths of weight where particles may overlap or gravity may turn.
 void check_weight_paths(const Place& place);
 /// Refuses what the model cannot do.

@@ -1,3 +1,5 @@
+// Distributions of sizes: the kinds of particles of a law, and its keys.
+
 #include "scene/sizes.hpp"
 
 #include <algorithm>
@@ -7,6 +9,9 @@
 #include <numbers>
 
 #include "clca/lattice/lattice.hpp"
+#include "clca/lattice/shape.hpp"
+#include "scene/sections.hpp"
+#include "scene/types.hpp"
 
 namespace clca::scene {
 
@@ -116,22 +121,46 @@ std::vector<RoundKind> discs(double largest) {
   return kinds;
 }
 
-/// The two kinds around a diameter, and the share of the upper one with which their mean diameter
-/// is this one: by number or by area, as that of the law.
-struct Neighbours {
-  std::size_t upper = 1;
-  double upper_share = 0;
-};
+constexpr auto kLawNames = in_order<SizeLaw>("uniform", "lognormal", "list");
+constexpr auto kSharesByNames = in_order<SharesBy>("number", "area");
+constexpr auto kRoundShapeNames = in_order<RoundShape>("hexagon", "disc");
 
-Neighbours neighbours(const std::vector<RoundKind>& kinds, double diameter) {
-  Neighbours beside;
-  while (beside.upper + 1 < kinds.size() && kinds[beside.upper].diameter() < diameter) {
-    ++beside.upper;
+Type<std::vector<double>> list(const Type<double>& number) {
+  auto type = list_of(number, 1, kMaxKinds);
+  type.allowed = "list of numbers " + number.allowed;
+  return type;
+}
+
+void check(const KeyedMap& fields, Sizes& sizes) {
+  const bool list = sizes.law == SizeLaw::list;
+  for (const char* key : {"mean", "sd", "kinds", "diameters", "shares"}) {
+    const bool of_list = key == std::string_view("diameters") || key == std::string_view("shares");
+    if (fields.find(key) != nullptr && list != of_list) {
+      fail(fields.at(key), "goes with 'law: {}'", of_list ? "list" : "uniform' or 'law: lognormal");
+    }
   }
-  const double low = kinds[beside.upper - 1].diameter();
-  const double high = kinds[beside.upper].diameter();
-  beside.upper_share = std::clamp((diameter - low) / (high - low), 0.0, 1.0);
-  return beside;
+  if (list) {
+    fields.at("diameters");
+    if (sizes.diameters.size() != fields.at("shares").value.items.size()) {
+      fail(fields.at("shares"), "expected a share for each of the {} diameters, found {}",
+           sizes.diameters.size(), sizes.shares.size());
+    }
+    return;
+  }
+  const double smallest = lattice::Shape::hexagon(0).diameter();
+  if (*sizes.mean < smallest) {
+    fail(fields.at("mean"), "expected at least {:.3g}, the diameter of a single site, found {}",
+         smallest, *sizes.mean);
+  }
+  const Place sd = fields.at("sd");
+  if (sizes.law == SizeLaw::uniform && *sizes.mean <= *sizes.sd * std::sqrt(3.0)) {
+    fail(sd, "expected less than {:.4g}, so that all diameters are above 0, found {}",
+         *sizes.mean / std::sqrt(3.0), *sizes.sd);
+  }
+  if (const double largest = largest_diameter(sizes); largest > kMaxDiameter) {
+    fail(sd, "expected less, so that all diameters are up to {}; the largest would be {:.4g}",
+         kMaxDiameter, largest);
+  }
 }
 
 }  // namespace
@@ -150,11 +179,18 @@ std::vector<SizeClass> size_classes(const Sizes& sizes) {
       sizes.shape == RoundShape::disc ? discs(largest) : hexagons(largest);
   std::map<std::size_t, double> shares;  // of the kinds, by what the law is by
   for (const Diameter& diameter : diameters_of(sizes)) {
-    const Neighbours beside = neighbours(kinds, diameter.value);
-    const double upper =
-        sizes.law == SizeLaw::list ? std::round(beside.upper_share) : beside.upper_share;
-    shares[beside.upper - 1] += (1 - upper) * diameter.share;
-    shares[beside.upper] += upper * diameter.share;
+    // The two kinds around it, and the share of the upper one with which their mean diameter is
+    // this one: by number or by area, as that of the law.
+    std::size_t above = 1;
+    while (above + 1 < kinds.size() && kinds[above].diameter() < diameter.value) {
+      ++above;
+    }
+    const double low = kinds[above - 1].diameter();
+    const double share =
+        std::clamp((diameter.value - low) / (kinds[above].diameter() - low), 0.0, 1.0);
+    const double upper = sizes.law == SizeLaw::list ? std::round(share) : share;
+    shares[above - 1] += (1 - upper) * diameter.share;
+    shares[above] += upper * diameter.share;
   }
   std::erase_if(shares, [](const auto& of_kind) { return of_kind.second <= 0; });
   double all = 0;
@@ -172,17 +208,32 @@ std::vector<SizeClass> size_classes(const Sizes& sizes) {
   }
   std::vector<SizeClass> result;
   for (const auto& [kind, share] : shares) {
-    const double radius = kinds[kind].radius;
-    SizeClass& size_class = result.emplace_back();
-    size_class.extent = extent(kind);
-    if (sizes.shape == RoundShape::disc) {
-      size_class.shape = DiscSpec{radius};
-    } else {
-      size_class.shape = HexagonSpec{static_cast<int>(radius)};
-    }
-    size_class.share = share / units;
+    result.push_back({kinds[kind].radius, share / units, extent(kind)});
   }
   return result;
+}
+
+Type<Sizes> sizes_type() {
+  const Type<double> diameter = length(above_zero(kMaxDiameter));
+  return type_of<Sizes>(
+      {.keys = {required("law", &Sizes::law, choice(kLawNames), "how diameters are distributed"),
+                key("mean", &Sizes::mean, diameter,
+                    "mean diameter, in spacings: that of the circle of the same area")
+                    .with_condition("required but for a list"),
+                key("sd", &Sizes::sd, diameter, "standard deviation of the diameter")
+                    .with_condition("required but for a list"),
+                key("by", &Sizes::by, choice(kSharesByNames),
+                    "whether the law is that of the number of particles or of the area they cover"),
+                key("kinds", &Sizes::kinds, count(1, kMaxKinds),
+                    "classes of equal width that the law is divided into, at most"),
+                key("diameters", &Sizes::diameters, list(diameter), "of a list")
+                    .with_condition("required for a list"),
+                key("shares", &Sizes::shares, list(above_zero(1e9)),
+                    "of a list: one for each diameter, of any sum")
+                    .with_condition("required for a list"),
+                key("shape", &Sizes::shape, choice(kRoundShapeNames),
+                    "hexagons, or discs: of more sizes, but notched")},
+       .check = check});
 }
 
 }  // namespace clca::scene

@@ -11,7 +11,7 @@ namespace clca::scene {
 
 enum class SizeLaw : std::uint8_t { uniform, lognormal, list };
 enum class SharesBy : std::uint8_t { number, area };
-enum class RoundShape : std::uint8_t { disc, hexagon };
+enum class RoundShape : std::uint8_t { hexagon, disc };
 
 /// Diameters are those of circles of the same area, in lattice spacings.
 struct Sizes {
@@ -26,7 +26,7 @@ struct Sizes {
 };
 
 struct SizeClass {
-  ShapeSpec shape;
+  double radius = 0;  ///< as in DiscSpec or HexagonSpec
   double share = 0;   ///< of the particles, by number; the sum is 1 but for rounding
   double extent = 1;  ///< of a particle: its sites for a law by area, else 1
 };

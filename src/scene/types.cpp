@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
+#include <nlohmann/json.hpp>
 #include <system_error>
 
 #include "clca/scene/units.hpp"
@@ -17,14 +19,28 @@ namespace clca::scene {
 
 namespace {
 
-/// One that fmt writes and such a function reads.
-template <class T, class... Limits>
-Type<T> scalar_type(const std::string& allowed, const Schema& schema,
-                    T (*read)(const Place& place, Limits... limits),
-                    std::type_identity_t<Limits>... limits) {
+using Json = nlohmann::ordered_json;
+
+constexpr auto kPlainText = [](const auto& value) {
+  return Value::scalar(fmt::format("{}", value));
+};
+
+/// From `low` to `high`; `type` in the schema, where the limits may be other ones.
+template <class T>
+Type<T> ranged(const std::string& allowed, std::string_view type, const Json& lowest,
+               const Json& highest, T low, T high) {
+  const Json schema = {{"type", type}, {"minimum", lowest}, {"maximum", highest}};
   return own_type<T>(
-      allowed, schema, [=](const Place& place) { return read(place, limits...); },
-      [](const T& value) { return Value::scalar(fmt::format("{}", value)); });
+      allowed, schema.dump(), [=](const Place& place) { return read_number(place, low, high); },
+      kPlainText);
+}
+
+/// `10^12` for round large numbers.
+std::string limit_text(double number) {
+  const double power = std::log10(std::abs(number));
+  return power >= 9 && power == std::floor(power)
+             ? fmt::format("{}10^{}", number < 0 ? "-" : "", power)
+             : fmt::format("{}", number);
 }
 
 std::string range(double low, double high) {
@@ -60,12 +76,14 @@ std::string read_name(const Place& place) {
 template <class Number>
 Type<std::vector<Number>> by_species(std::uint64_t high) {
   return own_type<std::vector<Number>>(
-      fmt::format("0 to {} by species", high), object_schema(count_schema(0, high)),
+      fmt::format("0 to {} by species", high),
+      fmt::format(R"({{"type": "object", "additionalProperties": {}}})", count(0, high).schema),
       [high](const Place& place) {
         std::vector<Number> numbers(place.scene.species.size(), 0);
         for (const Entry& entry : read_map(place)) {
           const std::size_t species = read_species(entry.key, entry.location, place);
-          numbers[species] = static_cast<Number>(read_count(place.inside(entry), 0, high));
+          numbers[species] =
+              static_cast<Number>(read_number<std::uint64_t>(place.inside(entry), 0, high));
         }
         return numbers;
       },
@@ -73,7 +91,7 @@ Type<std::vector<Number>> by_species(std::uint64_t high) {
         Value map = Value::map();
         for (std::size_t i = 0; i < numbers.size(); ++i) {
           if (numbers[i] != 0) {
-            map.add(scene.species[i].name, Value::scalar(fmt::format("{}", numbers[i])));
+            map.add(scene.species[i].name, kPlainText(numbers[i]));
           }
         }
         return map;
@@ -82,25 +100,26 @@ Type<std::vector<Number>> by_species(std::uint64_t high) {
 
 }  // namespace
 
-std::string limit_text(double number) {
-  const double power = std::log10(std::abs(number));
-  return power >= 9 && power == std::floor(power)
-             ? fmt::format("{}10^{}", number < 0 ? "-" : "", power)
-             : fmt::format("{}", number);
-}
-
 std::size_t read_species(const std::string& name, const TextLocation& location,
                          const Place& place) {
   return read_reference(name, location, place.path, "species", names_of(place.scene.species));
 }
 
 Type<double> number(double low, double high) {
-  return scalar_type<double>(range(low, high), number_schema(low, high), read_number, low, high);
+  return ranged(range(low, high), "number", low, high, low, high);
 }
 
 Type<double> above_zero(double high) {
-  return scalar_type<double>(fmt::format("above 0, up to {}", limit_text(high)),
-                             above_zero_schema(high), read_positive, high);
+  const auto read = [high](const Place& place) {
+    const auto number = number_in<double>(place.value);
+    if (!number || *number <= 0 || *number > high) {
+      unexpected(place, fmt::format("a number above 0 and up to {}", high));
+    }
+    return *number;
+  };
+  const Json schema = {{"type", "number"}, {"exclusiveMinimum", 0}, {"maximum", high}};
+  return own_type<double>(fmt::format("above 0, up to {}", limit_text(high)), schema.dump(), read,
+                          kPlainText);
 }
 
 std::optional<double> metres(std::string_view text) {
@@ -117,7 +136,7 @@ std::optional<double> metres(std::string_view text) {
 
 Type<double> length(const Type<double>& number) {
   Type<double> type = number;
-  type.schema = number_or_text(number.schema, "^-?[0-9.][0-9.eE+-]* *(m|cm|mm|um)$");
+  type.schema = with(number.schema, R"("pattern": "^-?[0-9.][0-9.eE+-]* *(m|cm|mm|um)$")");
   type.read_into = [number](const Place& place, void* result) {
     constexpr double kDecimals = 1e6;  // 20.5 mm are 82 spacings of 0.25 mm, and not a little less
     const std::string_view text = place.value.text;
@@ -148,19 +167,28 @@ Type<double> length(const Type<double>& number) {
 }
 
 Type<int> integer(int low, int high) {
-  return scalar_type<int>(range(low, high), integer_schema(low, high), read_int, low, high);
+  return ranged(range(low, high), "integer", low, high, low, high);
 }
 
 Type<std::uint64_t> count(std::uint64_t low, std::uint64_t high) {
   constexpr std::uint64_t kMaxExact = std::uint64_t{1} << 53U;  // of a double
-  return scalar_type<std::uint64_t>(high < kMaxExact
-                                        ? range(static_cast<double>(low), static_cast<double>(high))
-                                        : fmt::format("{} to {}", low, high),
-                                    count_schema(low, high), read_count, low, high);
+  // Readers of schemas take whole numbers as signed ones.
+  constexpr std::uint64_t kMaxSigned = std::numeric_limits<std::int64_t>::max();
+  return ranged(high < kMaxExact ? range(static_cast<double>(low), static_cast<double>(high))
+                                 : fmt::format("{} to {}", low, high),
+                "integer", low, high > kMaxSigned ? Json(static_cast<double>(high)) : Json(high),
+                low, high);
 }
 
 Type<bool> yes_or_no() {
-  return scalar_type<bool>("`true`, `false`", schema(R"({"type": "boolean"})"), read_bool);
+  const auto read = [](const Place& place) {
+    const Value& value = place.value;
+    if (value.quoted || (value.text != "true" && value.text != "false")) {
+      unexpected(place, "true or false");
+    }
+    return value.text == "true";
+  };
+  return own_type<bool>("`true`, `false`", R"({"type": "boolean"})", read, kPlainText);
 }
 
 Type<Eigen::Vector2d> point() {
@@ -172,14 +200,8 @@ Type<Eigen::Vector2d> corner() {
 }
 
 Type<statistics::Range> color_bar_ends() {
-  const auto type = converted<statistics::Range>(
-      "`[low, high]`", list_of(number(-1e9, 1e9), 2, 2),
-      [](const std::vector<double>& ends) {
-        return statistics::Range{ends[0], ends[1]};
-      },
-      [](const statistics::Range& range) {
-        return std::vector<double>{range.low, range.high};
-      });
+  using statistics::Range;
+  const auto type = list_of_members("`[low, high]`", number(-1e9, 1e9), &Range::low, &Range::high);
   return type.checked([](const statistics::Range& range, const Place& place) {
     if (range.low >= range.high) {
       fail(place, "expected [low, high] with low < high, found [{}, {}]", range.low, range.high);
@@ -188,15 +210,10 @@ Type<statistics::Range> color_bar_ends() {
 }
 
 Type<lattice::Rectangle> rectangle() {
-  const auto type = converted<lattice::Rectangle>(
-      "`[left, bottom, right, top]`",
-      list_of(length(number(-kMaxCoordinate, kMaxCoordinate)), 4, 4),
-      [](const std::vector<double>& edges) {
-        return lattice::Rectangle{edges[0], edges[1], edges[2], edges[3]};
-      },
-      [](const lattice::Rectangle& edges) {
-        return std::vector<double>{edges.left, edges.bottom, edges.right, edges.top};
-      });
+  using lattice::Rectangle;
+  const auto type = list_of_members(
+      "`[left, bottom, right, top]`", length(number(-kMaxCoordinate, kMaxCoordinate)),
+      &Rectangle::left, &Rectangle::bottom, &Rectangle::right, &Rectangle::top);
   return type.checked([](const lattice::Rectangle& edges, const Place& place) {
     if (edges.left >= edges.right || edges.bottom >= edges.top) {
       fail(place,
@@ -223,7 +240,7 @@ std::string file_at(const std::string& folder, const std::string& path) {
 Type<std::string> file_path_type() {
   return own_type<std::string>(
       "a path",
-      with(with(schema(R"({"type": "string"})"), "minLength", 1), "maxLength", kMaxPathLength),
+      fmt::format(R"({{"type": "string", "minLength": 1, "maxLength": {}}})", kMaxPathLength),
       read_path, [](const std::string& file) { return Value::quoted_text(file); });
 }
 
@@ -238,7 +255,7 @@ Type<std::vector<std::size_t>> counts_type(std::uint64_t high) {
 
 Type<std::vector<std::uint32_t>> weights_type() {
   auto type = by_species<std::uint32_t>(kMaxSpeciesWeight);
-  type.schema = with(type.schema, "minProperties", 1);
+  type.schema = with(type.schema, R"("minProperties": 1)");
   return type.checked([](const std::vector<std::uint32_t>& weights, const Place& place) {
     if (std::ranges::all_of(weights, [](auto weight) { return weight == 0; })) {
       fail(place, "expected a weight above 0");
@@ -257,7 +274,8 @@ Type<std::vector<std::size_t>> references(
       [=](std::size_t number, const Scene& scene) { return Value::name(names(scene)[number]); });
   auto type = set_of(reference, 0, kMaxItems);
   type.allowed = fmt::format("names of {}s", kind);
-  type.schema = with(unique(array_schema(reference.schema)), "maxItems", kMaxItems);
+  type.schema = with(array_schema(reference.schema),
+                     fmt::format(R"({}, "maxItems": {})", kUnique, kMaxItems));
   return type;
 }
 

@@ -13,9 +13,6 @@
 
 namespace clca::scene {
 
-/// `10^12` for round large numbers.
-std::string limit_text(double number);
-
 Type<double> number(double low, double high);
 Type<double> above_zero(double high);
 /// In lattice spacings: such a number or, in a scene with `units`, a number with a unit of length.
@@ -65,8 +62,20 @@ struct PictureFile {
   image::Image image;
   std::string problem;  ///< why it cannot be read; empty if it can
 };
+/// Its rows from the top, with a letter for each pixel.
+std::vector<std::string> rows_of(const image::Image& image,
+                                 const std::function<char(image::Rgb color)>& letter);
 /// The pixels of a PNG file that the value names, as it has been read. Throws SceneError.
 const image::Image& read_picture(const Place& place);
+/// The key of such a file, in the place of `rows`: a run folder has no other file.
+template <class Owner>
+Key<Owner> picture_file_key(Action<Owner> read) {
+  return own_key<Owner>(described("file", file_path_type(),
+                                  "a PNG of up to 1000000 pixels; a relative path begins at the "
+                                  "folder of the scene"),
+                        read)
+      .with_condition("this or `rows`");
+}
 /// Texts of one length, of characters for which `allowed` holds; `about` names them in messages,
 /// `pattern` in the schema.
 Type<std::vector<std::string>> rows_type(bool (*allowed)(char letter), const std::string& about,
@@ -78,7 +87,7 @@ template <class T>
 Type<std::optional<T>> or_word(const std::string& word, std::string_view between,
                                const Type<T>& type,
                                const std::function<bool(const Place& place)>& is_word) {
-  auto result = own_type<std::optional<T>>(
+  return own_type<std::optional<T>>(
       fmt::format("`{}`{}{}", word, between, type.allowed),
       any_of({word_schema(word), type.schema}),
       [=](const Place& place) {
@@ -86,9 +95,8 @@ Type<std::optional<T>> or_word(const std::string& word, std::string_view between
       },
       [=](const std::optional<T>& value, const Scene& scene) {
         return value ? type.text(*value, scene) : Value::scalar(word);
-      });
-  result.keys = type.keys;
-  return result;
+      },
+      type.keys);
 }
 
 /// `none`, or a value of the type.
@@ -128,7 +136,11 @@ Type<std::vector<T>> list_of(const Type<T>& item, std::size_t least, std::size_t
 template <class Owner>
 Type<std::vector<Owner>> by_name(const std::string& section, const Type<Owner>& thing,
                                  std::size_t least = 0) {
-  AnyType type = {.allowed = "map of names", .schema = named_schema(thing.schema, least)};
+  AnyType type = {
+      .allowed = "map of names",
+      .schema = with(object_schema(thing.schema, kNamePattern),
+                     fmt::format(R"("maxProperties": {}{})", kMaxItems,
+                                 least > 0 ? fmt::format(R"(, "minProperties": {})", least) : ""))};
   type.read_into = [=](const Place& place, void* result) {  // likewise
     auto& things = *static_cast<std::vector<Owner>*>(result);
     for (const Entry& entry : read_named(place)) {
@@ -163,28 +175,40 @@ Type<std::vector<Owner>> by_name(const std::string& section, const Map<Owner>& m
 template <class T, class Other, class From, class To>
 Type<T> converted(std::string_view allowed, const Type<Other>& type, const From& from,
                   const To& to) {
-  auto result = own_type<T>(
+  return own_type<T>(
       allowed, type.schema, [=](const Place& place) { return from(type.read(place)); },
-      [=](const T& value, const Scene& scene) { return type.text(to(value), scene); });
-  result.keys = type.keys;
-  return result;
+      [=](const T& value, const Scene& scene) { return type.text(to(value), scene); }, type.keys);
+}
+
+/// A list with a value for each of these members.
+template <class Owner, class T, class... Members>
+Type<Owner> list_of_members(std::string_view allowed, const Type<T>& item,
+                            Members Owner::*... members) {
+  return converted<Owner>(
+      allowed, list_of(item, sizeof...(members), sizeof...(members)),
+      [=](const std::vector<T>& values) {
+        Owner owner;
+        std::size_t index = 0;
+        ((owner.*members = values[index++]), ...);
+        return owner;
+      },
+      [=](const Owner& owner) { return std::vector<T>{owner.*members...}; });
 }
 
 /// A map, or what `read` makes of another value; `text` writes that, and has none for a map.
-template <class T, class Read, class Text>
+template <class T, class Read>
 Type<T> or_map(std::string_view allowed, const Schema& other, const Type<T>& map, const Read& read,
-               const Text& text) {
-  auto type = own_type<T>(
+               std::type_identity_t<std::optional<Value> (*)(const T& value)> text = nullptr) {
+  return own_type<T>(
       fmt::format("{}, or map", allowed), any_of({other, map.schema}),
       [=](const Place& place) {
         return place.value.is(Value::Kind::map) ? map.read(place) : T(read(place));
       },
       [=](const T& value, const Scene& scene) {
-        const std::optional<Value> other_text = text(value);
+        const auto other_text = text != nullptr ? text(value) : std::nullopt;
         return other_text ? *other_text : map.text(value, scene);
-      });
-  type.keys = map.keys;
-  return type;
+      },
+      map.keys);
 }
 
 /// A list of `least` to `most` different values; messages have what `shown` makes of one that
@@ -194,7 +218,7 @@ Type<std::vector<T>> set_of(const Type<T>& item, std::size_t least, std::size_t 
                             std::string (*shown)(const Value& item) = found,
                             const std::string& advice = {}) {
   Type<std::vector<T>> type = list_of(item, least, most);
-  type.schema = unique(type.schema);
+  type.schema = with(type.schema, kUnique);
   type.read_into = [=](const Place& place, void* result) {
     std::set<T> known;
     for (const Place& entry : read_list(place, least, most, [&](auto& one) { item.read(one); })) {
@@ -221,8 +245,9 @@ template <class T, std::size_t kCount>
 Type<T> choice(const std::array<Named<T>, kCount>& names) {
   const auto all = words(names);
   return own_type<T>(
-      fmt::format("`{}`", fmt::join(all, "`, `")), choice_schema({all.begin(), all.end()}),
-      [&names](const Place& place) { return read_choice(place, names); },
+      fmt::format("`{}`", fmt::join(all, "`, `")),
+      fmt::format(R"({{"enum": ["{}"]}})", fmt::join(all, R"(", ")")),
+      [&names](const Place& place) { return names[read_word(place, words(names))].value; },
       [&names](const T& value) { return Value::scalar(std::string(name_of(names, value))); });
 }
 

@@ -1,24 +1,13 @@
 #include "clca/scene/walls.hpp"
 
 #include <algorithm>
+#include <type_traits>
+#include <variant>
 
 #include "clca/lattice/region.hpp"
 #include "scene/geometry.hpp"
 
 namespace clca::scene {
-
-namespace {
-
-std::vector<lattice::Site> sites_of(const lattice::SweptRegion& swept_region,
-                                    const lattice::Segment& segment) {
-  return lattice::sites_along(swept_region, segment);
-}
-template <class Form>
-std::vector<lattice::Site> sites_of(const lattice::SweptRegion& swept_region, const Form& form) {
-  return sites_in(swept_region, form);
-}
-
-}  // namespace
 
 lattice::SweptRegion swept_region_of(const lattice::Lattice& lattice, const Wall& wall) {
   if (!wall.motion) {
@@ -32,8 +21,15 @@ std::vector<lattice::Site> wall_sites(const lattice::Lattice& lattice, const Wal
   const lattice::SweptRegion swept_region = swept_region_of(lattice, wall);
   std::vector<lattice::Site> sites;
   for (const WallPart& part : wall.parts) {
-    const std::vector<lattice::Site> more =
-        std::visit([&](const auto& form) { return sites_of(swept_region, form); }, part);
+    const std::vector<lattice::Site> more = std::visit(
+        [&](const auto& form) {
+          if constexpr (std::is_same_v<decltype(form), const lattice::Segment&>) {
+            return sites_along(swept_region, form);
+          } else {
+            return sites_in(swept_region, form);
+          }
+        },
+        part);
     sites.insert(sites.end(), more.begin(), more.end());
   }
   if (wall.parts.size() > 1) {

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 #include "clca/text/utf8.hpp"
 
@@ -21,25 +20,24 @@ char lowered(char letter) {
 
 /// Letters to change, insert, leave out or swap with their neighbour to make `a` of `b`.
 std::size_t edits(std::string_view a, std::string_view b) {
-  std::array<std::vector<std::size_t>, 3> rows;  // the one before the last, the last, this one
-  rows.fill(std::vector<std::size_t>(b.size() + 1));
-  for (std::size_t j = 0; j <= b.size(); ++j) {
-    rows[1][j] = j;
-  }
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    rows[2][0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
+  // Those of the first letters: of i of `a` and j of `b`.
+  std::vector<std::vector<std::size_t>> least(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+  for (std::size_t i = 0; i <= a.size(); ++i) {
+    for (std::size_t j = 0; j <= b.size(); ++j) {
+      if (i == 0 || j == 0) {
+        least[i][j] = i + j;
+        continue;
+      }
       const bool same = lowered(a[i - 1]) == lowered(b[j - 1]);
-      rows[2][j] =
-          std::min({rows[1][j] + 1, rows[2][j - 1] + 1, rows[1][j - 1] + (same ? 0U : 1U)});
+      least[i][j] = std::min(
+          {least[i - 1][j] + 1, least[i][j - 1] + 1, least[i - 1][j - 1] + (same ? 0U : 1U)});
       if (i > 1 && j > 1 && lowered(a[i - 1]) == lowered(b[j - 2]) &&
           lowered(a[i - 2]) == lowered(b[j - 1])) {
-        rows[2][j] = std::min(rows[2][j], rows[0][j - 2] + 1);
+        least[i][j] = std::min(least[i][j], least[i - 2][j - 2] + 1);
       }
     }
-    std::rotate(rows.begin(), rows.begin() + 1, rows.end());
   }
-  return rows[1][b.size()];
+  return least[a.size()][b.size()];
 }
 
 }  // namespace

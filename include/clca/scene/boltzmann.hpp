@@ -47,7 +47,7 @@ struct BoltzmannScene {
   double series_every = 0.5;
   std::vector<double> histograms;  ///< times, ascending, none beyond `until`
   BinsSpec bins;
-  std::optional<Checkpoints> checkpoint;
+  std::optional<Checkpoints> checkpoint = kDefaultCheckpoints;
   std::string location;  ///< FILE:LINE:COLUMN of the block `boltzmann`, for messages
 };
 

@@ -126,7 +126,7 @@ struct Output {
   std::optional<Fields> fields;
   std::optional<Contacts> contacts;
   std::optional<TrajectoryOutput> trajectory;
-  std::optional<Checkpoints> checkpoint;
+  std::optional<Checkpoints> checkpoint = kDefaultCheckpoints;
 };
 
 }  // namespace clca::scene

@@ -15,6 +15,11 @@ namespace clca::document {
 
 inline constexpr std::size_t kMaxNameLength = 64;
 
+/// Throws Error unless the text is UTF-8 without control characters, tabs (comments may hold some),
+/// byte order mark and YAML directives, not larger than kMaxBytes, not with more than 32 brackets
+/// inside each other and not with more than 260,000 values.
+void check_text(std::string_view text, std::shared_ptr<const Origin> origin);
+
 /// Reads the single document in `text`. Stricter than YAML: no duplicate or compound keys, anchors,
 /// aliases, merge keys, tags, directives or further documents.
 /// Without a document the value is nothing. Throws Error.
@@ -26,16 +31,12 @@ Value read_document(std::string_view text, std::shared_ptr<const Origin> origin)
 void apply_override(Value& root, const std::string& text, std::string_view option,
                     bool (*is_choice)(const std::vector<std::string>& path));
 
-/// Keys at the top, as far as expressions have to know them.
-struct ExpressionKeys {
-  std::vector<std::string_view> taken;  ///< names that nothing under `let` may have
-  std::string_view text;                ///< a key without expressions
-  std::string_view open;                ///< whose expressions have names of other things, too
-};
-
 /// Evaluates what stands under `let`, in its order, then replaces each `=EXPRESSION` of the tree
-/// by its value; under the open key only the names of numbers. Throws Error.
-void evaluate_expressions(Value& root, const ExpressionKeys& keys);
+/// by its value. Keys at the top: nothing under `let` has a `taken` name, under `text` there are no
+/// expressions, under the `open` key those also have names of other things than numbers.
+/// Throws Error.
+void evaluate_expressions(Value& root, const std::vector<std::string_view>& taken,
+                          std::string_view text, std::string_view open);
 /// Expressions without names in a value. Throws Error.
 void evaluate_expression(Value& value);
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -36,7 +37,7 @@ struct Value {
   bool quoted = false;
   bool in_lines = false;  ///< to be written with each entry on a line of its own
   TextLocation location;
-  std::string text;        ///< of a scalar
+  std::string text;        ///< of a scalar; else empty
   std::string expression;  ///< that the text is the value of; empty if it was written so
   std::shared_ptr<const void> attached;  ///< by who reads the value, such as a file that it names
   std::vector<Value> items;              ///< of a list
@@ -67,6 +68,19 @@ struct Entry {
   TextLocation location;
   Value value;
 };
+
+inline bool is_digit(char letter) {
+  return letter >= '0' && letter <= '9';
+}
+
+/// The number that the text is; nothing for other text. For int, std::uint64_t and double.
+template <class T>
+std::optional<T> number_in(std::string_view text);
+/// That of a scalar without quotes.
+template <class T>
+std::optional<T> number_in(const Value& value) {
+  return value.quoted ? std::nullopt : number_in<T>(std::string_view(value.text));
+}
 
 /// `'text'`, `a list`, `a map` or `nothing`.
 std::string found(const Value& value);

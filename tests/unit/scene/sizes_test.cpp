@@ -16,11 +16,9 @@
 namespace clca::scene::sizes_test {
 namespace {
 
-lattice::Shape shape_of(const SizeClass& one) {
-  if (const auto* disc = std::get_if<DiscSpec>(&one.shape)) {
-    return lattice::Shape::disc(disc->radius);
-  }
-  return lattice::Shape::hexagon(std::get<HexagonSpec>(one.shape).radius);
+lattice::Shape shape_of(const SizeClass& one, RoundShape shape) {
+  return shape == RoundShape::disc ? lattice::Shape::disc(one.radius)
+                                   : lattice::Shape::hexagon(static_cast<int>(one.radius));
 }
 
 struct Moments {
@@ -28,14 +26,15 @@ struct Moments {
   double sd = 0;
 };
 
-/// Of the diameters, by number or by area.
-Moments moments_of(const std::vector<SizeClass>& classes, bool by_area) {
+/// Of the diameters, by number or by area as the law.
+Moments moments_of(const Sizes& sizes) {
   double all = 0;
   double sum = 0;
   double squares = 0;
-  for (const SizeClass& one : classes) {
-    const lattice::Shape shape = shape_of(one);
-    const double weight = one.share * (by_area ? static_cast<double>(shape.size()) : 1);
+  for (const SizeClass& one : size_classes(sizes)) {
+    const lattice::Shape shape = shape_of(one, sizes.shape);
+    const double weight =
+        one.share * (sizes.by == SharesBy::area ? static_cast<double>(shape.size()) : 1);
     all += weight;
     sum += weight * shape.diameter();
     squares += weight * shape.diameter() * shape.diameter();
@@ -55,7 +54,7 @@ TEST(Sizes, HaveTheMeanAndSpreadOfTheirLaw) {
                            .diameters = {},
                            .shares = {},
                            .shape = RoundShape::disc};
-      const Moments found = moments_of(size_classes(sizes), by == SharesBy::area);
+      const Moments found = moments_of(sizes);
       EXPECT_NEAR(found.mean, 20, 0.2);
       EXPECT_NEAR(found.sd, 5, 0.3);
     }
@@ -88,7 +87,7 @@ TEST(Sizes, HaveTheMeanOfTheirLawByNumberAndByArea) {
                                .diameters = {},
                                .shares = {},
                                .shape = shape};
-          const double found = moments_of(size_classes(sizes), by == SharesBy::area).mean;
+          const double found = moments_of(sizes).mean;
           const bool has_single_sites = law == SizeLaw::lognormal && kinds == 64 && mean < 10;
           EXPECT_NEAR(found, mean, mean * (has_single_sites ? 0.005 : 1e-6))
               << mean << " " << sd << " " << static_cast<int>(by) << static_cast<int>(shape) << " "
@@ -153,8 +152,8 @@ TEST(Sizes, OfAListAreThoseNearestToIt) {
                        .shape = RoundShape::hexagon};
   const std::vector<SizeClass> classes = size_classes(sizes);
   ASSERT_EQ(classes.size(), 2U);  // 7 and 19 sites
-  EXPECT_EQ(std::get<HexagonSpec>(classes[0].shape).radius, 1);
-  EXPECT_EQ(std::get<HexagonSpec>(classes[1].shape).radius, 2);
+  EXPECT_EQ(classes[0].radius, 1);
+  EXPECT_EQ(classes[1].radius, 2);
   EXPECT_NEAR(classes[0].share, 0.5, 1e-9);
 }
 
@@ -170,8 +169,8 @@ TEST(Sizes, DiscsOfDifferentSizesDiffer) {
   std::size_t last = 0;
   double all = 0;
   for (const SizeClass& one : size_classes(sizes)) {
-    EXPECT_GT(shape_of(one).size(), last);
-    last = shape_of(one).size();
+    EXPECT_GT(shape_of(one, sizes.shape).size(), last);
+    last = shape_of(one, sizes.shape).size();
     all += one.share;
   }
   EXPECT_NEAR(all, 1, 1e-4);

@@ -13,7 +13,6 @@
 
 #include "bad_scenes.hpp"
 #include "clca/contact/contact_model.hpp"
-#include "clca/scene/contact.hpp"
 #include "clca/scene/parse.hpp"
 #include "clca/scene/resolve.hpp"
 

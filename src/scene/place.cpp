@@ -1,4 +1,4 @@
-#include "scene/keyed_map.hpp"
+#include "scene/place.hpp"
 
 #include <fmt/format.h>
 
@@ -8,31 +8,11 @@
 #include "clca/text/utf8.hpp"
 #include "document/internal/document.hpp"
 #include "scene/limits.hpp"
-#include "scene/schema.hpp"
 #include "scene/sections.hpp"
 
 namespace clca::scene {
 
 namespace {
-
-template <class T>
-std::optional<T> converted(const Value& value) {
-  return value.is(Value::Kind::scalar) && !value.quoted ? number_in<T>(value.text) : std::nullopt;
-}
-
-[[noreturn]] void unexpected(const Place& place, std::string_view allowed) {
-  fail(place, "expected {}, found {}", allowed, found(place));
-}
-
-template <class T>
-T read_ranged(const Place& place, T low, T high) {
-  const auto number = converted<T>(place.value);
-  if (!number || *number < low || *number > high) {
-    unexpected(place, fmt::format("a {} from {} to {}",
-                                  std::is_integral_v<T> ? "whole number" : "number", low, high));
-  }
-  return *number;
-}
 
 /// The nearest of the keys or, at the top and on a command line, a key elsewhere.
 std::string suggestion(const Entry& entry, std::string_view path,
@@ -62,34 +42,23 @@ bool is_name_letter(char letter) {
 
 }  // namespace
 
-std::uint64_t read_count(const Place& place, std::uint64_t low, std::uint64_t high) {
-  return read_ranged(place, low, high);
+void unexpected(const Place& place, std::string_view allowed) {
+  fail(place, "expected {}, found {}", allowed, found(place));
 }
 
-int read_int(const Place& place, int low, int high) {
-  return read_ranged(place, low, high);
-}
-
-double read_number(const Place& place, double low, double high) {
-  return read_ranged(place, low, high);
-}
-
-double read_positive(const Place& place, double high) {
-  const auto number = converted<double>(place.value);
-  if (!number || *number <= 0 || *number > high) {
-    unexpected(place, fmt::format("a number above 0 and up to {}", high));
+template <class T>
+T read_number(const Place& place, T low, T high) {
+  const auto number = number_in<T>(place.value);
+  if (!number || *number < low || *number > high) {
+    unexpected(place, fmt::format("a {} from {} to {}",
+                                  std::is_integral_v<T> ? "whole number" : "number", low, high));
   }
   return *number;
 }
 
-bool read_bool(const Place& place) {
-  const Value& value = place.value;
-  if (!value.is(Value::Kind::scalar) || value.quoted ||
-      (value.text != "true" && value.text != "false")) {
-    unexpected(place, "true or false");
-  }
-  return value.text == "true";
-}
+template int read_number(const Place& place, int low, int high);
+template std::uint64_t read_number(const Place& place, std::uint64_t low, std::uint64_t high);
+template double read_number(const Place& place, double low, double high);
 
 const std::string& read_text(const Place& place) {
   if (!place.value.is(Value::Kind::scalar)) {
@@ -114,8 +83,8 @@ std::vector<Place> read_list(const Place& place, std::size_t least, std::size_t 
                              const std::function<void(const Place& item)>& read_item) {
   const Value& value = place.value;
   if (!value.is(Value::Kind::list)) {
-    const bool is_word = value.is(Value::Kind::scalar) && !value.quoted;
-    const bool may_be_item = is_word && least <= 1 && read_item && accepts(read_item, place);
+    const bool may_be_item = value.is(Value::Kind::scalar) && !value.quoted && least <= 1 &&
+                             read_item && accepts(read_item, place);
     fail(place, "expected a list, found {}{}", found(value),
          may_be_item ? fmt::format("; write [{}]", text::shortened(value.text)) : "");
   }
@@ -173,7 +142,7 @@ std::size_t read_reference(const std::string& name, const TextLocation& location
 std::size_t read_word(const Place& place, std::span<const std::string_view> words) {
   const Value& value = place.value;
   const auto match = std::ranges::find(words, value.text);
-  if (!value.is(Value::Kind::scalar) || match == words.end()) {
+  if (match == words.end()) {
     fail(place, "expected one of {}, found {}{}", fmt::join(words, ", "), found(value),
          text::suggestion(value.text, words));
   }
@@ -181,7 +150,7 @@ std::size_t read_word(const Place& place, std::span<const std::string_view> word
 }
 
 bool is_none(const Place& place) {
-  const bool none = place.value.is(Value::Kind::scalar) && place.value.text == "none";
+  const bool none = place.value.text == "none";
   if (!none && !place.value.is(Value::Kind::map)) {
     unexpected(place, "a map or none");
   }
@@ -190,7 +159,7 @@ bool is_none(const Place& place) {
 
 bool is_word(const Place& place, std::string_view word, std::string_view phrase) {
   const Value& value = place.value;
-  if (value.is(Value::Kind::scalar) && value.text == word) {
+  if (value.text == word) {
     return true;
   }
   if (value.text.empty() || !is_digit(value.text.front())) {
