@@ -13,24 +13,6 @@ namespace {
 
 constexpr double kSolidInertia = 0.4;  // I / (m a^2)
 
-/// Means of B = 1 - R over collisions.
-struct FrictionMeans {
-  double linear = 0;     ///< <B V_t^2>
-  double quadratic = 0;  ///< <B^2 V_t^2>
-};
-
-/// V n and |V_t| are independent, Rayleigh distributed with 2 T and s^2 = 2 (T + W), and
-/// B = min(c, A (V n) / |V_t|) with c = 1 + beta. Precondition: T and friction are positive.
-FrictionMeans friction_means(const Law& law, const Temperatures& temperatures) {
-  const double cap = 1 + law.roughness;
-  const double square = 2 * (temperatures.translational + temperatures.rotational);
-  const double ratio = std::sqrt(square / (2 * temperatures.translational)) /
-                       friction_number(law);  // s / b, b^2 = 2 A^2 T
-  const double stuck = square / (1 + cap * cap * ratio * ratio);
-  return {.linear = cap * stuck + square * std::atan(cap * ratio) / ratio,
-          .quadratic = 2 * cap * cap * stuck};
-}
-
 Temperatures extrapolated(const Temperatures& begin, double duration, const Temperatures& rates) {
   return {.translational = begin.translational + duration * rates.translational,
           .rotational = begin.rotational + duration * rates.rotational};
@@ -60,10 +42,19 @@ Temperatures closure_rates(const Law& law, const Temperatures& temperatures) {
   }
   // Mean share of the velocities in V_t, at a given V_t.
   const double of_velocity = t / (t + temperatures.rotational);
-  const FrictionMeans friction =
-      law.friction > 0 ? friction_means(law, temperatures) : FrictionMeans{};
-  const double linear = friction.linear / kSolidCompliance;
-  const double quadratic = friction.quadratic / (kSolidCompliance * kSolidCompliance);
+  double linear = 0;     // <B V_t^2> / K over collisions, B = 1 - R
+  double quadratic = 0;  // <B^2 V_t^2> / K^2
+  if (law.friction > 0) {
+    // V n and |V_t| are independent, Rayleigh distributed with 2 T and s^2 = 2 (T + W), and
+    // B = min(c, A (V n) / |V_t|) with c = 1 + beta.
+    const double cap = 1 + law.roughness;
+    const double square = 2 * (t + temperatures.rotational);
+    const double ratio =
+        std::sqrt(square / (2 * t)) / friction_number(law);  // s / b, b^2 = 2 A^2 T
+    const double stuck = square / (1 + cap * cap * ratio * ratio);
+    linear = (cap * stuck + square * std::atan(cap * ratio) / ratio) / kSolidCompliance;
+    quadratic = 2 * cap * cap * stuck / (kSolidCompliance * kSolidCompliance);
+  }
   // Energy that a collision adds to the pair.
   const double velocities =
       -(1 - law.restitution * law.restitution) * t - linear * of_velocity + quadratic;

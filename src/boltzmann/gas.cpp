@@ -2,6 +2,7 @@
 
 #include "clca/boltzmann/gas.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -20,19 +21,11 @@
 namespace clca::boltzmann {
 namespace {
 
-using Components = Vector3<double>;
-using TripleList = std::vector<Components>;
+using Eigen::Array3d;
+using Eigen::Array3Xd;
 using CubePoint = std::array<double, 6>;
 
 constexpr std::uint32_t kBeginningShift = 0;
-
-double squared(const Components& vector) {
-  return dot(vector, vector);
-}
-
-Components scaled(const Components& vector, double factor) {
-  return {vector.x * factor, vector.y * factor, vector.z * factor};
-}
 
 // Three numbers of (0, 1).
 std::array<double, 3> three_draws(std::uint64_t seed, std::uint32_t item, random::Purpose purpose) {
@@ -80,107 +73,82 @@ std::pair<double, double> two_normals(double u, double turns) {
   return {radius * cosine, radius * sine};
 }
 
-Components direction(double u, double turns) {
+Array3d direction(double u, double turns) {
   const double z = 2 * u - 1;
   const double radius = std::sqrt(1 - z * z);
   const auto [cosine, sine] = cosine_and_sine(turns);
   return {radius * cosine, radius * sine, z};
 }
 
-struct UnitSample {
-  // Empty, with capacity for `particles`.
-  explicit UnitSample(std::uint64_t particles) {
-    velocities.reserve(particles);
-    spins.reserve(particles);
-  }
-
-  TripleList velocities;
-  TripleList spins;  // of the same length in the mean as the velocities
-};
-
 // Mean 0 and mean square 3, by a shift and a factor.
-void standardise(TripleList& vectors) {
-  const auto count = static_cast<double>(vectors.size());
-  Components sum{};
-  for (const Components& vector : vectors) {
-    sum = {sum.x + vector.x, sum.y + vector.y, sum.z + vector.z};
+void standardise(Eigen::Ref<Array3Xd> vectors) {
+  const auto count = static_cast<double>(vectors.cols());
+  Array3d sum = Array3d::Zero();
+  for (const auto& vector : vectors.colwise()) {
+    sum += vector;
   }
+  const Array3d mean = sum / count;
   double square = 0;
-  for (Components& vector : vectors) {
-    vector = {vector.x - sum.x / count, vector.y - sum.y / count, vector.z - sum.z / count};
+  for (auto vector : vectors.colwise()) {
+    vector -= mean;
     square += squared(vector);
   }
-  for (Components& vector : vectors) {
-    vector = scaled(vector, std::sqrt(3 * count / square));
-  }
+  vectors *= std::sqrt(3 * count / square);
 }
 
-UnitSample normal_sample(const InitialCondition& condition, std::uint64_t seed) {
+// Both samples: spins are of the same length in the mean as the velocities.
+Motions normal_sample(const InitialCondition& condition, std::uint64_t seed) {
   const CubePoints points(condition, condition.particles, seed);
-  UnitSample sample(condition.particles);
-  for (std::uint64_t particle = 0; particle < condition.particles; ++particle) {
-    const CubePoint u = points(particle);
+  Motions sample(6, static_cast<Eigen::Index>(condition.particles));
+  for (Eigen::Index particle = 0; particle < sample.cols(); ++particle) {
+    const CubePoint u = points(static_cast<std::uint64_t>(particle));
     const auto [v_x, v_y] = two_normals(u[0], u[1]);
     const auto [w_x, w_y] = two_normals(u[2], u[3]);
     const auto [v_z, w_z] = two_normals(u[4], u[5]);
-    sample.velocities.push_back({v_x, v_y, v_z});
-    sample.spins.push_back({w_x, w_y, w_z});
+    sample.col(particle) << v_x, v_y, v_z, w_x, w_y, w_z;
   }
   if (condition.exact_moments) {
-    standardise(sample.velocities);
-    standardise(sample.spins);
+    standardise(sample.topRows<3>());
+    standardise(sample.bottomRows<3>());
   }
   return sample;
 }
 
-// Three unit vectors with sum 0 in a random plane, made of two directions.
-std::array<Components, 3> three_in_plane(const Components& first, const Components& other) {
-  const Components across = cross(first, other);
-  const Components side = scaled(across, std::sqrt(0.75 / squared(across)));
-  const Components back = scaled(first, -0.5);
-  return {first,
-          {back.x + side.x, back.y + side.y, back.z + side.z},
-          {back.x - side.x, back.y - side.y, back.z - side.z}};
-}
-
-// `count` unit vectors with sum 0: opposite pairs and, if `count` is odd, three that sum to 0. Uses
-// the first (count + 1) / 2 directions.
-TripleList balanced(const TripleList& directions, std::uint64_t count) {
-  TripleList result;
-  result.reserve(count);
-  const std::uint64_t pairs = count % 2 == 0 ? count / 2 : (count - 3) / 2;
-  for (std::uint64_t pair = 0; pair < pairs; ++pair) {
-    result.push_back(directions[pair]);
-    result.push_back(scaled(directions[pair], -1));
+// `count` unit vectors with sum 0: opposite pairs and, if `count` is odd, three in a random plane.
+// Uses the first (count + 1) / 2 directions.
+Array3Xd balanced(const Array3Xd& directions, Eigen::Index count) {
+  Array3Xd result(3, count);
+  const Eigen::Index pairs = count % 2 == 0 ? count / 2 : (count - 3) / 2;
+  for (Eigen::Index pair = 0; pair < pairs; ++pair) {
+    result.col(2 * pair) = directions.col(pair);
+    result.col(2 * pair + 1) = -directions.col(pair);
   }
   if (count % 2 == 1) {
-    const auto three = three_in_plane(directions[pairs], directions[pairs + 1]);
-    result.insert(result.end(), three.begin(), three.end());
+    const Eigen::Vector3d first = directions.col(pairs);
+    const Eigen::Vector3d across = first.cross(directions.col(pairs + 1).matrix());
+    const Eigen::Vector3d side = across * std::sqrt(0.75 / squared(across.array()));
+    result.rightCols<3>() << first, side - 0.5 * first, -0.5 * first - side;
   }
   return result;
 }
 
-UnitSample equal_sample(const InitialCondition& condition, std::uint64_t seed) {
-  const std::uint64_t count =
-      condition.exact_moments ? (condition.particles + 1) / 2 : condition.particles;
-  const CubePoints points(condition, count, seed);
-  UnitSample sample(count);
-  for (std::uint64_t number = 0; number < count; ++number) {
-    const CubePoint u = points(number);
-    sample.velocities.push_back(direction(u[0], u[1]));
-    sample.spins.push_back(direction(u[2], u[3]));
+Motions equal_sample(const InitialCondition& condition, std::uint64_t seed) {
+  const auto particles = static_cast<Eigen::Index>(condition.particles);
+  const Eigen::Index count = condition.exact_moments ? (particles + 1) / 2 : particles;
+  const CubePoints points(condition, static_cast<std::uint64_t>(count), seed);
+  Motions sample(6, count);
+  for (Eigen::Index number = 0; number < count; ++number) {
+    const CubePoint u = points(static_cast<std::uint64_t>(number));
+    sample.col(number) << direction(u[0], u[1]), direction(u[2], u[3]);
   }
   if (condition.exact_moments) {
-    sample.velocities = balanced(sample.velocities, condition.particles);
-    sample.spins = balanced(sample.spins, condition.particles);
+    const Array3Xd velocities = balanced(sample.topRows<3>(), particles);
+    const Array3Xd spins = balanced(sample.bottomRows<3>(), particles);
+    sample.resize(6, particles);
     // Particles that share a velocity must not share a spin: v w^T would be the same for both.
-    std::rotate(sample.spins.begin(), sample.spins.begin() + 1, sample.spins.end());
+    sample << velocities, spins.rightCols(particles - 1), spins.leftCols<1>();
   }
-  for (std::uint64_t particle = 0; particle < condition.particles; ++particle) {
-    sample.velocities[particle] = scaled(sample.velocities[particle], std::numbers::sqrt3);
-    sample.spins[particle] = scaled(sample.spins[particle], std::numbers::sqrt3);
-  }
-  return sample;
+  return std::numbers::sqrt3 * sample;
 }
 
 }  // namespace
@@ -203,16 +171,10 @@ Gas make_gas(const InitialCondition& condition, std::uint64_t seed) {
   if (!(condition.energy_ratio >= 0 && std::isfinite(condition.energy_ratio))) {
     throw std::invalid_argument("the ratio of energies must not be negative");
   }
-  const UnitSample sample = condition.initial == Initial::gaussian ? normal_sample(condition, seed)
-                                                                   : equal_sample(condition, seed);
-  const double spin_scale = std::sqrt(kSolidSpin * condition.energy_ratio);
   Gas gas;
-  gas.motions.resize(Eigen::NoChange, static_cast<Eigen::Index>(condition.particles));
-  for (Eigen::Index particle = 0; particle < gas.particles(); ++particle) {
-    const Components& v = sample.velocities[static_cast<std::size_t>(particle)];
-    const Components w = scaled(sample.spins[static_cast<std::size_t>(particle)], spin_scale);
-    gas.motions.col(particle) << v.x, v.y, v.z, w.x, w.y, w.z;
-  }
+  gas.motions = condition.initial == Initial::gaussian ? normal_sample(condition, seed)
+                                                       : equal_sample(condition, seed);
+  gas.motions.bottomRows<3>() *= std::sqrt(kSolidSpin * condition.energy_ratio);
   return gas;
 }
 

@@ -12,53 +12,6 @@
 
 namespace clca::boltzmann {
 
-/// Collisions computed together, one per SIMD lane.
-/// Lanes are rows, so that each component is contiguous. Width 1 is one collision with the same
-/// arithmetic.
-template <int kWidth>
-struct Collisions {
-  using Lanes = Eigen::Array<double, kWidth, 1>;
-  using Motions = Eigen::Array<double, kWidth, 6>;
-
-  Motions first;  // velocity and spin
-  Motions second;
-  Lanes first_speed;
-  Lanes second_speed;
-  Lanes height;  // of the line of centres, see there
-  Lanes azimuth;
-
-  /// Replaces the motions by those after the collisions, and sets the speeds.
-  void compute(const Law& law) {
-    Vector3<Lanes> velocity1 = vector3(first, 0);
-    Vector3<Lanes> velocity2 = vector3(second, 0);
-    Vector3<Lanes> spin1 = vector3(first, 3);
-    Vector3<Lanes> spin2 = vector3(second, 3);
-    const Vector3<Lanes> g = {velocity1.x - velocity2.x, velocity1.y - velocity2.y,
-                              velocity1.z - velocity2.z};
-    const Vector3<Lanes> spins = {spin1.x + spin2.x, spin1.y + spin2.y, spin1.z + spin2.z};
-    const ImpulsePair<Lanes> exchange =
-        solid_collision<Lanes>(law, g, spins, line_of_centres<Lanes>(g, height, azimuth));
-    subtract(velocity1, exchange.push, 1);
-    subtract(velocity2, exchange.push, -1);
-    subtract(spin1, exchange.twist, kSolidSpin);
-    subtract(spin2, exchange.twist, kSolidSpin);
-    first << velocity1.x, velocity1.y, velocity1.z, spin1.x, spin1.y, spin1.z;
-    second << velocity2.x, velocity2.y, velocity2.z, spin2.x, spin2.y, spin2.z;
-    first_speed = dot(velocity1, velocity1).sqrt();
-    second_speed = dot(velocity2, velocity2).sqrt();
-  }
-
- private:
-  static Vector3<Lanes> vector3(const Motions& motions, int column) {
-    return {motions.col(column), motions.col(column + 1), motions.col(column + 2)};
-  }
-  static void subtract(Vector3<Lanes>& from, const Vector3<Lanes>& what, double times) {
-    from.x -= times * what.x;
-    from.y -= times * what.y;
-    from.z -= times * what.z;
-  }
-};
-
 /// Key of the draws of a group in a step.
 struct GroupKey {
   std::uint64_t seed = 0;

@@ -8,18 +8,13 @@ namespace clca::boltzmann {
 
 namespace {
 
-bool is_prime(std::uint64_t number) {
+std::uint64_t prime_from(std::uint64_t number) {
+  number = std::max<std::uint64_t>(number, 2);
   for (std::uint64_t divisor = 2; divisor * divisor <= number; ++divisor) {
     if (number % divisor == 0) {
-      return false;
+      ++number;
+      divisor = 1;
     }
-  }
-  return number >= 2;
-}
-
-std::uint64_t prime_from(std::uint64_t number) {
-  while (!is_prime(number)) {
-    ++number;
   }
   return number;
 }

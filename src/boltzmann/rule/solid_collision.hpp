@@ -1,10 +1,9 @@
 #pragma once
 // The law of clca/boltzmann/law.hpp for equal solid spheres of mass 1 with spins as surface
-// velocities w = a omega: mu = 1/2, K = 7, a^2 / I = 5/2. One pair, or many in Eigen arrays.
+// velocities w = a omega: mu = 1/2, K = 7, a^2 / I = 5/2. For many pairs at once, one per SIMD
+// lane.
 
 #include <Eigen/Core>
-#include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "boltzmann/elementary.hpp"
@@ -22,84 +21,102 @@ inline double friction_number(const Law& law) {
   return kSolidCompliance / 2 * law.friction * (1 + law.restitution);
 }
 
-/// A vector, or many vectors by component. Real is double or an Eigen array.
-template <class Real>
-struct Vector3 {
-  Real x;
-  Real y;
-  Real z;
-};
+/// Lanes are rows, so that each component is contiguous. Width 1 is one pair with the same
+/// arithmetic.
+template <int kWidth>
+using Lanes = Eigen::Array<double, kWidth, 1>;
+template <int kWidth>
+using Vectors = Eigen::Array<double, kWidth, 3>;
 
-template <class Real>
-Real dot(const Vector3<Real>& a, const Vector3<Real>& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
-template <class Real>
-Vector3<Real> cross(const Vector3<Real>& a, const Vector3<Real>& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+template <int kWidth>
+Lanes<kWidth> dot(const Vectors<kWidth>& a, const Vectors<kWidth>& b) {
+  return a.col(0) * b.col(0) + a.col(1) * b.col(1) + a.col(2) * b.col(2);
 }
 
-inline double lesser(double a, double b) {
-  return std::min(a, b);
-}
-inline double greater(double a, double b) {
-  return std::max(a, b);
-}
+/// |v|^2 as dot() adds it up.
 template <class Derived>
-auto lesser(const Eigen::ArrayBase<Derived>& a, double b) {
-  return a.min(b);
+double squared(const Eigen::ArrayBase<Derived>& v) {
+  return v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
 }
-template <class Derived>
-auto greater(const Eigen::ArrayBase<Derived>& a, double b) {
-  return a.max(b);
+
+template <int kWidth>
+Vectors<kWidth> cross(const Vectors<kWidth>& a, const Vectors<kWidth>& b) {
+  Vectors<kWidth> result;
+  for (const int x : {0, 1, 2}) {
+    const int y = (x + 1) % 3;
+    const int z = (x + 2) % 3;
+    result.col(x) = a.col(y) * b.col(z) - a.col(z) * b.col(y);
+  }
+  return result;
 }
 
 /// Changes by a collision: v1 -= push, v2 += push, and both w1 and w2 -= kSolidSpin * twist.
-template <class Real>
+template <int kWidth>
 struct ImpulsePair {
-  Vector3<Real> push;   ///< P
-  Vector3<Real> twist;  ///< (1 - R)/K n x V_t
+  Vectors<kWidth> push;   ///< P
+  Vectors<kWidth> twist;  ///< (1 - R)/K n x V_t
 };
 
 /// g = v1 - v2, spins = w1 + w2, normal: unit vector from the first centre to the second.
 /// Precondition: g . normal >= 0.
-template <class Real>
-ImpulsePair<Real> solid_collision(const Law& law, const Vector3<Real>& g,
-                                  const Vector3<Real>& spins, const Vector3<Real>& normal) {
-  using std::sqrt;
-  const Real approach = dot(g, normal);
-  const Vector3<Real> turning = cross(spins, normal);
-  const Vector3<Real> slip = {g.x + turning.x - approach * normal.x,
-                              g.y + turning.y - approach * normal.y,
-                              g.z + turning.z - approach * normal.z};
-  const Real speed = sqrt(dot(slip, slip));
+template <int kWidth>
+ImpulsePair<kWidth> solid_collision(const Law& law, const Vectors<kWidth>& g,
+                                    const Vectors<kWidth>& spins, const Vectors<kWidth>& normal) {
+  const Lanes<kWidth> approach = dot(g, normal);
+  const Vectors<kWidth> slip = g + cross(spins, normal) - normal.colwise() * approach;
+  const Lanes<kWidth> speed = dot(slip, slip).sqrt();
   // (1 - R)/K. Without slip it only must not be NaN.
-  const Real grip =
-      lesser(friction_number(law) * approach / greater(speed, std::numeric_limits<double>::min()),
-             1 + law.roughness) /
+  const Lanes<kWidth> grip =
+      (friction_number(law) * approach / speed.max(std::numeric_limits<double>::min()))
+          .min(1 + law.roughness) /
       kSolidCompliance;
-  const Real along = (1 + law.restitution) / 2 * approach;
-  const Vector3<Real> turned = cross(normal, slip);
-  return {.push = {along * normal.x + grip * slip.x, along * normal.y + grip * slip.y,
-                   along * normal.z + grip * slip.z},
-          .twist = {grip * turned.x, grip * turned.y, grip * turned.z}};
+  const Lanes<kWidth> along = (1 + law.restitution) / 2 * approach;
+  return {.push = normal.colwise() * along + slip.colwise() * grip,
+          .twist = cross(normal, slip).colwise() * grip};
 }
 
 /// Line of centres with density cos(angle to g) / pi on the hemisphere about g: the direction of
 /// g/|g| + s with s uniform on the sphere, drawn from two uniform numbers in (0, 1).
-template <class Real>
-Vector3<Real> line_of_centres(const Vector3<Real>& g, const Real& height, const Real& azimuth) {
-  using std::sqrt;
-  const Real inverse = 1.0 / sqrt(dot(g, g));
-  const Real z = 2.0 * height - 1.0;
-  const Real radius = sqrt(1.0 - z * z);
-  const auto [cosine, sine] = cosine_and_sine<Real>(azimuth);
-  const Vector3<Real> sum = {g.x * inverse + radius * cosine, g.y * inverse + radius * sine,
-                             g.z * inverse + z};
-  const Real scale =
-      1.0 / Real(greater(Real(sqrt(dot(sum, sum))), std::numeric_limits<double>::min()));
-  return {sum.x * scale, sum.y * scale, sum.z * scale};
+template <int kWidth>
+Vectors<kWidth> line_of_centres(const Vectors<kWidth>& g, const Lanes<kWidth>& height,
+                                const Lanes<kWidth>& azimuth) {
+  const Lanes<kWidth> inverse = 1.0 / dot(g, g).sqrt();
+  const Lanes<kWidth> z = 2.0 * height - 1.0;
+  const Lanes<kWidth> radius = (1.0 - z * z).sqrt();
+  const auto [cosine, sine] = cosine_and_sine<Lanes<kWidth>>(azimuth);
+  Vectors<kWidth> sum = g.colwise() * inverse;
+  sum.col(0) += radius * cosine;
+  sum.col(1) += radius * sine;
+  sum.col(2) += z;
+  const Lanes<kWidth> length = dot(sum, sum).sqrt().max(std::numeric_limits<double>::min());
+  const Lanes<kWidth> scale = 1.0 / length;
+  return sum.colwise() * scale;
 }
+
+/// Pairs that collide.
+template <int kWidth>
+struct Collisions {
+  Eigen::Array<double, kWidth, 6> first;  // velocity and spin
+  Eigen::Array<double, kWidth, 6> second;
+  Lanes<kWidth> first_speed;
+  Lanes<kWidth> second_speed;
+  Lanes<kWidth> height;  // of the line of centres, see there
+  Lanes<kWidth> azimuth;
+
+  /// Replaces the motions by those after the collisions, and sets the speeds.
+  void compute(const Law& law) {
+    Vectors<kWidth> velocity1 = first.template leftCols<3>();
+    Vectors<kWidth> velocity2 = second.template leftCols<3>();
+    const Vectors<kWidth> g = velocity1 - velocity2;
+    const Vectors<kWidth> spins = first.template rightCols<3>() + second.template rightCols<3>();
+    const auto [push, twist] = solid_collision(law, g, spins, line_of_centres(g, height, azimuth));
+    velocity1 -= push;
+    velocity2 += push;
+    first << velocity1, first.template rightCols<3>() - kSolidSpin * twist;
+    second << velocity2, second.template rightCols<3>() - kSolidSpin * twist;
+    first_speed = dot(velocity1, velocity1).sqrt();
+    second_speed = dot(velocity2, velocity2).sqrt();
+  }
+};
 
 }  // namespace clca::boltzmann

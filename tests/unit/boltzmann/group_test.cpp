@@ -106,20 +106,18 @@ class Oracle {
         random::words(key.seed, {key.step, key.group, item}, random::Purpose::normal);
     second_ = static_cast<Eigen::Index>((words[0] * (size - 1)) >> 32U);
     second_ += second_ >= first_ ? 1 : 0;
-    const Vector3<double> g = {motions_(0, first_) - motions_(0, second_),
-                               motions_(1, first_) - motions_(1, second_),
-                               motions_(2, first_) - motions_(2, second_)};
+    const auto motion = [this](Eigen::Index i) { return motions_.col(i).transpose(); };
+    const Vectors<1> g = motion(first_).head<3>() - motion(second_).head<3>();
     const double bound = open_unit32(words[1]) * (speed(first_) + speed(second_));
-    if (bound * bound >= dot(g, g)) {
+    if (bound * bound >= dot(g, g).value()) {
       return false;
     }
-    const Vector3<double> spins = {motions_(3, first_) + motions_(3, second_),
-                                   motions_(4, first_) + motions_(4, second_),
-                                   motions_(5, first_) + motions_(5, second_)};
-    const ImpulsePair<double> exchange = solid_collision<double>(
-        law, g, spins, line_of_centres<double>(g, open_unit32(words[2]), open_unit32(words[3])));
-    const Eigen::Array3d push(exchange.push.x, exchange.push.y, exchange.push.z);
-    const Eigen::Array3d twist(exchange.twist.x, exchange.twist.y, exchange.twist.z);
+    const Vectors<1> spins = motion(first_).tail<3>() + motion(second_).tail<3>();
+    const ImpulsePair<1> exchange = solid_collision<1>(
+        law, g, spins,
+        line_of_centres<1>(g, Lanes<1>(open_unit32(words[2])), Lanes<1>(open_unit32(words[3]))));
+    const Eigen::Array3d push = exchange.push.transpose();
+    const Eigen::Array3d twist = exchange.twist.transpose();
     motions_.col(first_).head<3>() -= push;
     motions_.col(second_).head<3>() += push;
     motions_.col(first_).tail<3>() -= kSolidSpin * twist;
