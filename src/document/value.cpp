@@ -176,13 +176,16 @@ std::string value_text(const Value& value, std::size_t indent, std::size_t colum
 }  // namespace
 
 std::string flow_text(const Value& value) {
-  if (value.is(Value::Kind::scalar)) {
-    std::string result;
+  if (value.is(Value::Kind::scalar) && !value.quoted) {
+    return value.text;
+  }
+  if (value.quoted) {
+    std::string result = "\"";
     for (const char letter : value.text) {
-      result += value.quoted && (letter == '"' || letter == '\\') ? "\\" : "";
+      result += letter == '"' || letter == '\\' ? "\\" : "";
       result += letter;
     }
-    return value.quoted ? '"' + result + '"' : result;
+    return result + '"';
   }
   std::vector<std::string> parts;
   for (const Value& item : value.items) {

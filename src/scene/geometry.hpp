@@ -1,6 +1,5 @@
 #pragma once
-// Points and rectangles in the box, and the sites that a moving wall sweeps
-// over.
+// Points and rectangles in the box, and the sites that a moving wall sweeps over.
 
 #include <functional>
 #include <string>
@@ -28,14 +27,13 @@ bool holds_no_site(const lattice::Lattice& lattice, const lattice::Segment& segm
 /// Refuses a rectangle that holds no site of the box. Throws SceneError.
 void require_site(const lattice::Rectangle& region, const Place& place);
 
-/// The region that enters the box as the wall moves; for a standing wall, the
-/// box.
+/// The region that enters the box as the wall moves; for a standing wall, the box.
 lattice::SweptRegion swept_region_of(const lattice::Lattice& lattice, const Wall& wall);
 
-/// Visits the sites of the box that the wall ever covers, each once except in a
-/// periodic box, until `test` returns true. Returns whether it did. Memory: the
-/// sites at the initial position. Time: these and, of each that no other one of
-/// them is ahead of, the steps of the motion until it leaves the box.
+/// Visits the sites of the box that the wall ever covers, each once except in a periodic box, until
+/// `test` returns true. Returns whether it did. Memory: the sites at the initial position. Time:
+/// these and, of each that no other one of them is ahead of, the steps of the motion until it
+/// leaves the box.
 bool any_swept_site(const lattice::Lattice& lattice, const Wall& wall,
                     const std::function<bool(lattice::Site)>& test);
 

@@ -13,45 +13,35 @@ namespace clca::scene {
 
 namespace {
 
-template <class AScene>
-Key<AScene> version_key() {
-  const std::string version = std::to_string(kVersion);
-  return own_key<AScene>({.name = "clca",
-                          .about = "version of the format, without quotes",
-                          .allowed = fmt::format("`{}`", version),
-                          .required = true,
-                          .schema = fmt::format(R"({{"const": {}}})", version)},
-                         [](const KeyedMap& fields, AScene& /*scene*/) {
-                           const Place place = fields.at("clca");
-                           if (place.value.quoted || place.value.text != std::to_string(kVersion)) {
-                             fail(place, "expected version {} of the format, found {}", kVersion,
-                                  found(place));
-                           }
-                         })
-      .written_as([](const AScene& /*scene*/) {
-        return std::optional(Value::scalar(std::to_string(kVersion)));
-      });
-}
-
-/// Evaluated before the keys are read; the scene has the numbers.
-template <class AScene>
-Key<AScene> let_key() {
-  return own_key<AScene>(
-      {.name = "let",
-       .about = "numbers with names, for [expressions](#expressions) in the place of numbers",
-       .allowed = "numbers by name",
-       .otherwise = "none",
-       .schema = object_schema(R"({"type": "number"})", kExpressionNamePattern)});
-}
-
-/// What both kinds begin with.
+/// What both kinds begin with. What stands under `let` is evaluated before the keys are read; the
+/// scene has the numbers.
 template <class AScene>
 Keys<AScene> first_keys() {
-  return {version_key<AScene>(), let_key<AScene>(),
-          key("title", &AScene::title, title_type(), "one line for captions, figures and reports")
-              .defaults_to("name of the file"),
-          key("seed", &AScene::seed, count(0, std::numeric_limits<std::uint64_t>::max()),
-              "seed of all draws: the same scene and seed give the same run, bit for bit")};
+  static const std::string kText = std::to_string(kVersion);
+  const auto check_version = [](const KeyedMap& fields, AScene& /*scene*/) {
+    const Place place = fields.at("clca");
+    if (place.value.quoted || place.value.text != kText) {
+      fail(place, "expected version {} of the format, found {}", kText, found(place));
+    }
+  };
+  return {
+      own_key<AScene>({.name = "clca",
+                       .about = "version of the format, without quotes",
+                       .allowed = fmt::format("`{}`", kText),
+                       .required = true,
+                       .schema = fmt::format(R"({{"const": {}}})", kText)},
+                      check_version)
+          .written_as([](const AScene& /*scene*/) { return std::optional(Value::scalar(kText)); }),
+      own_key<AScene>(
+          {.name = "let",
+           .about = "numbers with names, for [expressions](#expressions) in the place of numbers",
+           .allowed = "numbers by name",
+           .otherwise = "none",
+           .schema = object_schema(R"({"type": "number"})", kExpressionNamePattern)}),
+      key("title", &AScene::title, title_type(), "one line for captions, figures and reports")
+          .defaults_to("name of the file"),
+      key("seed", &AScene::seed, count(0, std::numeric_limits<std::uint64_t>::max()),
+          "seed of all draws: the same scene and seed give the same run, bit for bit")};
 }
 
 Keys<Scene> scene_keys() {

@@ -178,15 +178,17 @@ Type<Arc> arc() {
   return type_of<Arc>({.keys = keys, .check = check_arc});
 }
 
-Keys<WallPart> forms() {
-  return {alternative<WallPart>("box", rectangle(), "all sites in this rectangle"),
-          alternative<WallPart>("line", line(),
-                                "all sites along a straight line; nothing leaks through"),
-          alternative<WallPart>("disc", disc(), "all sites in a circle"),
-          alternative<WallPart>("ring", type_of<Ring>({.keys = ring_keys()}),
-                                "a drum: all sites between two circles"),
-          alternative<WallPart>("arc", arc(), "a part of a ring"),
-          alternative<WallPart>("picture", picture_type(), "all sites on dark pixels")};
+const Keys<WallPart>& forms() {
+  static const Keys<WallPart> kForms = {
+      alternative<WallPart>("box", rectangle(), "all sites in this rectangle"),
+      alternative<WallPart>("line", line(),
+                            "all sites along a straight line; nothing leaks through"),
+      alternative<WallPart>("disc", disc(), "all sites in a circle"),
+      alternative<WallPart>("ring", type_of<Ring>({.keys = ring_keys()}),
+                            "a drum: all sites between two circles"),
+      alternative<WallPart>("arc", arc(), "a part of a ring"),
+      alternative<WallPart>("picture", picture_type(), "all sites on dark pixels")};
+  return kForms;
 }
 
 Type<std::vector<WallPart>> parts() {
