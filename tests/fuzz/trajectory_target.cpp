@@ -112,7 +112,12 @@ constexpr std::size_t kColumns = 25;
 /// Changes and says which dataset is to be left out of that part.
 Omitted change(store::TrajectoryPart& part, const store::Extents& before, fuzz::Choices& choices) {
   for (std::size_t changes = choices.up_to(6); changes > 0; --changes) {
-    const store::Column column = part.columns(kLayout)[choices.up_to(kColumns - 1)];
+    const std::vector<store::Column> columns = part.columns(kLayout);
+    const std::size_t number = choices.up_to(kColumns - 1);
+    if (number == columns.size()) {
+      continue;
+    }
+    const store::Column& column = columns[number];
     std::visit(
         [&]<class T>(std::vector<T>* values) {
           if constexpr (store::Number<T>) {
