@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "clca/store/file.hpp"
-#include "clca/store/folder_lock.hpp"
+#include "clca/store/output_folder.hpp"
 #include "clca/text/input_error.hpp"
 
 namespace clca::tasks {

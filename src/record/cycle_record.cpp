@@ -59,8 +59,8 @@ bool has_cycles(const scene::Scene& scene, const scene::Stage& stage) {
 
 CycleRecord::CycleRecord(const scene::Scene& scene)
     : cell_(scene.output.fields.value_or(scene::Fields{}).cell),
-      cycles_table_(table_scope(scene), cycles_table(scene)),
-      convection_table_(table_scope(scene), convection_table(scene)) {}
+      cycles_table_(scene, cycles_table(scene)),
+      convection_table_(scene, convection_table(scene)) {}
 
 double CycleRecord::bytes(const scene::Scene& scene, double particles) {
   const bool any = std::ranges::any_of(

@@ -7,11 +7,75 @@
 
 namespace clca::record {
 
-namespace {
+void RestWatch::begin_anew() {
+  movers_.clear();
+  steps_ = 0;
+  has_advanced_ = false;
+}
 
-constexpr double kTolerance = 0.01;  // a bed that lands gives back 0.5 % for some steps
+void RestWatch::add_move(const grains::State& state, std::uint32_t id) {
+  const grains::Particle& grain = state.particles[id];
+  const auto is_it = [id](const Mover& one) { return one.id == id; };
+  auto mover = std::ranges::find_if(movers_, is_it);
+  if (mover == movers_.end() && movers_.size() == kMostMovers) {
+    begin_anew();
+    mover = movers_.end();
+  }
+  if (mover == movers_.end()) {
+    movers_.push_back({id, grain.column, grain.row, grain.row, 1});
+    return;
+  }
+  ++mover->moves;
+  if (lattice::length(grain.site() - lattice::Site{mover->column, mover->row}) > 1) {
+    mover->column = grain.column;
+    mover->row = grain.row;
+    has_advanced_ = true;
+  }
+  if (grain.row < mover->lowest) {
+    const Mover kept = {id, grain.column, grain.row, grain.row, 1};
+    begin_anew();
+    movers_ = {kept};
+  }
+}
 
-}  // namespace
+std::optional<std::string> RestWatch::add(const scene::Scene& scene, const grains::State& state,
+                                          std::size_t moved) {
+  const bool has_left = std::ranges::any_of(
+      movers_, [&](const Mover& mover) { return !state.particles[mover.id].present; });
+  if (has_warned_ || moved > kMostMovers || has_left) {
+    begin_anew();
+    return std::nullopt;
+  }
+  ++steps_;
+  for (std::uint32_t id = 0; moved > 0 && id < state.particles.size(); ++id) {
+    if (state.particles[id].present && state.particles[id].previous != grains::kRest) {
+      add_move(state, id);
+    }
+  }
+  if (movers_.empty()) {
+    steps_ = 0;
+  }
+  if (steps_ < kSteps || !has_advanced_) {
+    return std::nullopt;
+  }
+  has_warned_ = true;
+  std::string text = fmt::format("no rest: for {} steps nothing has moved but", steps_);
+  for (const Mover& mover : movers_) {
+    const grains::Particle& grain = state.particles[mover.id];
+    const Eigen::Vector2d centre = grains::centre_in_box(state, grain);
+    text += fmt::format("{} particle {} ({}) at x = {:.1f}, y = {:.1f}, {} times",
+                        &mover == movers_.data() ? "" : ",", mover.id,
+                        scene.species[state.kinds[grain.kind].species].name, centre.x(), centre.y(),
+                        mover.moves);
+  }
+  return text;
+}
+
+bool RestWatch::precedes(const grains::State& state) const {
+  return movers_.size() <= kMostMovers && std::ranges::all_of(movers_, [&](const Mover& mover) {
+           return mover.id < state.particles.size();
+         });
+}
 
 void EnergyRecord::begin(const scene::Stage& stage, const model::SceneModel& model) {
   is_closed_ = stage.sources.empty() && stage.move.empty() && !model.vessel().moves();
@@ -67,6 +131,7 @@ std::optional<EnergyRecord::Growth> EnergyRecord::add(const model::SceneModel& m
     return std::nullopt;
   }
   growth_ = std::max(growth_, (now - lowest_) / scale);
+  constexpr double kTolerance = 0.01;  // a bed that lands gives back 0.5 % for some steps
   if (has_warned_ || growth_ <= kTolerance) {
     return std::nullopt;
   }

@@ -1,12 +1,52 @@
 #pragma once
-// The energy balance of a stage of the contact model, in units of contact::Energy.
+// The energy balance of a stage of the contact model, in units of contact::Energy, and whether its
+// bed comes to rest.
 
+#include <cstdint>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "record/internal/observer.hpp"
-#include "record/rest_watch.hpp"
 
 namespace clca::record {
+
+/// Finds a bed that does not come to rest, by the few grains that move on.
+class RestWatch {
+ public:
+  static constexpr std::size_t kMostMovers = 3;
+  static constexpr std::uint64_t kSteps = 2000;
+
+  /// After a step in which `moved` grains have moved. Once, what there is to warn of: for kSteps
+  /// steps the same grains, kMostMovers at most, have been the only ones that moved, none of them
+  /// has come lower, and one has gone farther than to a neighbouring site and back; else the bed
+  /// settles by itself.
+  std::optional<std::string> add(const scene::Scene& scene, const grains::State& state,
+                                 std::size_t moved);
+
+  CLCA_FIELDS(movers_, steps_, has_advanced_, has_warned_);
+  /// False for what no run that reached the state can have recorded.
+  bool precedes(const grains::State& state) const;
+
+ private:
+  struct Mover {
+    std::uint32_t id = 0;
+    std::int32_t column = 0;  // of its anchor, which follows as in contact::State
+    std::int32_t row = 0;
+    std::int32_t lowest = 0;  // row
+    std::uint64_t moves = 0;
+
+    CLCA_FIELDS(id, column, row, lowest, moves);
+  };
+
+  void begin_anew();
+  void add_move(const grains::State& state, std::uint32_t id);
+
+  std::vector<Mover> movers_;
+  std::uint64_t steps_ = 0;  // since they alone move
+  bool has_advanced_ = false;
+  bool has_warned_ = false;
+};
 
 class EnergyRecord : public SavedObserver<EnergyRecord> {
  public:

@@ -57,8 +57,8 @@ class FieldRecord : public SavedObserver<FieldRecord> {
   explicit FieldRecord(const scene::Scene& scene)
       : fields_(*scene.output.fields),
         speed_(velocity_unit(scene)),
-        fields_table_(table_scope(scene), fields_table(scene)),
-        fluctuation_table_(table_scope(scene), fluctuation_table(scene)) {}
+        fields_table_(scene, fields_table(scene)),
+        fluctuation_table_(scene, fluctuation_table(scene)) {}
 
   static double bytes(const scene::Scene& scene, double particles) {
     const double side = scene.output.fields->cell;
@@ -82,7 +82,21 @@ class FieldRecord : public SavedObserver<FieldRecord> {
   }
   std::vector<RunTable*> tables() override { return {&fields_table_, &fluctuation_table_}; }
 
-  std::vector<store::MeasureValue> measures() const;
+  std::vector<store::MeasureValue> measures() const {
+    const auto distance = [&](const std::vector<double>& shares) {
+      const auto reference = statistics::chi_square_shares(fluctuations_.bins(), 2);
+      return fluctuations_.samples() > 0
+                 ? store::MeasureValue(statistics::hellinger_distance(shares, reference))
+                 : store::MeasureValue();
+    };
+    const double energy = steps_ > 0 ? fluctuation_steps_ / static_cast<double>(steps_) : 0;
+    return {energy * speed_ * speed_,
+            distance(fluctuations_.shares()),
+            distance(fluctuations_.local_shares()),
+            static_cast<double>(fluctuations_.samples()),
+            fluctuations_.resting_share(),
+            fluctuations_.sparse_share()};
+  }
 
   bool precedes(const grains::State& now) const {
     return window_ && window_->precedes(now) && window_begin_ <= now.step &&
@@ -99,11 +113,36 @@ class FieldRecord : public SavedObserver<FieldRecord> {
     fluctuation_steps_ = 0;
     steps_ = 0;
   }
-  void end_window(const StageView& now);
-  void write_fluctuations(const StageView& now);
-  /// Mean over the windows of the stage, weighted by their steps; in the unit of the column.
-  double fluctuation_energy() const;
-
+  void end_window(const StageView& now) {
+    const grains::State& state = now.model.state();
+    const measure::Fields fields = window_->fields(state, fields_.cell);
+    for (const measure::FieldCell& cell : fields.cells) {
+      if (cell.particles > 0 || cell.packing > 0) {
+        fields_table_.add({now, cell, speed_});
+      }
+    }
+    const std::uint64_t steps = state.step - window_begin_;
+    if (steps == fields_.every) {
+      fluctuations_.add(window_->displacements(state), measure::Grid(state.lattice, fields_.cell));
+    }
+    fluctuation_steps_ += measure::fluctuation_energy(fields) * static_cast<double>(steps);
+    steps_ += steps;
+    window_.emplace(state);
+    window_begin_ = state.step;
+  }
+  void write_fluctuations(const StageView& now) {
+    const statistics::Bins& bins = fluctuations_.bins();
+    const std::vector<double> shares = fluctuations_.shares();
+    const std::vector<double> local = fluctuations_.local_shares();
+    const std::vector<double> reference = statistics::chi_square_shares(bins, 2);
+    for (std::size_t bin = 0; bin < bins.count(); ++bin) {
+      const bool is_last = bin + 1 == bins.count();
+      fluctuation_table_.add({bins.lower(bin),
+                              is_last ? std::nullopt : std::optional(bins.upper(bin)), shares[bin],
+                              local[bin], reference[bin]});
+    }
+    fluctuation_table_.write(now.files, now.stage.name);
+  }
   scene::Fields fields_;
   double speed_;  // unit of velocity
   std::optional<measure::FieldWindow> window_;
@@ -114,58 +153,6 @@ class FieldRecord : public SavedObserver<FieldRecord> {
   TableWriter<FieldRow> fields_table_;
   TableWriter<EnergyBin> fluctuation_table_;
 };
-
-void FieldRecord::end_window(const StageView& now) {
-  const grains::State& state = now.model.state();
-  const measure::Fields fields = window_->fields(state, fields_.cell);
-  for (const measure::FieldCell& cell : fields.cells) {
-    if (cell.particles > 0 || cell.packing > 0) {
-      fields_table_.add({now, cell, speed_});
-    }
-  }
-  const std::uint64_t steps = state.step - window_begin_;
-  if (steps == fields_.every) {
-    fluctuations_.add(window_->displacements(state), measure::Grid(state.lattice, fields_.cell));
-  }
-  fluctuation_steps_ += measure::fluctuation_energy(fields) * static_cast<double>(steps);
-  steps_ += steps;
-  window_.emplace(state);
-  window_begin_ = state.step;
-}
-
-void FieldRecord::write_fluctuations(const StageView& now) {
-  const statistics::Bins& bins = fluctuations_.bins();
-  const std::vector<double> shares = fluctuations_.shares();
-  const std::vector<double> local = fluctuations_.local_shares();
-  const std::vector<double> reference = statistics::chi_square_shares(bins, 2);
-  for (std::size_t bin = 0; bin < bins.count(); ++bin) {
-    const bool is_last = bin + 1 == bins.count();
-    fluctuation_table_.add({bins.lower(bin),
-                            is_last ? std::nullopt : std::optional(bins.upper(bin)), shares[bin],
-                            local[bin], reference[bin]});
-  }
-  fluctuation_table_.write(now.files, now.stage.name);
-}
-
-double FieldRecord::fluctuation_energy() const {
-  const double energy = steps_ > 0 ? fluctuation_steps_ / static_cast<double>(steps_) : 0;
-  return energy * speed_ * speed_;
-}
-
-std::vector<store::MeasureValue> FieldRecord::measures() const {
-  const auto distance = [&](const std::vector<double>& shares) {
-    const auto reference = statistics::chi_square_shares(fluctuations_.bins(), 2);
-    return fluctuations_.samples() > 0
-               ? store::MeasureValue(statistics::hellinger_distance(shares, reference))
-               : store::MeasureValue();
-  };
-  return {fluctuation_energy(),
-          distance(fluctuations_.shares()),
-          distance(fluctuations_.local_shares()),
-          static_cast<double>(fluctuations_.samples()),
-          fluctuations_.resting_share(),
-          fluctuations_.sparse_share()};
-}
 
 }  // namespace
 

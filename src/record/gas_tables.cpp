@@ -155,10 +155,6 @@ TableOf<GasClosure> gas_closure_table(const GasScene& scene) {
          {kShearStress, &GasClosure::p_xy}}}}};
 }
 
-std::string time_name(double time) {
-  return fmt::format("{}", time);
-}
-
 using GasSeries = TableWriter<GasRow>;
 using GasHistogram = TableWriter<GasBin>;
 using Closure = TableWriter<GasClosure>;
@@ -226,14 +222,6 @@ void add_steady_flow(Closure& table, const GasScene& scene, const GasCase& gas_c
 
 }  // namespace
 
-TableScope table_scope(const GasScene& scene) {
-  TableScope scope = {.parts = {}, .has_errors = scene.ensemble > 1};
-  for (const model::GasTime& time : model::gas_times(scene)) {
-    scope.parts.push_back(time_name(time.time));
-  }
-  return scope;
-}
-
 const std::vector<TableInfo>& gas_tables() {
   static const std::vector<TableInfo> kAll = {
       gas_series_table({}).info(), gas_histogram_table({}).info(), gas_closure_table({}).info()};
@@ -274,16 +262,15 @@ std::vector<const model::GasMember*> GasCase::at(std::size_t number) const {
 }
 
 std::vector<store::TableSummary> gas_summary(const GasScene& scene) {
-  const TableScope scope = table_scope(scene);
-  return {{"series", GasSeries(scope, gas_series_table(scene)).summary()},
-          {"histogram", GasHistogram(scope, gas_histogram_table(scene)).summary()},
-          {"closure", Closure(scope, gas_closure_table(scene)).summary()}};
+  return {{"series", GasSeries(scene, gas_series_table(scene)).summary()},
+          {"histogram", GasHistogram(scene, gas_histogram_table(scene)).summary()},
+          {"closure", Closure(scene, gas_closure_table(scene)).summary()}};
 }
 
 void write_tables(const GasScene& scene, const std::vector<GasCase>& cases,
                   const store::OutputFolder& folder) {
   const std::vector<model::GasTime> times = model::gas_times(scene);
-  GasSeries series(table_scope(scene), gas_series_table(scene));
+  GasSeries series(scene, gas_series_table(scene));
   for (const GasCase& gas_case : cases) {
     for (std::size_t i = 0; i < gas_case.observations(); ++i) {
       if (times[i].in_series) {
@@ -292,7 +279,7 @@ void write_tables(const GasScene& scene, const std::vector<GasCase>& cases,
     }
   }
   series.write(&folder);
-  GasHistogram histogram(table_scope(scene), gas_histogram_table(scene));
+  GasHistogram histogram(scene, gas_histogram_table(scene));
   for (std::size_t i = 0; i < times.size(); ++i) {
     for (const GasCase& gas_case : cases) {
       if (times[i].in_histograms && i < gas_case.observations()) {
@@ -302,11 +289,11 @@ void write_tables(const GasScene& scene, const std::vector<GasCase>& cases,
       }
     }
     if (!histogram.is_empty()) {
-      histogram.write(&folder, time_name(times[i].time));
+      histogram.write(&folder, fmt::format("{}", times[i].time));
     }
   }
   if (scene.shear_rate == 0 || scene.friction == 0) {
-    Closure closure(table_scope(scene), gas_closure_table(scene));
+    Closure closure(scene, gas_closure_table(scene));
     for (const GasCase& gas_case : cases) {
       (scene.shear_rate == 0 ? add_cooling : add_steady_flow)(closure, scene, gas_case);
     }

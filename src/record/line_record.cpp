@@ -52,7 +52,7 @@ TableOf<LineRow> lines_table(const scene::Scene& scene) {
 /// Observes the lines at the steps that have rows in series.csv.
 class LineRecord : public SavedObserver<LineRecord> {
  public:
-  explicit LineRecord(const scene::Scene& scene) : table_(table_scope(scene), lines_table(scene)) {}
+  explicit LineRecord(const scene::Scene& scene) : table_(scene, lines_table(scene)) {}
 
   static double bytes(const scene::Scene& scene, double particles) {
     double bytes = 3 * measure::Snapshot::bytes_for(particles) +
@@ -105,29 +105,27 @@ class LineRecord : public SavedObserver<LineRecord> {
       sums_.emplace_back(parts);
     }
   }
-  void observe(const StageView& now);
+  void observe(const StageView& now) {
+    const model::SceneModel& model = now.model;
+    const grains::State& state = model.state();
+    std::vector<std::optional<Eigen::Vector2d>> velocities;
+    if (is_contact(now.scene)) {
+      const std::vector<Eigen::Vector2d> at_row = model.velocities();
+      velocities.assign(at_row.begin(), at_row.end());
+    } else {
+      velocities = last_.velocities(state);
+    }
+    for (std::size_t line = 0; line < lines_.size(); ++line) {
+      lines_[line].observe(last_, state, model.grains().occupancy(), velocities, sums_[line]);
+    }
+    last_ = measure::Snapshot(state);
+  }
 
   std::vector<measure::Line> lines_;  // of this stage
   measure::Snapshot last_;            // at the last row
   std::vector<measure::LineSums> sums_;
   TableWriter<LineRow> table_;
 };
-
-void LineRecord::observe(const StageView& now) {
-  const model::SceneModel& model = now.model;
-  const grains::State& state = model.state();
-  std::vector<std::optional<Eigen::Vector2d>> velocities;
-  if (is_contact(now.scene)) {
-    const std::vector<Eigen::Vector2d> at_row = model.velocities();
-    velocities.assign(at_row.begin(), at_row.end());
-  } else {
-    velocities = last_.velocities(state);
-  }
-  for (std::size_t line = 0; line < lines_.size(); ++line) {
-    lines_[line].observe(last_, state, model.grains().occupancy(), velocities, sums_[line]);
-  }
-  last_ = measure::Snapshot(state);
-}
 
 }  // namespace
 

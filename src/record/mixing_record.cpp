@@ -28,8 +28,7 @@ TableOf<MixingRow> mixing_table(const scene::Scene& /*scene*/) {
 
 class MixingRecord : public Observer {
  public:
-  explicit MixingRecord(const scene::Scene& scene)
-      : table_(table_scope(scene), mixing_table(scene)) {}
+  explicit MixingRecord(const scene::Scene& scene) : table_(scene, mixing_table(scene)) {}
 
   static double bytes(const scene::Scene& /*scene*/, double particles) {
     return measure::Mixing::bytes_for(particles);

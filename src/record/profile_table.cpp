@@ -24,7 +24,7 @@ TableOf<ProfileRow> profile_table(const scene::Scene& /*scene*/) {
 
 class Profile : public Observer {
  public:
-  explicit Profile(const scene::Scene& scene) : table_(table_scope(scene), profile_table(scene)) {}
+  explicit Profile(const scene::Scene& scene) : table_(scene, profile_table(scene)) {}
 
   void end_stage(const StageView& now) override {
     const std::vector<double> end = measure::surface_profile(now.model.state());

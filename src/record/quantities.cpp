@@ -220,7 +220,7 @@ std::vector<store::ColumnSummary> RunTable::summary() const {
     const Quantity* column = find_column({&info_, 1}, name);
     const Quantity* known =
         column != nullptr ? column : find_of_each({&info_, 1}, name.substr(0, name.find('.')));
-    result.push_back(known != nullptr ? summary_of(name, *known, scope_.conversion)
+    result.push_back(known != nullptr ? summary_of(name, *known, conversion_)
                                       : store::ColumnSummary{.key = name, .name = name});
   }
   return result;

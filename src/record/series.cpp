@@ -1,19 +1,188 @@
 // series.csv and probes.csv: the time series of a run, and what the probes of the scene see.
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
+#include <limits>
 
+#include "clca/contact/force.hpp"
 #include "clca/measure/force.hpp"
 #include "clca/measure/outflow.hpp"
 #include "clca/measure/probe.hpp"
+#include "clca/scene/contact.hpp"
 #include "clca/scene/units.hpp"
 #include "record/energy_record.hpp"
 #include "record/internal/quantities.hpp"
-#include "record/series_record.hpp"
 
 namespace clca::record {
 
 namespace {
+
+/// Whether the series has what leaves in kilograms and particles a second.
+bool has_flow_rates(const scene::Scene& scene) {
+  return scene::has_density(scene) && !scene.outlets.empty();
+}
+
+Eigen::Vector2d centroid(const std::vector<lattice::Site>& sites) {
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  for (const lattice::Site site : sites) {
+    sum += lattice::position(site);
+  }
+  return sites.empty() ? sum : Eigen::Vector2d(sum / static_cast<double>(sites.size()));
+}
+
+Eigen::Vector2d middle(const lattice::Lattice& box) {
+  return lattice::Lattice::corner() + box.size() / 2;
+}
+
+/// Of a side of the box.
+Eigen::Vector2d middle(const lattice::Lattice& box, grains::Owner side) {
+  const double x = side == contact::kLeftSide ? -1 : side == contact::kRightSide ? 1 : 0;
+  const double y = side == contact::kFloor ? -1 : side == contact::kCeiling ? 1 : 0;
+  return middle(box) + Eigen::Vector2d(x, y).cwiseProduct(box.size() / 2);
+}
+
+/// From one point to another; in a periodic box to its nearest image.
+Eigen::Vector2d lever(const lattice::Lattice& box, const Eigen::Vector2d& from,
+                      const Eigen::Vector2d& to) {
+  return box.in_box(to - from + middle(box)) - middle(box);
+}
+
+/// What series.csv says of the steps since its last row: forces on walls, and what has left.
+class SeriesRecord : public SavedObserver<SeriesRecord> {
+ public:
+  explicit SeriesRecord(const scene::Scene& scene)
+      : series_(*scene.output.series), conversion_(scene::conversion(scene)) {
+    if (series_.forces) {
+      bodies_ = walls_and_sides(scene);
+    }
+  }
+
+  void after_step(const StageView& now) override {
+    const grains::State& state = now.model.state();
+    if ((state.step - 1) % series_.every == 0) {
+      clear();  // the step before has a row
+    }
+    ++steps_;
+    left_ = measure::discharge(state);
+    if (series_.forces) {
+      add_forces(state, now.model.wall_forces());
+    }
+  }
+
+  /// Names of the columns of the forces: of each wall, then each side of the box.
+  static std::vector<std::string> force_names(const scene::Scene& scene) {
+    std::vector<std::string> names;
+    for (const grains::Owner body : walls_and_sides(scene)) {
+      for (const char* key : {"force_x.", "force_y.", "torque."}) {
+        names.push_back(key + body_name(scene, body));
+      }
+    }
+    return names;
+  }
+  /// Their cells; no values without steps.
+  std::vector<store::Cell> force_cells() const {
+    std::vector<store::Cell> cells;
+    const auto add = [&](double sum, std::string_view unit) {
+      cells.emplace_back(steps_ > 0 ? conversion_->in_si(sum / static_cast<double>(steps_), unit)
+                                    : std::numeric_limits<double>::quiet_NaN());
+    };
+    for (const Load& load : loads_) {
+      add(load.force_x, scene::kForceUnit);
+      add(load.force_y, scene::kForceUnit);
+      add(load.torque, scene::kMomentUnit);
+    }
+    return cells;
+  }
+  /// Kilograms and particles a second; none without steps.
+  std::optional<double> mass_flow_rate() const {
+    return steps_ > 0 ? std::optional(static_cast<double>(left_.sites - before_.sites) *
+                                      conversion_->site->mass / conversion_->time(steps_))
+                      : std::nullopt;
+  }
+  std::optional<double> particle_flow_rate() const {
+    return steps_ > 0 ? std::optional(static_cast<double>(left_.particles - before_.particles) /
+                                      conversion_->time(steps_))
+                      : std::nullopt;
+  }
+
+  bool precedes(const grains::State& now) const {
+    const auto up_to = [](const measure::Discharge& one, const measure::Discharge& later) {
+      return one.particles <= later.particles && one.sites <= later.sites;
+    };
+    return loads_.size() == bodies_.size() && up_to(before_, left_) &&
+           up_to(left_, measure::discharge(now)) &&
+           std::ranges::all_of(loads_, [](const Load& load) {
+             return std::isfinite(load.force_x) && std::isfinite(load.force_y) &&
+                    std::isfinite(load.torque);
+           });
+  }
+  static constexpr const char* kPath = "records/series";
+  CLCA_FIELDS(steps_, loads_, before_, left_);
+
+ private:
+  /// On a wall or a side, summed over the steps, in weights of a site and lattice spacings.
+  struct Load {
+    double force_x = 0;
+    double force_y = 0;
+    double torque = 0;  // anticlockwise
+
+    CLCA_FIELDS(force_x, force_y, torque);
+  };
+
+  void prepare(const StageView& now) override {
+    const grains::State& state = now.model.state();
+    left_ = measure::discharge(state);  // its fill may be in outlets
+    clear();
+    centre_ = scene::turning_centre(now.scene, now.stage);
+    centres_.clear();
+    for (const grains::Owner body : bodies_) {
+      centres_.push_back(contact::is_side(body)
+                             ? middle(state.lattice, body)
+                             : centroid(state.walls[grains::wall_number(body)].sites));
+    }
+  }
+  void clear() {
+    steps_ = 0;
+    loads_.assign(bodies_.size(), {});
+    before_ = left_;
+  }
+  void add_forces(const grains::State& state, const std::vector<contact::Force>& forces) {
+    const double mass = contact::mean_mass(state);
+    for (const contact::Force& force : forces) {
+      const auto found = std::ranges::find(bodies_, force.other);
+      if (found == bodies_.end()) {
+        continue;  // a grain
+      }
+      const auto body = static_cast<std::size_t>(found - bodies_.begin());
+      const Eigen::Vector2d on_body = -mass * force.on_upper();
+      const Eigen::Vector2d arm = lever(state.lattice, pivot(state, body), force.point);
+      loads_[body].force_x += on_body.x();
+      loads_[body].force_y += on_body.y();
+      loads_[body].torque += arm.x() * on_body.y() - arm.y() * on_body.x();
+    }
+  }
+  /// What the torque on a body is about.
+  Eigen::Vector2d pivot(const grains::State& state, std::size_t body) const {
+    if (centre_) {
+      return *centre_;
+    }
+    const Eigen::Vector2d home = centres_[body];
+    return contact::is_side(bodies_[body])
+               ? home
+               : home + lattice::position(state.walls[grains::wall_number(bodies_[body])].shift());
+  }
+
+  scene::Series series_;
+  std::optional<scene::Conversion> conversion_;
+  std::vector<grains::Owner> bodies_;      // with forces; else empty
+  std::vector<Eigen::Vector2d> centres_;   // of each, before walls travelled
+  std::optional<Eigen::Vector2d> centre_;  // that the vessel turns about
+  std::uint64_t steps_ = 0;
+  std::vector<Load> loads_;    // by body
+  measure::Discharge before_;  // at the last row
+  measure::Discharge left_;    // after the last step
+};
 
 /// None of an empty box.
 std::optional<double> mean_height(const grains::State& state) {
@@ -225,10 +394,42 @@ TableOf<ProbeRow> probes_table(const scene::Scene& scene) {
 /// probe then; of the contact model, it is that at the row.
 class Probes {
  public:
-  explicit Probes(const scene::Scene& scene) : table_(table_scope(scene), probes_table(scene)) {}
+  explicit Probes(const scene::Scene& scene) : table_(scene, probes_table(scene)) {}
 
   /// Adds a row for each probe.
-  void add(const StageView& now);
+  void add(const StageView& now) {
+    const grains::State& state = now.model.state();
+    const double steps = last_ ? static_cast<double>(state.step - last_->step()) : 0;
+    const double speed = velocity_unit(now.scene);
+    std::vector<measure::Displacement> displacements;
+    if (is_contact(now.scene)) {
+      displacements = measure::displacements_in_step(state, now.model.velocities());
+    } else if (last_) {
+      displacements = last_->displacements(state);
+    }
+    const std::vector<scene::Probe>& probes = now.scene.probes;
+    std::vector<lattice::Rectangle> regions;
+    std::ranges::transform(probes, std::back_inserter(regions),
+                           [](const scene::Probe& probe) { return probe.region; });
+    const std::vector<double> fillings = measure::fillings(state, regions);
+    for (std::size_t i = 0; i < probes.size(); ++i) {
+      ProbeRow row = {now, probes[i], fillings[i]};
+      if (const auto motion =
+              measure::motion_in(regions[i], displacements, is_contact(now.scene) ? 1 : steps)) {
+        row.particles = motion->particles;
+        row.velocity = motion->velocity * speed;
+        row.fluctuation = motion->fluctuation * speed * speed;
+      }
+      if (last_) {
+        row.flow = measure::downward_flow(*last_, state, regions[i]) / steps;
+        if (scene::has_density(now.scene)) {
+          row.mass_flow = scene::conversion(now.scene)->mass_rate(*row.flow);
+        }
+      }
+      table_.add(row);
+    }
+    last_.emplace(state);
+  }
   TableWriter<ProbeRow>& table() { return table_; }
   /// At the last row.
   std::optional<measure::Snapshot>& last() { return last_; }
@@ -238,45 +439,11 @@ class Probes {
   TableWriter<ProbeRow> table_;
 };
 
-void Probes::add(const StageView& now) {
-  const grains::State& state = now.model.state();
-  const double steps = last_ ? static_cast<double>(state.step - last_->step()) : 0;
-  const double speed = velocity_unit(now.scene);
-  std::vector<measure::Displacement> displacements;
-  if (is_contact(now.scene)) {
-    displacements = measure::displacements_in_step(state, now.model.velocities());
-  } else if (last_) {
-    displacements = last_->displacements(state);
-  }
-  const std::vector<scene::Probe>& probes = now.scene.probes;
-  std::vector<lattice::Rectangle> regions;
-  std::ranges::transform(probes, std::back_inserter(regions),
-                         [](const scene::Probe& probe) { return probe.region; });
-  const std::vector<double> fillings = measure::fillings(state, regions);
-  for (std::size_t i = 0; i < probes.size(); ++i) {
-    ProbeRow row = {now, probes[i], fillings[i]};
-    if (const auto motion =
-            measure::motion_in(regions[i], displacements, is_contact(now.scene) ? 1 : steps)) {
-      row.particles = motion->particles;
-      row.velocity = motion->velocity * speed;
-      row.fluctuation = motion->fluctuation * speed * speed;
-    }
-    if (last_) {
-      row.flow = measure::downward_flow(*last_, state, regions[i]) / steps;
-      if (scene::has_density(now.scene)) {
-        row.mass_flow = scene::conversion(now.scene)->mass_rate(*row.flow);
-      }
-    }
-    table_.add(row);
-  }
-  last_.emplace(state);
-}
-
 /// Rows at the steps that are due and at the begin and end of stages, one for each step.
 class Series : public Observer {
  public:
   explicit Series(const scene::Scene& scene)
-      : table_(table_scope(scene), series_table(scene), names_of_each(scene)) {
+      : table_(scene, series_table(scene), names_of_each(scene)) {
     if (!scene.probes.empty()) {
       probes_.emplace(scene);
     }
@@ -330,6 +497,12 @@ class Series : public Observer {
 };
 
 }  // namespace
+
+ObserverKind series_record_observer() {
+  return observer_kind<SeriesRecord>([](const scene::Scene& scene) {
+    return scene.output.series && (scene.output.series->forces || has_flow_rates(scene));
+  });
+}
 
 ObserverKind series_observer() {
   return observer_kind<Series>(

@@ -37,15 +37,6 @@ Values values_of(const measure::ReposeAngle& angle) {
           store::value_or_null(angle.right)};
 }
 
-Values repose(const StageView& stage) {
-  return values_of(measure::repose_angle(measure::surface_profile(stage.model.state())));
-}
-
-Values vessel_angle(const StageView& stage) {
-  return model::has_vessel(stage.scene) ? Values{contact::degrees(stage.model.vessel().angle)}
-                                        : Values{};
-}
-
 /// Empty in a periodic box.
 measure::ReposeAngle repose_in_gravity(const model::SceneModel& model) {
   if (model.state().lattice.periodic()) {
@@ -53,44 +44,6 @@ measure::ReposeAngle repose_in_gravity(const model::SceneModel& model) {
   }
   return measure::repose_angle(
       measure::surface_profile(model.state(), contact::gravity_direction(model.vessel())));
-}
-
-Values repose_gravity(const StageView& stage) {
-  return model::has_vessel(stage.scene) && !stage.model.state().lattice.periodic()
-             ? values_of(repose_in_gravity(stage.model))
-             : Values{};
-}
-
-Values runout(const StageView& stage) {
-  const auto runout = measure::runout(stage.model.state());
-  return runout ? Values{runout->percent_99, runout->front} : Values(2);
-}
-
-Values packing(const StageView& stage) {
-  const grains::State& state = stage.model.state();
-  return {store::value_or_null(measure::packing_fraction(state)),
-          store::value_or_null(height_of(measure::surface_profile(state)))};
-}
-
-Values moved(const StageView& stage) {
-  const grains::State& state = stage.model.state();
-  return {store::value_or_null(measure::moved_share(state, measure::smallest_diameter(state))),
-          store::value_or_null(measure::moved_share(state, 2))};
-}
-
-Values segregation(const StageView& stage) {
-  if (stage.scene.species.size() < 2) {
-    return {};
-  }
-  const grains::State& state = stage.model.state();
-  return {store::value_or_null(measure::segregation_index(state)),
-          store::value_or_null(
-              measure::lacey_index(state, stage.observers.find<CycleRecord>()->cell()))};
-}
-
-Values intruder(const StageView& stage) {
-  const auto height = measure::intruder_height(stage.model.state());
-  return height ? Values{*height} : Values{};
 }
 
 Values axis_order(const StageView& stage) {
@@ -108,46 +61,85 @@ std::vector<QuantityGroup> made_groups() {
        {kReposeAngle,
         {"repose_left_deg", "Slope, left flank", "degrees", kFlank, true},
         {"repose_right_deg", "Slope, right flank", "degrees", "as `repose_left_deg`", true}},
-       repose},
+       [](const StageView& stage) -> Values {
+         return values_of(measure::repose_angle(measure::surface_profile(stage.model.state())));
+       }},
       {Measure::repose,
        "with a [vessel](#vessel), not in a periodic box",
        {kReposeGravity,
         {"repose_gravity_left_deg", "Slope against gravity, left flank", "degrees", kFlank},
         {"repose_gravity_right_deg", "Slope against gravity, right flank", "degrees",
          "as `repose_gravity_left_deg`"}},
-       repose_gravity},
+       [](const StageView& stage) -> Values {
+         return model::has_vessel(stage.scene) && !stage.model.state().lattice.periodic()
+                    ? values_of(repose_in_gravity(stage.model))
+                    : Values{};
+       }},
       {Measure::runout,
        "",
        {{"runout_99", "Run-out of 99 %", "spacings",
          "how far the 99th percentile of its sites lies beyond its origins", true},
         {"runout_front", "Run-out of the front", "spacings",
          "how far the outermost site lies beyond the origins", true}},
-       runout},
+       [](const StageView& stage) -> Values {
+         const auto runout = measure::runout(stage.model.state());
+         return runout ? Values{runout->percent_99, runout->front} : Values(2);
+       }},
       {Measure::packing,
        "",
        {{"packing_fraction", "Packing fraction", "",
          "sites of particles over the sites that the bed could fill"},
         kHeightMean},
-       packing},
+       [](const StageView& stage) -> Values {
+         const grains::State& state = stage.model.state();
+         return {store::value_or_null(measure::packing_fraction(state)),
+                 store::value_or_null(height_of(measure::surface_profile(state)))};
+       }},
       {Measure::moved,
        "",
        {{"moved_share", "Share moved", "",
          "of the particles, by more than the smallest diameter from where the stage began"},
         {"moved_share_2", "Share moved, 2 spacings", "", "by more than 2 spacings"}},
-       moved}};
+       [](const StageView& stage) -> Values {
+         const grains::State& state = stage.model.state();
+         return {
+             store::value_or_null(measure::moved_share(state, measure::smallest_diameter(state))),
+             store::value_or_null(measure::moved_share(state, 2))};
+       }}};
   const auto add = [&groups](std::vector<QuantityGroup> more) {
     groups.insert(groups.end(), more.begin(), more.end());
   };
   add(outflow_quantities());
   add(force_quantities());
-  add({{Measure::segregation, "several species", {kSegregationIndex, kLaceyIndex}, segregation},
-       {Measure::intruder, "a single particle of a species", {kIntruderHeight}, intruder},
+  add({{Measure::segregation,
+        "several species",
+        {kSegregationIndex, kLaceyIndex},
+        [](const StageView& stage) -> Values {
+          if (stage.scene.species.size() < 2) {
+            return {};
+          }
+          const grains::State& state = stage.model.state();
+          return {store::value_or_null(measure::segregation_index(state)),
+                  store::value_or_null(
+                      measure::lacey_index(state, stage.observers.find<CycleRecord>()->cell()))};
+        }},
+       {Measure::intruder,
+        "a single particle of a species",
+        {kIntruderHeight},
+        [](const StageView& stage) -> Values {
+          const auto height = measure::intruder_height(stage.model.state());
+          return height ? Values{*height} : Values{};
+        }},
        {Measure::axis_order,
         "with `model: baxter`",
         {{"axis_order", "Order of axes", "",
           "share of the pairs of neighbouring grains with the same axis; a third at random"}},
         axis_order},
-       {{}, "with a [vessel](#vessel)", {kVesselAngle}, vessel_angle}});
+       {{}, "with a [vessel](#vessel)", {kVesselAngle}, [](const StageView& stage) -> Values {
+          return model::has_vessel(stage.scene)
+                     ? Values{contact::degrees(stage.model.vessel().angle)}
+                     : Values{};
+        }}});
   for (const ObserverKind& kind : observer_kinds()) {
     add(kind.quantities);
   }

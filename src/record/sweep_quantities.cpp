@@ -1,7 +1,5 @@
 // What the tables of a sweep have besides the measures of its runs.
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "record/internal/quantities.hpp"
@@ -14,7 +12,7 @@ namespace {
 TableInfo sweep_table(std::string_view name, const std::vector<Quantity>& columns) {
   TableInfo table = {.name = name, .kind = TableInfo::Kind::whole};
   for (const Quantity& column : columns) {
-    table.columns.push_back({column, "", {""}});
+    table.columns.push_back({column});
   }
   return table;
 }

@@ -72,14 +72,6 @@ std::vector<grains::Owner> walls_and_sides(const scene::Scene& scene) {
   return all;
 }
 
-TableScope table_scope(const scene::Scene& scene) {
-  TableScope scope = {.parts = {}, .conversion = scene::conversion(scene)};
-  for (const scene::Stage& stage : scene.stages) {
-    scope.parts.push_back(stage.name);
-  }
-  return scope;
-}
-
 void RunTable::open(const store::OutputFolder& folder) {
   if (info_.kind == TableInfo::Kind::growing) {
     file_.emplace(folder, store::table_name(std::string(info_.name)), bytes_);

@@ -41,26 +41,25 @@ class TrajectoryOutput : public Observer {
   static constexpr const char* kPath = "outputs/trajectory";
   static constexpr const char* kStepPath = "outputs/trajectory_step";
 
-  void add(const StageView& now, bool begins);
+  void add(const StageView& now, bool begins) {
+    const grains::State& state = now.model.state();
+    if (!begins && step_ == state.step) {
+      return;
+    }
+    store::ContactFrame contact{.velocities = now.model.velocities(), .spins = now.model.spins()};
+    if (scene_.output.trajectory->contacts) {
+      contact.forces = now.observers.find<ContactRecord>()->shown(now.model);
+    }
+    writer_->add(state, static_cast<std::size_t>(&now.stage - scene_.stages.data()), begins,
+                 contact);
+    step_ = state.step;
+  }
 
   const scene::Scene& scene_;
   store::TrajectoryWriter::Written kept_;
   std::optional<store::TrajectoryWriter> writer_;
   std::optional<std::uint64_t> step_;  // of the last frame
 };
-
-void TrajectoryOutput::add(const StageView& now, bool begins) {
-  const grains::State& state = now.model.state();
-  if (!begins && step_ == state.step) {
-    return;
-  }
-  store::ContactFrame contact{.velocities = now.model.velocities(), .spins = now.model.spins()};
-  if (scene_.output.trajectory->contacts) {
-    contact.forces = now.observers.find<ContactRecord>()->shown(now.model);
-  }
-  writer_->add(state, static_cast<std::size_t>(&now.stage - scene_.stages.data()), begins, contact);
-  step_ = state.step;
-}
 
 }  // namespace
 

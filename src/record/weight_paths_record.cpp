@@ -70,7 +70,7 @@ TableOf<BaseRow> weight_paths_table(const scene::Scene& scene) {
 class WeightPathsRecord : public Observer {
  public:
   explicit WeightPathsRecord(const scene::Scene& scene)
-      : table_(table_scope(scene), weight_paths_table(scene)) {}
+      : table_(scene, weight_paths_table(scene)) {}
 
   static double bytes(const scene::Scene& /*scene*/, double particles) {
     return measure::weight_paths_bytes(particles);

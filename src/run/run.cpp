@@ -18,7 +18,7 @@
 #include "drawing/internal/frame_painter.hpp"
 #include "drawing/internal/pictures.hpp"
 #include "record/internal/cycle_record.hpp"
-#include "record/internal/force_record.hpp"
+#include "record/internal/forces.hpp"
 #include "record/internal/meter.hpp"
 #include "record/internal/observer.hpp"
 #include "record/internal/quantities.hpp"

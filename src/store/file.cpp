@@ -5,7 +5,6 @@
 #include <sys/file.h>
 #include <sys/stat.h>
 
-#include <cstdio>
 #include <random>
 #include <string>
 #include <system_error>
@@ -66,7 +65,7 @@ AtomicFile::AtomicFile(const fs::path& path) : AtomicFile(path, nullptr) {
 }
 
 AtomicFile::AtomicFile(const fs::path& path, std::function<void()> flush_later)
-    : state_(std::make_unique<State>()) {
+    : state_(std::make_shared<State>()) {
   std::error_code error;
   state_->path = fs::absolute(path, error);
   const fs::file_status status = fs::symlink_status(state_->path, error);
@@ -88,9 +87,6 @@ AtomicFile::AtomicFile(const fs::path& path, std::function<void()> flush_later)
     }
   } while (made.st_nlink == 0);
 }
-
-AtomicFile::~AtomicFile() = default;
-AtomicFile::AtomicFile(AtomicFile&& other) noexcept = default;
 
 fs::path AtomicFile::temporary_path() const {
   return state_->temporary;

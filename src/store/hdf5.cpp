@@ -3,12 +3,17 @@
 #include <fmt/format.h>
 #include <pthread.h>
 
+#include <algorithm>
+#include <array>
+#include <mutex>
 #include <new>
 
 #include "clca/store/file.hpp"
 #include "clca/store/trajectory.hpp"
 
-namespace clca::store::hdf5 {
+namespace clca::store {
+
+namespace hdf5 {
 
 namespace {
 
@@ -22,6 +27,24 @@ std::mutex& library() {
   }
   return mutex;
 }
+
+/// The library, for one thread at a time, without error output. Others may use it in this process,
+/// too, so it stays as it was found.
+class Session {
+ public:
+  Session() : lock_(library()) {
+    check(H5Eget_auto2(H5E_DEFAULT, &report_, &report_data_), "errors");
+    check(H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr), "errors");
+  }
+  ~Session() { H5Eset_auto2(H5E_DEFAULT, report_, report_data_); }
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+
+ private:
+  std::lock_guard<std::mutex> lock_;
+  H5E_auto2_t report_ = nullptr;  // of errors, by others
+  void* report_data_ = nullptr;
+};
 
 herr_t note_shortage(unsigned /*depth*/, const H5E_error2_t* error, void* is_short) {
   if (error->maj_num == H5E_RESOURCE || error->min_num == H5E_NOSPACE ||
@@ -56,9 +79,21 @@ std::string new_name() {
   return fmt::format("clca-image-{}", ++count);
 }
 
+/// A copy of such bytes as a file to be read, within a Session.
+Handle open_image(std::span<const std::uint8_t> bytes) {
+  constexpr const char* kNone = "it is no HDF5 file";
+  const Handle access = in_memory();
+  check(H5Pset_file_image(access.id(), const_cast<std::uint8_t*>(bytes.data()), bytes.size()),
+        kNone);
+  return {H5Fopen(new_name().c_str(), H5F_ACC_RDONLY, access.id()), H5Fclose, kNone};
+}
+
 }  // namespace
 
-void fail(const char* what) {
+void check(std::int64_t result, const char* what) {
+  if (result >= 0) {
+    return;
+  }
   bool is_short = false;
   H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, note_shortage, &is_short);
   if (is_short) {
@@ -72,6 +107,10 @@ Handle space_of(const std::vector<hsize_t>& extent) {
               ? H5Screate(H5S_SCALAR)
               : H5Screate_simple(static_cast<int>(extent.size()), extent.data(), nullptr),
           H5Sclose, "extent"};
+}
+
+Handle space_of(hsize_t rows, std::size_t columns) {
+  return columns == 1 ? space_of({rows}) : space_of({rows, columns});
 }
 
 Handle make_dataset(const Handle& file, const std::string& path, hid_t type, const Handle& space,
@@ -90,15 +129,6 @@ Handle make_dataset(const Handle& file, const std::string& path, hid_t type, con
   return dataset;
 }
 
-Session::Session() : lock_(library()) {
-  check(H5Eget_auto2(H5E_DEFAULT, &report_, &report_data_), "errors");
-  check(H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr), "errors");
-}
-
-Session::~Session() {
-  H5Eset_auto2(H5E_DEFAULT, report_, report_data_);
-}
-
 std::vector<std::uint8_t> image(const std::filesystem::path& path,
                                 const std::function<void(const Handle& file)>& fill) {
   try {
@@ -108,9 +138,9 @@ std::vector<std::uint8_t> image(const std::filesystem::path& path,
     fill(file);
     check(H5Fflush(file.id(), H5F_SCOPE_GLOBAL), "flush");
     const ssize_t size = H5Fget_file_image(file.id(), nullptr, 0);
-    check(size < 0 ? -1 : 0, "size of the file");
+    check(size, "size of the file");
     std::vector<std::uint8_t> bytes(static_cast<std::size_t>(size));
-    check(H5Fget_file_image(file.id(), bytes.data(), bytes.size()) < 0 ? -1 : 0, "file");
+    check(H5Fget_file_image(file.id(), bytes.data(), bytes.size()), "file");
     return bytes;
   } catch (const Error& error) {
     throw StoreError(
@@ -118,17 +148,179 @@ std::vector<std::uint8_t> image(const std::filesystem::path& path,
   }
 }
 
-Handle open_image(std::span<const std::uint8_t> bytes) {
-  constexpr const char* kNone = "it is no HDF5 file";
-  const Handle access = in_memory();
-  check(H5Pset_file_image(access.id(), const_cast<std::uint8_t*>(bytes.data()), bytes.size()),
-        kNone);
-  return {H5Fopen(new_name().c_str(), H5F_ACC_RDONLY, access.id()), H5Fclose, kNone};
+}  // namespace hdf5
+
+using hdf5::check;
+using hdf5::Error;
+using hdf5::Handle;
+
+namespace {
+
+/// Properties of a dataset of numbers.
+Handle layout(hsize_t rows, hsize_t columns, std::size_t number_bytes) {
+  constexpr std::size_t kSmall = 4096;         // bytes that are not worth compressing
+  constexpr hsize_t kChunkNumbers = 1U << 16;  // in a chunk
+  constexpr unsigned kDeflateLevel = 1;  // more costs time and gains little on shuffled numbers
+  Handle creation = hdf5::properties(H5P_DATASET_CREATE);
+  if (rows * columns * number_bytes > kSmall) {
+    const std::array<hsize_t, 2> chunk = {
+        std::min(rows, std::max<hsize_t>(1, kChunkNumbers / columns)), columns};
+    check(H5Pset_chunk(creation.id(), columns == 1 ? 1 : 2, chunk.data()), "chunks");
+    check(H5Pset_shuffle(creation.id()), "shuffle");
+    check(H5Pset_deflate(creation.id(), kDeflateLevel), "compression");
+  }
+  return creation;
 }
 
-}  // namespace clca::store::hdf5
+void write_dataset(const Handle& file, const std::string& path, hid_t type, const Handle& space,
+                   const Handle& creation, const void* data, const Meaning& meaning) {
+  const Handle dataset = hdf5::make_dataset(file, path, type, space, creation, meaning);
+  check(H5Dwrite(dataset.id(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data), "write");
+}
 
-namespace clca::store {
+/// All in cells of one length, padded with zeros.
+void write_texts(const Handle& file, const std::string& path, std::span<const std::string> texts,
+                 const Handle& space, const Meaning& meaning) {
+  std::size_t longest = 1;
+  for (const std::string& text : texts) {
+    longest = std::max(longest, text.size());
+  }
+  std::string cells;
+  for (const std::string& text : texts) {
+    cells += text;
+    cells.resize(cells.size() + longest - text.size());
+  }
+  const Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "text");
+  check(H5Tset_size(type.id(), longest), "text size");
+  check(H5Tset_cset(type.id(), H5T_CSET_UTF8), "encoding");
+  check(H5Tset_strpad(type.id(), H5T_STR_NULLPAD), "padding");
+  write_dataset(file, path, type.id(), space, hdf5::properties(H5P_DATASET_CREATE), cells.data(),
+                meaning);
+}
+
+/// Number of rows and columns; lists have one column.
+using Extent = std::array<hsize_t, 2>;
+
+Extent extent_of(const Handle& dataset) {
+  Extent extent = {1, 1};
+  const Handle space(H5Dget_space(dataset.id()), H5Sclose, "has no extent");
+  if (H5Sget_simple_extent_ndims(space.id()) > 2 ||
+      H5Sget_simple_extent_dims(space.id(), extent.data(), nullptr) < 0) {
+    throw Error("has an unexpected extent");
+  }
+  return extent;
+}
+
+Handle type_of(const Handle& dataset) {
+  return {H5Dget_type(dataset.id()), H5Tclose, "has no type"};
+}
+
+void read_into(const Handle& dataset, const Handle& type, void* data) {
+  check(H5Dread(dataset.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, data), "cannot be read");
+}
+
+/// All data read count, as the caller keeps them.
+void take(double& bytes_left, const Extent& extent, double item_bytes) {
+  bytes_left -= static_cast<double>(extent[0]) * static_cast<double>(extent[1]) * item_bytes;
+  if (bytes_left < 0) {
+    throw Error("needs more memory than the limit");
+  }
+}
+
+template <Number T>
+void read(const Handle& dataset, const Extent& extent, double& bytes_left, std::vector<T>& values) {
+  const Handle type = type_of(dataset);
+  if (H5Tequal(type.id(), hdf5::number_type<T>()) <= 0) {
+    throw Error("holds other numbers");
+  }
+  take(bytes_left, extent, sizeof(T));
+  values.resize(extent[0] * extent[1]);
+  read_into(dataset, type, values.data());
+}
+
+void read(const Handle& dataset, const Extent& extent, double& bytes_left,
+          std::vector<std::string>& texts) {
+  const Handle type = type_of(dataset);
+  if (H5Tget_class(type.id()) != H5T_STRING || H5Tis_variable_str(type.id()) != 0) {
+    throw Error("is no text");
+  }
+  const std::size_t size = H5Tget_size(type.id());
+  take(bytes_left, extent, sizeof(std::string) + 2 * static_cast<double>(size));
+  std::string cells(extent[0] * extent[1] * size, '\0');
+  read_into(dataset, type, cells.data());
+  for (std::size_t at = 0; at < cells.size(); at += size) {
+    std::string& text = texts.emplace_back(cells.substr(at, size));
+    text.resize(text.find_last_not_of('\0') + 1);
+  }
+}
+
+void read(const Handle& file, const Hdf5Dataset& wanted, double& bytes_left) {
+  std::visit([](auto* values) { values->clear(); }, wanted.values);
+  if (H5Lexists(file.id(), wanted.path.c_str(), H5P_DEFAULT) <= 0) {
+    if (!wanted.may_be_missing) {
+      throw Error("is missing");
+    }
+    return;
+  }
+  const Handle dataset(H5Dopen2(file.id(), wanted.path.c_str(), H5P_DEFAULT), H5Dclose,
+                       "is no dataset");
+  const Extent extent = extent_of(dataset);
+  if (extent[1] != wanted.columns) {
+    throw Error(fmt::format("has {} columns", extent[1]));
+  }
+  std::visit([&](auto* values) { read(dataset, extent, bytes_left, *values); }, wanted.values);
+}
+
+}  // namespace
+
+void hdf5::add(const Handle& file, const std::string& path, const Values& values,
+               std::size_t columns, const Meaning& meaning) {
+  std::visit(
+      [&]<class T>(const T& list) {
+        if constexpr (std::same_as<T, std::string_view>) {
+          const std::string text(list);
+          write_texts(file, path, {&text, 1}, space_of({}), meaning);
+        } else if constexpr (std::same_as<T, std::span<const std::string>>) {
+          write_texts(file, path, list, space_of({list.size()}), meaning);
+        } else {
+          using Item = typename T::value_type;
+          const hsize_t rows = list.size() / columns;
+          write_dataset(file, path, number_type<Item>(), space_of(rows, columns),
+                        layout(rows, columns, sizeof(Item)), list.data(), meaning);
+        }
+      },
+      values);
+}
+
+void hdf5::add(const Handle& file, const Hdf5Dataset& dataset) {
+  std::visit(
+      [&](const auto* list) { add(file, dataset.path, *list, dataset.columns, dataset.meaning); },
+      dataset.values);
+}
+
+void read_hdf5(const std::filesystem::path& path, const FileKind& kind,
+               const std::vector<Hdf5Dataset>& datasets, double max_bytes) {
+  constexpr double kCopies = 3;  // as it was read, and of the library
+  const std::vector<std::uint8_t> file = read_whole(path, max_bytes);
+  double bytes_left = max_bytes - kCopies * static_cast<double>(file.size());
+  try {
+    const auto content = content_of(kind, file);
+    if (bytes_left < 0) {
+      throw Error("it needs more memory than the limit");
+    }
+    const hdf5::Session session;
+    const Handle opened = hdf5::open_image(content);
+    for (const Hdf5Dataset& dataset : datasets) {
+      try {
+        read(opened, dataset, bytes_left);
+      } catch (const Error& error) {
+        throw Error(fmt::format("{} {}", dataset.path, error.what()));
+      }
+    }
+  } catch (const std::runtime_error& error) {
+    throw StoreError(fmt::format("cannot read {}: {}", path.string(), error.what()));
+  }
+}
 
 void end_without_hdf5() {
   H5dont_atexit();

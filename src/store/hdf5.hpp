@@ -1,21 +1,52 @@
 #pragma once
-// Wrappers for the C interface of HDF5: objects that close themselves, errors that throw.
+// HDF5 files with a checksum header, readable by any HDF5 program. Below them, wrappers for the C
+// interface of the library: objects that close themselves, errors that throw.
 
 #include <hdf5.h>
 
+#include <concepts>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
-#include <mutex>
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
-#include "store/hdf5_file.hpp"
+#include "store/checksum_header.hpp"
 
-namespace clca::store::hdf5 {
+namespace clca::store {
+
+/// Number types of a dataset.
+template <class T>
+concept Number = std::same_as<T, std::uint8_t> || std::same_as<T, std::uint16_t> ||
+    std::same_as<T, std::uint32_t> || std::same_as<T, std::uint64_t> ||
+    std::same_as<T, std::int32_t> || std::same_as<T, double>;
+
+/// What a dataset says of itself; as Quantity.
+struct Meaning {
+  std::string_view unit;  ///< of a pure number, a name or a text empty
+  std::string_view text;  ///< empty: it says nothing
+};
+
+/// A dataset in memory: rows of `columns` numbers, or texts. It is written from these values, or
+/// read into them.
+struct Hdf5Dataset {
+  using Values =
+      std::variant<std::vector<std::uint8_t>*, std::vector<std::uint16_t>*,
+                   std::vector<std::uint32_t>*, std::vector<std::uint64_t>*,
+                   std::vector<std::int32_t>*, std::vector<double>*, std::vector<std::string>*>;
+  std::string path;
+  Values values;
+  std::size_t columns = 1;
+  Meaning meaning = {};
+  bool may_be_missing = false;  ///< then no values are read
+};
+
+namespace hdf5 {
 
 /// A failed HDF5 call. what() is the operation or the problem.
 class Error : public std::runtime_error {
@@ -23,27 +54,17 @@ class Error : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Throws std::bad_alloc if HDF5 reports lack of memory, else Error with `what`.
-[[noreturn]] void fail(const char* what);
-
-/// Throws as fail() if a call has failed.
-inline void check(herr_t result, const char* what) {
-  if (result < 0) {
-    fail(what);
-  }
-}
+/// If a call has failed, throws std::bad_alloc if HDF5 reports lack of memory, else Error with
+/// `what`.
+void check(std::int64_t result, const char* what);
 
 /// An HDF5 object, closed at the end of its scope.
 class Handle {
  public:
   using Close = herr_t (*)(hid_t);
 
-  /// Throws as fail() if the call that returned `id` has failed.
-  Handle(hid_t id, Close close, const char* what) : id_(id), close_(close) {
-    if (id < 0) {
-      fail(what);
-    }
-  }
+  /// Throws as check() if the call that returned `id` has failed.
+  Handle(hid_t id, Close close, const char* what) : id_(id), close_(close) { check(id, what); }
   Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, -1)), close_(other.close_) {}
   Handle(const Handle&) = delete;
   Handle& operator=(const Handle&) = delete;
@@ -81,32 +102,41 @@ hid_t number_type() {
 
 /// Rows and columns, and more dimensions, of a dataset; none: a single value.
 Handle space_of(const std::vector<hsize_t>& extent);
+/// Of rows of so many numbers: a list of them if it is one.
+Handle space_of(hsize_t rows, std::size_t columns);
 
 /// Adds a dataset, and the groups of its path, with the attributes `units` (of a pure number "1")
 /// and `description`, as UTF-8. `creation`: its properties.
 Handle make_dataset(const Handle& file, const std::string& path, hid_t type, const Handle& space,
                     const Handle& creation, const Meaning& meaning);
 
-/// The library, for one thread at a time, without error output. Others may use it in this process,
-/// too, so it stays as it was found.
-class Session {
- public:
-  Session();
-  ~Session();
-  Session(const Session&) = delete;
-  Session& operator=(const Session&) = delete;
+/// A text, a list of texts, or numbers.
+using Values = std::variant<std::string_view, std::span<const std::string>,
+                            std::span<const std::uint8_t>, std::span<const std::uint16_t>,
+                            std::span<const std::uint32_t>, std::span<const std::uint64_t>,
+                            std::span<const std::int32_t>, std::span<const double>>;
 
- private:
-  std::lock_guard<std::mutex> lock_;
-  H5E_auto2_t report_ = nullptr;  // of errors, by others
-  void* report_data_ = nullptr;
-};
+/// Adds a dataset to a file. Its path is relative to the root; groups are made as needed. Numbers
+/// are in rows of `columns` (1: a list), chunked and compressed if there are many. Throws as
+/// check().
+void add(const Handle& file, const std::string& path, const Values& values, std::size_t columns = 1,
+         const Meaning& meaning = {});
+void add(const Handle& file, const Hdf5Dataset& dataset);
 
-/// The bytes of an HDF5 file that `fill` creates. Throws StoreError: `cannot write PATH: REASON`.
+/// The bytes of an HDF5 file that `fill` creates, without a header. Throws StoreError: `cannot
+/// write PATH: REASON`.
 std::vector<std::uint8_t> image(const std::filesystem::path& path,
                                 const std::function<void(const Handle& file)>& fill);
 
-/// A copy of such bytes as a file to be read, within a Session.
-Handle open_image(std::span<const std::uint8_t> bytes);
+}  // namespace hdf5
 
-}  // namespace clca::store::hdf5
+inline constexpr double kAnyBytes = 1e18;
+
+/// Reads these datasets of a file whose checksum is right. `max_bytes`: memory limit for three
+/// copies of the file, and the data.
+/// Throws StoreError with the path for a file that is truncated, damaged, or of another kind or
+/// version, and for datasets that are missing, of another type or extent, or too large.
+void read_hdf5(const std::filesystem::path& path, const FileKind& kind,
+               const std::vector<Hdf5Dataset>& datasets, double max_bytes);
+
+}  // namespace clca::store

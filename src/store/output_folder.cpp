@@ -2,11 +2,17 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <sys/stat.h>
+#include <sys/sysmacros.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
+#include <cerrno>
 #include <cstring>
+#include <fstream>
+#include <iterator>
 #include <mutex>
 #include <set>
 #include <sstream>
@@ -28,12 +34,12 @@ constexpr const char* kManifest = ".clca.manifest";
 constexpr std::string_view kHeader = "clca manifest 1";
 constexpr double kMaxManifestBytes = 64 << 20;
 
-/// The folders of the file "a/b/c": "a/", "a/b/".
+/// The folders of the file "a/b/c": "a", "a/b".
 std::vector<std::string> folders_of(const std::string& name) {
   std::vector<std::string> folders;
   for (std::size_t slash = name.find('/'); slash != std::string::npos;
        slash = name.find('/', slash + 1)) {
-    folders.push_back(name.substr(0, slash + 1));
+    folders.push_back(name.substr(0, slash));
   }
   return folders;
 }
@@ -60,6 +66,30 @@ Descriptor opened(const fs::path& file, int flags) {
       ::open(file.c_str(), flags | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, kReadableByAll));
 }
 
+/// The id of the process that holds the lock, from /proc/locks; empty if unknown.
+std::string holder_of(int descriptor) {
+  struct stat status {};
+  if (::fstat(descriptor, &status) != 0) {
+    return "";
+  }
+  const std::string file =
+      fmt::format("{:02x}:{:02x}:{}", major(status.st_dev), minor(status.st_dev), status.st_ino);
+  std::ifstream locks("/proc/locks");
+  for (std::string line; std::getline(locks, line);) {
+    std::istringstream words(line);
+    // Number, kind, mode, access, process, file.
+    const std::vector<std::string> fields{std::istream_iterator<std::string>(words), {}};
+    if (fields.size() > 5 && fields[1] == "FLOCK" && fields[5] == file && fields[4] != "0") {
+      return fields[4];
+    }
+  }
+  return "";
+}
+
+[[noreturn]] void refuse_lock(const fs::path& file, const char* reason) {
+  throw FolderLockError(fmt::format("cannot lock {}: {}", file.string(), reason));
+}
+
 }  // namespace
 
 /// The folder and its manifest. Names are relative to this folder. What is not const is called with
@@ -72,19 +102,99 @@ struct OutputFolder::State {
   }
 
   fs::path at(const std::string& name) const { return absolute / name; }
-  bool is_file(const std::string& name) const;
-  bool owns(const std::string& name) const { return names.contains(name) && is_file(name); }
-  void remove(const std::string& name) const;
-  /// `below`: a folder, with a slash at its end.
-  void require_folder_or_nothing(const std::string& below) const;
+  bool is_file(const std::string& name) const {
+    const auto is_real = [this](const std::string& below) { return is_real_folder(at(below)); };
+    std::error_code error;
+    return std::ranges::all_of(folders_of(name), is_real) &&
+           fs::is_regular_file(fs::symlink_status(at(name), error));
+  }
+  void remove(const std::string& name) const {
+    if (is_file(name) && ::unlink(at(name).c_str()) != 0 && errno != ENOENT) {
+      fail("remove", path / name);
+    }
+  }
+  void require_folder_or_nothing(const fs::path& folder) const {
+    std::error_code error;
+    if (fs::exists(fs::symlink_status(folder, error)) && !is_real_folder(folder)) {
+      fail("write to", folder, "it is no folder, or a symbolic link, which is not followed");
+    }
+  }
   /// All that files of the manifest are in.
-  std::set<std::string> folders() const;
+  std::set<std::string> folders() const {
+    std::set<std::string> folders;
+    for (const std::string& name : names) {
+      const std::vector<std::string> of_file = folders_of(name);
+      folders.insert(of_file.begin(), of_file.end());
+    }
+    return folders;
+  }
 
-  void read_manifest();
-  void add_to_manifest(std::string text);
-  void make_folders(const std::string& name) const;
+  void read_manifest() {
+    std::error_code error;
+    if (!fs::exists(fs::symlink_status(at(kManifest), error))) {
+      return;
+    }
+    if (!opened(at(kManifest), O_RDONLY).is_open()) {  // a symbolic link
+      fail("read", path / kManifest);
+    }
+    const std::vector<std::uint8_t> bytes = read_whole(at(kManifest), kMaxManifestBytes);
+    std::istringstream text(std::string(bytes.begin(), bytes.end()));
+    std::string line;
+    if (std::getline(text, line) && line != kHeader) {
+      fail("read", path / kManifest, "it is not a clca manifest");
+    }
+    is_marked = true;
+    constexpr std::string_view kBefore = "file \"";
+    while (std::getline(text, line)) {
+      if (line.starts_with(kBefore) && line.size() > kBefore.size() && line.back() == '"') {
+        names.insert(line.substr(kBefore.size(), line.size() - kBefore.size() - 1));
+      }
+    }
+    if (!std::ranges::all_of(names, is_inside)) {
+      fail("read", path / kManifest, "it names files outside of the folder");
+    }
+  }
+  void add_to_manifest(std::string text) {
+    Descriptor file = opened(at(kManifest), O_WRONLY | O_APPEND | O_CREAT);
+    struct stat status {};
+    if (file.is_open() && ::fstat(file.number(), &status) == 0 && status.st_size == 0) {
+      text.insert(0, std::string(kHeader) + "\n");
+    }
+    if (!file.is_open() || !write_all(file.number(), as_bytes(text)) || !file.close()) {
+      fail("write", path / kManifest);
+    }
+    is_marked = true;
+    not_flushed.insert(kManifest);
+  }
+  void make_folders(const std::string& name) const {
+    if (!is_marked) {
+      store::make_folder(absolute);
+    }
+    for (const std::string& below : folders_of(name)) {
+      const fs::path folder = at(below);
+      if (::mkdir(folder.c_str(), 0777) != 0 && errno != EEXIST) {
+        fail("make the folder", path / below / "");
+      }
+      require_folder_or_nothing(folder);
+    }
+  }
   /// Prepares a file to be written: makes its folders and lists it.
-  void prepare(const std::string& name);
+  void prepare(const std::string& name) {
+    if (!is_inside(name)) {
+      fail("write", path / name, "it is no name of a file");
+    }
+    make_folders(name);
+    if (!std::exchange(has_written, true)) {
+      remove_abandoned_files(absolute);
+      for (const std::string& below : folders()) {
+        remove_abandoned_files(at(below));
+      }
+    }
+    if (!names.contains(name)) {
+      add_to_manifest(fmt::format("\nfile \"{}\"\n", name));  // a line may have been cut off
+      names.insert(name);
+    }
+  }
 
   fs::path path;  // as given
   fs::path absolute;
@@ -96,115 +206,12 @@ struct OutputFolder::State {
   std::set<std::string> not_flushed;
 };
 
-bool OutputFolder::State::is_file(const std::string& name) const {
-  const std::vector<std::string> folders = folders_of(name);
-  std::error_code error;
-  return std::ranges::all_of(folders,
-                             [this](const std::string& below) {
-                               return is_real_folder(at(below.substr(0, below.size() - 1)));
-                             }) &&
-         fs::is_regular_file(fs::symlink_status(at(name), error));
-}
-
-void OutputFolder::State::remove(const std::string& name) const {
-  if (is_file(name) && ::unlink(at(name).c_str()) != 0 && errno != ENOENT) {
-    fail("remove", path / name);
-  }
-}
-
-void OutputFolder::State::require_folder_or_nothing(const std::string& below) const {
-  const fs::path folder = at(below.substr(0, below.size() - 1));
-  std::error_code error;
-  if (fs::exists(fs::symlink_status(folder, error)) && !is_real_folder(folder)) {
-    fail("write to", folder, "it is no folder, or a symbolic link, which is not followed");
-  }
-}
-
-std::set<std::string> OutputFolder::State::folders() const {
-  std::set<std::string> folders;
-  for (const std::string& name : names) {
-    const std::vector<std::string> of_file = folders_of(name);
-    folders.insert(of_file.begin(), of_file.end());
-  }
-  return folders;
-}
-
-void OutputFolder::State::read_manifest() {
-  std::error_code error;
-  if (!fs::exists(fs::symlink_status(at(kManifest), error))) {
-    return;
-  }
-  if (!opened(at(kManifest), O_RDONLY).is_open()) {  // a symbolic link
-    fail("read", path / kManifest);
-  }
-  const std::vector<std::uint8_t> bytes = read_whole(at(kManifest), kMaxManifestBytes);
-  std::istringstream text(std::string(bytes.begin(), bytes.end()));
-  std::string line;
-  if (std::getline(text, line) && line != kHeader) {
-    fail("read", path / kManifest, "it is not a clca manifest");
-  }
-  is_marked = true;
-  constexpr std::string_view kBefore = "file \"";
-  while (std::getline(text, line)) {
-    if (line.starts_with(kBefore) && line.size() > kBefore.size() && line.back() == '"') {
-      names.insert(line.substr(kBefore.size(), line.size() - kBefore.size() - 1));
-    }
-  }
-  if (!std::ranges::all_of(names, is_inside)) {
-    fail("read", path / kManifest, "it names files outside of the folder");
-  }
-}
-
-void OutputFolder::State::add_to_manifest(std::string text) {
-  Descriptor file = opened(at(kManifest), O_WRONLY | O_APPEND | O_CREAT);
-  struct stat status {};
-  if (file.is_open() && ::fstat(file.number(), &status) == 0 && status.st_size == 0) {
-    text.insert(0, std::string(kHeader) + "\n");
-  }
-  if (!file.is_open() || !write_all(file.number(), as_bytes(text)) || !file.close()) {
-    fail("write", path / kManifest);
-  }
-  is_marked = true;
-  not_flushed.insert(kManifest);
-}
-
-void OutputFolder::State::make_folders(const std::string& name) const {
-  if (!is_marked) {
-    store::make_folder(absolute);
-  }
-  for (const std::string& below : folders_of(name)) {
-    const fs::path folder = at(below.substr(0, below.size() - 1));
-    if (::mkdir(folder.c_str(), 0777) != 0 && errno != EEXIST) {
-      fail("make the folder", path / below);
-    }
-    require_folder_or_nothing(below);
-  }
-}
-
-void OutputFolder::State::prepare(const std::string& name) {
-  if (!is_inside(name)) {
-    fail("write", path / name, "it is no name of a file");
-  }
-  make_folders(name);
-  if (!std::exchange(has_written, true)) {
-    remove_abandoned_files(absolute);
-    for (const std::string& below : folders()) {
-      remove_abandoned_files(at(below));
-    }
-  }
-  if (!names.contains(name)) {
-    add_to_manifest(fmt::format("\nfile \"{}\"\n", name));  // a line may have been cut off
-    names.insert(name);
-  }
-}
-
 OutputFolder::OutputFolder(const fs::path& path) : state_(std::make_shared<State>(path)) {}
 
-OutputFolder::OutputFolder(std::shared_ptr<State> state, std::string prefix)
-    : state_(std::move(state)), prefix_(std::move(prefix)) {}
-
 OutputFolder OutputFolder::subfolder(const std::string& name) const {
-  return {state_, prefix_ + name + "/"};
+  OutputFolder inner = *this;
+  inner.prefix_ += name + "/";
+  return inner;
 }
 
 fs::path OutputFolder::path() const {
@@ -246,7 +253,7 @@ void OutputFolder::make_own(const std::string& beside) const {
 
 bool OutputFolder::owns(const std::string& name) const {
   const std::lock_guard lock(state_->mutex);
-  return state_->owns(prefix_ + name);
+  return state_->names.contains(prefix_ + name) && state_->is_file(prefix_ + name);
 }
 
 std::vector<std::string> OutputFolder::files() const {
@@ -370,7 +377,7 @@ void OutputFolder::clear(const std::string& first, const std::string& kept) cons
   state_->read_manifest();  // another process may have added names
   const std::set<std::string> folders = state_->folders();
   for (const std::string& below : folders) {  // before anything is lost
-    state_->require_folder_or_nothing(below);
+    state_->require_folder_or_nothing(state_->at(below));
   }
   if (state_->names.contains(first)) {
     state_->remove(first);
@@ -416,6 +423,33 @@ void GrowingFile::append(std::string_view text) {
   }
   bytes_ += text.size();
   folder_.flush_later(name_);
+}
+
+FolderLock::FolderLock(const fs::path& folder) {
+  const fs::path file = folder / ".clca.lock";
+  constexpr int kFlags = O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC;
+  Descriptor opened(::open(file.c_str(), kFlags, kReadableByAll));
+  if (!opened.is_open()) {
+    refuse_lock(file, std::strerror(errno));
+  }
+  if (!opened.is_regular()) {
+    refuse_lock(file, "it is no regular file");
+  }
+  if (::flock(opened.number(), LOCK_EX | LOCK_NB) != 0) {
+    if (errno != EWOULDBLOCK) {
+      refuse_lock(file, std::strerror(errno));
+    }
+    const std::string holder = holder_of(opened.number());
+    throw FolderInUseError(fmt::format("cannot write to {}: another run is at work in it{}",
+                                       folder.string(),
+                                       holder.empty() ? "" : fmt::format(" (process {})", holder)));
+  }
+  held_ = {nullptr, [number = opened.release(), process = ::getpid()](std::nullptr_t) {
+             if (process == ::getpid()) {
+               ::flock(number, LOCK_UN);  // forked children may have the descriptor, too
+             }
+             ::close(number);
+           }};
 }
 
 }  // namespace clca::store

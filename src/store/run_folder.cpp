@@ -47,8 +47,7 @@ bool is_of_run(const OutputFolder& files) {
 
 }  // namespace
 
-RunFolder::RunFolder(const fs::path& path, FolderLock lock)
-    : path_(path), lock_(std::move(lock)), files_(path) {
+RunFolder::RunFolder(const fs::path& path, FolderLock lock) : lock_(std::move(lock)), files_(path) {
   files_.delay_flushing();
 }
 
@@ -88,7 +87,7 @@ std::optional<EarlierRun> RunFolder::earlier_run() const {
   if (files_.files().empty()) {
     return std::nullopt;
   }
-  const fs::path summary = path_ / kSummaryFile;
+  const fs::path summary = path() / kSummaryFile;
   std::error_code unknown;
   bool has_summary = fs::exists(summary, unknown);
   std::string problem;
@@ -107,7 +106,7 @@ std::optional<EarlierRun> RunFolder::earlier_run() const {
   }
   earlier.unfinished = true;
   try {
-    const auto found = read_checkpoint(path_, kMuchMemory);
+    const auto found = read_checkpoint(path(), kMuchMemory);
     earlier.unfinished = found && !found->checkpoint.is_start();
     if (!found && !has_summary) {
       throw StoreError(problem.empty() ? "it has neither run.json nor a checkpoint" : problem);
@@ -120,7 +119,7 @@ std::optional<EarlierRun> RunFolder::earlier_run() const {
       throw StoreError(
           fmt::format("cannot run in {}: clca has written files there, but of which "
                       "run cannot be told: {}",
-                      path_.string(), error.what()));
+                      path().string(), error.what()));
     }
   }
   return earlier;

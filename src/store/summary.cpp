@@ -176,28 +176,6 @@ StageSummary stage(const Json& object) {
   return summary;
 }
 
-/// Stops the parser if a text would take excessive memory or time.
-class Limits {
- public:
-  bool operator()(int depth, Json::parse_event_t event, const Json& /*value*/) {
-    const auto level = static_cast<std::size_t>(depth);
-    if (level >= kMaxDepth) {
-      throw FormatError(fmt::format("it is nested deeper than {} levels", kMaxDepth));
-    }
-    if (event == Json::parse_event_t::object_start) {
-      keys_[level + 1] = 0;
-    } else if (event == Json::parse_event_t::key && ++keys_[level] > kMaxKeys) {
-      throw FormatError(fmt::format("it has an object of more than {} keys", kMaxKeys));
-    }
-    return true;
-  }
-
- private:
-  static constexpr std::size_t kMaxDepth = 16;
-  static constexpr int kMaxKeys = 1000;       // of an object, since looking one up takes that long
-  std::array<int, kMaxDepth + 1> keys_ = {};  // so far, by depth
-};
-
 scene::Conversion units(const Json& found) {
   scene::Conversion result = {.length_unit = text(found, "length"),
                               .time_unit = text(found, "time"),
@@ -355,8 +333,24 @@ std::string to_json(const RunSummary& summary) {
 }
 
 RunSummary parse_summary(std::string_view json, const std::string& name) {
+  static constexpr std::size_t kMaxDepth = 16;
+  static constexpr int kMaxKeys = 1000;  // of an object, since looking one up takes that long
+  // Stops the parser if a text would take excessive memory or time.
+  const auto limits = [keys = std::array<int, kMaxDepth + 1>()](  // so far, by depth
+                          int depth, Json::parse_event_t event, const Json& /*value*/) mutable {
+    const auto level = static_cast<std::size_t>(depth);
+    if (level >= kMaxDepth) {
+      throw FormatError(fmt::format("it is nested deeper than {} levels", kMaxDepth));
+    }
+    if (event == Json::parse_event_t::object_start) {
+      keys[level + 1] = 0;
+    } else if (event == Json::parse_event_t::key && ++keys[level] > kMaxKeys) {
+      throw FormatError(fmt::format("it has an object of more than {} keys", kMaxKeys));
+    }
+    return true;
+  };
   try {
-    return summary_of(Json::parse(json, Limits()));
+    return summary_of(Json::parse(json, limits));
   } catch (const Json::exception&) {
     throw StoreError(fmt::format("cannot read {}: it is cut off or no JSON", name));
   } catch (const FormatError& error) {

@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <functional>
 #include <numeric>
+#include <optional>
+#include <system_error>
 #include <type_traits>
 
 #include "clca/scene/units.hpp"
@@ -39,26 +42,30 @@ constexpr Meaning kName = {"", "of the scene"};
 constexpr Meaning kUnits = {"", "of all that is in the file, in words"};
 constexpr Meaning kCentre = {"spacings", "of each kind x, y of the centre of mass from its site"};
 
-/// Calls visit(path, list, columns, meaning) for each dataset that identifies the scene.
-template <class Tables, class Visit>
-void for_each_table(Tables& tables, Visit visit) {
-  visit("scene/seed", tables.seed, 1, Meaning{"", "of the run"});
-  visit("scene/lattice", tables.lattice, 1, Meaning{"", "columns, rows, 1 if periodic"});
-  visit("scene/species", tables.species, 1, Meaning{"", "names"});
-  visit("scene/stages", tables.stages, 1, Meaning{"", "names"});
-  visit("scene/kinds/species", tables.kind_species, 1,
-        Meaning{"", "of each kind, a species in one orientation, which of `scene/species`"});
-  visit("scene/kinds/first", tables.kind_sites.first, 1,
-        Meaning{"", "of each kind the first row in `scene/kinds/sites`"});
-  visit("scene/kinds/size", tables.kind_sites.size, 1, Meaning{"sites", "of each kind"});
-  visit("scene/kinds/sites", tables.kind_sites.sites, 2,
-        Meaning{"sites", "axial x and q from the reference site"});
-  visit("scene/walls/name", tables.walls, 1, Meaning{"", "of each wall"});
-  visit("scene/walls/first", tables.wall_sites.first, 1,
-        Meaning{"", "of each wall the first row in `scene/walls/sites`"});
-  visit("scene/walls/size", tables.wall_sites.size, 1, Meaning{"sites", "of each wall"});
-  visit("scene/walls/sites", tables.wall_sites.sites, 2,
-        Meaning{"sites", "column and row at home"});
+/// Reads the columns of a use, with what else there is in the file.
+std::vector<Column> read_columns(const std::filesystem::path& path, TrajectoryPart& part,
+                                 const Layout& layout, Use use, double max_bytes,
+                                 std::vector<Hdf5Dataset> datasets) {
+  std::vector<Column> columns = part.columns(layout);
+  std::erase_if(columns, [use](const Column& column) { return column.use != use; });
+  datasets.insert(datasets.end(), columns.begin(), columns.end());
+  read_hdf5(path, kTrajectoryKind, datasets, max_bytes);
+  return columns;
+}
+
+/// They have the rows that the frames say.
+void check_rows(const std::filesystem::path& path, const std::vector<Column>& columns,
+                const Extents& extents) {
+  for (const Column& column : columns) {
+    const std::size_t numbers =
+        std::visit([](const auto* list) { return list->size(); }, column.values);
+    const std::size_t rows = numbers / column.columns;
+    const bool missing = column.may_be_missing && numbers == 0;
+    if (!missing && rows != extents[column.axis]) {
+      refuse_part(path,
+                  fmt::format("{} has {} rows, not {}", column.path, rows, extents[column.axis]));
+    }
+  }
 }
 
 /// `u8` to `f64`, or `text`.
@@ -81,7 +88,63 @@ std::string shape_text(const Column& column) {
   return text;
 }
 
+std::optional<std::uint64_t> part_number(const std::string& name) {
+  constexpr std::string_view kStart = "part-";
+  if (!name.starts_with(kStart)) {
+    return std::nullopt;
+  }
+  std::uint64_t number = 0;
+  std::from_chars(name.data() + kStart.size(), name.data() + name.size(), number);
+  return name == part_name(number) ? std::optional(number) : std::nullopt;
+}
+
 }  // namespace
+
+void refuse_part(const std::filesystem::path& path, std::string_view reason) {
+  throw StoreError(fmt::format("cannot read {}: {}", path.string(), reason));
+}
+
+std::string part_name(std::uint64_t number) {
+  return fmt::format("part-{:06}.h5", number);
+}
+
+std::set<std::uint64_t> part_numbers(const std::filesystem::path& folder) {
+  std::set<std::uint64_t> numbers;
+  std::error_code error;
+  std::filesystem::directory_iterator it(folder, error);
+  for (; !error && it != std::filesystem::directory_iterator(); it.increment(error)) {
+    if (const auto number = part_number(it->path().filename())) {
+      numbers.insert(*number);
+    }
+  }
+  if (error && error != std::errc::no_such_file_or_directory) {
+    throw StoreError(
+        fmt::format("cannot read the folder {}: {}", folder.string(), error.message()));
+  }
+  return numbers;
+}
+
+std::vector<std::filesystem::path> find_parts(const std::filesystem::path& run_folder) {
+  const std::filesystem::path folder = run_folder / kTrajectoryFolder;
+  std::vector<std::filesystem::path> parts;
+  for (const std::uint64_t number : part_numbers(folder)) {
+    const std::filesystem::path next = folder / part_name(parts.size());
+    if (number != parts.size()) {
+      refuse_part(next, "missing, though later parts are there");
+    }
+    parts.push_back(next);
+  }
+  if (parts.empty()) {
+    refuse_part(folder, "no trajectory there (see output.trajectory)");
+  }
+  return parts;
+}
+
+void check_parts(const std::filesystem::path& run_folder) {
+  for (const std::filesystem::path& part : find_parts(run_folder)) {
+    read_hdf5(part, kTrajectoryKind, {}, kAnyBytes);
+  }
+}
 
 Layout layout_of(const scene::Scene& scene) {
   const auto& trajectory = scene.output.trajectory;
@@ -93,10 +156,6 @@ Layout layout_of(const scene::Scene& scene) {
 Extents& Extents::operator+=(const Extents& other) {
   std::transform(rows_.begin(), rows_.end(), other.rows_.begin(), rows_.begin(), std::plus());
   return *this;
-}
-
-std::size_t Column::width() const {
-  return std::accumulate(row.begin(), row.end(), std::size_t{1}, std::multiplies<>());
 }
 
 void RowRanges::end_frame(std::uint64_t before, std::size_t rows) {
@@ -131,8 +190,8 @@ void TrajectoryPart::add(const grains::State& state, std::size_t stage, std::siz
     add_site_row(rows.site, particle.site());
     rows.kind.push_back(particle.kind);
     rows.move.push_back(particle.previous);
-    derived.species.push_back(state.kinds[particle.kind].species);
-    add_point_row(derived.position, grains::centre_in_box(state, particle));
+    rows.species.push_back(state.kinds[particle.kind].species);
+    add_point_row(rows.position, grains::centre_in_box(state, particle));
     if (!contact.velocities.empty()) {
       add_point_row(rows.velocity, contact.velocities[id]);
       rows.spin.push_back(contact.spins[id]);
@@ -159,7 +218,7 @@ void TrajectoryPart::add(const grains::State& state, std::size_t stage, std::siz
   for (const grains::Wall& wall : state.walls) {
     rows.wall_present.push_back(wall.present ? 1 : 0);
     rows.wall_offset.push_back(wall.travel.offset);
-    add_point_row(derived.wall_position, lattice::position(wall.shift()));
+    add_point_row(rows.wall_position, lattice::position(wall.shift()));
   }
   frames.step.push_back(state.step);
   frames.stage.push_back(static_cast<std::uint32_t>(stage));
@@ -170,25 +229,99 @@ void TrajectoryPart::add(const grains::State& state, std::size_t stage, std::siz
   frames.contacts.end_frame(before[Axis::contacts], rows.upper.size());
 }
 
-std::size_t TrajectoryPart::bytes() const {
-  std::size_t sum = 0;
-  // All possible datasets; unused ones are empty.
-  for_each_column(
-      *this, {.walls = 1, .velocities = true, .contacts = true},
-      [&sum](const Column&, const auto& values) { sum += values.size() * sizeof(values.front()); });
-  return sum;
-}
+std::vector<Column> TrajectoryPart::columns(const Layout& layout) {
+  std::vector<Column> all;
+  const auto columns = [&all](Axis axis, Use use) {
+    return [&all, axis, use](const char* path, Hdf5Dataset::Values values, const char* text,
+                             const char* unit = "", const std::vector<std::size_t>& row = {},
+                             bool may_be_missing = false) {
+      const std::size_t width =
+          std::accumulate(row.begin(), row.end(), std::size_t{1}, std::multiplies<>());
+      all.push_back({{path, values, width, {unit, text}, may_be_missing}, axis, use, row});
+    };
+  };
+  const auto of_frames = columns(Axis::frames, Use::index);
+  of_frames("frames/step", &frames.step, "of the whole run", "steps");
+  of_frames("frames/stage", &frames.stage, "which of `scene/stages`, from 0");
+  of_frames("frames/entered", &frames.entered, "particles that had entered; ids are below this");
+  of_frames("frames/first", &frames.particles.first, "the first row of the frame in `particles`");
+  of_frames("frames/particles", &frames.particles.count, "rows of the frame in `particles`");
+  of_frames("frames/first_origin", &frames.origins.first,
+            "the first row of the frame in `origins`");
+  of_frames("frames/origins", &frames.origins.count, "rows of the frame in `origins`");
+  of_frames("frames/first_push", &frames.pushes.first, "the first row of the frame in `pushes`");
+  of_frames("frames/pushes", &frames.pushes.count, "rows of the frame in `pushes`");
+  if (layout.contacts) {
+    of_frames("frames/first_contact", &frames.contacts.first,
+              "the first row of the frame in `contacts`");
+    of_frames("frames/contacts", &frames.contacts.count, "rows of the frame in `contacts`");
+  }
 
-void add_datasets(TrajectoryPart& part, const Layout& layout, Use use,
-                  std::vector<Hdf5Dataset>& datasets) {
-  for_each_column(part, layout, [&](const Column& column, auto& values) {
-    if (column.use == use) {
-      datasets.push_back({.path = column.path,
-                          .values = &values,
-                          .columns = column.width(),
-                          .may_be_missing = column.may_be_missing});
-    }
-  });
+  const auto of_origins = columns(Axis::origins, Use::index);
+  of_origins("origins/id", &origins.id,
+             "of the particle; all in the first frame of a stage, later the new ones");
+  of_origins("origins/site", &origins.site,
+             "column and row where it was when the stage began or it entered", "sites", {2});
+
+  const auto of_particles = columns(Axis::particles, Use::rows);
+  of_particles("particles/id", &rows.id, "for life; ascending in a frame, without those gone");
+  of_particles("particles/site", &rows.site,
+               "column and row of the reference site; the column, as nothing else, counts on "
+               "across a periodic boundary",
+               "sites", {2});
+  of_particles("particles/kind", &rows.kind, "which of `scene/kinds`: species and orientation");
+  of_particles("particles/move", &rows.move, "the last move: 0 to 5 clockwise from up, 6 none");
+  if (layout.velocities) {
+    of_particles("particles/velocity", &rows.velocity, "x, y; of the contact model",
+                 "spacings/step", {2});
+    of_particles("particles/spin", &rows.spin,
+                 "angular velocity, anticlockwise, times the radius of a disc of the same area; "
+                 "of the contact model",
+                 "spacings/step", {}, true);
+  }
+
+  const auto of_pushes = columns(Axis::pushes, Use::rows);
+  of_pushes("pushes/pushed", &rows.pushed, "id of a particle that was pushed");
+  of_pushes("pushes/pusher", &rows.pusher,
+            "by whom: a particle, or -2 for the first wall, -3 for the second ...");
+  of_pushes("pushes/source", &rows.push_source, "the wall where the push began");
+  of_pushes("pushes/direction", &rows.push_direction, "0 to 5 clockwise from up");
+
+  if (layout.walls > 0) {
+    const auto of_walls = columns(Axis::frames, Use::rows);
+    of_walls("walls/present", &rows.wall_present, "1 where the wall is there", "", {layout.walls});
+    of_walls("walls/offset", &rows.wall_offset, "from home along its motion", "sites",
+             {layout.walls});
+  }
+
+  if (layout.contacts) {
+    const auto of_contacts = columns(Axis::contacts, Use::rows);
+    of_contacts("contacts/upper", &rows.upper, "id of a particle");
+    of_contacts("contacts/other", &rows.other,
+                "what it touches: a particle, -2 for the first wall, -3 for the second ..., or "
+                "-2³¹, -2³¹+1, -2³¹+2, -2³¹+3 for `box.floor`, `box.top`, `box.left`, `box.right`");
+    of_contacts("contacts/place", &rows.point, "x, y of the contact, in the box", "spacings", {2});
+    of_contacts("contacts/normal", &rows.normal, "x, y: unit vector to the upper particle", "",
+                {2});
+    of_contacts("contacts/branch", &rows.branch,
+                "x, y from the other centre, or from the point of contact with what is no "
+                "particle, to the upper centre",
+                "spacings", {2});
+    of_contacts("contacts/force", &rows.force,
+                "on the upper particle: along the normal, and along the normal turned "
+                "anticlockwise",
+                "weights of a grain of mean mass", {2});
+  }
+
+  const auto more_of_particles = columns(Axis::particles, Use::derived);
+  more_of_particles("particles/species", &rows.species, "which of `scene/species`");
+  more_of_particles("particles/position", &rows.position, "x, y of the centre of mass, in the box",
+                    "spacings", {2});
+  if (layout.walls > 0) {
+    columns(Axis::frames, Use::derived)("walls/position", &rows.wall_position, "x, y from home",
+                                        "spacings", {layout.walls, 2});
+  }
+  return all;
 }
 
 void SiteSets::begin() {
@@ -229,28 +362,46 @@ SceneTables::SceneTables(const scene::Scene& scene, const grains::State& state)
   }
 }
 
-void SceneTables::write(const Hdf5Writer& file) const {
-  file.add("scene/name", name, 1, kName);
-  file.add("scene/units", units, 1, kUnits);
-  file.add("scene/kinds/centre", kind_centre, 2, kCentre);
-  for_each_table(*this,
-                 [&file](const char* path, const auto& list, std::size_t columns,
-                         const Meaning& meaning) { file.add(path, list, columns, meaning); });
+void SceneTables::write(const hdf5::Handle& file) {
+  hdf5::add(file, "scene/name", name, 1, kName);
+  hdf5::add(file, "scene/units", units, 1, kUnits);
+  hdf5::add(file, "scene/kinds/centre", kind_centre, 2, kCentre);
+  for (const Hdf5Dataset& dataset : datasets()) {
+    hdf5::add(file, dataset);
+  }
 }
 
 std::vector<Hdf5Dataset> SceneTables::datasets() {
-  std::vector<Hdf5Dataset> list;
-  for_each_table(*this,
-                 [&list](const char* path, auto& values, std::size_t columns, const Meaning&) {
-                   list.push_back({.path = path, .values = &values, .columns = columns});
-                 });
-  return list;
+  return {{"scene/seed", &seed, 1, {"", "of the run"}},
+          {"scene/lattice", &lattice, 1, {"", "columns, rows, 1 if periodic"}},
+          {"scene/species", &species, 1, {"", "names"}},
+          {"scene/stages", &stages, 1, {"", "names"}},
+          {"scene/kinds/species",
+           &kind_species,
+           1,
+           {"", "of each kind, a species in one orientation, which of `scene/species`"}},
+          {"scene/kinds/first",
+           &kind_sites.first,
+           1,
+           {"", "of each kind the first row in `scene/kinds/sites`"}},
+          {"scene/kinds/size", &kind_sites.size, 1, {"sites", "of each kind"}},
+          {"scene/kinds/sites",
+           &kind_sites.sites,
+           2,
+           {"sites", "axial x and q from the reference site"}},
+          {"scene/walls/name", &walls, 1, {"", "of each wall"}},
+          {"scene/walls/first",
+           &wall_sites.first,
+           1,
+           {"", "of each wall the first row in `scene/walls/sites`"}},
+          {"scene/walls/size", &wall_sites.size, 1, {"sites", "of each wall"}},
+          {"scene/walls/sites", &wall_sites.sites, 2, {"sites", "column and row at home"}}};
 }
 
 void SceneTables::require_same(const SceneTables& read, const std::filesystem::path& path) const {
   const auto require = [&path](bool same, const char* other) {
     if (!same) {
-      throw StoreError(fmt::format("cannot read {}: of another scene: {}", path.string(), other));
+      refuse_part(path, fmt::format("of another scene: {}", other));
     }
   };
   require(lattice == read.lattice, "another lattice");
@@ -262,43 +413,69 @@ void SceneTables::require_same(const SceneTables& read, const std::filesystem::p
   require(stages == read.stages, "other stages");
 }
 
+TrajectoryPart read_index(const std::filesystem::path& path, const SceneTables& tables,
+                          const Layout& layout, double max_bytes) {
+  TrajectoryPart part;
+  SceneTables read;
+  const auto columns = read_columns(path, part, layout, Use::index, max_bytes, read.datasets());
+  tables.require_same(read, path);
+  if (part.frames.step.empty()) {
+    refuse_part(path, "no frames");
+  }
+  check_rows(path, columns, part.frames.extents());
+  return part;
+}
+
+PartRows read_rows(const std::filesystem::path& path, const PartFrames& frames,
+                   const Layout& layout, double max_bytes) {
+  TrajectoryPart part;
+  const auto columns = read_columns(path, part, layout, Use::rows, max_bytes, {});
+  check_rows(path, columns, frames.extents());
+  return std::move(part.rows);
+}
+
 std::vector<Dataset> datasets(const scene::Scene& scene, const grains::State& state,
                               std::size_t stage, const ContactFrame& contact) {
   std::vector<Dataset> list;
+  const auto add = [&list](const Hdf5Dataset& dataset) {
+    std::visit(
+        [&](auto* values) {
+          list.push_back({dataset.path, dataset.columns, std::move(*values)});
+        },
+        dataset.values);
+  };
   SceneTables tables(scene, state);
-  for_each_table(tables,
-                 [&list](const char* path, auto& values, std::size_t columns, const Meaning&) {
-                   list.push_back({path, columns, std::move(values)});
-                 });
+  std::ranges::for_each(tables.datasets(), add);
   list.push_back({"scene/kinds/centre", 2, std::move(tables.kind_centre)});
   TrajectoryPart part;
   part.add(state, stage, 0, {}, contact);
-  for_each_column(
-      part,
-      {.walls = state.walls.size(), .velocities = !contact.velocities.empty(), .contacts = true},
-      [&list](const Column& column, auto& values) {
-        list.push_back({column.path, column.width(), std::move(values)});
-      });
+  std::ranges::for_each(part.columns({.walls = state.walls.size(),
+                                      .velocities = !contact.velocities.empty(),
+                                      .contacts = true}),
+                        add);
   return list;
 }
 
 std::string datasets_table() {
   std::string table = "| dataset | rows | type | unit | what |\n|---|---|---|---|---|\n";
-  const auto add = [&table](const char* path, const std::string& rows, std::string_view type,
-                            const Meaning& meaning) {
+  const auto add = [&table](const std::string& path, const std::string& rows,
+                            const std::string& type, const Meaning& meaning) {
     table +=
         fmt::format("| `{}` | {} | {} | {} | {} |\n", path, rows, type, meaning.unit, meaning.text);
   };
-  const TrajectoryPart none;
-  for_each_column(none, {.walls = 1, .velocities = true, .contacts = true},
-                  [&]<class T>(const Column& column, const std::vector<T>&) {
-                    add(column.path, shape_text(column), type_name<T>(), column.meaning);
-                  });
-  const SceneTables tables;
-  for_each_table(tables, [&]<class T>(const char* path, const std::vector<T>&, std::size_t columns,
-                                      const Meaning& meaning) {
-    add(path, columns == 1 ? "" : fmt::format("x {}", columns), type_name<T>(), meaning);
-  });
+  const auto type_of = [](const Hdf5Dataset& dataset) {
+    return std::visit([]<class T>(const std::vector<T>*) { return type_name<T>(); },
+                      dataset.values);
+  };
+  TrajectoryPart none;
+  for (const Column& column : none.columns({.walls = 1, .velocities = true, .contacts = true})) {
+    add(column.path, shape_text(column), type_of(column), column.meaning);
+  }
+  SceneTables tables;
+  for (const Hdf5Dataset& dataset : tables.datasets()) {
+    add(dataset.path, dataset.columns == 1 ? "" : fmt::format("x {}", dataset.columns),
+        type_of(dataset), dataset.meaning);
+  }
   add("scene/kinds/centre", "x 2", "f64", kCentre);
   add("scene/name", "", "text", kName);
   add("scene/units", "", "text", kUnits);

@@ -1,20 +1,35 @@
 #pragma once
-// A part of a trajectory in memory: the datasets of docs/trajectory.md.
+// A part of a trajectory in memory: the datasets of docs/trajectory.md; the files of parts.
 
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "clca/grains/state.hpp"
 #include "clca/scene/scene.hpp"
 #include "clca/store/trajectory.hpp"
-#include "store/hdf5_file.hpp"
+#include "store/hdf5.hpp"
 
 namespace clca::store {
 
 inline constexpr FileKind kTrajectoryKind{.name = "trajectory", .version = 1};
+inline constexpr const char* kTrajectoryFolder = "trajectory";
+
+/// Throws StoreError: `cannot read PATH: REASON`.
+[[noreturn]] void refuse_part(const std::filesystem::path& path, std::string_view reason);
+
+/// `part-000012.h5`.
+std::string part_name(std::uint64_t number);
+
+/// The numbers of the parts in a folder; none if it does not exist.
+std::set<std::uint64_t> part_numbers(const std::filesystem::path& folder);
+/// The parts of a run folder, in order. Throws StoreError if there are none or one is missing in
+/// between.
+std::vector<std::filesystem::path> find_parts(const std::filesystem::path& run_folder);
 
 /// Concatenated sets of sites.
 struct SiteSets {
@@ -44,8 +59,9 @@ struct SceneTables {
   SceneTables() = default;
   SceneTables(const scene::Scene& scene, const grains::State& state);
 
-  void write(const Hdf5Writer& file) const;
-  /// All datasets except name and units. This object must outlive the list.
+  /// Adds all datasets.
+  void write(const hdf5::Handle& file);
+  /// All except name, units and centres. This object must outlive the list.
   std::vector<Hdf5Dataset> datasets();
   /// Throws StoreError with the difference unless those read from `path` are of the same scene.
   void require_same(const SceneTables& read, const std::filesystem::path& path) const;
@@ -82,18 +98,12 @@ enum class Use : std::uint8_t {
   derived  ///< never; for the convenience of other readers
 };
 
-/// A dataset: path, meaning of its rows and numbers, shape of a row (none: one number). The numbers
-/// of a row are contiguous.
-struct Column {
-  const char* path;
+/// A dataset with the meaning of its rows, and their shape (none: one number). The numbers of a row
+/// are contiguous.
+struct Column : Hdf5Dataset {
   Axis axis;
   Use use;
-  Meaning meaning;
-  std::vector<std::size_t> row = {};
-  bool may_be_missing = false;  ///< earlier versions did not write it
-
-  /// Numbers per row.
-  std::size_t width() const;
+  std::vector<std::size_t> row;
 };
 
 /// Rows of one frame within its part.
@@ -152,9 +162,7 @@ struct PartRows {
   std::vector<double> normal;  ///< x, y
   std::vector<double> branch;  ///< x, y
   std::vector<double> force;   ///< along the normal, along the shear
-};
-
-struct PartDerived {
+  // Derived, for other readers.
   std::vector<std::uint16_t> species;
   std::vector<double> position;       ///< x, y of the centre of mass
   std::vector<double> wall_position;  ///< frames x (walls x 2): x, y from home
@@ -164,129 +172,21 @@ struct TrajectoryPart {
   PartFrames frames;
   PartOrigins origins;
   PartRows rows;
-  PartDerived derived;
 
   /// Adds a frame. `before`: extents of the previous parts. Stores origins of the particles with
   /// ids from `first_origin` on.
   void add(const grains::State& state, std::size_t stage, std::size_t first_origin,
            const Extents& before, const ContactFrame& contact);
-  std::size_t bytes() const;
+  /// This object must outlive the list. Earlier versions did not write what may be missing.
+  std::vector<Column> columns(const Layout& layout);
 };
 
-/// Calls visit(column, vector) for each dataset.
-template <class Part, class Visit>
-void for_each_column(Part& part, const Layout& layout, Visit visit) {
-  const auto columns = [&visit](Axis axis, Use use) {
-    return
-        [&visit, axis, use](const char* path, const Meaning& meaning, auto& values,
-                            const std::vector<std::size_t>& row = {}, bool may_be_missing = false) {
-          visit(Column{path, axis, use, meaning, row, may_be_missing}, values);
-        };
-  };
-  auto& frames = part.frames;
-  auto& rows = part.rows;
-  const auto of_frames = columns(Axis::frames, Use::index);
-  of_frames("frames/step", {"steps", "of the whole run"}, frames.step);
-  of_frames("frames/stage", {"", "which of `scene/stages`, from 0"}, frames.stage);
-  of_frames("frames/entered", {"", "particles that had entered; ids are below this"},
-            frames.entered);
-  of_frames("frames/first", {"", "the first row of the frame in `particles`"},
-            frames.particles.first);
-  of_frames("frames/particles", {"", "rows of the frame in `particles`"}, frames.particles.count);
-  of_frames("frames/first_origin", {"", "the first row of the frame in `origins`"},
-            frames.origins.first);
-  of_frames("frames/origins", {"", "rows of the frame in `origins`"}, frames.origins.count);
-  of_frames("frames/first_push", {"", "the first row of the frame in `pushes`"},
-            frames.pushes.first);
-  of_frames("frames/pushes", {"", "rows of the frame in `pushes`"}, frames.pushes.count);
-  if (layout.contacts) {
-    of_frames("frames/first_contact", {"", "the first row of the frame in `contacts`"},
-              frames.contacts.first);
-    of_frames("frames/contacts", {"", "rows of the frame in `contacts`"}, frames.contacts.count);
-  }
-
-  const auto of_origins = columns(Axis::origins, Use::index);
-  of_origins("origins/id",
-             {"", "of the particle; all in the first frame of a stage, later the new ones"},
-             part.origins.id);
-  of_origins("origins/site",
-             {"sites", "column and row where it was when the stage began or it entered"},
-             part.origins.site, {2});
-
-  const auto of_particles = columns(Axis::particles, Use::rows);
-  of_particles("particles/id", {"", "for life; ascending in a frame, without those gone"}, rows.id);
-  of_particles("particles/site",
-               {"sites",
-                "column and row of the reference site; the column, as nothing else, counts on "
-                "across a periodic boundary"},
-               rows.site, {2});
-  of_particles("particles/kind", {"", "which of `scene/kinds`: species and orientation"},
-               rows.kind);
-  of_particles("particles/move", {"", "the last move: 0 to 5 clockwise from up, 6 none"},
-               rows.move);
-  if (layout.velocities) {
-    of_particles("particles/velocity", {"spacings/step", "x, y; of the contact model"},
-                 rows.velocity, {2});
-    of_particles("particles/spin",
-                 {"spacings/step",
-                  "angular velocity, anticlockwise, times the radius of a disc of the same area; "
-                  "of the contact model"},
-                 rows.spin, {}, true);
-  }
-
-  const auto of_pushes = columns(Axis::pushes, Use::rows);
-  of_pushes("pushes/pushed", {"", "id of a particle that was pushed"}, rows.pushed);
-  of_pushes("pushes/pusher",
-            {"", "by whom: a particle, or -2 for the first wall, -3 for the second ..."},
-            rows.pusher);
-  of_pushes("pushes/source", {"", "the wall where the push began"}, rows.push_source);
-  of_pushes("pushes/direction", {"", "0 to 5 clockwise from up"}, rows.push_direction);
-
-  if (layout.walls > 0) {
-    const auto of_walls = columns(Axis::frames, Use::rows);
-    of_walls("walls/present", {"", "1 where the wall is there"}, rows.wall_present, {layout.walls});
-    of_walls("walls/offset", {"sites", "from home along its motion"}, rows.wall_offset,
-             {layout.walls});
-  }
-
-  if (layout.contacts) {
-    const auto of_contacts = columns(Axis::contacts, Use::rows);
-    of_contacts("contacts/upper", {"", "id of a particle"}, rows.upper);
-    of_contacts(
-        "contacts/other",
-        {"",
-         "what it touches: a particle, -2 for the first wall, -3 for the second ..., or "
-         "-2³¹, -2³¹+1, -2³¹+2, -2³¹+3 for `box.floor`, `box.top`, `box.left`, `box.right`"},
-        rows.other);
-    of_contacts("contacts/place", {"spacings", "x, y of the contact, in the box"}, rows.point, {2});
-    of_contacts("contacts/normal", {"", "x, y: unit vector to the upper particle"}, rows.normal,
-                {2});
-    of_contacts("contacts/branch",
-                {"spacings",
-                 "x, y from the other centre, or from the point of contact with what is no "
-                 "particle, to the upper centre"},
-                rows.branch, {2});
-    of_contacts("contacts/force",
-                {"weights of a grain of mean mass",
-                 "on the upper particle: along the normal, and along the normal turned "
-                 "anticlockwise"},
-                rows.force, {2});
-  }
-
-  auto& derived = part.derived;
-  const auto more_of_particles = columns(Axis::particles, Use::derived);
-  more_of_particles("particles/species", {"", "which of `scene/species`"}, derived.species);
-  more_of_particles("particles/position", {"spacings", "x, y of the centre of mass, in the box"},
-                    derived.position, {2});
-  if (layout.walls > 0) {
-    columns(Axis::frames, Use::derived)("walls/position", {"spacings", "x, y from home"},
-                                        derived.wall_position, {layout.walls, 2});
-  }
-}
-
-/// Adds the datasets of this use to a list of those to be read into `part`, which has to stay
-/// where it is until then.
-void add_datasets(TrajectoryPart& part, const Layout& layout, Use use,
-                  std::vector<Hdf5Dataset>& datasets);
+/// The frames and origins of a file. Throws StoreError unless it is of the scene of `tables`, and
+/// has frames and the rows that they say.
+TrajectoryPart read_index(const std::filesystem::path& path, const SceneTables& tables,
+                          const Layout& layout, double max_bytes);
+/// The rows of these frames of a file. Throws StoreError, likewise.
+PartRows read_rows(const std::filesystem::path& path, const PartFrames& frames,
+                   const Layout& layout, double max_bytes);
 
 }  // namespace clca::store

@@ -13,7 +13,6 @@
 #include "clca/store/file.hpp"
 #include "clca/store/trajectory.hpp"
 #include "grains/internal/occupancy_table.hpp"
-#include "store/trajectory_files.hpp"
 #include "store/trajectory_part.hpp"
 
 namespace clca::store {
@@ -55,33 +54,16 @@ std::size_t max_particles(const grains::State& fixed, double bytes) {
   return static_cast<std::size_t>(std::clamp((bytes - occupancy) / kParticleBytes, 0.0, kMaxIds));
 }
 
-[[noreturn]] void refuse(const IndexedPart& part, const std::string& reason) {
-  throw StoreError(fmt::format("cannot read {}: {}", part.path.string(), reason));
-}
-
 void require(bool well, const IndexedPart& part, const char* reason) {
   if (!well) {
-    refuse(part, reason);
+    refuse_part(part.path, reason);
   }
 }
 
 void require_in_frame(bool well, const IndexedPart& part, std::uint64_t step, const char* reason) {
   if (!well) {
-    refuse(part, fmt::format("frame of step {}: {}", step, reason));
+    refuse_part(part.path, fmt::format("frame of step {}: {}", step, reason));
   }
-}
-
-/// The datasets of this use have the rows that the frames say.
-void check_rows(const IndexedPart& part, const TrajectoryPart& content, const Layout& layout,
-                Use use) {
-  const Extents extents = part.content.frames.extents();
-  for_each_column(content, layout, [&](const Column& column, const auto& values) {
-    const std::size_t rows = values.size() / column.width();
-    const bool missing = column.may_be_missing && values.empty();
-    if (column.use == use && !missing && rows != extents[column.axis]) {
-      refuse(part, fmt::format("{} has {} rows, not {}", column.path, rows, extents[column.axis]));
-    }
-  });
 }
 
 void check_ranges(const IndexedPart& part, const RowRanges& ranges, Axis axis) {
@@ -118,8 +100,9 @@ class Trajectory::Impl {
     const SceneTables tables(scene, fixed_);
     Extents before;
     for (const std::filesystem::path& path : find_parts(run_folder)) {
-      IndexedPart& part = parts_.emplace_back(IndexedPart{path, before, {}});
-      read_index(part, tables);
+      const IndexedPart& part = parts_.emplace_back(
+          IndexedPart{path, before, read_index(path, tables, layout_, bytes_left_)});
+      add_frames(part, tables.stages.size());
       before += part.content.frames.extents();
       bytes_left_ -= part.bytes();
     }
@@ -132,9 +115,34 @@ class Trajectory::Impl {
     gather_origins(frame);
     grains::State state = fixed_;
     state.step = frames_[frame].step;
-    place_particles(state, *part, within);
-    place_walls(state, *part, within);
-    place_pushes(state, *part, within);
+    state.particles.assign(origins_.size(), {.present = false});
+    state.origins.assign(origins_.size(), {});
+    const RowSpan particles = part->content.frames.particles.rows_of(within);
+    for (std::size_t row = particles.first; row < particles.end; ++row) {
+      const std::uint32_t id = rows_.id[row];
+      const lattice::Site site = site_at(rows_.site, row);
+      state.particles[id] = {.column = site.column,
+                             .row = site.row,
+                             .kind = rows_.kind[row],
+                             .previous = rows_.move[row]};
+      state.origins[id] = origins_[id];
+      require_in_frame(origins_[id] != kUnknown, *part, state.step, "a particle without an origin");
+    }
+    for (std::size_t wall = 0; wall < state.walls.size(); ++wall) {
+      const std::size_t at = within * state.walls.size() + wall;
+      require_in_frame(rows_.wall_present[at] <= 1, *part, state.step,
+                       "a wall neither present nor absent");
+      state.walls[wall].present = rows_.wall_present[at] == 1;
+      state.walls[wall].travel.offset = rows_.wall_offset[at];
+    }
+    const RowSpan pushes = part->content.frames.pushes.rows_of(within);
+    for (std::size_t row = pushes.first; row < pushes.end; ++row) {
+      state.pushes.push_back(
+          {.pushed = rows_.pushed[row],
+           .pusher = rows_.pusher[row],
+           .source = rows_.push_source[row],
+           .direction = static_cast<lattice::Direction>(rows_.push_direction[row])});
+    }
     try {
       check_valid(state);
       const grains::Occupancy checked(state);
@@ -183,22 +191,15 @@ class Trajectory::Impl {
   }
 
  private:
-  void read_index(IndexedPart& part, const SceneTables& tables) {
-    SceneTables read;
-    std::vector<Hdf5Dataset> datasets = read.datasets();
-    add_datasets(part.content, layout_, Use::index, datasets);
-    read_hdf5(part.path, kTrajectoryKind, datasets, bytes_left_);
-    tables.require_same(read, part.path);
+  void add_frames(const IndexedPart& part, std::size_t stages) {
     const PartFrames& frames = part.content.frames;
-    require(!frames.step.empty(), part, "no frames");
-    check_rows(part, part.content, layout_, Use::index);
     for (std::size_t frame = 0; frame < frames.step.size(); ++frame) {
       const Frame last = frames_.empty() ? Frame() : frames_.back();
       const Frame next = {.step = frames.step[frame],
                           .stage = frames.stage[frame],
                           .particles = frames.particles.count[frame]};
       require(next.step >= last.step && next.stage >= last.stage, part, "frames are not in order");
-      require_in_frame(next.stage < tables.stages.size(), part, next.step,
+      require_in_frame(next.stage < stages, part, next.step,
                        "a stage that the scene does not have");
       require_in_frame(frames.entered[frame] <= most_entered_, part, next.step,
                        "needs more memory than the limit");
@@ -230,13 +231,8 @@ class Trajectory::Impl {
     if (loaded_ != &part) {
       loaded_ = nullptr;
       rows_ = {};
-      TrajectoryPart read;
-      std::vector<Hdf5Dataset> datasets;
-      add_datasets(read, layout_, Use::rows, datasets);
-      read_hdf5(part.path, kTrajectoryKind, datasets, bytes_left_);
-      check_rows(part, read, layout_, Use::rows);
-      check_ids(part, read.rows.id, part.content.frames.particles);
-      rows_ = std::move(read.rows);
+      rows_ = read_rows(part.path, part.content.frames, layout_, bytes_left_);
+      check_ids(part, rows_.id, part.content.frames.particles);
       loaded_ = &part;
     }
     return place;
@@ -268,43 +264,6 @@ class Trajectory::Impl {
     origins_frame_ = frame;
   }
 
-  void place_particles(grains::State& state, const IndexedPart& part, std::size_t frame) const {
-    state.particles.assign(origins_.size(), {.present = false});
-    state.origins.assign(origins_.size(), {});
-    const RowSpan rows = part.content.frames.particles.rows_of(frame);
-    for (std::size_t row = rows.first; row < rows.end; ++row) {
-      const std::uint32_t id = rows_.id[row];
-      const lattice::Site site = site_at(rows_.site, row);
-      state.particles[id] = {.column = site.column,
-                             .row = site.row,
-                             .kind = rows_.kind[row],
-                             .previous = rows_.move[row]};
-      state.origins[id] = origins_[id];
-      require_in_frame(origins_[id] != kUnknown, part, state.step, "a particle without an origin");
-    }
-  }
-
-  void place_walls(grains::State& state, const IndexedPart& part, std::size_t frame) const {
-    for (std::size_t wall = 0; wall < state.walls.size(); ++wall) {
-      const std::size_t at = frame * state.walls.size() + wall;
-      require_in_frame(rows_.wall_present[at] <= 1, part, state.step,
-                       "a wall neither present nor absent");
-      state.walls[wall].present = rows_.wall_present[at] == 1;
-      state.walls[wall].travel.offset = rows_.wall_offset[at];
-    }
-  }
-
-  void place_pushes(grains::State& state, const IndexedPart& part, std::size_t frame) const {
-    const RowSpan rows = part.content.frames.pushes.rows_of(frame);
-    for (std::size_t row = rows.first; row < rows.end; ++row) {
-      state.pushes.push_back(
-          {.pushed = rows_.pushed[row],
-           .pusher = rows_.pusher[row],
-           .source = rows_.push_source[row],
-           .direction = static_cast<lattice::Direction>(rows_.push_direction[row])});
-    }
-  }
-
   grains::State fixed_;
   Layout layout_;
   std::size_t most_entered_;  // particles whose state fits into memory
@@ -319,8 +278,7 @@ class Trajectory::Impl {
 
 Trajectory::Trajectory(const std::filesystem::path& run_folder, const scene::Scene& scene,
                        grains::State fixed, double max_bytes)
-    : impl_(std::make_unique<Impl>(run_folder, scene, std::move(fixed), max_bytes)) {}
-Trajectory::~Trajectory() = default;
+    : impl_(std::make_shared<Impl>(run_folder, scene, std::move(fixed), max_bytes)) {}
 
 const std::vector<Trajectory::Frame>& Trajectory::frames() const {
   return impl_->frames();

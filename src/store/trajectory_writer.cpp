@@ -2,31 +2,123 @@
 
 #include <fmt/format.h>
 
+#include <limits>
+#include <set>
 #include <stdexcept>
 
 #include "clca/store/file.hpp"
 #include "clca/store/trajectory.hpp"
-#include "store/trajectory_files.hpp"
+#include "store/hdf5.hpp"
 #include "store/trajectory_part.hpp"
 
 namespace clca::store {
+
+using hdf5::check;
+using hdf5::Handle;
 
 namespace {
 
 /// Size of a part before compression: large enough for few parts, small enough for memory and for
 /// readers to see new frames soon.
 constexpr std::size_t kPartBytes = std::size_t{16} << 20U;
+constexpr const char* kTrajectoryIndex = "trajectory.h5";
+
+using Dimensions = std::vector<hsize_t>;
+
+/// Relative names, so that a run folder may be moved.
+std::string source_file(std::size_t part) {
+  return fmt::format("{}/{}", kTrajectoryFolder, part_name(part));
+}
+
+Dimensions shape_of(const Column& column, std::uint64_t rows) {
+  Dimensions shape = {rows};
+  shape.insert(shape.end(), column.row.begin(), column.row.end());
+  return shape;
+}
+
+/// Maps the rows of all parts, in order, into one dataset.
+void add_dataset(const Handle& file, const Column& column, const std::vector<Extents>& parts) {
+  std::uint64_t rows = 0;
+  for (const Extents& part : parts) {
+    rows += part[column.axis];
+  }
+  const Handle whole = hdf5::space_of(shape_of(column, rows));
+  const Handle creation = hdf5::properties(H5P_DATASET_CREATE);
+  hid_t type = H5I_INVALID_HID;
+  std::visit(
+      [&]<class T>(const std::vector<T>* /*values*/) {
+        if constexpr (Number<T>) {
+          using Numbers = std::numeric_limits<T>;
+          // Of unreadable parts, which HDF5 does not report: it must not look like data.
+          const T none = Numbers::has_quiet_NaN ? Numbers::quiet_NaN()
+                         : Numbers::is_signed   ? Numbers::min()
+                                                : Numbers::max();
+          type = hdf5::number_type<T>();
+          check(H5Pset_fill_value(creation.id(), type, &none), "fill value");
+        }
+      },
+      column.values);
+  Dimensions start(1 + column.row.size(), 0);
+  for (std::size_t part = 0; part < parts.size(); ++part) {
+    const std::uint64_t of_part = parts[part][column.axis];
+    if (of_part == 0) {
+      continue;
+    }
+    const Dimensions block = shape_of(column, of_part);
+    const Dimensions once(block.size(), 1);
+    check(H5Sselect_hyperslab(whole.id(), H5S_SELECT_SET, start.data(), nullptr, once.data(),
+                              block.data()),
+          "rows of a part");
+    const Handle source = hdf5::space_of(of_part, column.columns);
+    check(H5Pset_virtual(creation.id(), whole.id(), source_file(part).c_str(), column.path.c_str(),
+                         source.id()),
+          "virtual dataset");
+    start.front() += of_part;
+  }
+  hdf5::make_dataset(file, column.path, type, whole, creation, column.meaning);
+}
+
+/// Writes `trajectory.h5`: virtual datasets over parts with these extents, and a link to group
+/// `scene` of the first part. At least one part. Throws StoreError.
+void write_index(const OutputFolder& run_folder, const std::vector<Extents>& parts,
+                 const std::vector<Column>& columns) {
+  const auto add_all = [&](const Handle& file) {
+    for (const Column& column : columns) {
+      add_dataset(file, column, parts);
+    }
+    check(H5Lcreate_external(source_file(0).c_str(), "/scene", file.id(), "scene", H5P_DEFAULT,
+                             H5P_DEFAULT),
+          "link");
+  };
+  run_folder.write(kTrajectoryIndex, hdf5::image(run_folder.path(kTrajectoryIndex), add_all));
+}
+
+/// Removes the parts written by clca from number `kept` on, last first; also the index if no part
+/// is kept. Throws StoreError.
+void remove_parts(const OutputFolder& run_folder, std::uint64_t kept) {
+  if (kept == 0) {
+    run_folder.remove(kTrajectoryIndex);
+  }
+  const OutputFolder folder = run_folder.subfolder(kTrajectoryFolder);
+  const std::set<std::uint64_t> numbers = part_numbers(folder.path());
+  for (auto number = numbers.rbegin(); number != numbers.rend() && *number >= kept; ++number) {
+    folder.remove(part_name(*number));
+  }
+}
 
 }  // namespace
 
 class TrajectoryWriter::Impl {
  public:
   Impl(OutputFolder run_folder, SceneTables tables, const Layout& layout, const Written& kept)
-      : run_folder_(std::move(run_folder)), tables_(std::move(tables)), layout_(layout) {
+      : run_folder_(std::move(run_folder)),
+        tables_(std::move(tables)),
+        layout_(layout),
+        columns_(unwritten_part_.columns(layout)) {
     run_folder_.make_folder(kTrajectoryFolder);
     if (kept.parts > 0) {
       take_up(kept);
-      write_index(run_folder_, parts_, layout_);
+      write_index(run_folder_, parts_, columns_);
     }
     remove_parts(run_folder_, kept.parts);
   }
@@ -40,7 +132,12 @@ class TrajectoryWriter::Impl {
     }
     unwritten_part_.add(state, stage, stage_begins ? 0 : entered_, written_, contact);
     entered_ = state.particles.size();
-    if (unwritten_part_.bytes() >= kPartBytes) {
+    std::size_t bytes = 0;
+    for (const Column& column : columns_) {
+      bytes += std::visit([](const auto* list) { return list->size() * sizeof(list->front()); },
+                          column.values);
+    }
+    if (bytes >= kPartBytes) {
       flush();
     }
   }
@@ -51,16 +148,16 @@ class TrajectoryWriter::Impl {
     }
     const OutputFolder folder = run_folder_.subfolder(kTrajectoryFolder);
     const std::string name = part_name(parts_.size());
-    const auto add_all = [this](const Hdf5Writer& file) {
+    const auto add_all = [this](const Handle& file) {
       tables_.write(file);
-      for_each_column(unwritten_part_, layout_, [&file](const Column& column, const auto& values) {
-        file.add(column.path, values, column.width(), column.meaning);
-      });
+      for (const Column& column : columns_) {
+        hdf5::add(file, column);
+      }
     };
-    folder.write(name, hdf5_file(folder.path(name), kTrajectoryKind, add_all));
+    folder.write(name, with_header(kTrajectoryKind, hdf5::image(folder.path(name), add_all)));
     count(unwritten_part_.frames.extents());
     unwritten_part_ = {};
-    write_index(run_folder_, parts_, layout_);
+    write_index(run_folder_, parts_, columns_);
   }
 
   Written written() const { return {.parts = parts_.size(), .frames = written_[Axis::frames]}; }
@@ -75,22 +172,13 @@ class TrajectoryWriter::Impl {
   void take_up(const Written& kept) {
     const std::vector<std::filesystem::path> parts = find_parts(run_folder_.path());
     if (parts.size() < kept.parts) {
-      throw StoreError(
-          fmt::format("cannot read {}: missing, though the run had written it",
-                      (run_folder_.path() / kTrajectoryFolder / part_name(parts.size())).string()));
+      refuse_part(run_folder_.path() / kTrajectoryFolder / part_name(parts.size()),
+                  "missing, though the run had written it");
     }
     for (std::size_t part = 0; part < kept.parts; ++part) {
-      SceneTables read;
-      TrajectoryPart content;
-      std::vector<Hdf5Dataset> datasets = read.datasets();
-      add_datasets(content, layout_, Use::index, datasets);
-      read_hdf5(parts[part], kTrajectoryKind, datasets, kAnyBytes);
-      tables_.require_same(read, parts[part]);
-      count(content.frames.extents());
-      if (content.frames.entered.empty()) {
-        throw StoreError(fmt::format("cannot read {}: no frames", parts[part].string()));
-      }
-      entered_ = content.frames.entered.back();
+      const PartFrames frames = read_index(parts[part], tables_, layout_, kAnyBytes).frames;
+      count(frames.extents());
+      entered_ = frames.entered.back();
     }
     if (const std::uint64_t frames = written_[Axis::frames]; frames != kept.frames) {
       throw StoreError(fmt::format("cannot go on with {}: {} frames where the run had written {}",
@@ -104,27 +192,28 @@ class TrajectoryWriter::Impl {
   Layout layout_;
   std::vector<Extents> parts_;
   Extents written_;
-  std::size_t entered_ = 0;        // particles that had entered in the last frame
-  TrajectoryPart unwritten_part_;  // not yet written
+  std::size_t entered_ = 0;  // particles that had entered in the last frame
+  TrajectoryPart unwritten_part_;
+  std::vector<Column> columns_;  // of it
 };
 
 TrajectoryWriter::TrajectoryWriter(const OutputFolder& run_folder, const scene::Scene& scene,
                                    const grains::State& state, const Written& kept)
-    : impl_(std::make_unique<Impl>(run_folder, SceneTables(scene, state), layout_of(scene), kept)) {
+    : impl_(std::make_shared<Impl>(run_folder, SceneTables(scene, state), layout_of(scene), kept)) {
 }
-TrajectoryWriter::~TrajectoryWriter() = default;
 
 double TrajectoryWriter::bytes_for(const scene::Scene& scene, double particles) {
   constexpr double kCopies = 3;  // as it is gathered, in HDF5, as a file
   double frame = 0;
   TrajectoryPart part;
-  for_each_column(
-      part, layout_of(scene), [&]<class T>(const Column& column, const std::vector<T>& /*values*/) {
-        const double rows = column.axis == Axis::frames     ? 1
-                            : column.axis == Axis::contacts ? contact::kContactsPerGrain * particles
-                                                            : particles;
-        frame += rows * static_cast<double>(column.width() * sizeof(T));
-      });
+  for (const Column& column : part.columns(layout_of(scene))) {
+    const double rows = column.axis == Axis::frames     ? 1
+                        : column.axis == Axis::contacts ? contact::kContactsPerGrain * particles
+                                                        : particles;
+    const std::size_t number_bytes =
+        std::visit([](const auto* list) { return sizeof(list->front()); }, column.values);
+    frame += rows * static_cast<double>(column.columns * number_bytes);
+  }
   return kCopies * (kPartBytes + frame);  // a part is written once it is large enough
 }
 

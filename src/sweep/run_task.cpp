@@ -11,7 +11,7 @@
 #include "clca/scene/resolve.hpp"
 #include "clca/store/checkpoint.hpp"
 #include "clca/store/file.hpp"
-#include "clca/store/folder_lock.hpp"
+#include "clca/store/output_folder.hpp"
 #include "clca/store/run_folder.hpp"
 
 namespace clca::sweep {

@@ -15,7 +15,6 @@
 #include "clca/record/quantity.hpp"
 #include "clca/render/painter.hpp"
 #include "clca/store/file.hpp"
-#include "clca/store/folder_lock.hpp"
 #include "clca/store/output_folder.hpp"
 #include "clca/store/run_folder.hpp"
 #include "clca/tasks/pool.hpp"

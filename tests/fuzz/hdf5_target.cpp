@@ -9,7 +9,7 @@
 #include "clca/store/file.hpp"
 #include "memory_meter.hpp"
 #include "scratch_file.hpp"
-#include "store/hdf5_file.hpp"
+#include "store/hdf5.hpp"
 
 namespace {
 
@@ -97,19 +97,21 @@ std::vector<Item> items(fuzz::Choices& choices) {
 }
 
 Bytes file_of(const std::vector<Item>& items) {
-  return store::hdf5_file("file", kKind, [&](const store::Hdf5Writer& file) {
+  const auto add_all = [&](const store::hdf5::Handle& file) {
     for (const Item& item : items) {
       std::visit(
           [&]<class Some>(const Some& content) {
             if constexpr (std::same_as<Some, Texts>) {
-              file.add(item.path, content);
+              store::hdf5::add(file, item.path, content);
             } else {
-              file.add(item.path, std::span(std::as_const(content.values)), content.columns);
+              store::hdf5::add(file, item.path, std::span(std::as_const(content.values)),
+                               content.columns);
             }
           },
           item.content);
     }
-  });
+  };
+  return store::with_header(kKind, store::hdf5::image("file", add_all));
 }
 
 /// Bit for bit: NaN is itself.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <numeric>
+#include <variant>
 
 #include "choices.hpp"
 #include "clca/automaton/automaton.hpp"
@@ -13,8 +14,7 @@
 #include "memory_meter.hpp"
 #include "scratch_file.hpp"
 #include "small_run.hpp"
-#include "store/hdf5_file.hpp"
-#include "store/trajectory_files.hpp"
+#include "store/hdf5.hpp"
 #include "store/trajectory_part.hpp"
 
 namespace {
@@ -73,24 +73,13 @@ Parts parts_of(const std::vector<fuzz::SmallFrame>& frames) {
   return parts;
 }
 
-/// Calls change(values) for the dataset of that number.
-template <class Change>
-void with_column(store::TrajectoryPart& part, std::size_t number, Change change) {
-  std::size_t at = 0;
-  store::for_each_column(part, kLayout, [&](const store::Column& column, auto& values) {
-    if (at++ == number) {
-      change(column, values);
-    }
-  });
-}
-
 template <class T>
 void change_values(const store::Column& column, std::vector<T>& values, fuzz::Choices& choices) {
   constexpr std::uint32_t kMaxRows = 100;
   const auto any_place = [&] { return choices.up_to(0xFF) % values.size(); };
   const std::size_t how = choices.up_to(3);
   if (how == 0) {
-    values.resize(column.width() * choices.up_to(kMaxRows));
+    values.resize(column.columns * choices.up_to(kMaxRows));
   } else if (!values.empty()) {
     T& value = values[any_place()];
     value = how == 1   ? values[any_place()]
@@ -110,9 +99,10 @@ void make_fit(store::TrajectoryPart& part, const store::Extents& before) {
   follow(part.frames.origins, before[store::Axis::origins]);
   follow(part.frames.pushes, before[store::Axis::pushes]);
   const store::Extents extents = part.frames.extents();
-  store::for_each_column(part, kLayout, [&](const store::Column& column, auto& values) {
-    values.resize(column.width() * std::min(extents[column.axis], kMaxRows));
-  });
+  for (const store::Column& column : part.columns(kLayout)) {
+    const std::size_t numbers = column.columns * std::min(extents[column.axis], kMaxRows);
+    std::visit([numbers](auto* values) { values->resize(numbers); }, column.values);
+  }
 }
 
 /// A dataset that is not written; none is a number beyond all.
@@ -122,9 +112,19 @@ constexpr std::size_t kColumns = 25;
 /// Changes and says which dataset is to be left out of that part.
 Omitted change(store::TrajectoryPart& part, const store::Extents& before, fuzz::Choices& choices) {
   for (std::size_t changes = choices.up_to(6); changes > 0; --changes) {
-    with_column(part, choices.up_to(kColumns - 1), [&](const store::Column& column, auto& values) {
-      change_values(column, values, choices);
-    });
+    const std::vector<store::Column> columns = part.columns(kLayout);
+    const std::size_t number = choices.up_to(kColumns - 1);
+    if (number == columns.size()) {
+      continue;
+    }
+    const store::Column& column = columns[number];
+    std::visit(
+        [&]<class T>(std::vector<T>* values) {
+          if constexpr (store::Number<T>) {
+            change_values(column, *values, choices);
+          }
+        },
+        column.values);
   }
   if (choices.yes()) {
     make_fit(part, before);
@@ -133,17 +133,17 @@ Omitted change(store::TrajectoryPart& part, const store::Extents& before, fuzz::
 }
 
 std::vector<std::uint8_t> file_of(store::TrajectoryPart& part, Omitted omitted) {
-  static const store::SceneTables tables(fuzz::small_scene(),
-                                         model::initial_state(fuzz::small_scene()));
-  return store::hdf5_file("part", store::kTrajectoryKind, [&](const store::Hdf5Writer& file) {
+  static store::SceneTables tables(fuzz::small_scene(), model::initial_state(fuzz::small_scene()));
+  const auto add_all = [&](const store::hdf5::Handle& file) {
     tables.write(file);
-    std::size_t at = 0;
-    store::for_each_column(part, kLayout, [&](const store::Column& column, const auto& values) {
-      if (at++ != omitted) {
-        file.add(column.path, values, column.width());
+    const std::vector<store::Column> columns = part.columns(kLayout);
+    for (std::size_t at = 0; at < columns.size(); ++at) {
+      if (at != omitted) {
+        store::hdf5::add(file, columns[at]);
       }
-    });
-  });
+    }
+  };
+  return store::with_header(store::kTrajectoryKind, store::hdf5::image("part", add_all));
 }
 
 /// An automaton goes on from it, and its frame is that of the file.

@@ -20,15 +20,11 @@ class StoreError : public std::runtime_error {
 
 /// Writes to a temporary file beside the target until finish(); without finish() that is removed
 /// and the old file stays. All functions throw StoreError; nothing can be written after that.
+/// Copies share the file.
 class AtomicFile {
  public:
   /// A file named by the user. Its folder must exist, and what has its name be a regular file.
   explicit AtomicFile(const std::filesystem::path& path);
-  ~AtomicFile();
-  AtomicFile(AtomicFile&& other) noexcept;
-  AtomicFile(const AtomicFile&) = delete;
-  AtomicFile& operator=(const AtomicFile&) = delete;
-  AtomicFile& operator=(AtomicFile&&) = delete;
 
   /// Another program may write to this path instead of write().
   std::filesystem::path temporary_path() const;
@@ -47,7 +43,7 @@ class AtomicFile {
   /// `flush_later`: called once it has its name, if it is not flushed yet; none: it is before.
   AtomicFile(const std::filesystem::path& path, std::function<void()> flush_later);
 
-  std::unique_ptr<State> state_;
+  std::shared_ptr<State> state_;
 };
 
 /// Removes temporary files of killed processes.

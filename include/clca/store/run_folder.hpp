@@ -8,7 +8,6 @@
 #include <string_view>
 
 #include "clca/store/checkpoint.hpp"
-#include "clca/store/folder_lock.hpp"
 #include "clca/store/output_folder.hpp"
 #include "clca/store/summary.hpp"
 
@@ -50,7 +49,7 @@ class RunFolder {
   /// For a resumed run. Throws StoreError, also if no run has started there.
   static RunFolder for_resumed_run(const std::filesystem::path& path);
 
-  const std::filesystem::path& path() const { return path_; }
+  std::filesystem::path path() const { return files_.path(); }
   const OutputFolder& files() const { return files_; }
 
   /// None if clca has written nothing there. Throws StoreError if neither run.json nor a checkpoint
@@ -66,7 +65,6 @@ class RunFolder {
  private:
   RunFolder(const std::filesystem::path& path, FolderLock lock);
 
-  std::filesystem::path path_;
   FolderLock lock_;
   OutputFolder files_;
 };

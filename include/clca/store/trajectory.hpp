@@ -49,7 +49,7 @@ struct Dataset {
 std::vector<Dataset> datasets(const scene::Scene& scene, const grains::State& state,
                               std::size_t stage, const ContactFrame& contact);
 
-/// Writes the trajectory of a run. Not for several threads at once.
+/// Writes the trajectory of a run. Not for several threads at once. Copies share what they write.
 class TrajectoryWriter {
  public:
   /// What has been written so far; part of the checkpoint.
@@ -66,9 +66,6 @@ class TrajectoryWriter {
                    const grains::State& state, const Written& kept);
   /// Bytes that it takes at most for so many particles.
   static double bytes_for(const scene::Scene& scene, double particles);
-  ~TrajectoryWriter();
-  TrajectoryWriter(const TrajectoryWriter&) = delete;
-  TrajectoryWriter& operator=(const TrajectoryWriter&) = delete;
 
   /// Adds a frame of the stage `stage` (from 0) in memory; writes a part when enough has
   /// accumulated.
@@ -83,10 +80,10 @@ class TrajectoryWriter {
 
  private:
   class Impl;
-  std::unique_ptr<Impl> impl_;
+  std::shared_ptr<Impl> impl_;
 };
 
-/// Reads the trajectory of a run folder, also during the run.
+/// Reads the trajectory of a run folder, also during the run. Copies share what they hold.
 class Trajectory {
  public:
   struct Frame {
@@ -101,9 +98,6 @@ class Trajectory {
   /// if a part or a state needs more than `max_bytes` of memory.
   Trajectory(const std::filesystem::path& run_folder, const scene::Scene& scene,
              grains::State fixed, double max_bytes);
-  ~Trajectory();
-  Trajectory(const Trajectory&) = delete;
-  Trajectory& operator=(const Trajectory&) = delete;
 
   const std::vector<Frame>& frames() const;
   /// The state of a frame: step, present particles with last moves and origins, pushes, presence
@@ -116,7 +110,7 @@ class Trajectory {
 
  private:
   class Impl;
-  std::unique_ptr<Impl> impl_;
+  std::shared_ptr<Impl> impl_;
 };
 
 /// Throws StoreError unless all parts of a trajectory are there and have their checksums.

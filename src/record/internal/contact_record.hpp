@@ -45,7 +45,6 @@ class ContactRecord : public SavedObserver<ContactRecord> {
   /// before the frame; else as at_end(). Of contacts that are there now.
   std::vector<contact::Force> shown(const model::SceneModel& model) const;
 
-  /// False if this cannot have been recorded in a run that reached `now`.
   bool precedes(const grains::State& now) const {
     return stage_.belongs_to(now) && pictures_.window.belongs_to(now) &&
            frames_.window.belongs_to(now);

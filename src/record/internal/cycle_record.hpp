@@ -40,7 +40,6 @@ class CycleRecord : public SavedObserver<CycleRecord> {
   /// Side of the cells of Lacey's index and the convection, in lattice spacings.
   double cell() const { return cell_; }
 
-  /// False if this cannot have been recorded in a run that reached `now`.
   bool precedes(const grains::State& now) const;
   static constexpr const char* kPath = "records/cycles";
   CLCA_FIELDS(cycles_, at_start_, convection_);

@@ -2,9 +2,11 @@
 // Tables of a run: columns that say what they are, and files for their rows.
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <concepts>
 #include <cstdint>
 #include <functional>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -43,8 +45,9 @@ double velocity_unit(const scene::Scene& scene);
 /// What a column is, of any run.
 struct ColumnInfo {
   Quantity quantity;
-  std::string_view where;                 ///< as ColumnGroup::where
-  std::vector<std::string_view> endings;  ///< columns KEY + ending: one, or two as below
+  std::vector<std::string_view> endings = {""};  ///< columns KEY + ending: one, or two as below
+  std::string_view where = "";                   ///< as ColumnGroup::where
+  bool is_there = true;                          ///< for the scene
 
   std::vector<std::string> names() const;
 };
@@ -72,15 +75,14 @@ void add_cell(std::vector<store::Cell>& cells, std::integral auto number) {
 
 /// A column and what takes its value from what a row is made of: a member or a function.
 template <class Row>
-struct Column {
+struct Column : ColumnInfo {
   template <class Value>
-  Column(const Quantity& quantity, Value value)
-      : info{quantity, "", column_endings<std::decay_t<std::invoke_result_t<Value, const Row&>>>()},
+  Column(const Quantity& what, Value value)
+      : ColumnInfo{what, column_endings<std::decay_t<std::invoke_result_t<Value, const Row&>>>()},
         add([value](std::vector<store::Cell>& cells, const Row& row) {
           add_cell(cells, std::invoke(value, row));
         }) {}
 
-  ColumnInfo info;
   std::function<void(std::vector<store::Cell>&, const Row&)> add;
 };
 
@@ -114,39 +116,30 @@ template <class Row>
 struct TableOf : TableInfo {
   TableOf(const TableInfo& info, std::vector<Column<Row>> always,
           const std::vector<ColumnGroup<Row>>& sometimes = {})
-      : TableInfo(info), groups({{"", true, std::move(always)}}) {
-    groups.insert(groups.end(), sometimes.begin(), sometimes.end());
-    for (ColumnGroup<Row>& group : groups) {
-      for (Column<Row>& column : group.columns) {
-        column.info.where = group.where;
-        columns.push_back(column.info);
-        if (column.info.quantity.key == kStep.key) {
-          columns.push_back({kTime, kContactModel, {""}});
-        }
+      : TableInfo(info), values(std::move(always)) {
+    for (const ColumnGroup<Row>& group : sometimes) {
+      for (Column<Row> column : group.columns) {
+        column.where = group.where;
+        column.is_there = group.is_there;
+        values.push_back(column);
+      }
+    }
+    for (const Column<Row>& column : values) {
+      columns.push_back(column);
+      if (column.quantity.key == kStep.key) {
+        columns.push_back({.quantity = kTime, .where = kContactModel});
       }
     }
   }
 
   /// Memory for so many rows as text, most numbers of which have fewer than ten characters.
   double bytes(double rows) const {
-    std::size_t cells = 0;
-    for (const ColumnGroup<Row>& group : groups) {
-      cells += group.is_there ? group.columns.size() : 0;
-    }
-    return grains::kListRoom * 10 * static_cast<double>(cells) * rows;
+    return grains::kListRoom * 10 * rows *
+           static_cast<double>(std::ranges::count(values, true, &Column<Row>::is_there));
   }
 
-  std::vector<ColumnGroup<Row>> groups;
+  std::vector<Column<Row>> values;
 };
-
-/// What the tables of a run have in common.
-struct TableScope {
-  std::vector<std::string> parts;  ///< names of the stages, or times
-  bool has_errors = true;
-  std::optional<scene::Conversion> conversion = {};  ///< for the time behind each step
-};
-TableScope table_scope(const scene::Scene& scene);
-TableScope table_scope(const scene::BoltzmannScene& scene);
 
 /// A table of one run, in its folder.
 class RunTable {
@@ -154,8 +147,8 @@ class RunTable {
   const TableInfo& info() const { return info_; }
   /// See scene::Conversion::mean_mass: of the rows from now on.
   void set_mean_mass(double sites) {
-    if (scope_.conversion) {
-      scope_.conversion->mean_mass = sites;
+    if (conversion_) {
+      conversion_->mean_mass = sites;
     }
   }
   /// What its columns are.
@@ -174,15 +167,20 @@ class RunTable {
   void write(const store::OutputFolder* folder, const std::string& part = "");
 
  protected:
-  RunTable(TableInfo info, TableScope scope) : info_(std::move(info)), scope_(std::move(scope)) {}
+  RunTable(const TableInfo& info, const scene::Scene& scene)
+      : conversion_(scene::conversion(scene)), info_(info) {}
+  /// Of a gas: there are errors of means over the members of an ensemble.
+  RunTable(const TableInfo& info, const scene::BoltzmannScene& scene)
+      : has_errors_(scene.ensemble > 1), info_(info) {}
 
-  const TableScope& scope() const { return scope_; }
   void set_columns(const std::vector<std::string>& names) { table_ = store::Table(names); }
   void add_row(std::vector<store::Cell> cells) { table_.add_row(std::move(cells)); }
 
+  bool has_errors_ = true;
+  std::optional<scene::Conversion> conversion_ = {};  // for the time behind each step
+
  private:
   TableInfo info_;
-  TableScope scope_;
   store::Table table_{{}};
   std::uint64_t bytes_ = 0;
   std::optional<store::GrowingFile> file_;
@@ -192,24 +190,20 @@ template <class Row>
 class TableWriter : public RunTable {
  public:
   /// `more`: names of the columns of_each.
-  TableWriter(TableScope scope_of_run, const TableOf<Row>& table,
+  TableWriter(const auto& scene, const TableOf<Row>& table,
               const std::vector<std::string>& more = {})
-      : RunTable(table.info(), std::move(scope_of_run)) {
+      : RunTable(table, scene) {
     std::vector<std::string> names;
-    for (const ColumnGroup<Row>& group : table.groups) {
-      if (!group.is_there) {
+    for (const Column<Row>& column : table.values) {
+      if (!column.is_there) {
         continue;
       }
-      for (const Column<Row>& column : group.columns) {
-        columns_.push_back(column);
-        for (const std::string& name : column.info.names()) {
-          names.push_back(name);
-        }
-        if (is_mean(column) && !scope().has_errors) {
-          names.pop_back();
-        } else if (has_time(column)) {
-          names.emplace_back(kTime.key);
-        }
+      columns_.push_back(column);
+      std::ranges::move(column.names(), std::back_inserter(names));
+      if (lacks_error(column)) {
+        names.pop_back();
+      } else if (has_time(column)) {
+        names.emplace_back(kTime.key);
       }
     }
     names.insert(names.end(), more.begin(), more.end());
@@ -222,15 +216,15 @@ class TableWriter : public RunTable {
     for (const Column<Row>& column : columns_) {
       const std::size_t first = cells.size();
       column.add(cells, row);
-      for (std::size_t cell = first; scope().conversion && cell < cells.size(); ++cell) {
+      for (std::size_t cell = first; conversion_ && cell < cells.size(); ++cell) {
         if (auto* value = std::get_if<double>(&cells[cell])) {
-          *value = scope().conversion->in_si(*value, column.info.quantity.unit);
+          *value = conversion_->in_si(*value, column.quantity.unit);
         }
       }
-      if (is_mean(column) && !scope().has_errors) {
+      if (lacks_error(column)) {
         cells.pop_back();
       } else if (has_time(column)) {
-        cells.emplace_back(scope().conversion->time(std::get<std::uint64_t>(cells.back())));
+        cells.emplace_back(conversion_->time(std::get<std::uint64_t>(cells.back())));
       }
     }
     cells.insert(cells.end(), more.begin(), more.end());
@@ -238,11 +232,11 @@ class TableWriter : public RunTable {
   }
 
  private:
-  static bool is_mean(const Column<Row>& column) {
-    return column.info.endings.back() == kErrorEnding;
+  bool lacks_error(const Column<Row>& column) const {
+    return !has_errors_ && column.endings.back() == kErrorEnding;
   }
   bool has_time(const Column<Row>& column) const {
-    return scope().conversion && column.info.quantity.key == kStep.key;
+    return conversion_ && column.quantity.key == kStep.key;
   }
 
   std::vector<Column<Row>> columns_;

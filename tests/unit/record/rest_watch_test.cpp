@@ -1,7 +1,5 @@
 // A bed of which a few grains move on is told apart from one that settles.
 
-#include "record/rest_watch.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -12,6 +10,7 @@
 #include "clca/run/run.hpp"
 #include "clca/scene/parse.hpp"
 #include "model/internal/scene_model.hpp"
+#include "record/energy_record.hpp"
 #include "support/run_folders.hpp"
 #include "support/runs.hpp"
 

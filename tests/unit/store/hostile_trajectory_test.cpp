@@ -52,19 +52,18 @@ void rewrite(const std::filesystem::path& path, const std::function<void(Traject
   TrajectoryPart part;
   SceneTables tables;
   std::vector<Hdf5Dataset> datasets = tables.datasets();
-  for (const Use use : {Use::index, Use::rows, Use::derived}) {
-    add_datasets(part, layout, use, datasets);
-  }
+  const std::vector<Column> columns = part.columns(layout);
+  datasets.insert(datasets.end(), columns.begin(), columns.end());
   read_hdf5(path, kTrajectoryKind, datasets, kMuch);
   change(part);
-  write_whole(path, hdf5_file(path, kTrajectoryKind, [&](const Hdf5Writer& file) {
-                tables.write(file);
-                for_each_column(part, layout, [&file](const Column& column, const auto& values) {
-                  if (!column.may_be_missing || !values.empty()) {
-                    file.add(column.path, values, column.width());
-                  }
-                });
-              }));
+  write_whole(path, with_header(kTrajectoryKind, hdf5::image(path, [&](const hdf5::Handle& file) {
+                                  tables.write(file);
+                                  for (const Column& column : columns) {
+                                    if (!column.may_be_missing || !part.rows.spin.empty()) {
+                                      hdf5::add(file, column);
+                                    }
+                                  }
+                                })));
 }
 
 std::string reason(const std::filesystem::path& run,

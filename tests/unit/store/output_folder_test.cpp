@@ -17,7 +17,6 @@
 #include <thread>
 
 #include "clca/store/file.hpp"
-#include "clca/store/folder_lock.hpp"
 #include "support/runs.hpp"
 
 namespace clca::store::output_folder_test {

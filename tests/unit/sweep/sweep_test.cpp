@@ -11,7 +11,7 @@
 #include "clca/image/png.hpp"
 #include "clca/run/run.hpp"
 #include "clca/store/file.hpp"
-#include "clca/store/folder_lock.hpp"
+#include "clca/store/output_folder.hpp"
 #include "support/runs.hpp"
 #include "support/thread_ranks.hpp"
 

@@ -1,4 +1,4 @@
-#include "store/hdf5_file.hpp"
+#include "store/hdf5.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,10 +8,9 @@
 #include <thread>
 
 #include "clca/store/file.hpp"
-#include "store/hdf5.hpp"
 #include "support/runs.hpp"
 
-namespace clca::store::hdf5_file_test {
+namespace clca::store::hdf5_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -23,14 +22,15 @@ constexpr FileKind kKind = {"thing", 2};
 constexpr double kMuch = 1e8;
 
 Bytes example(const FileKind& kind = kKind) {
-  return hdf5_file("file.h5", kind, [](const Hdf5Writer& file) {
-    file.add("group/inner/numbers", std::vector<std::int32_t>{1, -2, 3, 4, 5, -6}, 3);
-    file.add("reals", std::vector<double>(5000, 0.1));
-    file.add("nothing", Bytes());
-    file.add("text", "zwei\nZeilen");
-    file.add("no_text", "");
-    file.add("names", std::vector<std::string>{"a", "", "long"});
-  });
+  return with_header(
+      kind, hdf5::image("file.h5", [](const hdf5::Handle& file) {
+        hdf5::add(file, "group/inner/numbers", std::vector<std::int32_t>{1, -2, 3, 4, 5, -6}, 3);
+        hdf5::add(file, "reals", std::vector<double>(5000, 0.1));
+        hdf5::add(file, "nothing", Bytes());
+        hdf5::add(file, "text", "zwei\nZeilen");
+        hdf5::add(file, "no_text", "");
+        hdf5::add(file, "names", std::vector<std::string>{"a", "", "long"});
+      }));
 }
 
 class Hdf5FileTest : public ::testing::Test {
@@ -179,20 +179,20 @@ TEST_F(Hdf5FileTest, WhatTheLibraryCannotReadIsOneLineAndNothingOnTheTerminal) {
 }
 
 TEST_F(Hdf5FileTest, WhatGoesWrongWhileItIsMadeIsOneLine) {
-  const auto why = [](const std::function<void(const Hdf5Writer& file)>& add) {
+  const auto why = [](const std::function<void(const hdf5::Handle& file)>& add) {
     try {
-      hdf5_file("file.h5", kKind, add);
+      hdf5::image("file.h5", add);
     } catch (const StoreError& error) {
       return std::string(error.what());
     }
     return std::string();
   };
-  EXPECT_EQ(why([](const Hdf5Writer& file) {
-              file.add("text", "");
-              file.add("text", "");
+  EXPECT_EQ(why([](const hdf5::Handle& file) {
+              hdf5::add(file, "text", "");
+              hdf5::add(file, "text", "");
             }),
             "cannot write file.h5: the HDF5 library: dataset");
-  EXPECT_THROW(why([](const Hdf5Writer&) { throw std::bad_alloc(); }), std::bad_alloc);
+  EXPECT_THROW(why([](const hdf5::Handle&) { throw std::bad_alloc(); }), std::bad_alloc);
 }
 
 TEST_F(Hdf5FileTest, ThreadsMakeAndReadFilesAtOnce) {
@@ -228,4 +228,4 @@ TEST_F(Hdf5FileTest, OtherReadersOfHdf5OpenIt) {
 }
 
 }  // namespace
-}  // namespace clca::store::hdf5_file_test
+}  // namespace clca::store::hdf5_test
