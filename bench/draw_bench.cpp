@@ -60,16 +60,18 @@ Subject subject_of(const benchmark::State& bench, render::Drawing drawing) {
           static_cast<int>(bench.range(2)), drawing};
 }
 
-void capture(benchmark::State& bench, render::Drawing drawing, const render::Coloring& coloring) {
+/// With what its colours take.
+template <class ColoringOf>
+void capture(benchmark::State& bench, render::Drawing drawing, ColoringOf coloring_of) {
   Subject subject = subject_of(bench, drawing);
   for (auto _ : bench) {
-    benchmark::DoNotOptimize(subject.capture(coloring));
+    benchmark::DoNotOptimize(subject.capture(coloring_of(subject.subject.state())));
   }
 }
 
 void rasterize(benchmark::State& bench, render::Drawing drawing) {
   Subject subject = subject_of(bench, drawing);
-  const render::Capture exposure = subject.capture(render::color_by_id());
+  const render::Capture exposure = subject.capture(render::color_by_id(subject.subject.state()));
   subject.painter.rasterize(exposure, {});  // compiles the shaders
   for (auto _ : bench) {
     benchmark::DoNotOptimize(subject.painter.rasterize(exposure, {}));
@@ -77,26 +79,28 @@ void rasterize(benchmark::State& bench, render::Drawing drawing) {
 }
 
 void expose_polygons(benchmark::State& bench) {
-  capture(bench, render::Drawing::polygons, render::color_by_id());
+  capture(bench, render::Drawing::polygons, render::color_by_id);
 }
 void expose_lookup(benchmark::State& bench) {
-  capture(bench, render::Drawing::lookup, render::color_by_id());
+  capture(bench, render::Drawing::lookup, render::color_by_id);
 }
 /// A picture of which four fifths are empty, as of a bed with room to flow.
 void expose_bed(benchmark::State& bench) {
   Subject subject(static_cast<std::size_t>(bench.range(0)), static_cast<int>(bench.range(1)),
                   static_cast<int>(bench.range(2)), render::Drawing::lookup, 0.2);
   for (auto _ : bench) {
-    benchmark::DoNotOptimize(subject.capture(render::color_by_id()));
+    benchmark::DoNotOptimize(subject.capture(render::color_by_id(subject.subject.state())));
   }
 }
 void expose_displacement(benchmark::State& bench) {
-  capture(bench, render::Drawing::lookup, render::color_by_displacement({0, 100}));
+  capture(bench, render::Drawing::lookup, [](const grains::State& state) {
+    return render::color_by_displacement(state, {0, 100});
+  });
 }
 void expose_layers(benchmark::State& bench) {
-  const std::vector<grains::Kind> kinds = {{lattice::Shape::hexagon(1), 0},
-                                           {lattice::Shape::hexagon(2), 1}};
-  capture(bench, render::Drawing::lookup, render::color_by_layer(kinds, 8, {0, 2000}));
+  capture(bench, render::Drawing::lookup, [](const grains::State& state) {
+    return render::color_by_layer(state, 8, {0, 2000});
+  });
 }
 void develop_polygons(benchmark::State& bench) {
   rasterize(bench, render::Drawing::polygons);
@@ -107,7 +111,8 @@ void develop_lookup(benchmark::State& bench) {
 
 void png(benchmark::State& bench) {
   Subject subject = subject_of(bench, render::Drawing::lookup);
-  const image::Image image = subject.painter.rasterize(subject.capture(render::color_by_id()), {});
+  const image::Image image =
+      subject.painter.rasterize(subject.capture(render::color_by_id(subject.subject.state())), {});
   std::size_t bytes = 0;
   for (auto _ : bench) {
     bytes = image::encode_png(image, {}).size();

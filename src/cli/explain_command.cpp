@@ -91,9 +91,8 @@ std::string explained(const std::string& name, const Derived& derived) {
     if (!quantity.empty()) {
       return quantity;
     }
-    std::vector<std::string_view> names;
     const std::vector<record::NamedQuantity> declared = record::named_quantities();
-    std::ranges::transform(declared, std::back_inserter(names), &record::NamedQuantity::name);
+    std::vector<std::string_view> names = text::names_of(declared);
     std::ranges::transform(derived.measures, std::back_inserter(names),
                            &scene::DerivedMeasure::name);
     const auto near = text::nearest(name, names);

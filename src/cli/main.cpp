@@ -32,7 +32,7 @@ struct Ending {
 };
 
 Ending failure(int code, std::string_view message) {
-  return {code, text::printable(message)};
+  return {code, text::printable(fmt::format("clca: error: {}", message))};
 }
 
 int tell(const Ending& ending) {
@@ -93,17 +93,17 @@ Ending ending_of(int argc, char** argv, tasks::Ranks* ranks) {
   try {
     return {run_program(argc, argv, ranks)};
   } catch (const scene::SceneError& error) {
-    return failure(kWrongInput, error.what());
+    return {kWrongInput, text::printable(error.what())};
   } catch (const tasks::StartError& error) {
-    return failure(kWrongInput, error.what());
+    return {kWrongInput, text::printable(error.what())};
   } catch (const text::InputError& error) {
-    return failure(kWrongInput, fmt::format("clca: error: {}", error.what()));
+    return failure(kWrongInput, error.what());
   } catch (const process::StoppedError& error) {
-    return failure(kSignalBase + stop_signal(), fmt::format("clca: error: {}", error.what()));
+    return failure(kSignalBase + stop_signal(), error.what());
   } catch (const std::bad_alloc&) {
-    return failure(kFailed, "clca: error: out of memory");
+    return failure(kFailed, "out of memory");
   } catch (const std::exception& error) {
-    return failure(kFailed, fmt::format("clca: error: {}", error.what()));
+    return failure(kFailed, error.what());
   }
 }
 
@@ -138,8 +138,7 @@ int run_main(int argc, char** argv, std::unique_ptr<tasks::Ranks>& ranks) {
     ranks = started_ranks(argv);
   } catch (const text::InputError& error) {
     const bool is_told = *error.what() == '\0';  // by another process
-    return is_told ? kWrongInput
-                   : tell(failure(kWrongInput, fmt::format("clca: error: {}", error.what())));
+    return is_told ? kWrongInput : tell(failure(kWrongInput, error.what()));
   }
   return ranks && ranks->size() > 1 ? run_as_rank(argc, argv, *ranks)
                                     : tell(ending_of(argc, argv, nullptr));

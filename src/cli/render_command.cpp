@@ -21,25 +21,25 @@
 #include "cli/scene_options.hpp"
 #include "cli/terminal.hpp"
 
+namespace clca::drawing {
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TimePicture::Axis, label, low, high)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TimePicture::Stage, name, begin)
+}  // namespace clca::drawing
+
 namespace clca::cli {
 
 namespace {
 
 namespace fs = std::filesystem;
 
-/// What options say of a picture over time.
-struct SpaceTimeChoice {
-  fs::path file;
-  std::optional<double> column;
-  std::optional<double> slit;
-  bool surface = false;
-};
-
 struct RenderOptions {
   std::vector<fs::path> runs;
   drawing::RedrawOptions redraw;
   fs::path folder;  ///< for the pictures
-  SpaceTimeChoice space_time;
+  // Of a picture over time.
+  drawing::SpaceTimeOptions over_time;
+  std::optional<double> slit;
+  bool surface = false;
   SceneOptions scene;
   std::vector<scene::Override> look;  ///< options that are short for --set
   bool quiet = false;
@@ -73,24 +73,21 @@ scene::Scene scene_of(const fs::path& run, const RenderOptions& options) {
 
 /// The picture over time, if one is wanted.
 void set_space_time(RenderOptions& options) {
-  const SpaceTimeChoice& choice = options.space_time;
-  if (choice.file.empty()) {
-    if (choice.column || choice.slit || choice.surface) {
+  const auto& [file, column, slit] = options.over_time;
+  if (file.empty()) {
+    if (column || options.slit || options.surface) {
       throw drawing::RedrawError("--column, --slit and --surface need --space-time FILE.png");
     }
     return;
   }
-  if (choice.column.has_value() == choice.surface) {
+  if (column.has_value() == options.surface) {
     throw drawing::RedrawError(
         "--space-time shows either a column or the surface: give --column X or --surface");
   }
-  if (choice.slit && !choice.column) {
+  if (options.slit && !column) {
     throw drawing::RedrawError("--slit needs --column X");
   }
-  drawing::SpaceTimeOptions& wanted = options.redraw.space_time.emplace();
-  wanted.file = choice.file;
-  wanted.column = choice.column;
-  wanted.slit = choice.slit.value_or(wanted.slit);
+  options.redraw.space_time = {.file = file, .column = column, .slit = options.slit.value_or(slit)};
 }
 
 void check_memory_of_all(const std::vector<drawing::RunToDraw>& runs, double limit) {
@@ -138,25 +135,18 @@ void set_folders(std::vector<drawing::RunToDraw>& runs, const RenderOptions& opt
   }
 }
 
-nlohmann::json to_json(const drawing::TimePicture::Axis& axis) {
-  return {{"label", axis.label}, {"low", axis.low}, {"high", axis.high}};
-}
-
 /// For _space_time.py.
-nlohmann::json to_json(const drawing::TimePicture& picture) {
+nlohmann::json json_of(const drawing::TimePicture& picture) {
   constexpr int kColors = 64;
   nlohmann::json json = {{"width", picture.width},
                          {"height", picture.height},
                          {"annotations", picture.annotations},
                          {"title", picture.title},
-                         {"time", to_json(picture.time)},
-                         {"position", to_json(picture.position)},
-                         {"stages", nlohmann::json::array()},
+                         {"time", picture.time},
+                         {"position", picture.position},
+                         {"stages", picture.stages},
                          {"legend", nlohmann::json::parse(render::to_text(picture.legend))},
                          {"text", picture.text}};
-  for (const auto& stage : picture.stages) {
-    json["stages"].push_back({{"name", stage.name}, {"begin", stage.begin}});
-  }
   json["colors"] = nlohmann::json::array();
   for (const auto& bar : picture.legend.bars) {
     nlohmann::json colors = nlohmann::json::array();
@@ -172,7 +162,7 @@ nlohmann::json to_json(const drawing::TimePicture& picture) {
 /// Axes and legend are those of figures.
 int draw_over_time(const drawing::TimePicture& picture, const fs::path& file) {
   return run_package(
-      "space_time", to_json(picture), {},
+      "space_time", json_of(picture), {},
       [&](const std::string& /*name*/, std::span<const std::uint8_t> bytes) {
         store::write_whole(file, bytes);
       },
@@ -264,15 +254,15 @@ void add_choice_options(CLI::App* command, RenderOptions& options) {
                     "Fewest steps between two pictures of a stage [as the scene says]");
 }
 
-void add_space_time_options(CLI::App* command, SpaceTimeChoice& choice) {
-  add_option(command, "--space-time", choice.file, "FILE",
+void add_space_time_options(CLI::App* command, RenderOptions& options) {
+  add_option(command, "--space-time", options.over_time.file, "FILE",
              "Write one picture over time of a column or the free surface: FILE.png");
-  add_option(command, "--column", choice.column, "X",
+  add_option(command, "--column", options.over_time.column, "X",
              "Over time: the column of the box at this x, in lattice spacings", finite_number());
-  add_option(command, "--slit", choice.slit, "WIDTH",
+  add_option(command, "--slit", options.slit, "WIDTH",
              "Over time: width of that column in lattice spacings; colours are means over it [1]",
              finite_number());
-  command->add_flag("--surface", choice.surface, "Over time: the height of the free surface");
+  command->add_flag("--surface", options.surface, "Over time: the height of the free surface");
 }
 
 void add_target_options(CLI::App* command, RenderOptions& options) {
@@ -315,7 +305,7 @@ void add_render_command(CLI::App& program) {
                    "bar, and stand side by side in --movie and --sheet")
       ->required();
   add_target_options(command, *options);
-  add_space_time_options(command, options->space_time);
+  add_space_time_options(command, *options);
   add_look_options(command, *options);
   add_choice_options(command, *options);
   add_memory_limit(command, options->scene);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <type_traits>
 #include <variant>
 
 #include "clca/run/run.hpp"
@@ -38,23 +39,19 @@ struct RunCommandOptions {
 
 /// As asked for. Otherwise one for grains, since it depends on the machine whether several are
 /// faster or slower; for a gas all of the machine, or one where ranks share it.
-int threads_of(const RunCommandOptions& options, const scene::Scene& /*scene*/) {
-  return options.threads.value_or(1);
-}
-
-int threads_of(const RunCommandOptions& options, const scene::BoltzmannScene& /*scene*/) {
-  return options.threads.value_or(options.ranks != nullptr ? 1 : machine_threads());
+int threads_of(const RunCommandOptions& options, bool is_gas) {
+  return options.threads.value_or(is_gas && options.ranks == nullptr ? machine_threads() : 1);
 }
 
 /// For a gas: those of all ranks on this machine, which share its memory.
 int threads_here(const RunCommandOptions& options) {
-  return threads_of(options, scene::BoltzmannScene()) *
+  return threads_of(options, true) *
          (options.ranks != nullptr ? options.ranks->on_this_machine() : 1);
 }
 
 /// Advances gases for rank 0, as another rank. Returns the exit code.
 int serve_gases(const RunCommandOptions& options) {
-  run::serve({.threads = threads_of(options, scene::BoltzmannScene()),
+  run::serve({.threads = threads_of(options, true),
               .stop = &catch_stop_signals(),
               .ranks = options.ranks});
   return kDone;
@@ -122,7 +119,8 @@ int run_one(const Scene& scene, const RunCommandOptions& options) {
   if (!options.keep) {
     run::check_output(options.scene.file, folder);
   }
-  return show_run(folder, options, threads_of(options, scene),
+  constexpr bool kIsGas = std::is_same_v<Scene, scene::BoltzmannScene>;
+  return show_run(folder, options, threads_of(options, kIsGas),
                   [&](run::RunOptions run, const run::RunEvents& events) {
                     run.overwrite = options.overwrite;
                     run.keep = options.keep;
@@ -170,7 +168,7 @@ int resume_run(const RunCommandOptions& options) {
   }
   check_memory(saved.scene, limit, threads_here(options));
   const int threads =
-      std::visit([&](const auto& scene) { return threads_of(options, scene); }, saved.scene);
+      threads_of(options, std::holds_alternative<scene::BoltzmannScene>(saved.scene));
   return show_run(options.folder, options, threads,
                   [&](const run::RunOptions& run, const run::RunEvents& events) {
                     return run::resume(std::move(saved), run, events);

@@ -34,11 +34,6 @@ std::string standard_input() {
   return text;
 }
 
-scene::AnyScene parsed(const SceneOptions& options) {
-  return options.file == "-" ? scene::parse_any(standard_input(), "stdin", overrides_of(options))
-                             : scene::parse_any_file(options.file, overrides_of(options));
-}
-
 }  // namespace
 
 std::vector<scene::Override> overrides_of(const SceneOptions& options) {
@@ -112,7 +107,9 @@ void add_scene_options(CLI::App* command, SceneOptions& options) {
 }
 
 scene::AnyScene load_any_scene(const SceneOptions& options, int threads) {
-  scene::AnyScene scene = parsed(options);
+  scene::AnyScene scene = options.file == "-"
+                              ? scene::parse_any(standard_input(), "stdin", overrides_of(options))
+                              : scene::parse_any_file(options.file, overrides_of(options));
   run::complete(scene, options.file, memory_limit(options), threads);
   return scene;
 }

@@ -24,26 +24,20 @@ constexpr double kNeighbours = 6;  // of discs of one size
 
 constexpr int kTileSamples = 4;  // along each axis of a pixel, as a picture made smaller has
 
-render::Annotations annotations_of(const scene::Frames& frames) {
-  if (!frames.caption) {
-    return render::Annotations::none;
-  }
-  return frames.style == scene::PictureStyle::print ? render::Annotations::legend
-                                                    : render::Annotations::all;
-}
-
 render::Style style_of(const scene::Frames& frames, const lattice::Lattice& lattice,
                        const PictureUse& use) {
-  render::Style style = {.width = frames.width.value_or(0),
-                         .height = frames.height.value_or(0),
-                         .supersampling = frames.supersampling,
-                         .drawing = frames.drawing == scene::Drawing::polygons
-                                        ? render::Drawing::polygons
-                                        : render::Drawing::lookup,
-                         .view = view_of(frames, lattice),
-                         .annotations = annotations_of(frames),
-                         .threads = use.threads,
-                         .vector = use.vector};
+  render::Style style = {
+      .width = frames.width.value_or(0),
+      .height = frames.height.value_or(0),
+      .supersampling = frames.supersampling,
+      .drawing = frames.drawing == scene::Drawing::polygons ? render::Drawing::polygons
+                                                            : render::Drawing::lookup,
+      .view = view_of(frames, lattice),
+      .annotations = !frames.caption                              ? render::Annotations::none
+                     : frames.style == scene::PictureStyle::print ? render::Annotations::legend
+                                                                  : render::Annotations::all,
+      .threads = use.threads,
+      .vector = use.vector};
   if (use.tile_width != 0) {
     const auto& [left, bottom, right, top] = style.view;
     const image::PixelBox size = render::tile_size(right - left, top - bottom, use.tile_width);
@@ -173,7 +167,6 @@ double FramePainter::bytes(const scene::Scene& scene, double particles, int capt
 CapturedFrame FramePainter::capture(const View& view, const PictureHistory& history) {
   const std::uint64_t step = view.state.step;
   render::Coloring colors = coloring(view, history);
-  render::mark_beyond(colors, view.state, view.occupancy);
   DrawnOverlay drawn = overlay_of(frames_.overlay, view, history, scales_);
   colors.legend.lines = std::move(drawn.keys);
   image::PngText text = scene_metadata(scene_);
@@ -197,7 +190,7 @@ Picture FramePainter::rasterize(const CapturedFrame& frame) {
   Picture picture = {
       .image = painter_.rasterize(frame.capture, frame.caption, frame.overlay, frame.turn),
       .moment = frame.caption.detail,
-      .legend = frame.capture.legend(),
+      .legend = frame.capture.legend,
       .text = frame.text};
   picture.legend.fade = frame.overlay.fade;
   const auto& [box, scale] = painter_.view();
@@ -229,44 +222,44 @@ render::Coloring FramePainter::coloring(const View& view, const PictureHistory& 
   };
   switch (frames_.color_by) {
     case scene::ColorBy::stage_layer:
-      return render::color_by_layer(state.kinds, frames_.layers, history.layers);
+      return render::color_by_layer(state, frames_.layers, history.layers);
     case scene::ColorBy::displacement:
-      return render::color_by_displacement(range(history.displacement_scale));
+      return render::color_by_displacement(state, range(history.displacement_scale));
     case scene::ColorBy::speed:
-      return render::color_by_value(speeds(view, history, scales_.step_velocity),
+      return render::color_by_value(state, speeds(view, history, scales_.step_velocity),
                                     fmt::format("speed ({})", scales_.velocity_unit.several),
                                     range(kFastest * scales_.highest_velocity));
     case scene::ColorBy::spin: {
       const double high = kSpinning * scales_.highest_spin;
       const auto ends = frames_.range ? range(high) : statistics::Range{-high, high};
-      return render::color_by_value(spins(view, scales_.conversion->time_step),
+      return render::color_by_value(state, spins(view, scales_.conversion->time_step),
                                     fmt::format("spin (radians/{})", scales_.conversion->time_unit),
                                     ends, true);
     }
     case scene::ColorBy::coordination: {
       const std::vector<int> touched = measure::coordination(state, view.occupancy);
-      return render::color_by_value({touched.begin(), touched.end()}, "grains and walls touched",
-                                    range(kNeighbours));
+      return render::color_by_value(state, {touched.begin(), touched.end()},
+                                    "grains and walls touched", range(kNeighbours));
     }
     case scene::ColorBy::id:
-      return render::color_by_id();
+      return render::color_by_id(state);
     case scene::ColorBy::axis:
-      return render::color_by_axis();
+      return render::color_by_axis(state);
     case scene::ColorBy::force:
       return view.contact ? render::color_by_value(
-                                loads(view, scales_),
+                                state, loads(view, scales_),
                                 fmt::format("load ({})", scales_.unit_of(scene::kContactForceUnit)),
                                 range(kLoad * scales_.strongest_force))
-                          : render::color_by_force(range(kMaxForceIndex));
+                          : render::color_by_force(state, view.occupancy, range(kMaxForceIndex));
     case scene::ColorBy::pressure:
       return render::color_by_value(
-          pressures(view, scales_),
+          state, pressures(view, scales_),
           fmt::format("pressure ({})", scales_.unit_of(scene::kStressUnit)),
           range(scales_.highest_pressure));
     case scene::ColorBy::species:
       break;
   }
-  return render::color_by_species(state.kinds, species_colors(scene_));
+  return render::color_by_species(state, species_colors(scene_));
 }
 
 }  // namespace clca::drawing

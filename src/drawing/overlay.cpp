@@ -30,25 +30,6 @@ double mean(const scene::Scene& scene, ValueOf value_of) {
   return sum / static_cast<double>(scene.species.size());
 }
 
-double mean_diameter(const scene::Scene& scene) {
-  return mean(scene, [](const lattice::Shape& shape) { return shape.diameter(); });
-}
-
-/// `grain_weight`: in the unit of forces.
-double strongest_force(const scene::Scene& scene, double grain_weight) {
-  return scene.output.frames->force_scale.value_or(render::round_length(
-      2 * grain_weight * scene::contact_parameters(scene).fall_height / mean_diameter(scene)));
-}
-
-double velocity_cell(const scene::Scene& scene, const scene::Frames& frames) {
-  constexpr double kDiameters = 3;
-  constexpr double kMostAcross = 30;  // cells along the longer side of the view
-  const double width = frames.view ? frames.view->right - frames.view->left : scene.box.width;
-  const double height = frames.view ? frames.view->top - frames.view->bottom : scene.box.height;
-  const double least = std::max(width, height) / kMostAcross;
-  return frames.velocity_cell.value_or(std::max(kDiameters * mean_diameter(scene), least));
-}
-
 /// One of the unit, in SI units where there are any. `mean_mass`: see scene::Conversion.
 double in_si(std::optional<scene::Conversion> conversion, std::string_view unit, double mean_mass) {
   if (!conversion) {
@@ -58,22 +39,22 @@ double in_si(std::optional<scene::Conversion> conversion, std::string_view unit,
   return conversion->in_si(1, unit);
 }
 
-/// In lattice spacings per step.
-double default_velocity(const scene::Scene& scene) {
-  constexpr double kOfAutomaton = 0.5;
-  constexpr double kOfFreeFall = 0.5;
-  // The resolution is what a fall from the fall height ends with.
-  return scene.model == scene::Model::contact ? kOfFreeFall * scene.contact.resolution
-                                              : kOfAutomaton;
-}
-
 }  // namespace
 
 OverlayScales overlay_scales(const scene::Scene& scene) {
+  constexpr double kDiameters = 3;    // in the width of a cell of velocities
+  constexpr double kMostAcross = 30;  // cells along the longer side of the view
+  constexpr double kOfAutomaton = 0.5;
+  constexpr double kOfFreeFall = 0.5;
   const scene::Frames& frames = *scene.output.frames;
+  const double mass = mean(scene, [](const lattice::Shape& shape) { return shape.size(); });
+  const double diameter = mean(scene, [](const lattice::Shape& shape) { return shape.diameter(); });
+  const double width = frames.view ? frames.view->right - frames.view->left : scene.box.width;
+  const double height = frames.view ? frames.view->top - frames.view->bottom : scene.box.height;
+  const double least_cell = std::max(width, height) / kMostAcross;
   OverlayScales scales = {
       .conversion = scene::conversion(scene),
-      .velocity_cell = velocity_cell(scene, frames),
+      .velocity_cell = frames.velocity_cell.value_or(std::max(kDiameters * diameter, least_cell)),
       .arrow_velocity = frames.velocity_scale,
       .velocity_unit = {.one = "spacing per step", .several = "spacings per step"}};
   std::optional<scene::Conversion>& conversion = scales.conversion;
@@ -81,17 +62,19 @@ OverlayScales overlay_scales(const scene::Scene& scene) {
     scales.step_velocity = conversion->velocity(1);
     scales.velocity_unit = {.one = conversion->velocity_unit, .several = conversion->velocity_unit};
   }
-  scales.highest_velocity = frames.velocity_scale.value_or(
-      render::round_length(scales.step_velocity * default_velocity(scene)));
+  // In lattice spacings per step. The resolution is what a fall from the fall height ends with.
+  const double velocity =
+      scene.model == scene::Model::contact ? kOfFreeFall * scene.contact.resolution : kOfAutomaton;
+  scales.highest_velocity =
+      frames.velocity_scale.value_or(render::round_length(scales.step_velocity * velocity));
   if (conversion) {
-    scales.highest_spin =
-        2 * scales.highest_velocity / (mean_diameter(scene) * conversion->spacing);
+    scales.highest_spin = 2 * scales.highest_velocity / (diameter * conversion->spacing);
   }
-  const double mass = mean(scene, [](const lattice::Shape& shape) { return shape.size(); });
   const double grain_weight = in_si(conversion, scene::kContactForceUnit, mass);
-  scales.strongest_force = strongest_force(scene, grain_weight);
+  scales.strongest_force = frames.force_scale.value_or(render::round_length(
+      2 * grain_weight * scene::contact_parameters(scene).fall_height / diameter));
   scales.highest_pressure = scales.strongest_force / grain_weight *
-                            in_si(conversion, scene::kStressUnit, mass) / mean_diameter(scene);
+                            in_si(conversion, scene::kStressUnit, mass) / diameter;
   return scales;
 }
 
@@ -117,21 +100,22 @@ constexpr double kMaxOverlapSites = 6;  // sites
 constexpr double kMinWeight = 0.2;         // of the fullest cell's
 constexpr double kMinDisplacement = 1e-3;  // spacings per cycle
 
-/// From the centre of a grain to that of the nearest image of another.
-Eigen::Vector2d between_centres(const grains::State& state, const grains::Particle& first,
-                                std::size_t second) {
-  const grains::Particle& other = state.particles[second];
-  const lattice::Axial apart = grains::nearest_vector(state.lattice, first.site(), other.site());
-  return lattice::position(apart) + state.shape(other).centroid() - state.shape(first).centroid();
-}
-
-/// Adds a line from the centre of a grain. At a periodic boundary it ends, and goes on at the
-/// other.
-void add_line(const grains::State& state, const grains::Particle& first,
-              const Eigen::Vector2d& along, double strength,
+/// Adds a line from the centre of a grain to the nearest image of that of another, or of the point
+/// where it meets a wall. At a periodic boundary it ends, and goes on at the other.
+void add_line(const grains::State& state, const grains::Particle& first, grains::Owner body,
+              const Eigen::Vector2d& point, double strength,
               std::vector<render::ForceLine>& lines) {
   const lattice::Lattice& lattice = state.lattice;
   const Eigen::Vector2d from = grains::centre_in_box(state, first);
+  Eigen::Vector2d along = point - from;
+  if (grains::is_particle(body)) {
+    const grains::Particle& other = state.particles[grains::particle_id(body)];
+    const lattice::Axial apart = grains::nearest_vector(lattice, first.site(), other.site());
+    along =
+        lattice::position(apart) + state.shape(other).centroid() - state.shape(first).centroid();
+  } else if (lattice.periodic()) {
+    along.x() = std::remainder(along.x(), lattice.size().x());
+  }
   const Eigen::Vector2d to = from + along;
   const double left = lattice::Lattice::corner().x();
   const double right = left + lattice.size().x();
@@ -145,31 +129,13 @@ void add_line(const grains::State& state, const grains::Particle& first,
   lines.push_back({.from = {in, height}, .to = lattice.in_box(to), .strength = strength});
 }
 
-/// From the centre of a grain to the nearest image of the point where it meets a wall.
-Eigen::Vector2d to_point(const grains::State& state, const grains::Particle& first,
-                         const Eigen::Vector2d& point) {
-  Eigen::Vector2d along = point - grains::centre_in_box(state, first);
-  if (state.lattice.periodic()) {
-    along.x() = std::remainder(along.x(), state.lattice.size().x());
-  }
-  return along;
-}
-
-/// From the centre of a grain to that of another, or to the point where it meets a wall.
-Eigen::Vector2d to_body(const grains::State& state, const grains::Particle& first,
-                        grains::Owner body, const Eigen::Vector2d& point) {
-  return grains::is_particle(body) ? between_centres(state, first, grains::particle_id(body))
-                                   : to_point(state, first, point);
-}
-
 DrawnOverlay contact_forces(const View& view, const std::vector<contact::Force>& forces,
                             const OverlayScales& scales) {
   const double grain_weight = scales.value_of(scene::kContactForceUnit, view.state);
   std::vector<render::ForceLine> lines;
   for (const contact::Force& force : forces) {
-    const grains::Particle& upper = view.state.particles[force.upper];
-    const Eigen::Vector2d along = to_body(view.state, upper, force.other, force.point);
-    add_line(view.state, upper, along, grain_weight * force.along_normal, lines);
+    add_line(view.state, view.state.particles[force.upper], force.other, force.point,
+             grain_weight * force.along_normal, lines);
   }
   const double strongest = scales.strongest_force;
   return {render::force_network(lines, strongest),
@@ -185,9 +151,8 @@ DrawnOverlay weight(const View& view, measure::WeightRule rule, const OverlaySca
 DrawnOverlay overlaps(const View& view) {
   std::vector<render::ForceLine> lines;
   for (const measure::OverlapContact& contact : measure::contacts(view.state, view.occupancy)) {
-    const grains::Particle& first = view.state.particles[contact.first];
-    const Eigen::Vector2d along = to_body(view.state, first, contact.second, contact.point);
-    add_line(view.state, first, along, static_cast<double>(contact.sites), lines);
+    add_line(view.state, view.state.particles[contact.first], contact.second, contact.point,
+             static_cast<double>(contact.sites), lines);
   }
   return {render::force_network(lines, kMaxOverlapSites),
           {render::force_key(kMaxOverlapSites,

@@ -38,7 +38,16 @@ class Pictures : public record::Observer {
     finish();
     reflection::encode(kPath, history_, columns);
   }
-  void load(const record::SavedColumns& saved, const record::StageView& now) override;
+  void load(const record::SavedColumns& saved, const record::StageView& now) override {
+    saved.read(kPath, history_, now.model.state());
+    if (scene::pictures_compare_positions(scene_) != history_.window.has_value() ||
+        (history_.window && !history_.window->precedes(now.model.state()))) {
+      throw reflection::Mismatch("its velocities are of another run");
+    }
+    if (!history_.stage.empty() && history_.stage != now.stage.name) {
+      throw reflection::Mismatch("its pictures are of another stage");
+    }
+  }
   void open(const store::RunFolder& folder, const grains::State& /*now*/) override {
     folder.remove_frames_after(history_.last_step);
     folder.files().make_folder(store::kFramesFolder);
@@ -49,7 +58,27 @@ class Pictures : public record::Observer {
   static constexpr const char* kPath = "outputs/pictures";
 
   /// Captures the state; drawing and writing happen on another thread. A step is drawn once.
-  void draw(const record::StageView& now);
+  void draw(const record::StageView& now) {
+    const grains::State& state = now.model.state();
+    if (history_.last_step == state.step) {
+      return;
+    }
+    history_.last_step = state.step;
+    CapturedFrame frame =
+        painter_.capture({.state = state,
+                          .occupancy = now.model.grains().occupancy(),
+                          .cycles = now.observers.find<record::CycleRecord>(),
+                          .contact = record::shown_contact(scene_, now.model, now.observers),
+                          .angle = now.model.vessel().angle},
+                         history_);
+    begin_window(history_, scene_, state);
+    writer_.start([this, folder = now.files->subfolder(store::kFramesFolder),
+                   name = store::frame_name(scene_.name, state.step, scene::step_digits(scene_)),
+                   frame = std::move(frame)] {
+      const Picture picture = painter_.rasterize(frame);
+      folder.write(name, image::encode_png(picture.image, picture.text));
+    });
+  }
 
   const scene::Scene& scene_;
   bool only_last_;
@@ -57,39 +86,6 @@ class Pictures : public record::Observer {
   PictureHistory history_;
   tasks::Background writer_;  // last: at the end it waits for its thread, which uses the painter
 };
-
-void Pictures::load(const record::SavedColumns& saved, const record::StageView& now) {
-  saved.read(kPath, history_, now.model.state());
-  if (scene::pictures_compare_positions(scene_) != history_.window.has_value() ||
-      (history_.window && !history_.window->precedes(now.model.state()))) {
-    throw reflection::Mismatch("its velocities are of another run");
-  }
-  if (!history_.stage.empty() && history_.stage != now.stage.name) {
-    throw reflection::Mismatch("its pictures are of another stage");
-  }
-}
-
-void Pictures::draw(const record::StageView& now) {
-  const grains::State& state = now.model.state();
-  if (history_.last_step == state.step) {
-    return;
-  }
-  history_.last_step = state.step;
-  CapturedFrame frame =
-      painter_.capture({.state = state,
-                        .occupancy = now.model.grains().occupancy(),
-                        .cycles = now.observers.find<record::CycleRecord>(),
-                        .contact = record::shown_contact(scene_, now.model, now.observers),
-                        .angle = now.model.vessel().angle},
-                       history_);
-  begin_window(history_, scene_, state);
-  writer_.start([this, folder = now.files->subfolder(store::kFramesFolder),
-                 name = store::frame_name(scene_.name, state.step, scene::step_digits(scene_)),
-                 frame = std::move(frame)] {
-    const Picture picture = painter_.rasterize(frame);
-    folder.write(name, image::encode_png(picture.image, picture.text));
-  });
-}
 
 }  // namespace
 

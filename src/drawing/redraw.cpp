@@ -213,23 +213,168 @@ class SheetTarget {
 
 class Redraw::Impl {
  public:
-  Impl(const std::vector<RunToDraw>& runs, const RedrawOptions& options);
+  Impl(const std::vector<RunToDraw>& runs, const RedrawOptions& options) : options_(options) {
+    check_files(options);
+    if (runs.size() > 1) {
+      options_.columns = static_cast<int>(runs.size());
+    }
+    if (options.space_time && runs.size() > 1) {
+      throw RedrawError(
+          fmt::format("{}: a picture over time is of one run", options.space_time->file.string()));
+    }
+    for (const RunToDraw& run : runs) {
+      folders_.push_back(run.pictures);
+      drawings_.push_back(std::make_unique<RunDrawing>(
+          run, options, options.max_bytes / static_cast<double>(runs.size())));
+    }
+    if (runs.size() > 1) {
+      make_comparable(runs, drawings_);
+    }
+    const bool only_sheet =
+        !options.sheet.empty() && options.movie.empty() &&
+        std::ranges::none_of(runs, [](const RunToDraw& run) { return run.pictures.has_value(); });
+    const int tile_width = only_sheet ? render::cell_width(options_.columns) : 0;
+    for (const auto& drawing : drawings_) {
+      drawing->prepare(tile_width);
+    }
+    times_ = times_of(drawings_);
+    moments_ = moments_of(times_);
+    choose_evenly(moments_, options_);
+    if (options.space_time) {
+      RunDrawing& drawing = *drawings_.front();
+      space_time_.emplace(drawing.scene(), drawing.initial(), *options.space_time,
+                          drawing.latest_frames());
+    }
+  }
 
-  std::size_t draw(const RedrawEvents& events);
+  std::size_t draw(const RedrawEvents& events) {
+    const bool captions = std::ranges::any_of(
+        drawings_, [](const auto& drawing) { return drawing->scene().output.frames->caption; });
+    if (events.warning && captions && !render::font_problem().empty()) {
+      events.warning(render::font_problem());
+    }
+    if (events.warning) {
+      for (const auto& drawing : drawings_) {
+        if (!drawing->note().empty()) {
+          events.warning(drawing->note());
+        }
+      }
+    }
+    if (!options_.movie.empty() || !options_.sheet.empty()) {
+      for (const auto& drawing : drawings_) {
+        drawing->share_arrow_scale();
+      }
+    }
+    open_targets();
+    record::IntervalTimer timer(events.progress_interval);
+    record::TimeEstimate estimate;
+    std::size_t number = 0;
+    for (; number < moments_.size() && !stop_asked(); ++number) {
+      const std::vector<std::size_t> pictures = pictures_at(moments_[number]);
+      add_over_time(pictures.front());
+      draw_moment(number, pictures);
+      add_over_time(pictures.front() + 1);
+      if (events.progress && timer.due()) {
+        estimate.update(static_cast<double>(number + 1) / static_cast<double>(moments_.size()));
+        events.progress({number + 1, moments_.size(), estimate.seconds_left()});
+      }
+    }
+    if (number > 0) {
+      writer_.finish();
+      if (movie_) {
+        movie_->finish();
+      }
+      if (sheet_) {
+        sheet_->finish();
+      }
+    }
+    return number;
+  }
+
   std::size_t moments() const { return moments_.size(); }
   TimePicture over_time() { return space_time_->picture(); }
 
  private:
   /// Throws where a file cannot be written.
-  void open_targets();
+  void open_targets() {
+    captured_.assign(drawings_.size(), std::numeric_limits<std::size_t>::max());
+    pictures_.resize(drawings_.size());
+    if (!options_.movie.empty()) {
+      movie_.emplace(drawings_, options_, picture_rate(options_, moments_.size()));
+    }
+    if (!options_.sheet.empty()) {
+      sheet_.emplace(drawings_, options_, moments_.size());
+    }
+    for (std::size_t run = 0; run < drawings_.size(); ++run) {
+      if (folders_[run]) {
+        folders_[run]->create(file_name(run, 0));
+      }
+    }
+    if (space_time_) {
+      require_writable(options_.space_time->file);
+    }
+  }
+
   /// By run, the number of the picture nearest to a moment.
-  std::vector<std::size_t> pictures_at(double moment) const;
+  std::vector<std::size_t> pictures_at(double moment) const {
+    std::vector<std::size_t> result;
+    for (const std::vector<double>& times : times_) {
+      const auto nearest =
+          std::ranges::min_element(times, {}, [&](double time) { return std::abs(time - moment); });
+      result.push_back(static_cast<std::size_t>(nearest - times.begin()));
+    }
+    return result;
+  }
+
   /// Draws the pictures of a moment for all that show it: they are captured here, and rasterized
   /// and written on another thread.
-  void draw_moment(std::size_t number, const std::vector<std::size_t>& pictures);
-  std::string file_name(std::size_t run, std::size_t picture) const;
+  void draw_moment(std::size_t number, const std::vector<std::size_t>& pictures) {
+    const bool on_sheet = sheet_ && sheet_->shows(number);
+    const auto is_there = [](const auto& folder) { return folder.has_value(); };
+    if (!on_sheet && !movie_ && std::ranges::none_of(folders_, is_there)) {
+      return;
+    }
+    std::vector<std::optional<CapturedFrame>> frames(pictures.size());
+    for (std::size_t run = 0; run < pictures.size(); ++run) {
+      if (std::exchange(captured_[run], pictures[run]) != pictures[run]) {
+        frames[run] = drawings_[run]->capture(pictures[run]);
+      }
+    }
+    writer_.start([this, on_sheet, pictures, frames = std::move(frames)] {
+      for (std::size_t run = 0; run < pictures.size(); ++run) {
+        if (!frames[run]) {
+          continue;
+        }
+        FramePainter& painter = drawings_[run]->painter();
+        const Picture& picture = pictures_[run] = painter.rasterize(*frames[run]);
+        if (folders_[run]) {
+          folders_[run]->write(file_name(run, pictures[run]),
+                               options_.pdf ? painter.pdf(*frames[run])
+                                            : image::encode_png(picture.image, picture.text));
+        }
+      }
+      if (movie_) {
+        movie_->add(pictures_);
+      }
+      if (on_sheet) {
+        sheet_->add(pictures_);
+      }
+    });
+  }
+
+  std::string file_name(std::size_t run, std::size_t picture) const {
+    const scene::Scene& scene = drawings_[run]->scene();
+    return store::frame_name(scene.name, drawings_[run]->step(picture), scene::step_digits(scene),
+                             options_.pdf ? ".pdf" : ".png");
+  }
+
   /// Adds the pictures before this one to the picture over time, also those that no movie shows.
-  void add_over_time(std::size_t end);
+  void add_over_time(std::size_t end) {
+    for (; space_time_ && over_time_ < end; ++over_time_) {
+      drawings_.front()->add_to(*space_time_, over_time_);
+    }
+  }
+
   bool stop_asked() const { return options_.stop != nullptr && options_.stop->load() != 0; }
 
   RedrawOptions options_;
@@ -245,161 +390,6 @@ class Redraw::Impl {
   std::optional<SheetTarget> sheet_;
   tasks::Background writer_;  // last: at the end it waits for its thread, which uses the others
 };
-
-Redraw::Impl::Impl(const std::vector<RunToDraw>& runs, const RedrawOptions& options)
-    : options_(options) {
-  check_files(options);
-  if (runs.size() > 1) {
-    options_.columns = static_cast<int>(runs.size());
-  }
-  if (options.space_time && runs.size() > 1) {
-    throw RedrawError(
-        fmt::format("{}: a picture over time is of one run", options.space_time->file.string()));
-  }
-  for (const RunToDraw& run : runs) {
-    folders_.push_back(run.pictures);
-    drawings_.push_back(std::make_unique<RunDrawing>(
-        run, options, options.max_bytes / static_cast<double>(runs.size())));
-  }
-  if (runs.size() > 1) {
-    make_comparable(runs, drawings_);
-  }
-  const bool only_sheet =
-      !options.sheet.empty() && options.movie.empty() &&
-      std::ranges::none_of(runs, [](const RunToDraw& run) { return run.pictures.has_value(); });
-  const int tile_width = only_sheet ? render::cell_width(options_.columns) : 0;
-  for (const auto& drawing : drawings_) {
-    drawing->prepare(tile_width);
-  }
-  times_ = times_of(drawings_);
-  moments_ = moments_of(times_);
-  choose_evenly(moments_, options_);
-  if (options.space_time) {
-    RunDrawing& drawing = *drawings_.front();
-    space_time_.emplace(drawing.scene(), drawing.initial(), *options.space_time,
-                        drawing.latest_frames());
-  }
-}
-
-std::size_t Redraw::Impl::draw(const RedrawEvents& events) {
-  const bool captions = std::ranges::any_of(
-      drawings_, [](const auto& drawing) { return drawing->scene().output.frames->caption; });
-  if (events.warning && captions && !render::font_problem().empty()) {
-    events.warning(render::font_problem());
-  }
-  if (events.warning) {
-    for (const auto& drawing : drawings_) {
-      if (!drawing->note().empty()) {
-        events.warning(drawing->note());
-      }
-    }
-  }
-  if (!options_.movie.empty() || !options_.sheet.empty()) {
-    for (const auto& drawing : drawings_) {
-      drawing->share_arrow_scale();
-    }
-  }
-  open_targets();
-  record::IntervalTimer timer(events.progress_interval);
-  record::TimeEstimate estimate;
-  std::size_t number = 0;
-  for (; number < moments_.size() && !stop_asked(); ++number) {
-    const std::vector<std::size_t> pictures = pictures_at(moments_[number]);
-    add_over_time(pictures.front());
-    draw_moment(number, pictures);
-    add_over_time(pictures.front() + 1);
-    if (events.progress && timer.due()) {
-      estimate.update(static_cast<double>(number + 1) / static_cast<double>(moments_.size()));
-      events.progress({number + 1, moments_.size(), estimate.seconds_left()});
-    }
-  }
-  if (number > 0) {
-    writer_.finish();
-    if (movie_) {
-      movie_->finish();
-    }
-    if (sheet_) {
-      sheet_->finish();
-    }
-  }
-  return number;
-}
-
-void Redraw::Impl::open_targets() {
-  captured_.assign(drawings_.size(), std::numeric_limits<std::size_t>::max());
-  pictures_.resize(drawings_.size());
-  if (!options_.movie.empty()) {
-    movie_.emplace(drawings_, options_, picture_rate(options_, moments_.size()));
-  }
-  if (!options_.sheet.empty()) {
-    sheet_.emplace(drawings_, options_, moments_.size());
-  }
-  for (std::size_t run = 0; run < drawings_.size(); ++run) {
-    if (folders_[run]) {
-      folders_[run]->create(file_name(run, 0));
-    }
-  }
-  if (space_time_) {
-    require_writable(options_.space_time->file);
-  }
-}
-
-std::string Redraw::Impl::file_name(std::size_t run, std::size_t picture) const {
-  const scene::Scene& scene = drawings_[run]->scene();
-  return store::frame_name(scene.name, drawings_[run]->step(picture), scene::step_digits(scene),
-                           options_.pdf ? ".pdf" : ".png");
-}
-
-void Redraw::Impl::draw_moment(std::size_t number, const std::vector<std::size_t>& pictures) {
-  const bool on_sheet = sheet_ && sheet_->shows(number);
-  const auto is_there = [](const auto& folder) { return folder.has_value(); };
-  if (!on_sheet && !movie_ && std::ranges::none_of(folders_, is_there)) {
-    return;
-  }
-  std::vector<std::optional<CapturedFrame>> frames(pictures.size());
-  for (std::size_t run = 0; run < pictures.size(); ++run) {
-    if (std::exchange(captured_[run], pictures[run]) != pictures[run]) {
-      frames[run] = drawings_[run]->capture(pictures[run]);
-    }
-  }
-  writer_.start([this, on_sheet, pictures, frames = std::move(frames)] {
-    for (std::size_t run = 0; run < pictures.size(); ++run) {
-      if (!frames[run]) {
-        continue;
-      }
-      FramePainter& painter = drawings_[run]->painter();
-      const Picture& picture = pictures_[run] = painter.rasterize(*frames[run]);
-      if (folders_[run]) {
-        folders_[run]->write(file_name(run, pictures[run]),
-                             options_.pdf ? painter.pdf(*frames[run])
-                                          : image::encode_png(picture.image, picture.text));
-      }
-    }
-    if (movie_) {
-      movie_->add(pictures_);
-    }
-    if (on_sheet) {
-      sheet_->add(pictures_);
-    }
-  });
-}
-
-std::vector<std::size_t> Redraw::Impl::pictures_at(double moment) const {
-  std::vector<std::size_t> result;
-  for (const std::vector<double>& times : times_) {
-    const auto nearest = std::ranges::min_element(times, [&](double one, double other) {
-      return std::abs(one - moment) < std::abs(other - moment);
-    });
-    result.push_back(static_cast<std::size_t>(nearest - times.begin()));
-  }
-  return result;
-}
-
-void Redraw::Impl::add_over_time(std::size_t end) {
-  for (; space_time_ && over_time_ < end; ++over_time_) {
-    drawings_.front()->add_to(*space_time_, over_time_);
-  }
-}
 
 Redraw::Redraw(const std::vector<RunToDraw>& runs, const RedrawOptions& options)
     : impl_(std::make_unique<Impl>(runs, options)) {}

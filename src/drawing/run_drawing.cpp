@@ -61,19 +61,13 @@ std::size_t nearest_frame(const std::vector<Frame>& frames, const RedrawOptions&
     return frame.step < options.from ? options.from - frame.step
                                      : frame.step - std::min(frame.step, options.to);
   };
-  const auto nearest = std::ranges::min_element(frames, [&](const Frame& one, const Frame& other) {
-    return distance(one) < distance(other);
-  });
-  return static_cast<std::size_t>(nearest - frames.begin());
+  return static_cast<std::size_t>(std::ranges::min_element(frames, {}, distance) - frames.begin());
 }
 
 /// Leaves the pictures of one stage, with one of its beginning.
 void leave_stage(std::vector<std::size_t>& pictures, const RunToDraw& run, const std::string& stage,
                  const std::vector<Frame>& frames) {
-  std::vector<std::string_view> names;
-  for (const scene::Stage& one : run.scene.stages) {
-    names.emplace_back(one.name);
-  }
+  const std::vector<std::string_view> names = text::names_of(run.scene.stages);
   const auto number = static_cast<std::size_t>(std::ranges::find(names, stage) - names.begin());
   if (number == names.size()) {
     throw RedrawError(fmt::format("{}: no stage {}{}", run.folder.string(), text::shown(stage),
@@ -307,9 +301,7 @@ void RunDrawing::look_at(std::size_t number, std::size_t frame, Show show) {
 
 std::size_t RunDrawing::first_frame(std::size_t stage) const {
   const std::vector<Frame>& frames = trajectory_.frames();
-  const auto first =
-      std::ranges::find_if(frames, [&](const Frame& frame) { return frame.stage == stage; });
-  return static_cast<std::size_t>(std::distance(frames.begin(), first));
+  return static_cast<std::size_t>(std::ranges::find(frames, stage, &Frame::stage) - frames.begin());
 }
 
 std::size_t RunDrawing::latest(std::size_t frame) const {

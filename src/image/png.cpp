@@ -78,17 +78,10 @@ bool is_ascii(std::string_view text) {
                              [](char c) { return (static_cast<unsigned char>(c) & 0x80U) == 0; });
 }
 
-/// PNG specification, section 11.3.4.2: 1 to 79 Latin-1 letters, no space at the ends or twice.
-bool is_keyword(std::string_view word) {
-  return !word.empty() && word.size() <= 79 && word.front() != ' ' && word.back() != ' ' &&
-         word.find("  ") == std::string_view::npos &&
-         std::ranges::all_of(word, [](char c) { return c >= ' ' && c <= '~'; });
-}
-
 std::vector<png_text> text_chunks(const PngText& text) {
   std::vector<png_text> chunks;
   for (const auto& [keyword, value] : text) {
-    if (!is_keyword(keyword) || value.find('\0') != std::string::npos) {
+    if (!is_ascii(keyword) || value.find('\0') != std::string::npos) {
       throw std::runtime_error("a PNG file cannot hold the text \"" + keyword + "\"");
     }
     png_text chunk = {};
@@ -111,7 +104,7 @@ struct WriteJob {
   std::string error = "cannot write a PNG file: no memory";
 };
 
-/// Keeps the reason and long-jumps.
+/// Keeps the reason and long-jumps. Also of warnings: libpng would write other keywords than given.
 [[noreturn]] void fail(png_structp png, png_const_charp reason) {
   static_cast<WriteJob*>(png_get_error_ptr(png))->error.assign("cannot write a PNG file: ") +=
       reason;
@@ -196,8 +189,7 @@ std::vector<std::uint8_t> encode_png(const Image& image, const PngText& text) {
     throw std::runtime_error("a PNG file cannot hold an empty picture");
   }
   WriteJob job = {.image = image, .text = text_chunks(text)};
-  const auto ignore = [](png_structp, png_const_charp) {};
-  png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &job, fail, ignore);
+  png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &job, fail, fail);
   png_infop info = png == nullptr ? nullptr : png_create_info_struct(png);
   const bool done = info != nullptr && write_png(png, info, job);
   png_destroy_write_struct(&png, &info);

@@ -4,6 +4,7 @@
 #include <array>
 #include <compare>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace clca::render {
@@ -28,12 +29,6 @@ struct SmallTriangle {
   }
 };
 
-template <class T>
-void sort_unique(std::vector<T>& values) {
-  std::ranges::sort(values);
-  values.erase(std::unique(values.begin(), values.end()), values.end());
-}
-
 void add_around(Axial point, std::vector<SmallTriangle>& triangles) {
   const auto [x, q] = point;
   triangles.insert(triangles.end(), {{{x, q}, false},
@@ -57,55 +52,13 @@ std::vector<SmallTriangle> small_triangles(std::span<const Axial> sites) {
       }
     }
   }
-  sort_unique(triangles);
+  std::ranges::sort(triangles);
+  triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
   return triangles;
 }
 
 GridPoint grid_point_of(Axial point) {
   return {point.x, 2 * point.q + point.x};
-}
-
-using Edge = std::pair<Axial, Axial>;
-
-/// Edges that belong to one triangle only: from each start point to its end points.
-std::multimap<Axial, Axial> boundary(const std::vector<SmallTriangle>& triangles) {
-  std::vector<Edge> edges;
-  for (const SmallTriangle& triangle : triangles) {
-    const auto corners = triangle.corners();
-    for (std::size_t i = 0; i < 3; ++i) {
-      edges.emplace_back(corners[i], corners[(i + 1) % 3]);
-    }
-  }
-  std::ranges::sort(edges);
-  std::multimap<Axial, Axial> result;
-  for (const auto& [from, to] : edges) {
-    if (!std::binary_search(edges.begin(), edges.end(), Edge{to, from})) {
-      result.emplace(from, to);
-    }
-  }
-  return result;
-}
-
-/// Removes a closed path from `edges` and returns it.
-std::vector<Axial> take_loop(std::multimap<Axial, Axial>& edges) {
-  std::vector<Axial> loop;
-  for (auto edge = edges.begin(); edge != edges.end(); edge = edges.find(loop.back())) {
-    loop.push_back(edge->second);
-    edges.erase(edge);
-  }
-  return loop;
-}
-
-Outline without_straight_corners(const std::vector<Axial>& loop) {
-  Outline outline;
-  for (std::size_t i = 0; i < loop.size(); ++i) {
-    const Axial before = loop[(i + loop.size() - 1) % loop.size()];
-    const Axial after = loop[(i + 1) % loop.size()];
-    if (loop[i] - before != after - loop[i]) {
-      outline.push_back(grid_point_of(loop[i]));
-    }
-  }
-  return outline;
 }
 
 /// The contiguous triangles from `first` to `last`, one above the other.
@@ -132,13 +85,30 @@ bool continues(const Trapezoid& left, const Trapezoid& right) {
 
 }  // namespace
 
-std::vector<Outline> outlines(const lattice::Shape& shape) {
-  auto edges = boundary(small_triangles(shape.sites()));
-  std::vector<Outline> result;
-  while (!edges.empty()) {
-    result.push_back(without_straight_corners(take_loop(edges)));
+Outline outline(const lattice::Shape& shape) {
+  std::set<std::pair<Axial, Axial>> edges;
+  for (const SmallTriangle& triangle : small_triangles(shape.sites())) {
+    const auto corners = triangle.corners();
+    for (std::size_t i = 0; i < 3; ++i) {
+      edges.emplace(corners[i], corners[(i + 1) % 3]);
+    }
   }
-  return result;
+  std::map<Axial, Axial> next;  // along the edges that belong to one triangle only
+  for (const auto& [from, to] : edges) {
+    if (!edges.contains({to, from})) {
+      next.emplace(from, to);
+    }
+  }
+  Outline corners;
+  Axial before = next.begin()->first;
+  for (std::size_t i = 0; i < next.size(); ++i) {
+    const Axial here = next.at(before);
+    if (here - before != next.at(here) - here) {
+      corners.push_back(grid_point_of(here));
+    }
+    before = here;
+  }
+  return corners;
 }
 
 std::vector<Trapezoid> trapezoids(const lattice::Shape& shape) {

@@ -7,9 +7,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include "clca/baxter/baxter_model.hpp"
 #include "clca/render/body.hpp"
 #include "render/colors.hpp"
-#include "render/shade.hpp"
 
 namespace clca::render {
 
@@ -49,19 +49,16 @@ Rgb id_color(std::size_t id) {
   return mixed(color, {255, 255, 255}, id % 3 == 0 ? 0.0 : id % 3 == 1 ? 0.3 : 0.15);
 }
 
-Coloring by_map(ShadeRule rule, std::string label, const statistics::Range& range,
-                bool diverging = false) {
-  if (!(range.low < range.high && std::isfinite(range.high - range.low))) {
-    throw std::invalid_argument("a colour bar goes from a lower to a higher value");
+/// What `value_of` says of each present particle, by id.
+template <class Value, class ValueOf>
+std::vector<Value> of_each(const State& state, ValueOf value_of) {
+  std::vector<Value> values(state.particles.size());
+  for (std::size_t id = 0; id < values.size(); ++id) {
+    if (state.particles[id].present) {
+      values[id] = static_cast<Value>(value_of(id));
+    }
   }
-  Coloring result = {.rule = std::move(rule), .palette = {}, .legend = {}};
-  result.legend.bars = {
-      {.label = std::move(label), .low = range.low, .high = range.high, .diverging = diverging}};
-  for (std::size_t shade = 0; shade < kMapShades; ++shade) {
-    result.palette.push_back(
-        bar_color(result.legend.bars[0], static_cast<double>(shade) / (kMapShades - 1)));
-  }
-  return result;
+  return values;
 }
 
 /// Icons of all species: their first shapes, the smaller ones smaller.
@@ -75,8 +72,7 @@ std::vector<Legend::Patch> species_icons(std::span<const grains::Kind> kinds,
     const auto first = std::ranges::find_if(
         kinds, [&](const grains::Kind& kind) { return kind.species == number; });
     if (first != kinds.end()) {
-      const std::vector<Outline> bodies = outlines(first->shape);
-      for (const GridPoint corner : bodies.front()) {
+      for (const GridPoint corner : outline(first->shape)) {
         icon.outline.push_back(position(corner));
       }
       icon.size = first->shape.diameter();
@@ -92,40 +88,15 @@ std::vector<Legend::Patch> species_icons(std::span<const grains::Kind> kinds,
 
 }  // namespace
 
-Rgb color(const Coloring& coloring, const State& state, const grains::Occupancy& occupancy,
-          std::size_t id) {
-  const Shading shading = {state, occupancy};
-  const std::size_t shade =
-      std::visit([&](const auto& rule) { return shading.shade(rule, id); }, coloring.rule);
-  return coloring.palette[in_palette(shade, coloring.palette.size())];
-}
-
-void mark_beyond(Coloring& coloring, const State& state, const grains::Occupancy& occupancy) {
-  const Shading shading = {state, occupancy};
-  std::visit(
-      [&](const auto& rule) {
-        if constexpr (requires { rule.range.low < shading.value(rule, 0); }) {
-          Legend::Bar& bar = coloring.legend.bars.front();
-          for (std::size_t id = 0; id < state.particles.size(); ++id) {
-            if (state.particles[id].present) {
-              const double value = shading.value(rule, id);
-              bar.below = bar.below || value < rule.range.low;
-              bar.above = bar.above || value > rule.range.high;
-            }
-          }
-        }
-      },
-      coloring.rule);
-}
-
-Coloring color_by_species(std::span<const grains::Kind> kinds,
-                          std::span<const NamedColor> species) {
-  Coloring result = {.rule = BySpecies{}, .palette = {}, .legend = {}};
+Coloring color_by_species(const State& state, std::span<const NamedColor> species) {
+  Coloring result = {.shades = of_each<std::uint16_t>(state, [&](std::size_t id) {
+                       return state.kinds[state.particles[id].kind].species;
+                     })};
   for (const NamedColor& named : species) {
     result.palette.push_back(named.color);
   }
-  result.legend.patches = species_icons(kinds, species);
-  for (const grains::Kind& kind : kinds) {
+  result.legend.patches = species_icons(state.kinds, species);
+  for (const grains::Kind& kind : state.kinds) {
     while (result.palette.size() <= kind.species) {
       result.palette.push_back(palette_color(result.palette.size()));
     }
@@ -159,12 +130,19 @@ LayerRange layer_range(const State& state, std::span<const std::size_t> sources)
   return range;
 }
 
-Coloring color_by_layer(std::span<const grains::Kind> kinds, int layers, const LayerRange& range) {
+Coloring color_by_layer(const State& state, int layers, const LayerRange& range) {
   if (layers < 1) {
     throw std::invalid_argument("there is at least one layer");
   }
-  Coloring result = {
-      .rule = ByLayer{layers, range, centroid_heights(kinds)}, .palette = {}, .legend = {}};
+  const std::vector<double> centroids = centroid_heights(state.kinds);
+  const auto layer_of = [&](std::size_t id) {
+    const double height =
+        lattice::position(state.origins[id]).y() + centroids[state.particles[id].kind];
+    const double share =
+        range.high > range.low ? (height - range.low) / (range.high - range.low) : 0;
+    return std::clamp(share * layers, 0.0, static_cast<double>(layers - 1));
+  };
+  Coloring result = {.shades = of_each<std::uint16_t>(state, layer_of)};
   for (int layer = 0; layer < layers; ++layer) {
     result.palette.push_back(layer_color(layer, layers));
     result.legend.patches.push_back({layer_label(layer, layers), result.palette.back()});
@@ -172,25 +150,58 @@ Coloring color_by_layer(std::span<const grains::Kind> kinds, int layers, const L
   return result;
 }
 
-Coloring color_by_displacement(const statistics::Range& range) {
-  return by_map(ByDisplacement{range}, "displacement (spacings)", range);
+Coloring color_by_value(const State& state, const std::vector<double>& values, std::string label,
+                        const statistics::Range& range, bool diverging) {
+  constexpr int kShades = 1025;  // finer than visible steps
+  if (!(range.low < range.high && std::isfinite(range.high - range.low))) {
+    throw std::invalid_argument("a colour bar goes from a lower to a higher value");
+  }
+  Legend::Bar bar = {
+      .label = std::move(label), .low = range.low, .high = range.high, .diverging = diverging};
+  Coloring result;
+  result.shades = of_each<std::uint16_t>(state, [&](std::size_t id) {
+    bar.below = bar.below || values[id] < range.low;
+    bar.above = bar.above || values[id] > range.high;
+    return (kShades - 1) *
+           std::clamp((values[id] - range.low) / (range.high - range.low), 0.0, 1.0);
+  });
+  for (int shade = 0; shade < kShades; ++shade) {
+    result.palette.push_back(bar_color(bar, shade / (kShades - 1.0)));
+  }
+  result.legend.bars = {std::move(bar)};
+  return result;
 }
 
-Coloring color_by_force(const statistics::Range& range) {
+Coloring color_by_displacement(const State& state, const statistics::Range& range) {
+  const auto distances = of_each<double>(state, [&](std::size_t id) {
+    return lattice::position(state.particles[id].site() - state.origins[id]).norm();
+  });
+  return color_by_value(state, distances, "displacement (spacings)", range);
+}
+
+Coloring color_by_force(const State& state, const grains::Occupancy& occupancy,
+                        const statistics::Range& range) {
   constexpr Rgb kNone = {228, 230, 233};
-  Coloring result = by_map(ByForce{range}, "overlapped sites", range);
+  const auto shared = of_each<double>(state, [&](std::size_t id) {
+    const grains::Particle& particle = state.particles[id];
+    return std::ranges::count_if(state.shape(particle).sites(), [&](lattice::Axial part) {
+      const std::size_t index = state.lattice.index(particle.site() + part);
+      return occupancy.second_owner(index) != grains::kFree;
+    });
+  });
+  Coloring result = color_by_value(state, shared, "overlapped sites", range);
+  for (std::size_t id = 0; id < shared.size(); ++id) {
+    result.shades[id] = static_cast<std::uint16_t>(shared[id] > 0 ? result.shades[id] + 1 : 0);
+  }
   result.palette.insert(result.palette.begin(), kNone);
   result.legend.patches.push_back({"none", kNone});
   return result;
 }
 
-Coloring color_by_value(std::vector<double> values, std::string label,
-                        const statistics::Range& range, bool diverging) {
-  return by_map(ByValue{std::move(values), range}, std::move(label), range, diverging);
-}
-
-Coloring color_by_axis() {
-  Coloring result = {.rule = ByAxis{}, .palette = {}, .legend = {}};
+Coloring color_by_axis(const State& state) {
+  Coloring result = {.shades = of_each<std::uint16_t>(state, [&](std::size_t id) {
+                       return baxter::axis_of(state.particles[id]);
+                     })};
   for (const char* axis : {"axis upright", "60°", "120°"}) {
     result.palette.push_back(palette_color(result.palette.size()));
     result.legend.patches.push_back({axis, result.palette.back()});
@@ -198,9 +209,13 @@ Coloring color_by_axis() {
   return result;
 }
 
-Coloring color_by_id() {
-  Coloring result = {.rule = ById{}, .palette = {}, .legend = {}};
-  for (std::size_t id = 0; id < kIdShades; ++id) {
+Coloring color_by_id(const State& state) {
+  // Ids before the colours repeat: three tints in turn, times a Fibonacci number of golden-ratio
+  // steps, which close the circle to 1/2000.
+  constexpr std::size_t kShades = std::size_t{3} * 987;
+  Coloring result = {
+      .shades = of_each<std::uint16_t>(state, [](std::size_t id) { return id % kShades; })};
+  for (std::size_t id = 0; id < kShades; ++id) {
     result.palette.push_back(id_color(id));
   }
   return result;

@@ -121,9 +121,10 @@ void line_to(cairo_t* cairo, const Eigen::Vector2d& point) {
   cairo_line_to(cairo, point.x(), point.y());
 }
 
+/// With round ends.
 void straight_line(cairo_t* cairo, const Eigen::Vector2d& from, const Eigen::Vector2d& to,
-                   double width, cairo_line_cap_t ends) {
-  cairo_set_line_cap(cairo, ends);
+                   double width) {
+  cairo_set_line_cap(cairo, CAIRO_LINE_CAP_ROUND);
   cairo_set_line_width(cairo, width);
   line_to(cairo, from);
   line_to(cairo, to);
@@ -135,7 +136,7 @@ void arrow(cairo_t* cairo, const Stroke& stroke) {
   const double length = whole.norm();
   if (length < std::max(stroke.width, 1.0)) {
     const Eigen::Vector2d middle = (stroke.from + stroke.to) / 2;
-    straight_line(cairo, middle, middle, kDot * stroke.width, CAIRO_LINE_CAP_ROUND);
+    straight_line(cairo, middle, middle, kDot * stroke.width);
     return;
   }
   const double head = std::min(kHeadLength * stroke.width, kHeadShare * length);
@@ -143,8 +144,7 @@ void arrow(cairo_t* cairo, const Stroke& stroke) {
   const Eigen::Vector2d along = whole / length;
   const Eigen::Vector2d across(-along.y() * half_width, along.x() * half_width);
   const Eigen::Vector2d base = stroke.to - head * along;
-  straight_line(cairo, stroke.from, base, std::min(stroke.width, 2 * kShaftShare * half_width),
-                CAIRO_LINE_CAP_ROUND);
+  straight_line(cairo, stroke.from, base, std::min(stroke.width, 2 * kShaftShare * half_width));
   for (const Eigen::Vector2d& corner :
        std::array<Eigen::Vector2d, 3>{base + across, stroke.to, base - across}) {
     line_to(cairo, corner);
@@ -195,29 +195,20 @@ PangoContext* font_context(cairo_t* cairo, PangoFontMap* fonts) {
   return context;
 }
 
-double in_pixels(int pango_units) {
-  return static_cast<double>(pango_units) / PANGO_SCALE;
-}
-
 double width_of(PangoLayout* layout) {
   PangoRectangle extents = {};
   pango_layout_get_extents(layout, nullptr, &extents);
-  return in_pixels(extents.width);
+  return pango_units_to_double(extents.width);
 }
 
 }  // namespace
 
-Graphics::Graphics(int width, int height)
-    : width_(width),
-      height_(height),
-      cairo_(cairo_create(surface_of(width, height).get()), cairo_destroy) {
-  set_color(kPaper);
-  cairo_paint(cairo_.get());
-}
-
-Graphics::Graphics(Page /*page*/, int width, int height) : width_(width), height_(height) {
-  cairo_.reset(cairo_create(page_of(width, height, pdf_).get()), cairo_destroy);
-  cairo_scale(cairo_.get(), kPoints, kPoints);
+Graphics::Graphics(int width, int height, On on) : width_(width), height_(height) {
+  const Surface surface = on == On::page ? page_of(width, height, pdf_) : surface_of(width, height);
+  cairo_.reset(cairo_create(surface.get()), cairo_destroy);
+  if (on == On::page) {
+    cairo_scale(cairo_.get(), kPoints, kPoints);
+  }
   set_color(kPaper);
   cairo_paint(cairo_.get());
 }
@@ -291,7 +282,7 @@ void Graphics::draw_stroke(const Stroke& stroke) {
   if (stroke.arrow) {
     arrow(cairo_.get(), stroke);
   } else {
-    straight_line(cairo_.get(), stroke.from, stroke.to, stroke.width, CAIRO_LINE_CAP_ROUND);
+    straight_line(cairo_.get(), stroke.from, stroke.to, stroke.width);
   }
 }
 
@@ -305,15 +296,13 @@ void Graphics::fade(double share) {
 void Graphics::draw_image(const Image& image, double left, double top, double width,
                           double height) {
   const Surface surface = surface_of(image);
-  cairo_save(cairo_.get());
-  cairo_rectangle(cairo_.get(), left, top, width, height);
-  cairo_clip(cairo_.get());
-  cairo_translate(cairo_.get(), left, top);
-  cairo_scale(cairo_.get(), width / image.width, height / image.height);
-  cairo_set_source_surface(cairo_.get(), surface.get(), 0, 0);
-  cairo_pattern_set_extend(cairo_get_source(cairo_.get()), CAIRO_EXTEND_PAD);
-  cairo_paint(cairo_.get());
-  cairo_restore(cairo_.get());
+  draw_clipped(left, top, width, height, [&] {
+    cairo_translate(cairo_.get(), left, top);
+    cairo_scale(cairo_.get(), width / image.width, height / image.height);
+    cairo_set_source_surface(cairo_.get(), surface.get(), 0, 0);
+    cairo_pattern_set_extend(cairo_get_source(cairo_.get()), CAIRO_EXTEND_PAD);
+    cairo_paint(cairo_.get());
+  });
 }
 
 Graphics::Text Graphics::text(std::string_view text, double size, double room) {
@@ -360,22 +349,19 @@ void Graphics::draw_text(const Text& text, double left, double baseline, Rgb col
   }
   set_color(color);
   auto* layout = static_cast<PangoLayout*>(text.layout_.get());
-  const double ascent = in_pixels(pango_layout_get_baseline(layout));
+  const double ascent = pango_units_to_double(pango_layout_get_baseline(layout));
   cairo_move_to(cairo_.get(), left, std::round(baseline) - ascent);
   pango_cairo_show_layout(cairo_.get(), layout);
   cairo_new_path(cairo_.get());
 }
 
-Graphics::Clip::Clip(Graphics& graphics, double left, double top, double width, double height)
-    : graphics_(graphics) {
-  cairo_t* cairo = graphics.cairo_.get();
-  cairo_save(cairo);
-  cairo_rectangle(cairo, left, top, width, height);
-  cairo_clip(cairo);
-}
-
-Graphics::Clip::~Clip() {
-  cairo_restore(graphics_.cairo_.get());
+void Graphics::draw_clipped(double left, double top, double width, double height,
+                            const std::function<void()>& draw) {
+  cairo_save(cairo_.get());
+  cairo_rectangle(cairo_.get(), left, top, width, height);
+  cairo_clip(cairo_.get());
+  draw();
+  cairo_restore(cairo_.get());
 }
 
 void Graphics::move_into(const PixelBox& box, double turn) {

@@ -3,6 +3,7 @@
 // upper left corner.
 
 #include <Eigen/Core>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <mutex>
@@ -26,11 +27,10 @@ void require_memory(std::size_t bytes = std::size_t{128} << 20U);
 
 class Graphics {
  public:
-  /// A white picture. Throws RenderError if Cairo cannot draw one of this size, std::bad_alloc.
-  Graphics(int width, int height);
-  /// A white page of vector graphics, with pixels of 1/96 inch. Throws likewise.
-  enum class Page : std::uint8_t { pdf };
-  Graphics(Page page, int width, int height);
+  /// What is drawn on: pixels, or vector graphics with pixels of 1/96 inch. White at first.
+  enum class On : std::uint8_t { picture, page };
+  /// Throws RenderError if Cairo cannot draw one of this size, std::bad_alloc.
+  Graphics(int width, int height, On on = On::picture);
 
   /// What is drawn on a picture; white in the rows of `without`.
   Image image(const PixelBox& without = {}) const;
@@ -66,20 +66,11 @@ class Graphics {
             double room = std::numeric_limits<double>::infinity());
   void draw_text(const Text& text, double left, double baseline, Rgb color);
 
-  /// All that is drawn in its lifetime is clipped to a box.
-  class Clip {
-   public:
-    Clip(Graphics& graphics, double left, double top, double width, double height);
-    ~Clip();
-    Clip(const Clip&) = delete;
-    Clip& operator=(const Clip&) = delete;
-
-   private:
-    Graphics& graphics_;
-  };
-
-  /// Up to the end of the Clip: the upper left corner of the box is the origin, and all that is
-  /// drawn is turned anticlockwise by `turn` degrees about its middle.
+  /// Calls `draw`; what that draws is clipped to a box.
+  void draw_clipped(double left, double top, double width, double height,
+                    const std::function<void()>& draw);
+  /// Up to the end of draw_clipped(): the upper left corner of the box is the origin, and all that
+  /// is drawn is turned anticlockwise by `turn` degrees about its middle.
   void move_into(const PixelBox& box, double turn);
 
  private:

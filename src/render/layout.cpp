@@ -25,8 +25,41 @@ double top_strip(Annotations annotations) {
   return annotations == Annotations::all ? kTopStrip : kMargin;
 }
 
-Layout fit(int width, int height, const lattice::Rectangle& view, Annotations annotations,
-           int text_size) {
+}  // namespace
+
+PictureSize picture_size(int width, int height, const lattice::Rectangle& view,
+                         Annotations annotations) {
+  constexpr double kArea = 1280.0 * 720.0;
+  constexpr double kMinAspect = 0.4;  // width over height
+  constexpr double kMaxAspect = 4;
+  const double view_aspect = (view.right - view.left) / (view.top - view.bottom);
+  double aspect = view_aspect;
+  if (annotations != Annotations::none) {  // the same as in arrange(), with the text size that
+                                           // follows from height or width
+    const double strips = top_strip(annotations) + kBottomStrip;
+    aspect = (1 - strips / kTextSizesInHeight) * view_aspect + 2 * kMargin / kTextSizesInHeight;
+    if (aspect < kTextSizesInWidth / kTextSizesInHeight) {
+      aspect =
+          1 / ((1 - 2 * kMargin / kTextSizesInWidth) / view_aspect + strips / kTextSizesInWidth);
+    }
+  }
+  aspect = std::clamp(aspect, kMinAspect, kMaxAspect);
+  const auto even = [](double pixels) {
+    return std::max(2, 2 * static_cast<int>(std::lround(pixels / 2)));
+  };
+  if (width > 0) {
+    return {width, height > 0 ? height : even(width / aspect)};
+  }
+  return height > 0 ? PictureSize{even(height * aspect), height}
+                    : PictureSize{even(std::sqrt(kArea * aspect)), even(std::sqrt(kArea / aspect))};
+}
+
+Layout arrange(int width, int height, const lattice::Rectangle& view, Annotations annotations) {
+  const double wanted = std::min(height / kTextSizesInHeight, width / kTextSizesInWidth);
+  const int letters = std::max(kMinTextSize, static_cast<int>(std::lround(wanted)));
+  const bool room = width >= (2 * kMargin + kMinPanel) * letters &&
+                    height >= (top_strip(annotations) + kBottomStrip + kMinPanel) * letters;
+  const int text_size = annotations != Annotations::none && room ? letters : 0;
   const auto pixels = [&](double text_sizes) {
     return static_cast<int>(std::lround(text_sizes * text_size));
   };
@@ -53,70 +86,9 @@ Layout fit(int width, int height, const lattice::Rectangle& view, Annotations an
   return layout;
 }
 
-}  // namespace
-
-PictureSize picture_size(int width, int height, const lattice::Rectangle& view,
-                         Annotations annotations) {
-  constexpr double kArea = 1280.0 * 720.0;
-  constexpr double kMinAspect = 0.4;  // width over height
-  constexpr double kMaxAspect = 4;
-  const double view_aspect = (view.right - view.left) / (view.top - view.bottom);
-  double aspect = view_aspect;
-  if (annotations != Annotations::none) {  // the same as in fit(), with the text size that follows
-                                           // from height or width
-    const double strips = top_strip(annotations) + kBottomStrip;
-    aspect = (1 - strips / kTextSizesInHeight) * view_aspect + 2 * kMargin / kTextSizesInHeight;
-    if (aspect < kTextSizesInWidth / kTextSizesInHeight) {
-      aspect =
-          1 / ((1 - 2 * kMargin / kTextSizesInWidth) / view_aspect + strips / kTextSizesInWidth);
-    }
-  }
-  aspect = std::clamp(aspect, kMinAspect, kMaxAspect);
-  const auto even = [](double pixels) {
-    return std::max(2, 2 * static_cast<int>(std::lround(pixels / 2)));
-  };
-  if (width > 0) {
-    return {width, height > 0 ? height : even(width / aspect)};
-  }
-  return height > 0 ? PictureSize{even(height * aspect), height}
-                    : PictureSize{even(std::sqrt(kArea * aspect)), even(std::sqrt(kArea / aspect))};
-}
-
-Layout arrange(int width, int height, const lattice::Rectangle& view, Annotations annotations) {
-  const double wanted = std::min(height / kTextSizesInHeight, width / kTextSizesInWidth);
-  const int text_size = std::max(kMinTextSize, static_cast<int>(std::lround(wanted)));
-  const bool room = width >= (2 * kMargin + kMinPanel) * text_size &&
-                    height >= (top_strip(annotations) + kBottomStrip + kMinPanel) * text_size;
-  return fit(width, height, view, annotations,
-             annotations != Annotations::none && room ? text_size : 0);
-}
-
-namespace {
-
-constexpr int kMaxSupersampling = 4;
-constexpr int kMaxSize = 32'767;  // of Cairo
-
-/// Of the border that pictures show around the box, in lattice spacings.
-double border_thickness(const lattice::Lattice& lattice) {
-  const double width = lattice.columns() * lattice::kColumnPitch;
-  return std::max(1.0, 0.005 * std::max(width, static_cast<double>(lattice.rows())));
-}
-
-/// Outlines are thin but at least a pixel wide, and fade out if sites become too small for them.
-void set_outline(Projection& projection, double pixels_per_spacing, int picture_height) {
-  constexpr double kThin = 0.1;   // lattice spacings
-  constexpr double kThick = 0.2;  // must stay below 0.4, where the lookup loses sight of the edge
-  constexpr double kNone = 1.5;   // pixels a spacing
-  constexpr double kFull = 4.0;
-  const double visible = std::max(0.8, picture_height / 1440.0) / pixels_per_spacing;
-  projection.outline_width = std::clamp(visible, kThin, kThick);
-  projection.outline_strength =
-      std::clamp((pixels_per_spacing - kNone) / (kFull - kNone), 0.0, 1.0);
-}
-
-}  // namespace
-
 Style completed(Style style, const lattice::Lattice& lattice) {
+  constexpr int kMaxSupersampling = 4;
+  constexpr int kMaxSize = 32'767;  // of Cairo
   if (style.width < 0 || style.height < 0) {
     throw RenderError(
         fmt::format("a picture of {} x {} pixels: at least 1 x 1", style.width, style.height));
@@ -148,22 +120,28 @@ Style completed(Style style, const lattice::Lattice& lattice) {
 
 Projection projection_of(const lattice::Rectangle& view, const Layout& layout, int samples,
                          int picture_height) {
-  Projection projection;
-  projection.width = layout.panel.width * samples;
-  projection.height = layout.panel.height * samples;
-  projection.scale = layout.scale * samples;
-  projection.corner = {view.left, view.bottom};
-  set_outline(projection, layout.scale, picture_height);
-  return projection;
+  // Outlines are thin but at least a pixel wide, and fade out if sites become too small for them.
+  constexpr double kThin = 0.1;   // lattice spacings
+  constexpr double kThick = 0.2;  // must stay below 0.4, where the lookup loses sight of the edge
+  constexpr double kNone = 1.5;   // pixels a spacing
+  constexpr double kFull = 4.0;
+  const double visible = std::max(0.8, picture_height / 1440.0) / layout.scale;
+  return {.width = layout.panel.width * samples,
+          .height = layout.panel.height * samples,
+          .scale = layout.scale * samples,
+          .corner = {view.left, view.bottom},
+          .outline_width = std::clamp(visible, kThin, kThick),
+          .outline_strength = std::clamp((layout.scale - kNone) / (kFull - kNone), 0.0, 1.0)};
 }
 
 lattice::Rectangle whole_box(const lattice::Lattice& lattice) {
-  const double frame = border_thickness(lattice);
+  const double width = lattice.columns() * lattice::kColumnPitch;
+  const double frame = std::max(1.0, 0.005 * std::max(width, static_cast<double>(lattice.rows())));
   const double side = lattice.periodic() ? 0 : frame;
   const double half = lattice::kColumnPitch / 2;
   return {.left = -half - side,
           .bottom = -0.5 - frame,
-          .right = lattice.columns() * lattice::kColumnPitch - half + side,
+          .right = width - half + side,
           .top = static_cast<double>(lattice.rows())};
 }
 

@@ -29,12 +29,10 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Legend::Bar, label, low, high, diverging, bel
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Legend::Line, label, width, length, color, arrow)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Legend, patches, bars, lines, fade)
 
-void add_walls(Legend& legend, const ShownWalls& walls) {
+void add_walls(Legend& legend, bool moving) {
   const std::vector<Eigen::Vector2d> square = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-  if (walls.standing) {
-    legend.patches.push_back({.label = "wall", .color = kWallColor, .outline = square});
-  }
-  if (walls.moving) {
+  legend.patches.push_back({.label = "wall", .color = kWallColor, .outline = square});
+  if (moving) {
     legend.patches.push_back(
         {.label = "moving wall", .color = kMovingWallColor, .outline = square});
   }

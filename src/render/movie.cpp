@@ -7,8 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "clca/process/program.hpp"
-
 namespace clca::render {
 
 namespace {
@@ -67,6 +65,13 @@ Arguments format_arguments(MovieFormat format) {
 
 Arguments ffmpeg_arguments(const std::filesystem::path& file, MovieFormat format, int width,
                            int height, double frames_per_second) {
+  if (format == MovieFormat::gif &&
+      (frames_per_second > kMostGifRate || 1 / frames_per_second > kLongestGifPicture)) {
+    throw MovieError(fmt::format(
+        "a GIF has at most {:g} pictures a second, and shows each for at most {:g} s; choose "
+        "another number of pictures, length or format",
+        kMostGifRate, kLongestGifPicture));
+  }
   // xerror: a disk that is full at the end is an error, too.
   Arguments arguments = {find_ffmpeg().string()};
   append(arguments,
@@ -78,6 +83,20 @@ Arguments ffmpeg_arguments(const std::filesystem::path& file, MovieFormat format
   append(arguments, {"-threads", "1", "-fflags", "+bitexact", "-flags:v", "+bitexact",
                      "-map_metadata", "-1", "file:" + std::filesystem::absolute(file).string()});
   return arguments;
+}
+
+process::Program started(const Arguments& arguments, const process::OutputCapture& errors,
+                         const std::atomic<int>* stop) {
+  try {
+    return {arguments,
+            {.out = &errors,
+             .err = &errors,
+             .fed = true,
+             .stop = stop,
+             .grace = std::chrono::seconds(5)}};
+  } catch (const process::ProcessError& error) {
+    throw MovieError(error.what());
+  }
 }
 
 std::string last_line(const std::vector<std::uint8_t>& bytes) {
@@ -103,74 +122,35 @@ std::optional<MovieFormat> movie_format(const std::filesystem::path& file) {
   return found == formats.end() ? std::nullopt : std::optional(found->second);
 }
 
-class Movie::Impl {
- public:
-  Impl(const Arguments& arguments, int width, int height, const std::atomic<int>* stop)
-      : width_(width),
-        height_(height),
-        ffmpeg_(arguments, {.out = &errors_,
-                            .err = &errors_,
-                            .fed = true,
-                            .stop = stop,
-                            .grace = std::chrono::seconds(5)}) {}
-
-  void add(const Image& image) {
-    if (image.width != width_ || image.height != height_) {
-      throw std::invalid_argument("the pictures of a movie have one size");
-    }
-    static_assert(sizeof(Rgb) == 3, "goes to ffmpeg as it lies in memory");
-    const auto* bytes = reinterpret_cast<const std::uint8_t*>(image.pixels.data());
-    if (!ffmpeg_.feed({bytes, sizeof(Rgb) * image.pixels.size()})) {
-      fail(ffmpeg_.wait());
-    }
-    any_ = true;
-  }
-
-  void finish() {
-    const int code = ffmpeg_.wait();
-    if (code != 0 || !any_) {
-      fail(code);
-    }
-  }
-
- private:
-  [[noreturn]] void fail(int code) const {
-    throw MovieError(
-        fmt::format("ffmpeg fails with exit code {}: {}", code, last_line(errors_.bytes())));
-  }
-
-  int width_;
-  int height_;
-  bool any_ = false;
-  process::OutputCapture errors_;
-  process::Program ffmpeg_;
-};
-
 Movie::Movie(const std::filesystem::path& file, MovieFormat format, int width, int height,
-             double frames_per_second, const std::atomic<int>* stop) {
-  if (format == MovieFormat::gif &&
-      (frames_per_second > kMostGifRate || 1 / frames_per_second > kLongestGifPicture)) {
-    throw MovieError(fmt::format(
-        "a GIF has at most {:g} pictures a second, and shows each for at most {:g} s; choose "
-        "another number of pictures, length or format",
-        kMostGifRate, kLongestGifPicture));
-  }
-  try {
-    impl_ = std::make_unique<Impl>(ffmpeg_arguments(file, format, width, height, frames_per_second),
-                                   width, height, stop);
-  } catch (const process::ProcessError& error) {
-    throw MovieError(error.what());
-  }
-}
-
-Movie::~Movie() = default;
+             double frames_per_second, const std::atomic<int>* stop)
+    : width_(width),
+      height_(height),
+      ffmpeg_(started(ffmpeg_arguments(file, format, width, height, frames_per_second), errors_,
+                      stop)) {}
 
 void Movie::add(const Image& image) {
-  impl_->add(image);
+  if (image.width != width_ || image.height != height_) {
+    throw std::invalid_argument("the pictures of a movie have one size");
+  }
+  static_assert(sizeof(Rgb) == 3, "goes to ffmpeg as it lies in memory");
+  const auto* bytes = reinterpret_cast<const std::uint8_t*>(image.pixels.data());
+  if (!ffmpeg_.feed({bytes, sizeof(Rgb) * image.pixels.size()})) {
+    fail(ffmpeg_.wait());
+  }
+  any_ = true;
 }
 
 void Movie::finish() {
-  impl_->finish();
+  const int code = ffmpeg_.wait();
+  if (code != 0 || !any_) {
+    fail(code);
+  }
+}
+
+void Movie::fail(int code) const {
+  throw MovieError(
+      fmt::format("ffmpeg fails with exit code {}: {}", code, last_line(errors_.bytes())));
 }
 
 }  // namespace clca::render

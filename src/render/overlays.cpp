@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
 
 #include "render/annotations.hpp"
@@ -31,17 +30,6 @@ Rgb arrow_color(double share) {
   return mixed(kInk, kPaper, kPalest * (1 - std::min(share, 1.0)));
 }
 
-/// Stable sort by strength, strongest last.
-template <class Item, class StrengthOf>
-std::vector<Item> by_strength(std::span<const Item> items, StrengthOf strength_of) {
-  std::vector<Item> sorted;
-  std::ranges::copy_if(items, std::back_inserter(sorted),
-                       [&](const Item& item) { return strength_of(item) >= 0; });  // not NaN
-  std::ranges::stable_sort(
-      sorted, [&](const Item& a, const Item& b) { return strength_of(a) < strength_of(b); });
-  return sorted;
-}
-
 }  // namespace
 
 Overlay force_network(std::span<const ForceLine> lines, double strongest) {
@@ -49,12 +37,12 @@ Overlay force_network(std::span<const ForceLine> lines, double strongest) {
   if (!(strongest > 0)) {
     return overlay;
   }
-  for (const ForceLine& line :
-       by_strength(lines, [](const ForceLine& item) { return item.strength; })) {
-    if (line.strength > 0) {
-      overlay.strokes.push_back(
-          {line.from, line.to, force_width(line.strength / strongest), kForceColor, false});
-    }
+  std::vector<ForceLine> sorted(lines.begin(), lines.end());
+  std::erase_if(sorted, [](const ForceLine& line) { return !(line.strength > 0); });  // nor NaN
+  std::ranges::stable_sort(sorted, {}, &ForceLine::strength);
+  for (const ForceLine& line : sorted) {
+    overlay.strokes.push_back(
+        {line.from, line.to, force_width(line.strength / strongest), kForceColor, false});
   }
   return overlay;
 }
@@ -80,8 +68,10 @@ Overlay arrow_field(std::span<const FieldArrow> arrows, double cell, double scal
   if (!(scale > 0 && cell > 0)) {
     return overlay;
   }
-  for (const FieldArrow& arrow :
-       by_strength(arrows, [](const FieldArrow& item) { return item.vector.norm(); })) {
+  std::vector<FieldArrow> sorted(arrows.begin(), arrows.end());
+  std::erase_if(sorted, [](const FieldArrow& arrow) { return arrow.vector.hasNaN(); });
+  std::ranges::stable_sort(sorted, {}, [](const FieldArrow& arrow) { return arrow.vector.norm(); });
+  for (const FieldArrow& arrow : sorted) {
     const Eigen::Vector2d half = kArrowShare * cell / scale / 2 * arrow.vector;
     overlay.strokes.push_back({arrow.at - half, arrow.at + half, kArrowWidth * cell,
                                arrow_color(arrow.vector.norm() / scale), true});

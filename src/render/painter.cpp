@@ -36,21 +36,9 @@ bool moved_into_view(Stroke& arrow, const PixelBox& panel, double turn) {
   return (middle.abs() <= half).all();
 }
 
-void draw_overlay(Graphics& graphics, const Overlay& overlay, const PanelScale& panel,
-                  const PixelBox& box, double turn) {
-  graphics.fade(overlay.fade);
-  for (const Stroke& stroke : overlay.strokes) {
-    Stroke drawn = {panel.pixel(stroke.from), panel.pixel(stroke.to), stroke.width * panel.scale,
-                    stroke.color, stroke.arrow};
-    if (!drawn.arrow || moved_into_view(drawn, box, turn)) {
-      graphics.draw_stroke(drawn);
-    }
-  }
-}
-
 /// Overlapping particles: the lower id last, so that it lies on top.
 std::vector<Body> bodies_in_view(const Projection& projection, const grains::State& state,
-                                 const grains::Occupancy& occupancy, const Coloring& coloring) {
+                                 const Coloring& coloring) {
   const lattice::Rectangle view = projection.view();
   const double width = state.lattice.size().x();
   std::vector<Body> bodies;
@@ -71,26 +59,11 @@ std::vector<Body> bodies_in_view(const Projection& projection, const grains::Sta
           at.y() + reach > view.bottom && at.y() - reach < view.top) {
         GridPoint place = grid_point(home);
         place.u += 2 * state.lattice.columns() * image;
-        bodies.push_back({particle.kind, place, color(coloring, state, occupancy, id)});
+        bodies.push_back({particle.kind, place, coloring.palette[coloring.shades[id]]});
       }
     }
   }
   return bodies;
-}
-
-void draw_bodies(Graphics& graphics, std::span<const Body> bodies,
-                 std::span<const Outline> outlines, const Projection& projection,
-                 const PanelScale& panel) {
-  std::vector<Eigen::Vector2d> corners;
-  for (const Body& body : bodies) {
-    corners.clear();
-    for (const GridPoint corner : outlines[body.kind]) {
-      corners.push_back(
-          panel.pixel(position(GridPoint{body.place.u + corner.u, body.place.v + corner.v})));
-    }
-    graphics.fill_polygon(corners, body.fill, projection.outline_width * panel.scale,
-                          outline_color(body.fill, projection.outline_strength));
-  }
 }
 
 Projection without_outlines(Projection projection) {
@@ -105,159 +78,147 @@ struct Capture::Content {
   // For polygons and vector graphics: all but the particles, and these.
   Image walls;
   std::vector<Body> bodies;
-  Legend legend;
 };
 
-const Legend& Capture::legend() const {
-  return content_->legend;
-}
-
-class Painter::Impl {
- public:
-  Impl(const Style& style, const lattice::Lattice& lattice, const std::vector<grains::Kind>& kinds)
-      : style_(completed(style, lattice)),
-        lattice_(lattice),
-        layout_(arrange(style_.width, style_.height, style_.view, style_.annotations)),
-        projection_(projection_of(style_.view, layout_, style.supersampling, style_.height)),
-        kind_count_(kinds.size()),
-        lookup_(lattice, projection_, style.supersampling, style.threads),
-        walls_(lattice, without_outlines(projection_), 1, style.threads) {
+struct Painter::Parts {
+  Parts(const Style& wanted, const lattice::Lattice& where, const std::vector<grains::Kind>& kinds)
+      : style(completed(wanted, where)),
+        lattice(where),
+        layout(arrange(style.width, style.height, style.view, style.annotations)),
+        projection(projection_of(style.view, layout, style.supersampling, style.height)),
+        lookup(lattice, projection, style.supersampling, style.threads),
+        walls(lattice, without_outlines(projection), 1, style.threads) {
     for (const grains::Kind& kind : kinds) {
-      outlines_.push_back(outlines(kind.shape).front());
+      outlines.push_back(outline(kind.shape));
     }
     if (style.drawing == Drawing::polygons) {
-      polygons_ = polygon_painter(projection_, style.supersampling,
-                                  projection_.samples_in(whole_box(lattice)), kinds);
+      polygons = polygon_painter(projection, style.supersampling,
+                                 projection.samples_in(whole_box(lattice)), kinds);
     }
   }
 
-  Capture capture(const grains::State& state, const grains::Occupancy& occupancy,
-                  const Coloring& coloring) {
-    require_match(state, coloring);
-    auto content = std::make_shared<Capture::Content>();
-    if (!polygons_) {
-      content->panel = lookup_.picture(state, occupancy, coloring);
-    }
-    if (polygons_ || style_.vector) {
-      content->walls =
-          walls_.picture(state, occupancy, {.rule = ById{}, .palette = {kPaper}, .legend = {}});
-      content->bodies = bodies_in_view(projection_, state, occupancy, coloring);
-    }
-    content->legend = coloring.legend;
-    // The floor and sides of the box are walls, too.
-    add_walls(content->legend,
-              {.standing = true, .moving = std::ranges::any_of(state.walls, moves)});
-    return Capture(std::move(content));
-  }
-
-  Image rasterize(const Capture::Content& captured, const Caption& caption, const Overlay& overlay,
-                  double turn) {
-    Graphics graphics(style_.width, style_.height);
-    const PixelBox& box = layout_.panel;
-    const Image polygons =
-        polygons_ ? means_over(captured.walls, polygons_(captured.bodies), style_.supersampling)
-                  : Image();
-    const Image& panel = polygons_ ? polygons : captured.panel;
-    const bool bare = overlay.strokes.empty() && overlay.fade == 0 && turn == 0;
-    draw(graphics, captured, caption, overlay, turn, [&] {
-      if (!bare) {
-        graphics.draw_image(panel, 0, 0, box.width, box.height);
-      }
-    });
-    Image image = graphics.image(bare ? box : PixelBox{});
-    if (bare) {
-      paste(panel, image, box.x, box.y);
-    }
-    return image;
-  }
-
-  std::vector<std::uint8_t> pdf(const Capture::Content& captured, const Caption& caption,
-                                const Overlay& overlay, double turn) const {
-    Graphics graphics(Graphics::Page::pdf, style_.width, style_.height);
-    draw(graphics, captured, caption, overlay, turn, [&] { draw_panel(graphics, captured); });
-    return graphics.pdf(fmt::format("{}: {}", caption.title, caption.detail));
-  }
-
-  const Style& style() const { return style_; }
-  PictureView view() const { return {layout_.panel, layout_.scale}; }
-
- private:
-  void require_match(const grains::State& state, const Coloring& coloring) const {
-    if (state.lattice != lattice_ || state.kinds.size() != kind_count_) {
-      throw std::invalid_argument("the painter was made for another lattice or other kinds");
-    }
-    const std::size_t colors = coloring.palette.size();
-    if ((colors == 0 && !state.particles.empty()) || colors > kMaxShades) {
-      throw std::invalid_argument("particles need a coloring of 1 to 32000 colours");
-    }
+  /// Of a point of the plane, from the upper left corner of the panel.
+  Eigen::Vector2d pixel(const Eigen::Vector2d& point) const {
+    const Eigen::Vector2d from_corner = layout.scale * (point - projection.corner);
+    return {from_corner.x(), layout.panel.height - from_corner.y()};
   }
 
   /// The picture around what `draw_particles` draws into the panel.
   template <class DrawParticles>
-  void draw(Graphics& graphics, const Capture::Content& captured, const Caption& caption,
+  void draw(Graphics& graphics, const Legend& captured, const Caption& caption,
             const Overlay& overlay, double turn, DrawParticles draw_particles) const {
-    const PixelBox& box = layout_.panel;
-    {
-      const Graphics::Clip clip(graphics, box.x, box.y, box.width, box.height);
+    const PixelBox& box = layout.panel;
+    graphics.draw_clipped(box.x, box.y, box.width, box.height, [&] {
       graphics.move_into(box, turn);
       draw_particles();
-      draw_overlay(graphics, overlay, panel_scale(), box, turn);
-    }
-    Legend legend = captured.legend;
+      graphics.fade(overlay.fade);
+      for (const Stroke& stroke : overlay.strokes) {
+        Stroke drawn = {pixel(stroke.from), pixel(stroke.to), stroke.width * layout.scale,
+                        stroke.color, stroke.arrow};
+        if (!drawn.arrow || moved_into_view(drawn, box, turn)) {
+          graphics.draw_stroke(drawn);
+        }
+      }
+    });
+    Legend legend = captured;
     legend.fade = overlay.fade;
-    annotate(graphics, layout_, caption, legend);
-  }
-
-  PanelScale panel_scale() const {
-    return {projection_.corner, layout_.scale, layout_.panel.height};
+    annotate(graphics, layout, caption, legend);
   }
 
   /// As vector graphics, but for the walls: those are a picture with a pixel for each sample.
   void draw_panel(Graphics& graphics, const Capture::Content& captured) const {
-    graphics.draw_image(captured.walls, 0, 0, layout_.panel.width, layout_.panel.height);
-    const lattice::Rectangle box = whole_box(lattice_);
+    graphics.draw_image(captured.walls, 0, 0, layout.panel.width, layout.panel.height);
+    const lattice::Rectangle box = whole_box(lattice);
     // Cairo counts pixels to 8 million.
-    const Eigen::Vector2d size(layout_.panel.width, layout_.panel.height);
+    const Eigen::Vector2d size(layout.panel.width, layout.panel.height);
     const auto in_panel = [&](double x, double y) -> Eigen::Vector2d {
-      return panel_scale().pixel({x, y}).cwiseMax(-size).cwiseMin(2 * size);
+      return pixel({x, y}).cwiseMax(-size).cwiseMin(2 * size);
     };
     const Eigen::Vector2d low = in_panel(box.left, box.top);
     const Eigen::Vector2d high = in_panel(box.right, box.bottom);
-    const Graphics::Clip clip(graphics, low.x(), low.y(), high.x() - low.x(), high.y() - low.y());
-    draw_bodies(graphics, captured.bodies, outlines_, projection_, panel_scale());
+    graphics.draw_clipped(low.x(), low.y(), high.x() - low.x(), high.y() - low.y(), [&] {
+      std::vector<Eigen::Vector2d> corners;
+      for (const Body& body : captured.bodies) {
+        corners.clear();
+        for (const GridPoint corner : outlines[body.kind]) {
+          corners.push_back(
+              pixel(position(GridPoint{body.place.u + corner.u, body.place.v + corner.v})));
+        }
+        graphics.fill_polygon(corners, body.fill, projection.outline_width * layout.scale,
+                              outline_color(body.fill, projection.outline_strength));
+      }
+    });
   }
 
-  Style style_;
-  lattice::Lattice lattice_;
-  Layout layout_;
-  Projection projection_;
-  std::size_t kind_count_;
-  SiteLookup lookup_;
-  SiteLookup walls_;               // with a pixel for each sample
-  std::vector<Outline> outlines_;  // by kind
-  PolygonPainter polygons_;        // none for the lookup
+  Style style;
+  lattice::Lattice lattice;
+  Layout layout;
+  Projection projection;
+  SiteLookup lookup;
+  SiteLookup walls;               ///< with a pixel for each sample
+  std::vector<Outline> outlines;  ///< by kind
+  PolygonPainter polygons;        ///< none for the lookup
 };
 
 Painter::Painter(const Style& style, const lattice::Lattice& lattice,
                  const std::vector<grains::Kind>& kinds)
-    : impl_(std::make_unique<Impl>(style, lattice, kinds)) {}
+    : parts_(std::make_unique<Parts>(style, lattice, kinds)) {}
 Painter::~Painter() = default;
 Painter::Painter(Painter&&) noexcept = default;
 Painter& Painter::operator=(Painter&&) noexcept = default;
 
 Capture Painter::capture(const grains::State& state, const grains::Occupancy& occupancy,
                          const Coloring& coloring) {
-  return impl_->capture(state, occupancy, coloring);
+  if (state.lattice != parts_->lattice || state.kinds.size() != parts_->outlines.size()) {
+    throw std::invalid_argument("the painter was made for another lattice or other kinds");
+  }
+  if (coloring.shades.size() != state.particles.size()) {
+    throw std::invalid_argument("the colours are those of another state");
+  }
+  auto content = std::make_shared<Capture::Content>();
+  if (!parts_->polygons) {
+    content->panel = parts_->lookup.picture(state, occupancy, coloring);
+  }
+  if (parts_->polygons || parts_->style.vector) {
+    const std::vector<std::uint16_t> one_shade(state.particles.size());
+    content->walls =
+        parts_->walls.picture(state, occupancy, {.shades = one_shade, .palette = {kPaper}});
+    content->bodies = bodies_in_view(parts_->projection, state, coloring);
+  }
+  Capture capture = {.content = std::move(content), .legend = coloring.legend};
+  add_walls(capture.legend, std::ranges::any_of(state.walls, moves));
+  return capture;
 }
 
 Image Painter::rasterize(const Capture& captured, const Caption& caption, const Overlay& overlay,
                          double turn) {
-  return impl_->rasterize(captured.content(), caption, overlay, turn);
+  const Style& style = parts_->style;
+  const PixelBox& box = parts_->layout.panel;
+  Graphics graphics(style.width, style.height);
+  const Image polygons =
+      parts_->polygons ? means_over(captured.content->walls,
+                                    parts_->polygons(captured.content->bodies), style.supersampling)
+                       : Image();
+  const Image& panel = parts_->polygons ? polygons : captured.content->panel;
+  const bool bare = overlay.strokes.empty() && overlay.fade == 0 && turn == 0;
+  parts_->draw(graphics, captured.legend, caption, overlay, turn, [&] {
+    if (!bare) {
+      graphics.draw_image(panel, 0, 0, box.width, box.height);
+    }
+  });
+  Image image = graphics.image(bare ? box : PixelBox{});
+  if (bare) {
+    paste(panel, image, box.x, box.y);
+  }
+  return image;
 }
 
 std::vector<std::uint8_t> Painter::pdf(const Capture& captured, const Caption& caption,
                                        const Overlay& overlay, double turn) {
-  return impl_->pdf(captured.content(), caption, overlay, turn);
+  Graphics graphics(width(), height(), Graphics::On::page);
+  parts_->draw(graphics, captured.legend, caption, overlay, turn,
+               [&] { parts_->draw_panel(graphics, *captured.content); });
+  return graphics.pdf(fmt::format("{}: {}", caption.title, caption.detail));
 }
 
 double Painter::bytes_for(const Style& style, double particles, int captures) {
@@ -276,15 +237,15 @@ double Painter::bytes_for(const Style& style, double particles, int captures) {
 }
 
 int Painter::width() const {
-  return impl_->style().width;
+  return parts_->style.width;
 }
 
 int Painter::height() const {
-  return impl_->style().height;
+  return parts_->style.height;
 }
 
 PictureView Painter::view() const {
-  return impl_->view();
+  return {parts_->layout.panel, parts_->layout.scale};
 }
 
 Image Painter::draw(const grains::State& state, const grains::Occupancy& occupancy,

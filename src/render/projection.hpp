@@ -17,14 +17,6 @@ struct Body {
   Rgb fill;
 };
 
-/// A rectangle of samples, the lower left one first.
-struct SampleBox {
-  int x = 0;
-  int y = 0;
-  int width = 0;
-  int height = 0;
-};
-
 struct Projection {
   int width = 0;  ///< samples
   int height = 0;
@@ -38,8 +30,8 @@ struct Projection {
     return {corner.x(), corner.y(), corner.x() + width / scale, corner.y() + height / scale};
   }
 
-  /// The samples whose centre lies in `rectangle`.
-  SampleBox samples_in(const lattice::Rectangle& rectangle) const {
+  /// The samples whose centre lies in `rectangle`, the lower left one first.
+  PixelBox samples_in(const lattice::Rectangle& rectangle) const {
     const auto first = [](double coordinate, int count) {
       return static_cast<int>(
           std::clamp(std::ceil(coordinate - 0.5), 0.0, static_cast<double>(count)));
@@ -49,19 +41,6 @@ struct Projection {
     const int bottom = first((rectangle.bottom - corner.y()) * scale, height);
     const int top = first((rectangle.top - corner.y()) * scale, height);
     return {left, bottom, std::max(0, right - left), std::max(0, top - bottom)};
-  }
-};
-
-/// From the plane of the lattice to the pixels of the panel.
-struct PanelScale {
-  Eigen::Vector2d corner;  ///< of the panel, lower left, in lattice spacings
-  double scale = 1;        ///< pixels a lattice spacing
-  int height = 0;          ///< of the panel, pixels
-
-  /// From the upper left corner of the panel.
-  Eigen::Vector2d pixel(const Eigen::Vector2d& point) const {
-    const Eigen::Vector2d from_corner = scale * (point - corner);
-    return {from_corner.x(), height - from_corner.y()};
   }
 };
 

@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <variant>
 
 #include "clca/parallel/first_failure.hpp"
 #include "clca/render/painter.hpp"
 #include "render/colors.hpp"
-#include "render/shade.hpp"
 
 namespace clca::render {
 
@@ -51,17 +49,12 @@ class SiteLookup::Colors {
     for (const Rgb fill : coloring.palette) {
       outlines.push_back(outline_color(fill, outline_strength));
     }
-    const Shading shading = {state, occupancy};
-    std::visit(
-        [&](const auto& rule) {
-          for (std::size_t id = 0; id < state.particles.size(); ++id) {
-            if (state.particles[id].present) {
-              const std::size_t shade = in_palette(shading.shade(rule, id), outlines.size());
-              set(static_cast<Owner>(id), coloring.palette[shade], outlines[shade]);
-            }
-          }
-        },
-        coloring.rule);
+    for (std::size_t id = 0; id < state.particles.size(); ++id) {
+      if (state.particles[id].present) {
+        const std::size_t shade = coloring.shades[id];
+        set(static_cast<Owner>(id), coloring.palette[shade], outlines[shade]);
+      }
+    }
   }
 
   const grains::Occupancy& occupancy() const { return occupancy_; }
@@ -90,27 +83,6 @@ class SiteLookup::Colors {
   std::vector<Sample> colors_;
 };
 
-/// Samples side by side, in arrays for vector instructions.
-struct SiteLookup::Block {
-  static constexpr std::size_t kSize = 48;  // a multiple of all numbers of samples in a pixel
-  template <class T>
-  using Each = std::array<T, kSize>;
-
-  // Weights of the corners b and c of the lattice triangle (a, b, c) around a sample.
-  Each<std::int32_t> weight_b, weight_c;
-  Each<Owner> a, b, c;
-  Each<std::int32_t> place;
-};
-
-/// Copies of sites.
-struct SiteLookup::NearSites {
-  static constexpr int kRows = 6;
-  static constexpr std::size_t kEach =
-      std::size_t{lattice::Lattice::kRowPitch} * std::size_t{kRows};
-  std::array<Owner, Block::kSize * 2 * kEach> sites;
-  Block::Each<std::int32_t> left, right;
-};
-
 namespace {
 
 // Without branches, for vector instructions.
@@ -127,53 +99,60 @@ struct Rows {
   std::int32_t even_row = 0, odd_row = 0;
 };
 
-/// Returns 0 if all owners are equal.
-Owner take_corners(const Rows& rows, const std::int32_t* __restrict odd,
-                   const std::int32_t* __restrict parts, const std::int32_t* __restrict left,
-                   const std::int32_t* __restrict right, const Owner* __restrict inverted,
-                   Owner least, std::size_t count, std::int32_t* __restrict weight_b,
-                   std::int32_t* __restrict weight_c, Owner* __restrict a, Owner* __restrict b,
-                   Owner* __restrict c) {
+/// Samples side by side, in arrays for vector instructions.
+struct Block {
+  static constexpr std::size_t kSize = 48;  // a multiple of all numbers of samples in a pixel
+  template <class T>
+  using Each = std::array<T, kSize>;
+
+  // Weights of the corners b and c of the lattice triangle (a, b, c) around a sample.
+  Each<std::int32_t> weight_b, weight_c;
+  Each<Owner> a, b, c;
+  Each<std::int32_t> place;
+};
+
+/// `owner_at(i, right, row)`: of the site on that side of a sample, by the row of its left column;
+/// `odd`, `parts`: as in SiteLookup. Returns 0 if the corners of each sample have one owner.
+template <class OwnerAt>
+Owner take_corners(Block& block, std::size_t count, const Rows& rows, const std::int32_t* odd,
+                   const std::int32_t* parts, Owner least, OwnerAt owner_at) {
   constexpr std::int32_t kOne = std::int32_t{1} << 30;
-  constexpr std::int32_t kPitch = lattice::Lattice::kRowPitch;
   const std::int32_t even_up = rows.even_up;
   const std::int32_t other_up = rows.even_up ^ rows.odd_up;
-  const std::int32_t even_row = kPitch * rows.even_row;
-  const std::int32_t other_row = even_row ^ (kPitch * rows.odd_row);
+  const std::int32_t even_row = rows.even_row;
+  const std::int32_t other_row = rows.even_row ^ rows.odd_row;
   Owner unlike = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const std::int32_t part = parts[i];
     const std::int32_t above = (even_up ^ (other_up & odd[i])) - (part >> 1);
     const std::int32_t below = above >> 31;  // -1 or 0
     const std::int32_t up = above + (kOne & below);
-    const std::int32_t row = (even_row ^ (other_row & odd[i])) + kPitch * below;
+    const std::int32_t row = (even_row ^ (other_row & odd[i])) + below;
     const bool upper = part + up >= kOne;
-    weight_b[i] = upper ? kOne - up : part;
-    weight_c[i] = upper ? kOne - part : up;
-    const std::int32_t at_b = right[i] + row;
-    const std::int32_t at_c = left[i] + row + kPitch;
-    const std::int32_t at_a = upper ? at_b + kPitch : at_c - kPitch;
-    a[i] = std::max(~inverted[at_a], least);
-    b[i] = std::max(~inverted[at_b], least);
-    c[i] = std::max(~inverted[at_c], least);
-    unlike |= (a[i] ^ b[i]) | (a[i] ^ c[i]);
+    block.weight_b[i] = upper ? kOne - up : part;
+    block.weight_c[i] = upper ? kOne - part : up;
+    const Owner a = std::max(owner_at(i, upper, row + (upper ? 1 : 0)), least);
+    const Owner b = std::max(owner_at(i, true, row), least);
+    const Owner c = std::max(owner_at(i, false, row + 1), least);
+    unlike |= (a ^ b) | (a ^ c);
+    block.a[i] = a;
+    block.b[i] = b;
+    block.c[i] = c;
   }
   return unlike;
 }
 
 /// Finds the owner of at least half of the weight, and whether the edge of its shape is near; puts
-/// the place of its colour, or of that of its outline, into `places`.
-void decide(const Owner* __restrict as, const Owner* __restrict bs, const Owner* __restrict cs,
-            const std::int32_t* __restrict weight_bs, const std::int32_t* __restrict weight_cs,
-            std::size_t count, std::int32_t width, std::int32_t* __restrict places) {
+/// the place of its colour, or of that of its outline, into `block.place`.
+void decide(Block& block, std::size_t count, std::int32_t width) {
   constexpr std::int32_t kOne = std::int32_t{1} << 30;
   constexpr std::int32_t kHalf = kOne / 2;
   for (std::size_t i = 0; i < count; ++i) {
-    const Owner a = as[i];
-    const Owner b = bs[i];
-    const Owner c = cs[i];
-    const std::int32_t weight_b = weight_bs[i];
-    const std::int32_t weight_c = weight_cs[i];
+    const Owner a = block.a[i];
+    const Owner b = block.b[i];
+    const Owner c = block.c[i];
+    const std::int32_t weight_b = block.weight_b[i];
+    const std::int32_t weight_c = block.weight_c[i];
     // Of owners with several corners, the first one speaks for all.
     const std::int32_t of_a =
         kOne - weight_b - weight_c + (weight_b & mask(b == a)) + (weight_c & mask(c == a));
@@ -183,7 +162,7 @@ void decide(const Owner* __restrict as, const Owner* __restrict bs, const Owner*
     const Owner owner = chosen(mask(of_a >= kHalf), a, b_or_c);
     const std::int32_t most = std::max(of_a, std::max(of_b, weight_c));
     const std::int32_t line = mask(most - kHalf < width) & 1;
-    places[i] = 2 * (owner + static_cast<Owner>(kOthers)) + line;
+    block.place[i] = 2 * (owner + static_cast<Owner>(kOthers)) + line;
   }
 }
 
@@ -260,28 +239,12 @@ std::vector<std::uint8_t> SiteLookup::changed_blocks(const grains::Occupancy& oc
   return changed;
 }
 
-/// Copies the sites of some rows around samples. The border is everywhere below the box and beside
-/// it; above it there is none.
-void SiteLookup::copy_near(const grains::Occupancy& occupancy, std::size_t begin, std::size_t count,
-                           int first_row, NearSites& near) const {
-  for (std::size_t i = 0; i < count; ++i) {
-    for (std::size_t side = 0; side < 2; ++side) {
-      const int column = columns_[begin + i][side];
-      const bool outside = !lattice_.periodic() && (column < 0 || column == lattice_.columns());
-      const std::size_t start = (2 * i + side) * NearSites::kEach;
-      for (int k = 0; k < NearSites::kRows; ++k) {
-        const int row = first_row + k;
-        const Owner owner =
-            row >= lattice_.rows() && !outside
-                ? grains::kFree
-                : occupancy.owner(lattice_.index({column, std::clamp(row, -1, lattice_.rows())}));
-        near.sites[start + static_cast<std::size_t>(lattice::Lattice::kRowPitch * k)] = ~owner;
-      }
-      (side == 0 ? near.left : near.right)[i] =
-          static_cast<std::int32_t>(start) -
-          (side == 0 ? 0 : lattice::Lattice::kRowPitch * odd_[begin + i]);
-    }
-  }
+/// The border is everywhere below the box and beside it; above it there is none.
+Owner SiteLookup::owner_near_border(const grains::Occupancy& occupancy, int column, int row) const {
+  const bool outside = !lattice_.periodic() && (column < 0 || column == lattice_.columns());
+  return row >= lattice_.rows() && !outside
+             ? grains::kFree
+             : occupancy.owner(lattice_.index({column, std::clamp(row, -1, lattice_.rows())}));
 }
 
 template <bool kNearBorder>
@@ -289,34 +252,35 @@ void SiteLookup::draw_samples(const Colors& colors, const Height& height,
                               std::span<const std::uint8_t> changed, Sample* samples) const {
   // Sites of odd columns lie half a spacing higher.
   const bool below = height.part < kHalf;
-  const int row = kNearBorder ? 2 : height.row;
   const Rows rows = {.even_up = height.part,
                      .odd_up = height.part + (below ? kHalf : -kHalf),
-                     .even_row = row,
-                     .odd_row = row - (below ? 1 : 0)};
+                     .even_row = height.row,
+                     .odd_row = height.row - (below ? 1 : 0)};
+  const grains::Occupancy& occupancy = colors.occupancy();
   const Sample* table = colors.data();
   const Owner least = colors.least();
   Block block = {};
-  [[maybe_unused]] NearSites near = {};
   for (std::size_t number = 0; number < blocks_.size(); ++number) {
-    const auto [begin, block_end] = blocks_[number];
-    const std::size_t count = block_end - begin;
+    const std::size_t begin = blocks_[number].begin;
+    const std::size_t count = blocks_[number].end - begin;
     Sample* drawn = samples + static_cast<std::size_t>(box_.x) + begin;
     if (changed[number] == 0) {
       continue;
     }
     const Owner* inverted =
-        colors.occupancy().inverted_owners().data() + lattice_.index({columns_[begin][0], 0});
-    if constexpr (kNearBorder) {
-      copy_near(colors.occupancy(), begin, count, height.row - 2, near);
-      inverted = near.sites.data();
-    }
-    const Owner unlike =
-        take_corners(rows, odd_.data() + begin, parts_.data() + begin,
-                     kNearBorder ? near.left.data() : left_.data() + begin,
-                     kNearBorder ? near.right.data() : right_.data() + begin, inverted, least,
-                     count, block.weight_b.data(), block.weight_c.data(), block.a.data(),
-                     block.b.data(), block.c.data());
+        occupancy.inverted_owners().data() + lattice_.index({columns_[begin][0], 0});
+    const std::int32_t* left = left_.data() + begin;
+    const std::int32_t* right = right_.data() + begin;
+    const auto owner_at = [&](std::size_t i, bool is_right, std::int32_t row) {
+      if constexpr (kNearBorder) {
+        const std::size_t x = begin + i;
+        return this->owner_near_border(occupancy, columns_[x][is_right ? 1 : 0],
+                                       row - (is_right ? odd_[x] : 0));
+      }
+      return ~inverted[(is_right ? right[i] : left[i]) + lattice::Lattice::kRowPitch * row];
+    };
+    const Owner unlike = take_corners(block, count, rows, odd_.data() + begin,
+                                      parts_.data() + begin, least, owner_at);
     if (unlike == 0 &&
         std::all_of(block.a.begin(), block.a.begin() + static_cast<std::ptrdiff_t>(count),
                     [&](Owner owner) { return owner == block.a[0]; })) {
@@ -330,8 +294,7 @@ void SiteLookup::draw_samples(const Colors& colors, const Height& height,
         block.c[i] = colors.whole(block.c[i]);
       }
     }
-    decide(block.a.data(), block.b.data(), block.c.data(), block.weight_b.data(),
-           block.weight_c.data(), count, outline_width_, block.place.data());
+    decide(block, count, outline_width_);
     for (std::size_t i = 0; i < count; ++i) {
       drawn[i] = table[block.place[i]];
     }

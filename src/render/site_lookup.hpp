@@ -44,11 +44,8 @@ class SiteLookup {
     std::int32_t part = 0;
   };
   class Colors;
-  struct Block;
-  struct NearSites;
 
-  void copy_near(const grains::Occupancy& occupancy, std::size_t begin, std::size_t count,
-                 int first_row, NearSites& near) const;
+  grains::Owner owner_near_border(const grains::Occupancy& occupancy, int column, int row) const;
   template <bool kNearBorder>
   void draw_samples(const Colors& colors, const Height& height,
                     std::span<const std::uint8_t> changed, Sample* samples) const;
@@ -62,7 +59,7 @@ class SiteLookup {
   Projection projection_;
   int samples_;
   int threads_;
-  SampleBox box_;
+  PixelBox box_;
   // By column of samples in box_: the lattice columns around it, whether the left one is odd (-1 or
   // 0), the part of the way between them, and the indices of their sites in row 0.
   std::vector<std::array<int, 2>> columns_;

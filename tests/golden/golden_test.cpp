@@ -216,7 +216,7 @@ TEST(GoldenComparison, NoticesOneParticleInAnotherPlace) {
                                  .view = {-4, -4, 188, 104},
                                  .annotations = render::Annotations::none};
     render::Painter painter(style, changed.lattice, changed.kinds);
-    const render::Coloring coloring = render::color_by_id();
+    const render::Coloring coloring = render::color_by_id(changed);
     const image::Image before =
         painter.draw(automaton.state(), automaton.occupancy(), coloring, {});
     const image::Image after = painter.draw(changed, grains::Occupancy(changed), coloring, {});

@@ -4,6 +4,8 @@
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
 
+#include <functional>
+
 #include "clca/render/coloring.hpp"
 #include "clca/render/painter.hpp"
 #include "property/random_motions.hpp"
@@ -24,16 +26,26 @@ lattice::Rectangle any_view() {
   return {left, bottom, left + testing::within(1, 40) / 1.7, bottom + testing::within(1, 40) / 1.3};
 }
 
-render::Coloring any_coloring(const State& state) {
+using ColoringOf = std::function<render::Coloring(const State&, const grains::Occupancy&)>;
+
+ColoringOf any_coloring() {
   switch (*rc::gen::inRange(0, 4)) {
     case 0:
-      return render::color_by_id();
+      return
+          [](const State& state, const auto& /*occupancy*/) { return render::color_by_id(state); };
     case 1:
-      return render::color_by_force({0, 4});
+      return [](const State& state, const auto& occupancy) {
+        return render::color_by_force(state, occupancy, {0, 4});
+      };
     case 2:
-      return render::color_by_layer(state.kinds, 3, {0, 30});
+      return [](const State& state, const auto& /*occupancy*/) {
+        return render::color_by_layer(state, 3, {0, 30});
+      };
     default:
-      return render::color_by_displacement({0, static_cast<double>(testing::within(1, 20))});
+      return [high = static_cast<double>(testing::within(1, 20))](const State& state,
+                                                                  const auto& /*occupancy*/) {
+        return render::color_by_displacement(state, {0, high});
+      };
   }
 }
 
@@ -59,7 +71,7 @@ RC_GTEST_PROP(PictureProperty, OneOfWhatHasChangedEqualsAFreshOne, ()) {
     return render::Painter(style, beginning.lattice, beginning.kinds);
   };
   render::Painter painter = fresh();
-  render::Coloring coloring = any_coloring(state);
+  ColoringOf coloring_of = any_coloring();
   const double turn = *rc::gen::element(0, 0, 0, 30, -90);
   for (int number = 0; number < 12; ++number) {
     State shown = automaton.state();
@@ -70,9 +82,10 @@ RC_GTEST_PROP(PictureProperty, OneOfWhatHasChangedEqualsAFreshOne, ()) {
       }
     }
     if (testing::within(0, 5) == 0) {
-      coloring = any_coloring(state);
+      coloring_of = any_coloring();
     }
     const grains::Occupancy occupancy(shown);
+    const render::Coloring coloring = coloring_of(shown, occupancy);
     render::Painter other = fresh();
     RC_ASSERT(painter.rasterize(painter.capture(shown, occupancy, coloring), {}, {}, turn) ==
               other.rasterize(other.capture(shown, occupancy, coloring), {}, {}, turn));

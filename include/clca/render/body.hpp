@@ -40,9 +40,9 @@ struct Trapezoid {
   GridPoint right_low, right_high;
 };
 
-/// Outlines of the body of `shape`, seen from its reference site: one, since shapes connect and
-/// have no holes. Corners are bond midpoints, where the inner angle is 120 or 240 degrees.
-std::vector<Outline> outlines(const lattice::Shape& shape);
+/// Of the body of `shape`, seen from its reference site: one outline, since shapes connect and have
+/// no holes. Corners are bond midpoints, where the inner angle is 120 or 240 degrees.
+Outline outline(const lattice::Shape& shape);
 
 /// Cuts the body into few trapezoids.
 std::vector<Trapezoid> trapezoids(const lattice::Shape& shape);

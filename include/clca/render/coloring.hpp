@@ -1,10 +1,10 @@
 #pragma once
 // Colours for particles, safe for colour-blind readers.
 
+#include <cstdint>
 #include <limits>
 #include <span>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "clca/grains/occupancy.hpp"
@@ -44,62 +44,34 @@ struct LayerRange {
 /// Range over the present particles and all that the `sources` (State::sources) may emit.
 LayerRange layer_range(const grains::State& state, std::span<const std::size_t> sources = {});
 
-// Rules that choose the shade of a particle. A range has the values at the ends of the colour bar,
-// low < high.
-struct BySpecies {};
-struct ById {};
-struct ByAxis {};  ///< of the Baxter model
-struct ByForce {   ///< overlapped sites
-  statistics::Range range;
-};
-struct ByValue {
-  std::vector<double> values;  ///< by id
-  statistics::Range range;
-};
-struct ByDisplacement {  ///< lattice spacings
-  statistics::Range range;
-};
-struct ByLayer {
-  int layers = 1;
-  LayerRange range;
-  std::vector<double> centroids;  ///< heights above the reference site by kind, lattice spacings
-};
-using ShadeRule = std::variant<BySpecies, ById, ByAxis, ByForce, ByValue, ByDisplacement, ByLayer>;
-
-/// A particle has one of a few colours (its shade), which depends on the particle and its sites
-/// only. So a picture needs only the shades of the particles it shows.
+/// Particles have one of a few colours.
 struct Coloring {
-  ShadeRule rule;
-  std::vector<Rgb> palette;  ///< by shade, at most kMaxShades
-  Legend legend;
+  std::vector<std::uint16_t> shades;  ///< by id: which of the palette, of present particles
+  std::vector<Rgb> palette = {};
+  Legend legend = {};
 };
 
-inline constexpr std::size_t kMaxShades = 32'000;
-
-/// Marks the ends of the colour bar beyond which values of present particles lie.
-void mark_beyond(Coloring& coloring, const grains::State& state,
-                 const grains::Occupancy& occupancy);
-
-/// Colour of one particle. `occupancy` belongs to `state`.
-Rgb color(const Coloring& coloring, const grains::State& state, const grains::Occupancy& occupancy,
-          std::size_t id);
-
-Coloring color_by_species(std::span<const grains::Kind> kinds, std::span<const NamedColor> species);
+Coloring color_by_species(const grains::State& state, std::span<const NamedColor> species);
 /// Horizontal layers of equal thickness by height of the origins. Outside `range`: the colour of
 /// the lowest or highest layer.
-Coloring color_by_layer(std::span<const grains::Kind> kinds, int layers, const LayerRange& range);
+Coloring color_by_layer(const grains::State& state, int layers, const LayerRange& range);
+
+// By a number; a range has the values at the ends of the colour bar, low < high.
+
 /// By distance from the origin, in lattice spacings.
-Coloring color_by_displacement(const statistics::Range& range);
+Coloring color_by_displacement(const grains::State& state, const statistics::Range& range);
 /// By the number of sites shared with other particles and walls. Particles that share none are
-/// pale.
-Coloring color_by_force(const statistics::Range& range);
+/// pale. `occupancy` belongs to `state`.
+Coloring color_by_force(const grains::State& state, const grains::Occupancy& occupancy,
+                        const statistics::Range& range);
 /// By a number of each particle, by id. `label`: what it is, with its unit. `diverging`: for
 /// numbers with a sign; 0 has the middle colour, whatever the range.
-Coloring color_by_value(std::vector<double> values, std::string label,
-                        const statistics::Range& range, bool diverging = false);
+Coloring color_by_value(const grains::State& state, const std::vector<double>& values,
+                        std::string label, const statistics::Range& range, bool diverging = false);
+
 /// By id; neighbouring ids have distinct colours.
-Coloring color_by_id();
+Coloring color_by_id(const grains::State& state);
 /// By the axis of grains of the Baxter model.
-Coloring color_by_axis();
+Coloring color_by_axis(const grains::State& state);
 
 }  // namespace clca::render

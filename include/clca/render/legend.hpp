@@ -47,13 +47,9 @@ struct Legend {
   bool operator==(const Legend&) const = default;
 };
 
-struct ShownWalls {
-  bool standing = false;
-  bool moving = false;
-};
-
-/// Adds entries of the walls that a picture shows.
-void add_walls(Legend& legend, const ShownWalls& walls);
+/// Adds entries of the walls that a picture shows: standing ones, as the floor and sides of the box
+/// are walls, too, and `moving` ones.
+void add_walls(Legend& legend, bool moving);
 
 /// The legend of two pictures: what both have and what one has. None where lines differ, or colour
 /// bars by more than the marks.

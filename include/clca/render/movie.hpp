@@ -3,10 +3,10 @@
 
 #include <atomic>
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <stdexcept>
 
+#include "clca/process/program.hpp"
 #include "clca/render/image.hpp"
 
 namespace clca::render {
@@ -33,8 +33,7 @@ class Movie {
   /// Once `stop` is not zero, ffmpeg gets 5 s to finish what it has.
   Movie(const std::filesystem::path& file, MovieFormat format, int width, int height,
         double frames_per_second, const std::atomic<int>* stop = nullptr);
-  /// An unfinished movie remains incomplete.
-  ~Movie();
+  /// One that is not finished remains incomplete.
   Movie(const Movie&) = delete;
   Movie& operator=(const Movie&) = delete;
 
@@ -46,8 +45,13 @@ class Movie {
   void finish();
 
  private:
-  class Impl;
-  std::unique_ptr<Impl> impl_;
+  [[noreturn]] void fail(int code) const;
+
+  int width_;
+  int height_;
+  bool any_ = false;  // picture so far
+  process::OutputCapture errors_;
+  process::Program ffmpeg_;
 };
 
 }  // namespace clca::render

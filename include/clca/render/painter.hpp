@@ -49,17 +49,10 @@ struct Caption {
 };
 
 /// What a picture needs of a state. Copies share it.
-class Capture {
- public:
-  /// With the walls of the state.
-  const Legend& legend() const;
-
+struct Capture {
   struct Content;
-  explicit Capture(std::shared_ptr<const Content> content) : content_(std::move(content)) {}
-  const Content& content() const { return *content_; }
-
- private:
-  std::shared_ptr<const Content> content_;
+  std::shared_ptr<const Content> content;
+  Legend legend = {};  ///< with the walls of the state
 };
 
 /// Draws in two steps: capture() reads the state, rasterize() makes the picture. One thread may
@@ -100,8 +93,8 @@ class Painter {
              const Coloring& coloring, const Caption& caption, const Overlay& overlay = {});
 
  private:
-  class Impl;
-  std::unique_ptr<Impl> impl_;
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
 };
 
 /// The box with its frame: floor and side walls a few spacings thick.

@@ -38,26 +38,23 @@ void* found(void* place) {
   return place != nullptr ? place : throw RenderError(::dlerror());
 }
 
-struct SharedLibrary {
-  void* handle;
-
-  template <class Function>
-  Function* function(const char* name) const {
-    return reinterpret_cast<Function*>(found(::dlsym(handle, name)));
-  }
-};
-
-SharedLibrary shared_library(const char* name) {
+void* shared_library(const char* name) {
   require_memory(std::size_t{384} << 20U);
-  return {found(::dlopen(name, RTLD_NOW | RTLD_LOCAL))};
+  return found(::dlopen(name, RTLD_NOW | RTLD_LOCAL));
+}
+
+template <class Function>
+Function* function_of(void* library, const char* name) {
+  return reinterpret_cast<Function*>(found(::dlsym(library, name)));
 }
 
 #ifdef CLCA_OSMESA
 Library osmesa() {
-  const SharedLibrary library = shared_library("libOSMesa.so.8");
-  const auto create = library.function<decltype(OSMesaCreateContextExt)>("OSMesaCreateContextExt");
-  const auto destroy = library.function<decltype(OSMesaDestroyContext)>("OSMesaDestroyContext");
-  const auto use = library.function<decltype(OSMesaMakeCurrent)>("OSMesaMakeCurrent");
+  void* const library = shared_library("libOSMesa.so.8");
+  const auto create =
+      function_of<decltype(OSMesaCreateContextExt)>(library, "OSMesaCreateContextExt");
+  const auto destroy = function_of<decltype(OSMesaDestroyContext)>(library, "OSMesaDestroyContext");
+  const auto use = function_of<decltype(OSMesaMakeCurrent)>(library, "OSMesaMakeCurrent");
   return {.create = [=] { return create(OSMESA_RGBA, 0, 0, 0, nullptr); },
           .destroy = [=](void* context) { destroy(static_cast<OSMesaContext>(context)); },
           .use =
@@ -66,21 +63,21 @@ Library osmesa() {
                 return use(static_cast<OSMesaContext>(context), pixel.data(), GL_UNSIGNED_BYTE, 1,
                            1);
               },
-          .address = library.function<decltype(OSMesaGetProcAddress)>("OSMesaGetProcAddress")};
+          .address = function_of<decltype(OSMesaGetProcAddress)>(library, "OSMesaGetProcAddress")};
 }
 #endif
 
 #ifdef CLCA_EGL
 Library egl() {
-  const SharedLibrary library = shared_library("libEGL.so.1");
-  const auto bind = library.function<decltype(eglBindAPI)>("eglBindAPI");
-  const auto create = library.function<decltype(eglCreateContext)>("eglCreateContext");
-  const auto destroy = library.function<decltype(eglDestroyContext)>("eglDestroyContext");
-  const auto use = library.function<decltype(eglMakeCurrent)>("eglMakeCurrent");
+  void* const library = shared_library("libEGL.so.1");
+  const auto bind = function_of<decltype(eglBindAPI)>(library, "eglBindAPI");
+  const auto create = function_of<decltype(eglCreateContext)>(library, "eglCreateContext");
+  const auto destroy = function_of<decltype(eglDestroyContext)>(library, "eglDestroyContext");
+  const auto use = function_of<decltype(eglMakeCurrent)>(library, "eglMakeCurrent");
   setenv("LIBGL_ALWAYS_SOFTWARE", "1", 0);  // about the same picture on any machine
-  void* display = library.function<decltype(eglGetPlatformDisplay)>("eglGetPlatformDisplay")(
+  void* display = function_of<decltype(eglGetPlatformDisplay)>(library, "eglGetPlatformDisplay")(
       EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr);
-  const auto initialize = library.function<decltype(eglInitialize)>("eglInitialize");
+  const auto initialize = function_of<decltype(eglInitialize)>(library, "eglInitialize");
   if (initialize(display, nullptr, nullptr) == EGL_FALSE) {
     throw RenderError("EGL draws nothing without a surface");
   }
@@ -95,7 +92,7 @@ Library egl() {
                 bind(EGL_OPENGL_API);  // for this thread
                 return use(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context);
               },
-          .address = library.function<decltype(eglGetProcAddress)>("eglGetProcAddress")};
+          .address = function_of<decltype(eglGetProcAddress)>(library, "eglGetProcAddress")};
 }
 #endif
 

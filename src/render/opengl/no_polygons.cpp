@@ -6,7 +6,7 @@
 namespace clca::render {
 
 PolygonPainter polygon_painter(const Projection& /*projection*/, int /*samples*/,
-                               const SampleBox& /*box*/, std::span<const grains::Kind> /*kinds*/) {
+                               const PixelBox& /*box*/, std::span<const grains::Kind> /*kinds*/) {
   prepare_polygons();
   return {};
 }

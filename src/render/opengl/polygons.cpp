@@ -82,13 +82,13 @@ void add_line(Triangles& triangles, const Outline& outline) {
 
 class Canvas {
  public:
-  Canvas(const Projection& projection, int samples, const SampleBox& box,
+  Canvas(const Projection& projection, int samples, const PixelBox& box,
          std::span<const grains::Kind> kinds)
       : projection_(projection), samples_(samples), triangles_(kinds.size()) {
     for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
       add_fill(triangles_[kind], kinds[kind].shape);
       if (projection.outline_strength > 0) {
-        add_line(triangles_[kind], outlines(kinds[kind].shape).front());
+        add_line(triangles_[kind], outline(kinds[kind].shape));
       }
     }
     const auto current = context_.current();
@@ -180,7 +180,7 @@ class Canvas {
 
 }  // namespace
 
-PolygonPainter polygon_painter(const Projection& projection, int samples, const SampleBox& box,
+PolygonPainter polygon_painter(const Projection& projection, int samples, const PixelBox& box,
                                std::span<const grains::Kind> kinds) {
   return [canvas = std::make_shared<const Canvas>(projection, samples, box, kinds)](
              std::span<const Body> bodies) { return canvas->drawn(bodies); };

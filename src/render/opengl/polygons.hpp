@@ -15,9 +15,10 @@ namespace clca::render {
 /// with bits above the colour where there is one.
 using PolygonPainter = std::function<std::vector<Sample>(std::span<const Body> bodies)>;
 
-/// For pictures of `samples` x `samples` samples a pixel, with particles in `box` only. Throws
+/// For pictures of `samples` x `samples` samples a pixel, with particles in `box` only, whose
+/// lower left sample comes first. Throws
 /// RenderError.
-PolygonPainter polygon_painter(const Projection& projection, int samples, const SampleBox& box,
+PolygonPainter polygon_painter(const Projection& projection, int samples, const PixelBox& box,
                                std::span<const grains::Kind> kinds);
 
 }  // namespace clca::render

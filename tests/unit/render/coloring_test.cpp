@@ -56,11 +56,10 @@ TEST(ColorMap, GrowsLighterAllTheWay) {
   }
 }
 
-std::vector<Rgb> colors_of(const Coloring& coloring, const grains::State& state) {
-  const grains::Occupancy occupancy(state);
+std::vector<Rgb> colors_of(const Coloring& coloring) {
   std::vector<Rgb> colors;
-  for (std::size_t id = 0; id < state.particles.size(); ++id) {
-    colors.push_back(color(coloring, state, occupancy, id));
+  for (const std::uint16_t shade : coloring.shades) {
+    colors.push_back(coloring.palette[shade]);
   }
   return colors;
 }
@@ -68,22 +67,22 @@ std::vector<Rgb> colors_of(const Coloring& coloring, const grains::State& state)
 TEST(Coloring, BySpeciesTakesTheNamedColors) {
   const std::vector<NamedColor> species = {{"small", {1, 2, 3}}, {"large", {4, 5, 6}}};
   const grains::State state = tower(3);
-  const Coloring coloring = color_by_species(state.kinds, species);
-  EXPECT_EQ(colors_of(coloring, state), (std::vector<Rgb>{{1, 2, 3}, {4, 5, 6}, {1, 2, 3}}));
+  const Coloring coloring = color_by_species(state, species);
+  EXPECT_EQ(colors_of(coloring), (std::vector<Rgb>{{1, 2, 3}, {4, 5, 6}, {1, 2, 3}}));
   ASSERT_EQ(coloring.legend.patches.size(), 2U);
   EXPECT_EQ(coloring.legend.patches[1].label, "large");
 }
 
 TEST(Coloring, BySpeciesFallsBackOnThePalette) {
   const grains::State state = tower(2);
-  EXPECT_EQ(colors_of(color_by_species(state.kinds, {}), state),
+  EXPECT_EQ(colors_of(color_by_species(state, {})),
             (std::vector<Rgb>{palette_color(0), palette_color(1)}));
 }
 
 TEST(Coloring, ByLayerSetsNeighbouringLayersApart) {
   grains::State state = tower(8);
-  const Coloring coloring = color_by_layer(state.kinds, 8, layer_range(state));
-  const std::vector<Rgb> colors = colors_of(coloring, state);
+  const Coloring coloring = color_by_layer(state, 8, layer_range(state));
+  const std::vector<Rgb> colors = colors_of(coloring);
   ASSERT_EQ(coloring.legend.patches.size(), 8U);
   for (std::size_t i = 0; i < 8; ++i) {
     EXPECT_EQ(colors[i], coloring.legend.patches[i].color);
@@ -91,25 +90,26 @@ TEST(Coloring, ByLayerSetsNeighbouringLayersApart) {
       EXPECT_GT(distance(colors[i], colors[i - 1]), 80);
     }
   }
+  const LayerRange range = layer_range(state);
   state.particles[0].row = 84;  // where it is now does not matter
-  EXPECT_EQ(colors_of(coloring, state), colors);
+  EXPECT_EQ(colors_of(color_by_layer(state, 8, range)), colors);
 }
 
 TEST(Coloring, ByLayerGivesThoseOutsideOfTheRangeTheNearestLayer) {
   const grains::State state = tower(8);
   const LayerRange range = {30, 60};
-  const std::vector<Rgb> colors = colors_of(color_by_layer(state.kinds, 3, range), state);
+  const std::vector<Rgb> colors = colors_of(color_by_layer(state, 3, range));
   EXPECT_EQ(colors[0], colors[3]);
   EXPECT_EQ(colors[7], colors[6]);
   EXPECT_NE(colors[0], colors[7]);
 }
 
 TEST(Coloring, ByLayerTakesNoneOrEqualHeights) {
-  EXPECT_TRUE(colors_of(color_by_layer({}, 3, {}), tower(0)).empty());
+  EXPECT_TRUE(colors_of(color_by_layer(tower(0), 3, {})).empty());
   const grains::State one = tower(1);
-  const Coloring coloring = color_by_layer(one.kinds, 3, layer_range(one));
-  EXPECT_EQ(colors_of(coloring, one), std::vector<Rgb>{coloring.palette[0]});
-  EXPECT_THROW(color_by_layer(one.kinds, 0, {}), std::invalid_argument);
+  const Coloring coloring = color_by_layer(one, 3, layer_range(one));
+  EXPECT_EQ(colors_of(coloring), std::vector<Rgb>{coloring.palette[0]});
+  EXPECT_THROW(color_by_layer(one, 0, {}), std::invalid_argument);
 }
 
 TEST(Coloring, LayersReachToWhereSourcesEmit) {
@@ -130,14 +130,14 @@ TEST(Coloring, ByDisplacementEndsAtTheTopOfTheBar) {
   grains::State state = tower(3);
   state.particles[1].row += 5;
   state.particles[2].row += 13;
-  const Coloring coloring = color_by_displacement({0, 10});
-  const std::vector<Rgb> colors = colors_of(coloring, state);
+  const Coloring coloring = color_by_displacement(state, {0, 10});
+  const std::vector<Rgb> colors = colors_of(coloring);
   EXPECT_EQ(colors[0], map_color(0));
   EXPECT_EQ(colors[1], map_color(0.5));
   EXPECT_EQ(colors[2], map_color(1));
   ASSERT_EQ(coloring.legend.bars.size(), 1U);
   EXPECT_EQ(coloring.legend.bars[0].high, 10);
-  EXPECT_THROW(color_by_displacement({0, 0}), std::invalid_argument);
+  EXPECT_THROW(color_by_displacement(state, {0, 0}), std::invalid_argument);
 }
 
 TEST(Coloring, MarksTheEndsOfTheBarBeyondWhichValuesLie) {
@@ -145,32 +145,29 @@ TEST(Coloring, MarksTheEndsOfTheBarBeyondWhichValuesLie) {
   state.particles[1].row += 5;
   state.particles[2].row += 13;
   const auto marks = [&](const statistics::Range& range) {
-    Coloring coloring = color_by_displacement(range);
-    mark_beyond(coloring, state, grains::Occupancy(state));
-    return std::pair(coloring.legend.bars[0].below, coloring.legend.bars[0].above);
+    const Legend::Bar bar = color_by_displacement(state, range).legend.bars[0];
+    return std::pair(bar.below, bar.above);
   };
   EXPECT_EQ(marks({0, 13}), std::pair(false, false));
   EXPECT_EQ(marks({0, 12}), std::pair(false, true));
   EXPECT_EQ(marks({1, 13}), std::pair(true, false));
   state.particles[2].present = false;
   EXPECT_EQ(marks({0, 12}), std::pair(false, false));
-  Coloring without_bar = color_by_id();
-  mark_beyond(without_bar, state, grains::Occupancy(state));
-  EXPECT_TRUE(without_bar.legend.bars.empty());
 }
 
 TEST(Coloring, BySpeciesHasTheShapesAsIcons) {
-  const std::vector<grains::Kind> kinds = {{lattice::Shape::hexagon(1), 0},
-                                           {lattice::Shape::hexagon(4), 1},
-                                           {lattice::Shape::hexagon(2), 1}};
+  grains::State state = empty_state(4, 4, false);
+  state.kinds = {{lattice::Shape::hexagon(1), 0},
+                 {lattice::Shape::hexagon(4), 1},
+                 {lattice::Shape::hexagon(2), 1}};
   const std::vector<NamedColor> species = {
       {"small", {1, 2, 3}}, {"large", {4, 5, 6}}, {"none", {}}};
-  const std::vector<Legend::Patch> icons = color_by_species(kinds, species).legend.patches;
+  const std::vector<Legend::Patch> icons = color_by_species(state, species).legend.patches;
   ASSERT_EQ(icons.size(), 3U);
   EXPECT_LT(icons[0].size, 1);
   EXPECT_GE(icons[0].size, 0.5);
   EXPECT_EQ(icons[1].size, 1);
-  EXPECT_EQ(icons[1].outline.size(), outlines(kinds[1].shape).front().size());
+  EXPECT_EQ(icons[1].outline.size(), outline(state.kinds[1].shape).size());
   EXPECT_TRUE(icons[2].outline.empty());
 }
 
@@ -183,7 +180,7 @@ TEST(Coloring, ByDisplacementHasTheColorsOfTheMapToOneStepOfAChannel) {
     state.particles.push_back(particle);
     state.origins.push_back({0, 0});
   }
-  const std::vector<Rgb> colors = colors_of(color_by_displacement({0, 333}), state);
+  const std::vector<Rgb> colors = colors_of(color_by_displacement(state, {0, 333}));
   for (int row = 0; row < 350; ++row) {
     EXPECT_LE(distance(colors[static_cast<std::size_t>(row)], map_color(row / 333.0)), 3);
   }
@@ -213,9 +210,9 @@ grains::State pushed_row() {
 
 TEST(Coloring, ByForceCountsTheSitesThatAParticleShares) {
   const grains::State state = pushed_row();
-  const Coloring coloring = color_by_force({0, 3});
+  const Coloring coloring = color_by_force(state, grains::Occupancy(state), {0, 3});
   // Two columns apart hexagons of radius 1 share 2 sites, next to each other 4; two of the wall.
-  const std::vector<Rgb> colors = colors_of(coloring, state);
+  const std::vector<Rgb> colors = colors_of(coloring);
   ASSERT_EQ(colors.size(), 5U);
   for (const std::size_t id : {0U, 1U, 4U}) {
     EXPECT_LE(distance(colors[id], map_color(2 / 3.0)), 2) << id;
@@ -226,9 +223,9 @@ TEST(Coloring, ByForceCountsTheSitesThatAParticleShares) {
 
 TEST(Coloring, ByForceLeavesParticlesWithoutForcePale) {
   const grains::State state = tower(4);
-  const Coloring coloring = color_by_force({0, 10});
+  const Coloring coloring = color_by_force(state, grains::Occupancy(state), {0, 10});
   ASSERT_EQ(coloring.legend.patches.size(), 1U);
-  for (const Rgb color : colors_of(coloring, state)) {
+  for (const Rgb color : colors_of(coloring)) {
     EXPECT_EQ(color, coloring.legend.patches[0].color);
   }
   for (int i = 0; i <= 100; ++i) {
@@ -238,13 +235,13 @@ TEST(Coloring, ByForceLeavesParticlesWithoutForcePale) {
   EXPECT_EQ(coloring.legend.bars[0].label, "overlapped sites");
   EXPECT_EQ(coloring.legend.bars[0].low, 0);
   EXPECT_EQ(coloring.legend.bars[0].high, 10);
-  EXPECT_THROW(color_by_force({0, 0}), std::invalid_argument);
+  EXPECT_THROW(color_by_force(state, grains::Occupancy(state), {0, 0}), std::invalid_argument);
 }
 
 TEST(Coloring, ByValueHasTheColoursOfItsBar) {
   const grains::State state = tower(3);
-  const Coloring coloring = color_by_value({-1, 5, 10}, "speed (m/s)", {0, 10});
-  const std::vector<Rgb> colors = colors_of(coloring, state);
+  const Coloring coloring = color_by_value(state, {-1, 5, 10}, "speed (m/s)", {0, 10});
+  const std::vector<Rgb> colors = colors_of(coloring);
   EXPECT_EQ(colors[0], map_color(0));
   EXPECT_EQ(colors[1], map_color(0.5));
   EXPECT_EQ(colors[2], map_color(1));
@@ -254,8 +251,8 @@ TEST(Coloring, ByValueHasTheColoursOfItsBar) {
 TEST(Coloring, OfNumbersWithASignIsSymmetricAboutZero) {
   const grains::State state = tower(3);
   for (const statistics::Range range : {statistics::Range{-2, 2}, statistics::Range{-1, 2}}) {
-    const Coloring coloring = color_by_value({0, 2, -1}, "spin", range, true);
-    const std::vector<Rgb> colors = colors_of(coloring, state);
+    const Coloring coloring = color_by_value(state, {0, 2, -1}, "spin", range, true);
+    const std::vector<Rgb> colors = colors_of(coloring);
     EXPECT_LE(distance(colors[0], {221, 221, 221}), 2);
     EXPECT_EQ(colors[1], diverging_color(1));
     EXPECT_LE(distance(colors[2], diverging_color(-0.5)), 2);
@@ -263,7 +260,7 @@ TEST(Coloring, OfNumbersWithASignIsSymmetricAboutZero) {
 }
 
 TEST(Coloring, ByIdKeepsNeighbouringIdsApartEvenWhereColorsBeginAgain) {
-  const std::vector<Rgb> palette = color_by_id().palette;
+  const std::vector<Rgb> palette = color_by_id(tower(1)).palette;
   for (std::size_t i = 0; i < palette.size(); ++i) {
     EXPECT_GT(distance(palette[i], palette[(i + 1) % palette.size()]), 30) << i;
   }

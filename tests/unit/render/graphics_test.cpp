@@ -163,11 +163,10 @@ TEST(Graphics, TurnsAPanelAboutItsMiddle) {
     image.at(25, y) = kRed;  // on the right
   }
   Graphics graphics(50, 40);
-  {
-    const Graphics::Clip clip(graphics, 10, 5, 30, 30);
+  graphics.draw_clipped(10, 5, 30, 30, [&] {
     graphics.move_into({.x = 10, .y = 5, .width = 30, .height = 30}, 90);
     graphics.draw_image(image, 0, 0, 30, 30);
-  }
+  });
   const Image picture = graphics.image();
   EXPECT_EQ(picture.at(25, 9), kRed);  // on top
   EXPECT_EQ(picture.at(25, 8), kWhite);
@@ -216,7 +215,7 @@ Image overlaid(const grains::State& state, const Overlay& overlay,
   style.view = {0, 5, 40, 35};  // without annotations, ten pixels a spacing
   style.annotations = annotations;
   Painter painter(style, state.lattice, state.kinds);
-  return painter.draw(state, grains::Occupancy(state), color_by_id(), {}, overlay);
+  return painter.draw(state, grains::Occupancy(state), color_by_id(state), {}, overlay);
 }
 
 TEST(Overlay, ThatIsEmptyChangesNothing) {

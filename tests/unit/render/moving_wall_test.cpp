@@ -195,7 +195,7 @@ TEST(Painter, DrawsOverlapsAlmostTheSameBothWays) {
 
 TEST(Painter, DrawsAWallInAParticleBothWays) {
   const grains::State state = overlapping();
-  const Rgb grain = color_by_id().palette[2];
+  const Rgb grain = color_by_id(state).palette[2];
   for (const Drawing drawing : kBothWays) {
     const Image image = picture(state, drawing, 480, 440, 1);
     EXPECT_GT(count_of(image, grain), 1000U);

@@ -43,7 +43,7 @@ Image picture(const grains::State& state, Drawing drawing, int width, int height
   style.view = view;
   style.annotations = Annotations::none;
   Painter painter(style, state.lattice, state.kinds);
-  return painter.draw(state, grains::Occupancy(state), color_by_id(), {});
+  return painter.draw(state, grains::Occupancy(state), color_by_id(state), {});
 }
 
 }  // namespace clca::render

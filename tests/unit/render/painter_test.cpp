@@ -115,7 +115,7 @@ TEST(Painter, ForgetsAWallThatIsTakenAway) {
     style.drawing = drawing;
     grains::State state = automaton.state();
     Painter painter(style, state.lattice, state.kinds);
-    const Coloring coloring = color_by_id();
+    const Coloring coloring = color_by_id(state);
     const Image before = painter.draw(state, grains::Occupancy(state), coloring, {});
     EXPECT_EQ(painter.draw(state, grains::Occupancy(state), coloring, {}), before);
     state.walls[0].present = false;
@@ -133,7 +133,7 @@ TEST(Painter, DevelopsWhatItHasExposedWhileTheStateGoesOn) {
     Painter painter(style, automaton.state().lattice, automaton.state().kinds);
     const auto exposed = [&] {
       return painter.capture(automaton.state(), automaton.occupancy(),
-                             color_by_displacement({0, 20}));
+                             color_by_displacement(automaton.state(), {0, 20}));
     };
     const Image before = painter.rasterize(exposed(), {});
     const Capture kept = exposed();
@@ -158,7 +158,7 @@ TEST(Painter, DrawsTinyPictures) {
     style.height = height;
     Painter painter(style, state.lattice, state.kinds);
     const Image image =
-        painter.draw(state, grains::Occupancy(state), color_by_displacement({0, 5}),
+        painter.draw(state, grains::Occupancy(state), color_by_displacement(state, {0, 5}),
                      {"A title that is much too long for this", "and a detail too"});
     EXPECT_EQ(image.width, width);
     EXPECT_EQ(image.height, height);
@@ -199,16 +199,13 @@ TEST(Painter, DrawsAnyViewHoweverFarOrLarge) {
   }
 }
 
-TEST(Painter, RefusesAnotherLatticeAndTooFewOrTooManyColors) {
+TEST(Painter, RefusesAnotherLatticeAndColorsOfAnotherState) {
   const grains::State state = one_hexagon(1);
   Painter painter({}, state.lattice, state.kinds);
   const grains::Occupancy occupancy(state);
   EXPECT_THROW(painter.draw(state, occupancy, {}, {}), std::invalid_argument);
-  Coloring coloring = color_by_id();
-  coloring.palette.resize(kMaxShades + 1);
-  EXPECT_THROW(painter.draw(state, occupancy, coloring, {}), std::invalid_argument);
   const grains::State other = packed(60, 40, false).state();
-  EXPECT_THROW(painter.draw(other, grains::Occupancy(other), color_by_id(), {}),
+  EXPECT_THROW(painter.draw(other, grains::Occupancy(other), color_by_id(other), {}),
                std::invalid_argument);
 }
 
@@ -228,7 +225,7 @@ TEST(Painter, WorksBesideAnotherOneAndAfterAMove) {
   Painter one(style, first.lattice, first.kinds);
   Painter two(style, second.lattice, second.kinds);
   const auto draw = [](Painter& painter, const grains::State& state) {
-    return painter.draw(state, grains::Occupancy(state), color_by_id(), {"a", "b"});
+    return painter.draw(state, grains::Occupancy(state), color_by_id(state), {"a", "b"});
   };
   const Image one_alone = draw(one, first);
   const Image two_alone = draw(two, second);

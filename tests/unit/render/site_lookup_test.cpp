@@ -74,7 +74,7 @@ Expected expected_at(const grains::State& state, const grains::Occupancy& occupa
     if (inside >= 0 && owner != grains::kFree) {
       const bool outlined = projection.outline_strength > 0 && inside < edge;
       if (grains::is_particle(owner)) {
-        const Rgb fill = color(coloring, state, occupancy, grains::particle_id(owner));
+        const Rgb fill = coloring.palette[coloring.shades[grains::particle_id(owner)]];
         result.color = outlined ? outline_color(fill, projection.outline_strength) : fill;
       } else {
         result.color = owner == kMovingWall ? kMovingWallColor : kWallColor;
@@ -92,13 +92,13 @@ Projection shown(const grains::State& state, int width, int height, int samples,
   return projection_of(box, arrange(width, height, box, Annotations::none), samples, height);
 }
 
-/// A coloring that tells all shades apart.
-Coloring distinct(const ShadeRule& rule) {
+/// A colour of its own for each particle.
+Coloring distinct(const grains::State& state) {
   Coloring coloring;
-  coloring.rule = rule;
-  for (int shade = 0; shade < 4000; ++shade) {
+  for (std::size_t id = 0; id < state.particles.size(); ++id) {
+    coloring.shades.push_back(static_cast<std::uint16_t>(id));
     coloring.palette.push_back(
-        {static_cast<std::uint8_t>(shade / 256), static_cast<std::uint8_t>(shade % 256), 0});
+        {static_cast<std::uint8_t>(id / 256), static_cast<std::uint8_t>(id % 256), 0});
   }
   return coloring;
 }
@@ -114,7 +114,7 @@ void expect_as_defined(const grains::State& state, const Coloring& coloring,
                        const Projection& projection) {
   const grains::Occupancy occupancy(state);
   const Image image = looked_up(state, coloring, projection, 1, 1);
-  const SampleBox box = projection.samples_in(whole_box(state.lattice));
+  const PixelBox box = projection.samples_in(whole_box(state.lattice));
   std::size_t sure = 0;
   std::size_t wrong = 0;
   for (int x = 0; x < image.width; ++x) {
@@ -134,26 +134,11 @@ void expect_as_defined(const grains::State& state, const Coloring& coloring,
 TEST(SiteLookup, GivesEverySampleTheOwnerOfHalfOfItsWeight) {
   for (const bool periodic : {false, true}) {
     const grains::State state = packed(60, 40, periodic).state();
-    const Coloring coloring = distinct(ById{});
+    const Coloring coloring = distinct(state);
     expect_as_defined(state, coloring, shown(state, 300, 200, 1, {}));
     expect_as_defined(state, coloring, shown(state, 60, 50, 2, {-4, -3, 20, 17}));
     expect_as_defined(state, coloring, shown(state, 200, 100, 1, {20.3, 30.2, 28.1, 50}));
     expect_as_defined(state, coloring, shown(state, 31, 17, 1, {}));  // sites between
-  }
-}
-
-TEST(SiteLookup, TellsShadesByEveryRule) {
-  grains::State state = packed(60, 40, true).state();
-  const Projection projection = shown(state, 150, 100, 1, {});
-  std::vector<double> values;
-  for (std::size_t id = 0; id < state.particles.size(); ++id) {
-    values.push_back(0.37 * static_cast<double>(id % 3));
-  }
-  const std::vector<ShadeRule> rules = {
-      BySpecies{}, ByValue{values, {0, 1}}, ByForce{}, ByDisplacement{{0, 15}},
-      ByLayer{7, {2, 30}, std::vector<double>(state.kinds.size(), 0.25)}};
-  for (const ShadeRule& rule : rules) {
-    expect_as_defined(state, distinct(rule), projection);
   }
 }
 
@@ -174,23 +159,21 @@ TEST(SiteLookup, ShowsMovingWallsAndTheFirstOwnerWhereTwoOverlap) {
   state.walls = {moving, {lattice::sites_in(state.lattice, {2, 14, 5, 17})}};
   state.pushes = {{1, 0, 0, lattice::Direction::up},
                   {2, grains::wall_code(0), 0, lattice::Direction::down}};
-  for (const ShadeRule& rule : {ShadeRule(ById{}), ShadeRule(ByForce{})}) {
-    expect_as_defined(state, distinct(rule), shown(state, 240, 220, 1, {}));
-  }
+  expect_as_defined(state, distinct(state), shown(state, 240, 220, 1, {}));
 }
 
 TEST(SiteLookup, IsTheSameForAnyNumberOfThreads) {
   const grains::State state = packed(120, 90, false).state();
   const Projection projection = shown(state, 320, 240, 2, {});
-  const Image one = looked_up(state, distinct(ById{}), projection, 2, 1);
+  const Image one = looked_up(state, distinct(state), projection, 2, 1);
   for (const int threads : {8, 3, 2}) {  // LLVM's OpenMP loses memory of a team that grows
-    EXPECT_EQ(looked_up(state, distinct(ById{}), projection, 2, threads), one);
+    EXPECT_EQ(looked_up(state, distinct(state), projection, 2, threads), one);
   }
 }
 
 TEST(SiteLookup, TakesTheMeanOfTheSamplesOfAPixel) {
   const grains::State state = packed(60, 40, false).state();
-  const Coloring coloring = distinct(ById{});
+  const Coloring coloring = distinct(state);
   for (const int samples : {2, 3, 4}) {
     const Projection projection = shown(state, 101, 67, samples, {});
     const Image fine = looked_up(state, coloring, projection, 1, 1);
