@@ -14,7 +14,6 @@
 #include "clca/record/quantity.hpp"
 #include "clca/scene/contact.hpp"
 #include "drawing/internal/frame_painter.hpp"
-#include "grains/internal/apart_table.hpp"
 
 namespace clca::drawing {
 
@@ -121,7 +120,7 @@ constexpr double kMinDisplacement = 1e-3;  // spacings per cycle
 Eigen::Vector2d between_centres(const grains::State& state, const grains::Particle& first,
                                 std::size_t second) {
   const grains::Particle& other = state.particles[second];
-  const lattice::Axial apart = grains::nearest_vector(state.lattice, first.site(), other.site());
+  const lattice::Axial apart = state.lattice.nearest_vector(first.site(), other.site());
   return lattice::position(apart) + state.shape(other).centroid() - state.shape(first).centroid();
 }
 

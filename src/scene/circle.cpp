@@ -6,8 +6,6 @@
 #include <optional>
 #include <stdexcept>
 
-#include "lattice/internal/bounded.hpp"
-
 namespace clca::scene {
 
 namespace {

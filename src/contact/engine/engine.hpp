@@ -68,7 +68,6 @@ class Mover {
   SiteMoves moves_;
   bool may_hook_;  // grains may be in the way of one another in a ring
   std::vector<std::uint32_t> ids_;
-  std::vector<std::uint32_t> free_;      // those that go at once
   std::vector<std::uint32_t> ready_;     // to be tried
   std::vector<std::uint8_t> waiting_;    // by id: directions as bits
   std::vector<Waiting> first_;           // by obstacle
@@ -113,7 +112,7 @@ class Engine final : public Steps {
 
   grains::PhaseTimes* phase_times_;
   grains::PhaseClock clock_;  // of this step
-  BatchFunctions batch_;
+  BatchFunction carry_out_;
   ContactFinder finder_;
   ContactSlots slots_;
   SmallGroups groups_;
