@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "clca/grains/state.hpp"
-#include "grains/internal/footprint.hpp"
+#include "grains/internal/box.hpp"
 
 namespace clca::bench {
 

@@ -1,6 +1,7 @@
 #include "clca/automaton/automaton.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <memory>
 #include <utility>
 
@@ -39,21 +40,14 @@ const Rules& Automaton::rules() const {
   return static_cast<const Steps&>(mechanics()).rules();
 }
 
-using lattice::Direction;
-
-std::span<const Direction> candidate_directions(const Rules& rules) {
-  static constexpr auto kOrdered = [] {
-    std::array<std::array<Direction, lattice::kDirectionCount>, lattice::kDirectionCount> table{};
-    for (const Direction gravity : lattice::kDirections) {
-      constexpr std::array<int, lattice::kDirectionCount> kTurns = {0, 1, -1, 2, -2, 3};
-      for (std::size_t i = 0; i < kTurns.size(); ++i) {
-        table[index_of(gravity)][i] = rotated(gravity, kTurns[i]);
-      }
+std::vector<lattice::Direction> candidate_directions(const Rules& rules) {
+  std::vector<lattice::Direction> result;
+  for (const int turn : {0, 1, -1, 2, -2, 3}) {
+    if (rules.candidates == Candidates::all || std::abs(turn) <= 1) {
+      result.push_back(rotated(rules.gravity, turn));
     }
-    return table;
-  }();
-  const auto& ordered = kOrdered[index_of(rules.gravity)];
-  return {ordered.data(), rules.candidates == Candidates::all ? ordered.size() : 3};
+  }
+  return result;
 }
 
 void check_rules(const Rules& rules) {

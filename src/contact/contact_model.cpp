@@ -23,6 +23,10 @@ std::unique_ptr<grains::Mechanics> make_steps(State state, const Parameters& par
   return std::make_unique<Engine>(std::move(state), parameters, options.phase_times);
 }
 
+Steps& steps(grains::Mechanics& mechanics) {
+  return static_cast<Steps&>(mechanics);
+}
+
 }  // namespace
 
 double default_fall_height(double box_height) {
@@ -114,14 +118,6 @@ double step_bytes(double grains) {
 
 ContactModel::ContactModel(State state, const Parameters& parameters, const Options& options)
     : Model(make_steps(std::move(state), parameters, options)) {}
-
-namespace {
-
-Steps& steps(grains::Mechanics& mechanics) {
-  return static_cast<Steps&>(mechanics);
-}
-
-}  // namespace
 
 const State& ContactModel::state() const {
   steps(mechanics()).write_back();

@@ -4,7 +4,6 @@
 
 #include "contact/rule/numbers.hpp"
 #include "contact/rule/touching.hpp"
-#include "grains/internal/apart_table.hpp"
 
 namespace clca::contact {
 
@@ -45,9 +44,8 @@ void put_geometry(const grains::State& state, Force& force) {
   }
   const grains::Particle& other = state.particles[grains::particle_id(force.other)];
   const lattice::Shape& other_shape = state.shape(other);
-  force.branch =
-      shape.centroid() - other_shape.centroid() -
-      lattice::position(grains::nearest_vector(state.lattice, upper.site(), other.site()));
+  force.branch = shape.centroid() - other_shape.centroid() -
+                 lattice::position(state.lattice.nearest_vector(upper.site(), other.site()));
   const double radius = shape.diameter() / 2;
   force.point =
       state.lattice.in_box(centre - radius / (radius + other_shape.diameter() / 2) * force.branch);

@@ -14,7 +14,6 @@
 #include "clca/record/quantity.hpp"
 #include "clca/scene/units.hpp"
 #include "drawing/internal/frame_painter.hpp"
-#include "grains/internal/apart_table.hpp"
 
 namespace clca::drawing {
 
@@ -110,7 +109,7 @@ void add_line(const grains::State& state, const grains::Particle& first, grains:
   Eigen::Vector2d along = point - from;
   if (grains::is_particle(body)) {
     const grains::Particle& other = state.particles[grains::particle_id(body)];
-    const lattice::Axial apart = grains::nearest_vector(lattice, first.site(), other.site());
+    const lattice::Axial apart = lattice.nearest_vector(first.site(), other.site());
     along =
         lattice::position(apart) + state.shape(other).centroid() - state.shape(first).centroid();
   } else if (lattice.periodic()) {

@@ -68,30 +68,6 @@ IntegerRange range_where(int low, int high, Inside inside) {
   return span;
 }
 
-/// Fair coins of one particle.
-class CoinFlips {
- public:
-  CoinFlips(std::uint64_t seed, std::uint32_t id) : seed_(seed), id_(id) {}
-
-  bool heads() {
-    if (bits_left_ == 0) {
-      bits_ = random::draw(seed_, drawn_++, id_, random::Purpose::deposit_coin);
-      bits_left_ = std::numeric_limits<std::uint64_t>::digits;
-    }
-    --bits_left_;
-    const bool result = (bits_ & 1U) != 0;
-    bits_ >>= 1U;
-    return result;
-  }
-
- private:
-  std::uint64_t seed_;
-  std::uint32_t id_;
-  std::uint64_t drawn_ = 0;
-  std::uint64_t bits_ = 0;
-  int bits_left_ = 0;
-};
-
 /// Where particles may come to rest.
 using Accept = std::function<bool(lattice::Site)>;
 
@@ -122,7 +98,7 @@ class Deposit {
   /// site that is accepted.
   bool place(std::uint16_t kind, const Accept& accept) {
     const Room& room = rooms_[kind];
-    const auto id = static_cast<std::uint32_t>(state_.particles.size());
+    const std::uint32_t id = next_id(state_);
     if (room.columns.count() <= 0) {
       return false;
     }
@@ -210,14 +186,16 @@ class Deposit {
   }
 
   void roll_down(Particle& particle, std::uint32_t id) const {
-    CoinFlips coins(state_.seed, id);
-    while (const auto direction = way_down(particle, coins)) {
+    std::uint64_t flips = 0;
+    while (const auto direction = way_down(particle, id, flips)) {
       particle = moved(particle, *direction);
     }
   }
 
-  /// Down if free, else a free side, either with equal probability. None at rest.
-  std::optional<Direction> way_down(const Particle& particle, CoinFlips& coins) const {
+  /// Down if free, else a free side, either with equal probability: by a bit of a draw, as many
+  /// of which have been taken as there were `flips`. None at rest.
+  std::optional<Direction> way_down(const Particle& particle, std::uint32_t id,
+                                    std::uint64_t& flips) const {
     if (free(particle, Direction::down)) {
       return Direction::down;
     }
@@ -226,8 +204,15 @@ class Deposit {
     if (!right && !left) {
       return std::nullopt;
     }
-    return (right && left) ? (coins.heads() ? Direction::down_right : Direction::down_left)
-                           : (right ? Direction::down_right : Direction::down_left);
+    bool to_right = right;
+    if (right && left) {
+      constexpr std::uint64_t kBits = 64;  // of a draw
+      const std::uint64_t bits =
+          random::draw(state_.seed, flips / kBits, id, random::Purpose::deposit_coin);
+      to_right = (bits >> flips % kBits & 1U) != 0;
+      ++flips;
+    }
+    return to_right ? Direction::down_right : Direction::down_left;
   }
 
   void raise_surface(const Particle& particle) {
@@ -252,9 +237,8 @@ class Deposit {
 /// In a random orientation, or the next one that fits.
 bool place_one(Deposit& deposit, const State& state, const std::vector<std::uint16_t>& kinds,
                const Accept& accept) {
-  const auto id = static_cast<std::uint32_t>(state.particles.size());
-  const std::uint64_t drawn =
-      random::below(random::draw(state.seed, 0, id, random::Purpose::deposit_kind), kinds.size());
+  const std::uint64_t drawn = random::below(
+      random::draw(state.seed, 0, next_id(state), random::Purpose::deposit_kind), kinds.size());
   for (std::size_t tried = 0; tried < kinds.size(); ++tried) {
     if (deposit.place(kinds[(drawn + tried) % kinds.size()], accept)) {
       return true;

@@ -31,25 +31,22 @@ std::vector<std::size_t> largest_first(const State& state, std::size_t species_c
   return order;
 }
 
-std::vector<Trial> all_trials(Box& box, const std::vector<lattice::Site>& sites,
-                              const std::vector<std::uint16_t>& kinds) {
-  std::vector<Trial> trials;
-  trials.reserve(sites.size() * kinds.size());
-  for (const lattice::Site site : sites) {
-    box.check_interruption();
-    for (const std::uint16_t kind : kinds) {
-      trials.push_back({site, kind});
-    }
-  }
-  return trials;
-}
-
 /// Tries every position once in random order (Fisher-Yates, as far as needed). A position that has
 /// failed once never fits again.
 class Trials {
  public:
-  /// Different keys give different orders.
-  Trials(std::vector<Trial> trials, std::uint32_t key) : trials_(std::move(trials)), key_(key) {}
+  /// Positions at these sites in these orientations. Different keys give different orders.
+  Trials(Box& box, const std::vector<lattice::Site>& sites, const std::vector<std::uint16_t>& kinds,
+         std::uint32_t key)
+      : key_(key) {
+    trials_.reserve(sites.size() * kinds.size());
+    for (const lattice::Site site : sites) {
+      box.check_interruption();
+      for (const std::uint16_t kind : kinds) {
+        trials_.push_back({site, kind});
+      }
+    }
+  }
 
   /// False if there is no position left.
   bool place_one(Box& box, const lattice::Rectangle& region) {
@@ -76,37 +73,21 @@ class Trials {
   std::size_t tried_ = 0;
 };
 
-std::uint32_t next_id(const State& state) {
-  return static_cast<std::uint32_t>(state.particles.size());
-}
-
 /// Places particles drawn by the weights on these sites until one has no room.
 void fill_part(Box& box, const lattice::Rectangle& region, const std::vector<lattice::Site>& sites,
-               const std::vector<std::size_t>& weights, std::vector<std::size_t>& placed) {
+               const std::vector<std::uint32_t>& weights, std::vector<std::size_t>& placed) {
   const State& state = box.state;
   std::vector<Trials> trials;
   for (std::size_t species = 0; species < weights.size(); ++species) {
     const std::vector<std::uint16_t> kinds =
         weights[species] > 0 ? kinds_of(state, species) : std::vector<std::uint16_t>();
-    trials.emplace_back(all_trials(box, sites, kinds),
-                        next_id(state) + static_cast<std::uint32_t>(species));
+    trials.emplace_back(box, sites, kinds, next_id(state) + static_cast<std::uint32_t>(species));
   }
   std::size_t species = draw_species(state, weights);
   while (trials[species].place_one(box, region)) {
     ++placed[species];
     species = draw_species(state, weights);
   }
-}
-
-Parts parts_of(const lattice::Rectangle& region, const Mixture& mixture) {
-  Parts parts;
-  for (const std::vector<std::uint32_t>& weights : mixture.parts) {
-    parts.weights.emplace_back(weights.begin(), weights.end());
-  }
-  if (!mixture.rows.empty()) {
-    parts.picture = {.box = region, .rows = mixture.rows};
-  }
-  return parts;
 }
 
 }  // namespace
@@ -147,7 +128,7 @@ FillResult fill_region(Box& box, const lattice::Rectangle& region,
     if (counts[species] == 0) {
       continue;
     }
-    Trials trials(all_trials(box, sites, kinds_of(state, species)), next_id(state));
+    Trials trials(box, sites, kinds_of(state, species), next_id(state));
     while (result.placed[species] < counts[species] && trials.place_one(box, region)) {
       ++result.placed[species];
     }
@@ -160,7 +141,10 @@ FillResult fill_region(Box& box, const lattice::Rectangle& region,
 FillResult fill_with(Box& box, const lattice::Rectangle& region, const Mixture& mixture) {
   const State& state = box.state;
   const std::size_t first = state.particles.size();
-  const Parts parts = parts_of(region, mixture);
+  Parts parts = {mixture.parts, {}};
+  if (!mixture.rows.empty()) {
+    parts.picture = {.box = region, .rows = mixture.rows};
+  }
   FillResult result;
   if (mixture.deposited) {
     result = deposit_mixture(box, region, parts, mixture.level);
@@ -176,6 +160,52 @@ FillResult fill_with(Box& box, const lattice::Rectangle& region, const Mixture& 
   }
   renumber(box, first);
   return result;
+}
+
+std::vector<std::uint16_t> kinds_of(const State& state, std::size_t species) {
+  std::vector<std::uint16_t> kinds;
+  for (std::size_t kind = 0; kind < state.kinds.size(); ++kind) {
+    if (state.kinds[kind].species == species) {
+      kinds.push_back(static_cast<std::uint16_t>(kind));
+    }
+  }
+  return kinds;
+}
+
+bool fits(const Box& box, const Particle& particle) {
+  const lattice::Lattice& lattice = box.state.lattice;
+  const auto& parts = box.state.shape(particle).sites();
+  return std::ranges::all_of(parts, [&](lattice::Axial part) {
+    const lattice::Site site = particle.site() + part;
+    return lattice.contains(site) && !box.occupancy.taken(lattice.index(site));
+  });
+}
+
+bool lies_inside(const State& state, const Particle& particle, const lattice::Rectangle& region) {
+  const auto& parts = state.shape(particle).sites();
+  return std::ranges::all_of(parts, [&](lattice::Axial part) {
+    const lattice::Site site = particle.site() + part;
+    return region.contains(
+        lattice::position(lattice::Site{state.lattice.wrapped(site.column), site.row}));
+  });
+}
+
+void insert(Box& box, const Particle& particle) {
+  const auto id = as_owner(box.state.particles.size());
+  box.for_each_index(particle, [&](std::size_t index) { box.occupancy.take(index, id); });
+  box.state.particles.push_back(particle);
+  box.state.origins.push_back(particle.site());
+}
+
+void renumber(Box& box, std::size_t first) {
+  std::vector<Particle>& particles = box.state.particles;
+  std::sort(particles.begin() + static_cast<std::ptrdiff_t>(first), particles.end(),
+            [](const Particle& a, const Particle& b) { return a.site() < b.site(); });
+  for (std::size_t id = first; id < particles.size(); ++id) {
+    box.state.origins[id] = particles[id].site();
+    box.for_each_index(particles[id],
+                       [&](std::size_t index) { box.occupancy.take(index, as_owner(id)); });
+  }
 }
 
 }  // namespace clca::grains

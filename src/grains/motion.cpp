@@ -7,13 +7,6 @@ namespace clca::grains {
 
 namespace {
 
-template <class... Cases>
-struct Overloaded : Cases... {
-  using Cases::operator()...;
-};
-template <class... Cases>
-Overloaded(Cases...) -> Overloaded<Cases...>;  // for clang 14
-
 /// A rational number of sites.
 struct Ratio {
   std::int64_t numerator = 0;
@@ -127,11 +120,14 @@ int sign(std::int32_t value) {
   return (value > 0 ? 1 : 0) - (value < 0 ? 1 : 0);
 }
 
-bool due(const Drive& drive, const Travel& travel) {
-  return travel.offset < drive.distance && (travel.clock + 1) % drive.period == 0;
+template <class Program>
+int desired(const Program& program, const Travel& travel) {
+  return sign(target(program, travel.clock + 1) - travel.offset);
 }
-
-int wish_of(const Shake& shake, const Travel& travel) {
+int desired(const Drive& drive, const Travel& travel) {
+  return travel.offset < drive.distance && (travel.clock + 1) % drive.period == 0 ? 1 : 0;
+}
+int desired(const Shake& shake, const Travel& travel) {
   switch (travel.phase) {
     case Travel::Phase::rising:
       return travel.offset < shake.amplitude ? 1 : 0;
@@ -154,25 +150,17 @@ void turn(const Shake& shake, Travel& travel) {
 
 }  // namespace
 
+OffsetRange Path::range() const {
+  OffsetRange range;
+  for (const Point& point : points) {
+    range.low = std::min(range.low, point.offset);
+    range.high = std::max(range.high, point.offset);
+  }
+  return range;
+}
+
 OffsetRange range_of(const WallMotion& motion) {
-  return std::visit(Overloaded{[](const Drive& drive) {
-                                 return OffsetRange{0, drive.distance};
-                               },
-                               [](const Wave& wave) {
-                                 return OffsetRange{-wave.amplitude, wave.amplitude};
-                               },
-                               [](const Shake& shake) {
-                                 return OffsetRange{0, shake.amplitude};
-                               },
-                               [](const Path& path) {
-                                 OffsetRange range;
-                                 for (const Path::Point& point : path.points) {
-                                   range.low = std::min(range.low, point.offset);
-                                   range.high = std::max(range.high, point.offset);
-                                 }
-                                 return range;
-                               }},
-                    motion.program);
+  return std::visit([](const auto& program) { return program.range(); }, motion.program);
 }
 
 bool is_cyclic(const WallMotion& motion) {
@@ -206,13 +194,7 @@ bool can_be_ahead(const WallMotion& motion, const Travel& travel, std::int64_t a
 }
 
 int desired_step(const WallMotion& motion, const Travel& travel) {
-  return std::visit(
-      Overloaded{
-          [&](const Drive& drive) { return due(drive, travel) ? 1 : 0; },
-          [&](const Wave& wave) { return sign(target(wave, travel.clock + 1) - travel.offset); },
-          [&](const Shake& shake) { return wish_of(shake, travel); },
-          [&](const Path& path) { return sign(target(path, travel.clock + 1) - travel.offset); }},
-      motion.program);
+  return std::visit([&](const auto& program) { return desired(program, travel); }, motion.program);
 }
 
 bool is_over(const WallMotion& motion, const Travel& travel) {
@@ -231,7 +213,7 @@ int pending_step(const WallMotion& motion, const Travel& travel) {
     return travel.offset < drive->distance ? 1 : 0;
   }
   if (const auto* shake = std::get_if<Shake>(&motion.program)) {
-    return wish_of(*shake, travel);
+    return desired(*shake, travel);
   }
   const auto* path = std::get_if<Path>(&motion.program);
   const bool at_last =

@@ -44,25 +44,15 @@ void put_wall(OccupancyTable& occupancy, const State& state, std::size_t number)
 }
 
 void take_border(OccupancyTable& occupancy, const lattice::Lattice& lattice) {
-  // In a periodic box the border columns are never read.
-  const int first = lattice.periodic() ? 0 : -1;
-  const int last = lattice.periodic() ? lattice.columns() - 1 : lattice.columns();
-  for (int column = first; column <= last; ++column) {
+  const int beside = lattice.periodic() ? 0 : 1;  // there the border columns are never read
+  for (int column = -beside; column < lattice.columns() + beside; ++column) {
     occupancy.take(lattice.index({column, -1}), kBorder);
     occupancy.take(lattice.index({column, lattice.rows()}), kBorder);
   }
-  if (!lattice.periodic()) {
-    for (int row = 0; row < lattice.rows(); ++row) {
-      occupancy.take(lattice.index({-1, row}), kBorder);
-      occupancy.take(lattice.index({lattice.columns(), row}), kBorder);
-    }
+  for (int row = 0; row < lattice.rows() && !lattice.periodic(); ++row) {
+    occupancy.take(lattice.index({-1, row}), kBorder);
+    occupancy.take(lattice.index({lattice.columns(), row}), kBorder);
   }
-}
-
-/// A particle as wide as the box would block itself.
-bool meets_itself(const lattice::Lattice& lattice, const lattice::Shape& shape) {
-  const int columns = shape.sites().back().x - shape.sites().front().x + 1;
-  return lattice.periodic() && columns >= lattice.columns();
 }
 
 }  // namespace
@@ -74,7 +64,9 @@ OccupancyTable::OccupancyTable(const State& state)
   const lattice::Lattice& lattice = state.lattice;
   take_border(*this, lattice);
   for (const Kind& kind : state.kinds) {
-    require(!meets_itself(lattice, kind.shape), "a kind is as wide as the periodic box");
+    const int columns = kind.shape.sites().back().x - kind.shape.sites().front().x + 1;
+    require(!lattice.periodic() || columns < lattice.columns(),
+            "a kind is as wide as the periodic box");  // it would block itself
   }
   for (std::size_t wall = 0; wall < state.walls.size(); ++wall) {
     put_wall(*this, state, wall);
@@ -131,10 +123,6 @@ Occupancy::Occupancy(const State& state)
 
 Occupancy::Occupancy(const OccupancyTable& table)
     : Occupancy(std::shared_ptr<const OccupancyTable>(std::shared_ptr<void>(), &table)) {}
-
-bool Occupancy::any_taken(lattice::Site low, lattice::Site high) const {
-  return table_->any_taken(low, high);
-}
 
 bool Occupancy::operator==(const Occupancy& other) const {
   return std::ranges::equal(inverted_owners_, other.inverted_owners_) &&

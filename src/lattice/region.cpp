@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lattice/internal/bounded.hpp"
 #include "lattice/internal/require.hpp"
 
 namespace clca::lattice {
@@ -66,24 +65,22 @@ std::vector<Site> chain_along(const SweptRegion& swept_region, const Segment& se
   return chain;
 }
 
-/// The sites of a column within `reach` of the segment.
-void add_column(const SweptRegion& swept_region, const Segment& segment, int column, double reach,
-                std::vector<Site>& sites) {
-  const Eigen::Vector2d along = segment.to - segment.from;
-  const double x = kColumnPitch * column;
-  const double margin = reach + 1e-6;  // rounding must not lose a site
-  const Part part = part_between(segment.from.x(), along.x(), x - margin, x + margin);
-  if (part.begin > part.end) {
-    return;
-  }
-  const auto [low, high] = std::minmax(
-      {segment.from.y() + part.begin * along.y(), segment.from.y() + part.end * along.y()});
-  const RowRange rows = swept_region.rows(column);
-  const int last_row = bounded(high + margin + 2, rows.first, rows.end);
-  for (int row = bounded(low - margin - 1, rows.first, rows.end); row < last_row; ++row) {
-    const Site site = {column, row};
-    if (distance(segment, position(site)) <= reach) {
-      sites.push_back(site);
+/// Adds the sites that `contains`, column by column from the left, upwards. `heights(column)`:
+/// where in a column they may lie.
+template <class Heights, class Contains>
+void add_sites(const SweptRegion& swept_region, double left, double right, Heights heights,
+               Contains contains, std::vector<Site>& sites) {
+  const int low = swept_region.first_column();
+  const int high = swept_region.end_column();
+  const int last_column = bounded(right / kColumnPitch + 2, low, high);
+  for (int column = bounded(left / kColumnPitch - 1, low, high); column < last_column; ++column) {
+    const auto [bottom, top] = heights(column);
+    const RowRange rows = swept_region.rows(column);
+    const int last_row = bounded(top + 2, rows.first, rows.end);
+    for (int row = bounded(bottom - 1, rows.first, rows.end); row < last_row; ++row) {
+      if (contains(position(Site{column, row}))) {
+        sites.push_back({column, row});
+      }
     }
   }
 }
@@ -172,21 +169,11 @@ Rectangle around(const Segment& segment) {
 
 std::vector<Site> sites_in(const SweptRegion& swept_region, const Rectangle& rectangle) {
   check(rectangle);
-  // Columns and rows that can hold a site of the rectangle.
-  const int low = swept_region.first_column();
-  const int high = swept_region.end_column();
-  const int last_column = bounded(rectangle.right / kColumnPitch + 2, low, high);
   std::vector<Site> sites;
-  for (int column = bounded(rectangle.left / kColumnPitch - 1, low, high); column < last_column;
-       ++column) {
-    const RowRange rows = swept_region.rows(column);
-    const int last_row = bounded(rectangle.top + 2, rows.first, rows.end);
-    for (int row = bounded(rectangle.bottom - 1, rows.first, rows.end); row < last_row; ++row) {
-      if (rectangle.contains(position(Site{column, row}))) {
-        sites.push_back({column, row});
-      }
-    }
-  }
+  add_sites(
+      swept_region, rectangle.left, rectangle.right,
+      [&](int /*column*/) { return std::pair(rectangle.bottom, rectangle.top); },
+      [&](const Eigen::Vector2d& point) { return rectangle.contains(point); }, sites);
   return sites;
 }
 
@@ -196,15 +183,23 @@ std::vector<Site> sites_along(const SweptRegion& swept_region, const Segment& se
   require(segment.thickness >= 0 && segment.thickness < kMaxCoordinate,
           "the thickness of a wall must not be negative");
   const double reach = 0.5 * segment.thickness;
+  const double margin = reach + 1e-6;  // rounding must not lose a site
+  const Eigen::Vector2d along = segment.to - segment.from;
+  const auto heights = [&](int column) {
+    const double x = kColumnPitch * column;
+    const Part part = part_between(segment.from.x(), along.x(), x - margin, x + margin);
+    if (part.begin > part.end) {
+      return std::pair<double, double>(INFINITY, -INFINITY);
+    }
+    const auto [low, high] = std::minmax(
+        {segment.from.y() + part.begin * along.y(), segment.from.y() + part.end * along.y()});
+    return std::pair(low - margin, high + margin);
+  };
   const auto [left, right] = std::minmax({segment.from.x(), segment.to.x()});
-  const int low = swept_region.first_column();
-  const int high = swept_region.end_column();
-  const int last_column = bounded((right + reach) / kColumnPitch + 2, low, high);
   std::vector<Site> sites;
-  for (int column = bounded((left - reach) / kColumnPitch - 1, low, high); column < last_column;
-       ++column) {
-    add_column(swept_region, segment, column, reach, sites);
-  }
+  add_sites(
+      swept_region, left - reach, right + reach, heights,
+      [&](const Eigen::Vector2d& point) { return distance(segment, point) <= reach; }, sites);
   for (const Site site : chain_along(swept_region, segment)) {
     if (swept_region.contains(site)) {
       sites.push_back(site);

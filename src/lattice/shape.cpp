@@ -6,6 +6,7 @@
 #include <iterator>
 #include <numbers>
 #include <numeric>
+#include <set>
 #include <utility>
 
 #include "clca/lattice/lattice.hpp"
@@ -15,27 +16,21 @@ namespace clca::lattice {
 
 namespace {
 
-/// Number of sites of the sorted list that are connected to its first site.
-std::size_t connected_count(const std::vector<Axial>& sites) {
-  std::vector<bool> seen(sites.size(), false);
-  std::vector<std::size_t> open = {0};
-  seen[0] = true;
-  std::size_t count = 0;
+/// Whether one can go from each of the sites to each other one.
+bool are_connected(const std::vector<Axial>& sites) {
+  std::set<Axial> unseen(sites.begin(), sites.end());
+  std::vector<Axial> open = {sites.front()};
+  unseen.erase(sites.front());
   while (!open.empty()) {
-    const Axial site = sites[open.back()];
+    const Axial site = open.back();
     open.pop_back();
-    ++count;
     for (const Direction direction : kDirections) {
-      const Axial neighbour = site + unit(direction);
-      const auto found = std::lower_bound(sites.begin(), sites.end(), neighbour);
-      const auto number = static_cast<std::size_t>(found - sites.begin());
-      if (found != sites.end() && *found == neighbour && !seen[number]) {
-        seen[number] = true;
-        open.push_back(number);
+      if (unseen.erase(site + unit(direction)) > 0) {
+        open.push_back(site + unit(direction));
       }
     }
   }
-  return count;
+  return unseen.empty();
 }
 
 bool holds(const std::vector<Axial>& sorted, Axial site) {
@@ -136,7 +131,7 @@ Shape::Shape(std::vector<Axial> sites) : sites_(std::move(sites)) {
   std::ranges::for_each(sites_, check_reach);
   std::ranges::sort(sites_);
   require(std::ranges::adjacent_find(sites_) == sites_.end(), "a site of the shape is named twice");
-  require(connected_count(sites_) == sites_.size(), "the sites of the shape do not connect");
+  require(are_connected(sites_), "the sites of the shape do not connect");
   require(!encloses_hole(sites_), "the shape encloses a hole");
   centroid_ = mean_position(sites_);
 }

@@ -9,7 +9,7 @@
 #include "clca/measure/force.hpp"
 #include "clca/measure/outflow.hpp"
 #include "clca/measure/probe.hpp"
-#include "clca/scene/contact.hpp"
+#include "clca/scene/units.hpp"
 #include "clca/scene/units.hpp"
 #include "record/energy_record.hpp"
 #include "record/internal/quantities.hpp"

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "automaton/rule/moving_walls.hpp"
+#include "automaton/rule/world.hpp"
 #include "support/states.hpp"
 
 namespace clca::testing {
@@ -12,11 +12,11 @@ class WallBench {
  public:
   explicit WallBench(grains::State start) : state(std::move(start)) {}
 
-  /// Lets the walls take one step.
-  automaton::WallMoves advance() {
-    const automaton::WallMoves moves = advance_walls(world);
+  /// Lets the walls take one step. Returns whether any has moved.
+  bool advance() {
+    const bool moved = advance_walls(world);
     ++state.step;
-    return moves;
+    return moved;
   }
   lattice::Site site(std::size_t id) const { return state.particles[id].site(); }
   const grains::Travel& travel(std::size_t wall) const { return state.walls[wall].travel; }

@@ -3,7 +3,7 @@
 
 #include <array>
 #include <cstdint>
-#include <span>
+#include <vector>
 
 #include "clca/grains/model.hpp"
 
@@ -41,7 +41,7 @@ struct Rules {
 
 /// Directions that the rules allow: gravity first, then its neighbours clockwise and
 /// anticlockwise, then the rest.
-std::span<const lattice::Direction> candidate_directions(const Rules& rules);
+std::vector<lattice::Direction> candidate_directions(const Rules& rules);
 
 /// Throws std::invalid_argument, with the reason, unless gravity is a direction and the update
 /// priority names each class once. random::Probability checks probabilities.

@@ -13,12 +13,19 @@
 
 namespace clca::grains {
 
+/// Smallest and largest offset that a motion can reach, in sites.
+struct OffsetRange {
+  std::int32_t low = 0;
+  std::int32_t high = 0;
+};
+
 /// One site every `period` steps, `distance` sites in all. The automaton does not make up for steps
 /// in which the wall was stalled.
 struct Drive {
   std::uint64_t period = 1;
   std::int32_t distance = 0;
 
+  OffsetRange range() const { return {0, distance}; }
   bool operator==(const Drive&) const = default;
 };
 
@@ -31,6 +38,7 @@ struct Wave {
   std::int32_t amplitude = 1;
   std::uint64_t period = 8;  ///< steps, at least least_period()
 
+  OffsetRange range() const { return {-amplitude, amplitude}; }
   bool operator==(const Wave&) const = default;
 };
 
@@ -50,6 +58,7 @@ struct Shake {
   /// one.
   std::optional<std::uint64_t> period = {};
 
+  OffsetRange range() const { return {0, amplitude}; }
   bool operator==(const Shake&) const = default;
 };
 
@@ -64,6 +73,7 @@ struct Path {
   };
   std::vector<Point> points;
 
+  OffsetRange range() const;
   bool operator==(const Path&) const = default;
 };
 
@@ -106,11 +116,6 @@ struct Travel {
   CLCA_FIELDS(active, offset, clock, phase, waited, cycles, stalls, stalled_since);
 };
 
-/// Smallest and largest offset that the motion can reach, in sites.
-struct OffsetRange {
-  std::int32_t low = 0;
-  std::int32_t high = 0;
-};
 OffsetRange range_of(const WallMotion& motion);
 
 /// True for periodic motions: Shake and Wave.

@@ -34,9 +34,6 @@ class Occupancy {
     return second_owners_.empty() ? kFree : second_owners_[index];
   }
   bool taken(std::size_t index) const { return owner(index) != kFree; }
-  /// Whether any site of the rectangle from `low` to `high` (inclusive) is taken. The border may be
-  /// part of it.
-  bool any_taken(lattice::Site low, lattice::Site high) const;
   /// Whether `owner` is one of the owners.
   bool has(std::size_t index, Owner owner) const {
     return this->owner(index) == owner || second_owner(index) == owner;

@@ -112,6 +112,15 @@ class Lattice {
     return remainder < 0 ? remainder + columns_ : remainder;
   }
 
+  /// The vector between two sites, the shorter way round a periodic box.
+  Axial nearest_vector(Site from, Site to) const {
+    if (periodic_) {
+      const int apart = wrapped(to.column - from.column);
+      to.column = from.column + (2 * apart > columns_ ? apart - columns_ : apart);
+    }
+    return to - from;
+  }
+
   /// Lower left corner and size of the box in the plane, in lattice spacings: every site counts
   /// with its whole cell. A periodic box repeats at its width.
   static Eigen::Vector2d corner() { return {-0.5 * kColumnPitch, -0.5}; }

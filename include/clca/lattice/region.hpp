@@ -2,11 +2,19 @@
 // Rectangles and straight walls as sets of sites, also of those that a moving wall brings into the
 // box.
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "clca/lattice/lattice.hpp"
 
 namespace clca::lattice {
+
+/// `value` rounded down, from `low` to `high`.
+inline int bounded(double value, int low, int high) {
+  const double whole = std::floor(value);
+  return static_cast<int>(std::clamp(whole, static_cast<double>(low), static_cast<double>(high)));
+}
 
 /// Rows from `first` up to but not including `end`.
 struct RowRange {

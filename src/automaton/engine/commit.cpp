@@ -1,4 +1,5 @@
-// Carrying out moves and waking the particles that may gain a free direction by them.
+// Which movers want the same sites, and which of them get these; carrying out moves and waking the
+// particles that may gain a free direction by them.
 
 #include <algorithm>
 #include <bit>
@@ -75,7 +76,77 @@ void change_sites_one_by_one(World& world, StripWorker& worker, const MovePropos
   change(footprint.trail[proposal.move], grains::kFree);
 }
 
+std::uint32_t count(std::uint64_t sites) {
+  return sites == 0 ? 0 : static_cast<std::uint32_t>(std::popcount(sites));
+}
+
 }  // namespace
+
+// Movers in one direction never want the same site. So those along gravity, mostly the many,
+// reserve nothing: they only look for the reservations of the others.
+void Engine::reserve(StripWorker& worker) {
+  for (StripWorker& each : in_parallel_ ? std::span(&worker, 1) : std::span(workers_)) {
+    each.awake.clear();  // all are examined
+    each.next_awake = 0;
+  }
+  for_each_proposal(worker, &Proposals::sloping, [&](const MoveProposal& proposal) {
+    for_each_lead(proposal, [&](Corner at, std::uint64_t sites) {
+      if (const std::uint64_t both = reserved_.set(at, sites, proposal.access); both != 0) {
+        contested_.set(at, both, proposal.access);
+      }
+    });
+  });
+}
+
+void Engine::find_conflicts(StripWorker& worker) {
+  for_each_proposal(worker, &Proposals::falling, [&](MoveProposal& proposal) {
+    for_each_lead(proposal, [&](Corner at, std::uint64_t sites) {
+      if (const std::uint64_t both = reserved_.window(at) & sites; both != 0) {
+        proposal.contest(count(both));
+        contested_.set(at, both, proposal.access);
+      }
+    });
+  });
+}
+
+std::uint32_t Engine::contested_lead(const MoveProposal& proposal) const {
+  std::uint32_t result = 0;
+  for_each_lead(proposal, [&](Corner at, std::uint64_t sites) {
+    result += count(contested_.window(at) & sites);
+  });
+  return result;
+}
+
+// A mover wins its contested sites if none of them has been won before; they are contested no more.
+// One thread: contests near a cut and those that depend on them would need another phase.
+void Engine::decide_contests() {
+  turns_.clear();
+  for (const StripWorker& worker : busy()) {
+    const auto middle = static_cast<std::ptrdiff_t>(turns_.size());
+    turns_.insert(turns_.end(), worker.turns.begin(), worker.turns.end());
+    std::ranges::inplace_merge(turns_, turns_.begin() + middle, {}, &QueuedMove::key);
+  }
+  for (const QueuedMove& turn : turns_) {
+    MoveProposal& proposal = *turn.proposal;
+    if (contested_lead(proposal) == proposal.contested) {
+      proposal.outcome = ConflictOutcome::won;
+      for_each_lead(proposal, [&](Corner at, std::uint64_t sites) { contested_.clear(at, sites); });
+    }
+  }
+}
+
+void Engine::end_conflicts(StripWorker& worker) {
+  for (const QueuedMove& turn : worker.turns) {
+    for_each_lead(*turn.proposal, [&](Corner at, std::uint64_t) {
+      contested_.clear_blocks(at, turn.proposal->access);
+    });
+  }
+  for (const QueuedMove& turn : worker.turns) {
+    if (turn.proposal->outcome != ConflictOutcome::won) {
+      turn.proposal->move = grains::kRest;
+    }
+  }
+}
 
 void Engine::commit(StripWorker& worker) {
   for_each_proposal(worker, &Proposals::falling,
@@ -116,13 +187,13 @@ void Engine::apply_move(StripWorker& worker, const MoveProposal& proposal) {
     change_sites(world_, worker, proposal, footprint);
   }
   grains::Particle& particle = world_.state.particles[proposal.id];
-  const lattice::Site step = step_of(proposal.site, proposal.move);
+  const lattice::Site to = proposal.site + unit(static_cast<lattice::Direction>(proposal.move));
   if (world_.state.lattice.periodic()) {
-    particle.column += step.column;  // not wrapped
+    particle.column += to.column - proposal.site.column;  // not wrapped
   } else {
-    particle.column = proposal.site.column + step.column;  // without reading it first
+    particle.column = to.column;  // without reading it first
   }
-  particle.row = proposal.site.row + step.row;
+  particle.row = to.row;
   particle.previous = proposal.move;
   if (worker.to_wake.size() >= kWakeBatch) {
     wake_neighbours(worker);

@@ -34,9 +34,6 @@ Engine::Engine(grains::State initial, const Rules& rules, const Options& options
 std::size_t Engine::move_particles() {
   begin_step();
   wake_changed();
-  if (!sleeping_) {
-    wake_all();
-  }
   assign_strips();
   grains::PhaseClock clock(phase_times_);
   parallel::FirstFailure failure;
@@ -139,6 +136,9 @@ void Engine::wake_changed() {
   for (const std::uint32_t id : world_.changes.particles) {
     wake(id);
   }
+  for (std::uint32_t id = 0; !sleeping_ && id < world_.state.particles.size(); ++id) {
+    wake(id);
+  }
   for (const std::size_t index : world_.changes.vacated) {
     if (!world_.occupancy.taken(index)) {
       wake_upstream(world_.state.lattice.site(index));
@@ -151,7 +151,7 @@ void Engine::wake_changed() {
 // The owners of the sites from which a candidate move leads to the vacated one.
 void Engine::wake_upstream(lattice::Site vacated) {
   const lattice::Lattice& lattice = world_.state.lattice;
-  for (const lattice::Direction direction : candidate_directions(world_.rules)) {
+  for (const lattice::Direction direction : active_.candidates()) {
     const lattice::Site from = vacated + unit(opposite(direction));
     const grains::Owner owner =
         lattice.contains(from) ? world_.occupancy.owner(lattice.index(from)) : grains::kFree;
@@ -165,12 +165,6 @@ void Engine::wake_upstream(lattice::Site vacated) {
 void Engine::wake(std::uint32_t id) {
   const lattice::Site site = site_of(world_.state.particles[id]);
   workers_[in_parallel_ ? strips_.of(site) : 0].awake.insert(id);
-}
-
-void Engine::wake_all() {
-  for (std::uint32_t id = 0; id < world_.state.particles.size(); ++id) {
-    wake(id);
-  }
 }
 
 void Engine::assign_strips() {

@@ -55,7 +55,6 @@ class Engine final : public Steps {
   void wake_changed();
   void wake_upstream(lattice::Site vacated);
   void wake(std::uint32_t id);
-  void wake_all();
   void assign_strips();
 
   // The phases. Each begins when all workers have ended the one before.
@@ -66,8 +65,8 @@ class Engine final : public Steps {
   void propose(StripWorker& worker);
   void examine_awake_of(StripWorker& worker, StripWorker& owner);
   bool awake_in_earlier_strip(const StripWorker& worker, std::uint32_t id, lattice::Site at) const;
-  void examine(StripWorker& worker, const AwakeParticle& particle);
-  grains::Move provisional_by_windows(const AwakeParticle& particle) const;
+  void examine(StripWorker& worker, std::uint32_t id, lattice::Site site);
+  grains::Move provisional_by_windows(std::uint32_t id, lattice::Site site) const;
 
   // Particles that overlap, see overlap_step.cpp.
   void move_overlapping();
@@ -75,7 +74,7 @@ class Engine final : public Steps {
   void yield_to_pushed(ReusableBuffer<MoveProposal>& proposals);
   void give_turns_among_overlaps(StripWorker& worker);
 
-  // Conflicts, see conflicts.cpp.
+  // Conflicts, carrying out moves and waking, see commit.cpp.
   /// Calls `visit` with the corner of each window that has lead sites, and these sites.
   template <class Visit>
   void for_each_lead(const MoveProposal& proposal, Visit visit) const;
@@ -83,10 +82,7 @@ class Engine final : public Steps {
   void find_conflicts(StripWorker& worker);
   std::uint32_t contested_lead(const MoveProposal& proposal) const;
   void decide_contests();
-  void decide_contest(MoveProposal& proposal);
   void end_conflicts(StripWorker& worker);
-
-  // Carrying out moves and waking, see commit.cpp.
   void commit(StripWorker& worker);
   void commit_unless_contested(StripWorker& worker, MoveProposal& proposal);
   void apply_move(StripWorker& worker, const MoveProposal& proposal);

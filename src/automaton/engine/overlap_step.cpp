@@ -4,7 +4,6 @@
 
 #include "automaton/engine/engine.hpp"
 #include "automaton/rule/decisions.hpp"
-#include "automaton/rule/passive_rule.hpp"
 
 namespace clca::automaton {
 
@@ -14,7 +13,7 @@ void Engine::move_overlapping() {
   if (nothing_moved_ && !world_.changes.by_others && sleeping_) {
     return;
   }
-  Movers movers = movers_of(PushList::overlapping_particles(world_.state));
+  Movers movers = movers_of(world_.overlapping_particles());
   freed_.clear();
   for (const ProposedMove& move : movers.others) {
     freed_.push_back(overlapping_proposal(move));
@@ -51,7 +50,7 @@ MoveProposal Engine::overlapping_proposal(const ProposedMove& move) const {
 void Engine::yield_to_pushed(ReusableBuffer<MoveProposal>& proposals) {
   grains::State& state = world_.state;
   proposals.erase_if([&](const MoveProposal& proposal) {
-    if (world_.pushes.overlapping(proposal.id)) {
+    if (world_.overlapping(proposal.id)) {
       freed_.push_back(proposal);
       return true;
     }

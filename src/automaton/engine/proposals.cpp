@@ -42,12 +42,9 @@ void Engine::examine_awake_of(StripWorker& worker, StripWorker& owner) {
       const std::uint32_t id = listed[i];
       const grains::Particle& particle = world_.state.particles[id];
       // The strip that examines it may be writing `previous`: only that one reads it.
-      if (particle.present && !(overlaps_ && world_.pushes.overlapping(id)) &&
+      if (particle.present && !(overlaps_ && world_.overlapping(id)) &&
           (owner.strip == 0 || !awake_in_earlier_strip(owner, id, site_of(particle)))) {
-        examine(worker, {.site = site_of(particle),
-                         .id = id,
-                         .kind = particle.kind,
-                         .previous = particle.previous});
+        examine(worker, id, site_of(particle));
       }
     }
   }
@@ -62,57 +59,58 @@ bool Engine::awake_in_earlier_strip(const StripWorker& worker, std::uint32_t id,
                              [&](const StripWorker& other) { return other.awake.contains(id); });
 }
 
-grains::Move Engine::provisional_by_windows(const AwakeParticle& particle) const {
+grains::Move Engine::provisional_by_windows(std::uint32_t id, lattice::Site site) const {
   const grains::OccupancyTable& occupancy = world_.occupancy;
-  const WindowedFootprint& footprint = footprints_.of(particle.kind, particle.site.column);
-  return active_.provisional(particle.id, particle.previous, world_.state.step,
-                             [&](lattice::Direction to) {
-                               if (wraps(particle.site)) {
-                                 return world_.box.is_free(world_.state.particles[particle.id], to);
-                               }
-                               const auto& lead = footprint.lead_masks[index_of(to)];
-                               return std::ranges::none_of(lead, [&](const WindowMask& mask) {
-                                 const Corner at = occupancy.corner(mask.corner(particle.site));
-                                 return (occupancy.window(at) & mask.sites) != 0;
-                               });
-                             });
+  const grains::Particle& particle = world_.state.particles[id];
+  const WindowedFootprint& footprint = footprints_.of(particle.kind, site.column);
+  return active_.provisional(id, particle.previous, world_.state.step, [&](lattice::Direction to) {
+    if (wraps(site)) {
+      return world_.box.is_free(particle, to);
+    }
+    const auto& lead = footprint.lead_masks[index_of(to)];
+    return std::ranges::none_of(lead, [&](const WindowMask& mask) {
+      const Corner at = occupancy.corner(mask.corner(site));
+      return (occupancy.window(at) & mask.sites) != 0;
+    });
+  });
 }
 
-[[gnu::always_inline]] inline void Engine::examine(StripWorker& worker,
-                                                   const AwakeParticle& particle) {
+[[gnu::always_inline]] inline void Engine::examine(StripWorker& worker, std::uint32_t id,
+                                                   lattice::Site site) {
   ++worker.examined;
-  const std::size_t strip = in_parallel_ ? strips_.of(particle.site) : 0;
-  const WindowedFootprint& footprint = footprints_.of(particle.kind, particle.site.column);
-  const bool wraps = this->wraps(particle.site);
+  const std::size_t strip = in_parallel_ ? strips_.of(site) : 0;
+  grains::Particle& particle = world_.state.particles[id];
+  const WindowedFootprint& footprint = footprints_.of(particle.kind, site.column);
+  const bool wraps = this->wraps(site);
   Corner at;
   std::uint64_t taken = 0;
   grains::Move move = grains::kRest;
   if (footprint.one_window && !wraps) {
-    at = world_.occupancy.corner(footprint.corner_from(particle.site));
+    at = world_.occupancy.corner(footprint.corner_from(site));
     taken = world_.occupancy.window(at);
     move = active_.provisional(
-        particle.id, particle.previous, world_.state.step,
+        id, particle.previous, world_.state.step,
         [&](lattice::Direction to) { return (taken & footprint.windows[index_of(to)].lead) == 0; });
   } else {
-    move = provisional_by_windows(particle);
+    move = provisional_by_windows(id, site);
   }
   if (move == grains::kRest) {
-    world_.state.particles[particle.id].previous = grains::kRest;
+    particle.previous = grains::kRest;
     return;
   }
   const bool falls = move == static_cast<grains::Move>(world_.rules.gravity);
   if (records_work_) {
-    worker.work.add(particle.site, falls ? 1 : kSlopingWork);
+    worker.work.add(site, falls ? 1 : kSlopingWork);
   }
-  const bool alone = !wraps && workers_[strip].inner.contains(particle.site);
+  const bool alone = !wraps && workers_[strip].inner.contains(site);
   Proposals& proposals = worker.proposals[strip];
   // Field by field: to copy a whole proposal would wait for the writes to its parts.
   MoveProposal& proposal = (falls ? proposals.falling : proposals.sloping).add();
-  proposal.site.column = particle.site.column;
-  proposal.site.row = particle.site.row;
+  proposal.site.column = site.column;
+  proposal.site.row = site.row;
   proposal.taken = taken;
   proposal.byte = static_cast<std::uint32_t>(at.byte);
-  proposal.id = particle.id;
+  proposal.id = id;
   proposal.kind = particle.kind;
   proposal.contested = 0;
   proposal.move = move;

@@ -1,14 +1,15 @@
 #pragma once
 // What one thread works on in a step.
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
-#include "automaton/engine/awake_set.hpp"
 #include "automaton/engine/strips.hpp"
 #include "automaton/engine/windowed_footprint.hpp"
-#include "automaton/rule/update_order.hpp"
+#include "automaton/rule/step.hpp"
 #include "clca/grains/state.hpp"
 #include "grains/internal/bitboard.hpp"
 
@@ -16,12 +17,75 @@ namespace clca::automaton {
 
 inline constexpr std::size_t kCacheLine = 64;  // bytes
 
-/// A particle that is examined.
-struct AwakeParticle {
-  lattice::Site site;  ///< the reference site, wrapped
-  std::uint32_t id = 0;
-  std::uint16_t kind = 0;
-  grains::Move previous = grains::kRest;
+/// Elements in the order in which they were added. Memory is kept when it is cleared; unlike
+/// std::vector, it neither constructs nor destroys what it has room for.
+template <class T>
+class ReusableBuffer {
+ public:
+  void add(const T& element) { add() = element; }
+  /// Without a branch on `wanted`, for what a processor cannot predict.
+  void add_if(bool wanted, const T& element) {
+    add(element);
+    count_ -= wanted ? 0U : 1U;
+  }
+  /// The new element holds what was there before; the caller fills it in.
+  T& add() {
+    if (count_ == capacity_) {
+      elements_.resize(2 * count_ + 1);
+      capacity_ = elements_.size();
+    }
+    return begin()[count_++];
+  }
+  void clear() { count_ = 0; }
+  template <class Predicate>
+  void erase_if(Predicate predicate) {
+    count_ = static_cast<std::size_t>(std::remove_if(begin(), end(), predicate) - begin());
+  }
+
+  std::size_t size() const { return count_; }
+  T* begin() { return elements_.data(); }
+  T* end() { return begin() + count_; }
+  const T* begin() const { return elements_.data(); }
+  const T* end() const { return begin() + count_; }
+
+ private:
+  std::vector<T> elements_;
+  std::size_t capacity_ = 0;  // its size
+  std::size_t count_ = 0;
+};
+
+/// A set of ids. Going through it and clearing it costs time by how many are in it, not by how many
+/// could be.
+class AwakeSet {
+ public:
+  /// Ids have to be below `bound`.
+  void resize(std::size_t bound) { words_.resize((bound + kBits - 1) / kBits, 0); }
+
+  /// Adds an id, unless it is in the set.
+  void insert(std::uint32_t id) {
+    std::uint64_t& word = words_[id / kBits];
+    listed_.add_if((word & bit(id)) == 0, id);
+    word |= bit(id);
+  }
+  bool contains(std::uint32_t id) const { return (words_[id / kBits] & bit(id)) != 0; }
+
+  /// In the order in which they came.
+  std::span<const std::uint32_t> listed() const { return {listed_.begin(), listed_.end()}; }
+
+  void clear() {
+    for (const std::uint32_t id : listed_) {
+      words_[id / kBits] = 0;
+    }
+    listed_.clear();
+  }
+
+ private:
+  static constexpr std::size_t kBits = 64;
+
+  static std::uint64_t bit(std::uint32_t id) { return std::uint64_t{1} << (id % kBits); }
+
+  std::vector<std::uint64_t> words_;
+  ReusableBuffer<std::uint32_t> listed_;
 };
 
 enum class ConflictOutcome : std::uint8_t {
@@ -58,21 +122,6 @@ inline grains::Bitboard::Corner corner(const MoveProposal& proposal,
                                        const WindowedFootprint& footprint) {
   return {.byte = proposal.byte,
           .column = grains::Bitboard::column_in_block(footprint.corner_from(proposal.site))};
-}
-
-/// What a move adds to column and row, by the parity of the column and by Move.
-inline constexpr auto kSteps = [] {
-  std::array<std::array<lattice::Site, lattice::kDirectionCount + 1>, 2> steps{};
-  for (const int column : {0, 1}) {
-    for (const lattice::Direction direction : lattice::kDirections) {
-      const lattice::Site to = lattice::Site{column, 0} + unit(direction);
-      steps[static_cast<std::size_t>(column)][index_of(direction)] = {to.column - column, to.row};
-    }
-  }
-  return steps;
-}();
-inline lattice::Site step_of(lattice::Site site, grains::Move move) {
-  return kSteps[static_cast<std::size_t>(site.column & 1)][move];
 }
 
 /// Sites of a window whose owners wake.

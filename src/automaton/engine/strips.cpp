@@ -11,29 +11,6 @@ namespace clca::automaton {
 
 namespace {
 
-/// Extends the reach to a window with its lower left corner there, seen from a reference site.
-void include(Reach& reach, lattice::Site corner) {
-  reach.left = std::max(reach.left, -corner.column);
-  reach.right = std::max(reach.right, corner.column + grains::kWindow - 1);
-  reach.down = std::max(reach.down, -corner.row);
-  reach.up = std::max(reach.up, corner.row + grains::kWindow - 1);
-}
-
-Reach reach_of(const WindowedFootprints& footprints) {
-  Reach reach;
-  for (const WindowedFootprint& footprint : footprints.all()) {
-    include(reach, footprint.corner);
-    for (const auto* masks : {&footprint.lead_masks, &footprint.swapped_masks}) {
-      for (const std::vector<WindowMask>& of_move : *masks) {
-        for (const WindowMask& mask : of_move) {
-          include(reach, mask.corner({}));
-        }
-      }
-    }
-  }
-  return reach;
-}
-
 /// Sums the histograms and clears them.
 std::vector<std::uint64_t> sum_and_clear(std::span<WorkHistogram* const> histograms,
                                          std::size_t axis) {
@@ -77,8 +54,13 @@ std::uint64_t work_at(const std::vector<int>& cuts, const std::vector<std::uint6
 }  // namespace
 
 Strips::Strips(const lattice::Lattice& lattice, const WindowedFootprints& footprints,
-               std::size_t count)
-    : reach_(reach_of(footprints)) {
+               std::size_t count) {
+  for (const WindowedFootprint& footprint : footprints.all()) {
+    reach_.left = std::max(reach_.left, -footprint.corner.column);
+    reach_.right = std::max(reach_.right, footprint.far_corner.column);
+    reach_.down = std::max(reach_.down, -footprint.corner.row);
+    reach_.up = std::max(reach_.up, footprint.far_corner.row);
+  }
   // Particles on both sides reach over a cut, and from there to the end of a word of bits.
   extents_ = {{{.length = lattice.columns(),
                 .apart = reach_.left + reach_.right + 2 * grains::kWindow,

@@ -1,7 +1,6 @@
 #include "automaton/engine/windowed_footprint.hpp"
 
 #include <algorithm>
-#include <iterator>
 
 #include "grains/internal/bitboard.hpp"
 
@@ -12,30 +11,10 @@ namespace {
 using lattice::Axial;
 using lattice::Direction;
 
-/// Bounding box of sites relative to the reference site.
-struct SiteExtent {
-  lattice::Site low;
-  lattice::Site high;
-
-  bool fits_a_window() const {
-    return high.column - low.column < grains::kWindow && high.row - low.row < grains::kWindow;
-  }
-};
-
 lattice::Site seen_from(bool odd_column, Axial site) {
   const lattice::Site from = {odd_column ? 1 : 0, 0};
   const lattice::Site to = from + site;
   return {to.column - from.column, to.row};
-}
-
-SiteExtent extent_of(const std::vector<Axial>& sites, bool odd_column) {
-  SiteExtent extent;
-  for (const Axial site : sites) {
-    const lattice::Site at = seen_from(odd_column, site);
-    extent.low = {std::min(extent.low.column, at.column), std::min(extent.low.row, at.row)};
-    extent.high = {std::max(extent.high.column, at.column), std::max(extent.high.row, at.row)};
-  }
-  return extent;
 }
 
 /// The masks of the adjacent windows from `low` on that contain sites.
@@ -58,12 +37,11 @@ std::vector<WindowMask> window_masks(const std::vector<Axial>& sites, bool odd_c
   return result;
 }
 
-/// Sites from which a candidate move leads into one of `vacated`, except those of `left_out`.
-std::vector<Axial> upstream(const std::vector<Axial>& vacated,
-                            std::span<const Direction> candidates,
-                            const std::vector<Axial>& left_out) {
+/// Sites beside the step of a shape from which a candidate move leads into one that it vacates.
+std::vector<Axial> upstream(const lattice::Shape& shape, Direction step,
+                            std::span<const Direction> candidates) {
   std::vector<Axial> result;
-  for (const Axial site : vacated) {
+  for (const Axial site : shape.trail(step)) {
     for (const Direction direction : candidates) {
       result.push_back(site - unit(direction));
     }
@@ -71,15 +49,14 @@ std::vector<Axial> upstream(const std::vector<Axial>& vacated,
   std::ranges::sort(result);
   result.erase(std::unique(result.begin(), result.end()), result.end());
   std::erase_if(result, [&](Axial site) {
-    return std::binary_search(left_out.begin(), left_out.end(), site);
+    return shape.contains(site) || shape.contains(site - unit(step));
   });
   return result;
 }
 
-std::vector<Axial> merged(const std::vector<Axial>& first, const std::vector<Axial>& second) {
-  std::vector<Axial> both;
-  std::merge(first.begin(), first.end(), second.begin(), second.end(), std::back_inserter(both));
-  return both;
+std::vector<Axial> joined(std::vector<Axial> first, const std::vector<Axial>& second) {
+  first.insert(first.end(), second.begin(), second.end());
+  return first;
 }
 
 std::vector<Exchanges> exchanges(const std::vector<lattice::Offset>& lead,
@@ -95,27 +72,36 @@ std::vector<Exchanges> exchanges(const std::vector<lattice::Offset>& lead,
 WindowedFootprint make_footprint(const grains::Footprint& plain, const lattice::Lattice& lattice,
                                  const lattice::Shape& shape, std::span<const Direction> candidates,
                                  bool odd_column) {
+  WindowedFootprint footprint(plain);
   WindowedFootprint::PerDirection<Axial> wake;
   std::vector<Axial> all = shape.sites();
   for (const Direction direction : lattice::kDirections) {
-    const std::vector<Axial> swept = merged(shape.sites(), shape.lead(direction));
-    wake[index_of(direction)] = upstream(shape.trail(direction), candidates, swept);
-    all = merged(merged(all, swept), wake[index_of(direction)]);
+    wake[index_of(direction)] = upstream(shape, direction, candidates);
+    all = joined(joined(all, shape.lead(direction)), wake[index_of(direction)]);
   }
-  const SiteExtent extent = extent_of(all, odd_column);
-  WindowedFootprint footprint(plain);
-  footprint.one_window = extent.fits_a_window();
-  footprint.corner = extent.low;
+  lattice::Site low;
+  lattice::Site high;
+  for (const Axial site : all) {
+    const lattice::Site at = seen_from(odd_column, site);
+    low = {std::min(low.column, at.column), std::min(low.row, at.row)};
+    high = {std::max(high.column, at.column), std::max(high.row, at.row)};
+  }
+  const int across = (high.column - low.column) / grains::kWindow + 1;
+  const int upwards = (high.row - low.row) / grains::kWindow + 1;
+  footprint.one_window = across == 1 && upwards == 1;
+  footprint.corner = low;
+  footprint.far_corner = {low.column + across * grains::kWindow - 1,
+                          low.row + upwards * grains::kWindow - 1};
   for (const Direction direction : lattice::kDirections) {
     const std::size_t d = index_of(direction);
     const std::vector<Axial> lead = shape.lead(direction);
     footprint.exchanges[d] = exchanges(footprint.lead[d], footprint.trail[d]);
     footprint.wake[d] = grains::offsets(lattice, wake[d], odd_column);
-    footprint.lead_masks[d] = window_masks(lead, odd_column, extent.low);
+    footprint.lead_masks[d] = window_masks(lead, odd_column, low);
     footprint.swapped_masks[d] =
-        window_masks(merged(lead, shape.trail(direction)), odd_column, extent.low);
+        window_masks(joined(lead, shape.trail(direction)), odd_column, low);
     if (footprint.one_window) {
-      const std::vector<WindowMask> woken = window_masks(wake[d], odd_column, extent.low);
+      const std::vector<WindowMask> woken = window_masks(wake[d], odd_column, low);
       footprint.windows[d] = {.lead = footprint.lead_masks[d].front().sites,
                               .swapped = footprint.swapped_masks[d].front().sites,
                               .wake = woken.empty() ? 0 : woken.front().sites};

@@ -3,7 +3,7 @@
 
 #include <array>
 #include <cstdint>
-#include <span>
+#include <vector>
 
 #include "clca/automaton/automaton.hpp"
 #include "clca/grains/state.hpp"
@@ -23,6 +23,9 @@ class ActiveRule {
       is_candidate_[index_of(direction)] = true;
     }
   }
+
+  /// Gravity's first, see candidate_directions().
+  const std::vector<lattice::Direction>& candidates() const { return candidates_; }
 
   /// The provisional direction of particle `id` that did `previous` in the last step. `is_free`
   /// tells for a direction whether all its lead sites were free when the step began.
@@ -99,7 +102,7 @@ class ActiveRule {
     return grains::kRest;
   }
 
-  std::span<const lattice::Direction> candidates_;  // gravity's first
+  std::vector<lattice::Direction> candidates_;
   std::array<bool, lattice::kDirectionCount> is_candidate_{};
   random::Probability inertia_;
   random::Probability scatter_;

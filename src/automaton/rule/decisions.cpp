@@ -3,23 +3,302 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <utility>
+#include <vector>
 
-#include "automaton/rule/overlap_change.hpp"
-#include "automaton/rule/passive_rule.hpp"
 #include "clca/random/draw.hpp"
 
 namespace clca::automaton {
 
 namespace {
 
+using lattice::Direction;
+
+// What a move would change in the overlaps of a particle.
+
+/// One of those with whom a particle shares sites before a move or after it. No overlap of two
+/// particles is deeper than one move.
+struct OverlapChange {
+  grains::Owner owner = 0;
+  int sites_before = 0;
+  int sites_after = 0;
+
+  /// What has to shrink: the depth in a particle, the sites shared with a wall.
+  int before() const {
+    return grains::is_particle(owner) ? std::min(sites_before, 1) : sites_before;
+  }
+  int after() const { return grains::is_particle(owner) ? std::min(sites_after, 1) : sites_after; }
+  bool grows() const { return grains::is_particle(owner) && sites_after > sites_before; }
+  bool begins() const { return grains::is_particle(owner) && sites_before == 0; }
+};
+
+/// For a move of particle `id` that stays inside the box.
+std::vector<OverlapChange> overlap_changes(const World& world, std::uint32_t id,
+                                           Direction direction) {
+  const grains::State& state = world.state;
+  const grains::Particle& here = state.particles[id];
+  const std::vector<Overlap> before = world.overlaps(id, here);
+  const std::vector<Overlap> after = world.overlaps(id, moved(here, direction));
+  std::vector<OverlapChange> result;
+  result.reserve(before.size() + after.size());
+  for (const Overlap& overlap : before) {
+    result.push_back({.owner = overlap.owner, .sites_before = overlap.sites});
+  }
+  for (const Overlap& overlap : after) {
+    auto change = std::ranges::find(result, overlap.owner, &OverlapChange::owner);
+    if (change == result.end()) {
+      change = result.insert(result.end(), {.owner = overlap.owner});
+    }
+    change->sites_after = overlap.sites;
+  }
+  return result;
+}
+
+/// The one that concerns `owner`; null where there is none.
+const OverlapChange* find(const std::vector<OverlapChange>& changes, grains::Owner owner) {
+  const auto found = std::ranges::find(changes, owner, &OverlapChange::owner);
+  return found == changes.end() ? nullptr : &*found;
+}
+
+/// Whether no move leads out of an overlap with another particle after the one to `there`. Out of
+/// an overlap that begins the way back does.
+bool is_too_deep(const World& world, const grains::Particle& there, const OverlapChange& change) {
+  return grains::is_particle(change.owner) && change.sites_before > 0 && change.sites_after > 0 &&
+         !can_leave(world, there, change.owner, lattice::kDirections);
+}
+
+/// Sites that a particle shares with other particles.
+int shared_sites(const World& world, std::uint32_t id) {
+  int sum = 0;
+  world.box.for_each_index(world.state.particles[id], [&](std::size_t index) {
+    // A wall is the first owner of a site, so this is one only if both are particles.
+    const bool two = world.occupancy.second_owner(index) != grains::kFree;
+    sum += two && grains::is_particle(world.occupancy.owner(index)) ? 1 : 0;
+  });
+  return sum;
+}
+
+// The passive rule: where a particle goes that something has been pushed onto (Sakaguchi et al.
+// 2001, Fig. 8, after Murakami).
+
+// What counts in a choice, by weight (from trials with hexagons).
+constexpr int kPerGrownDepth = 1000;
+constexpr int kRelaxed = 500;
+constexpr int kRelaxedOnOthers = 2000;
+constexpr int kPerPushAlong = 60;
+constexpr int kKeepsOn = 20;
+constexpr int kAlongGravity = 10;
+constexpr int kBesideGravity = 5;
+
+/// Radius of the least hexagon with as many sites.
+int radius_of(const lattice::Shape& shape) {
+  const int sites = static_cast<int>(shape.size());
+  int radius = 0;
+  while (3 * radius * (radius + 1) + 1 < sites) {
+    ++radius;
+  }
+  return radius;
+}
+
+/// Sites that a particle may share with others: 30 % of its sites, at least 2.
+int limit(const lattice::Shape& shape) {
+  return std::max(2, static_cast<int>((6 * shape.size() + 10) / 20));
+}
+
+int gravity_bonus(const Rules& rules, Direction direction) {
+  const int sixths = lattice::sixths_between(rules.gravity, direction);
+  return sixths == 0 ? kAlongGravity : sixths == 1 ? kBesideGravity : 0;
+}
+
+/// How a direction follows the pushes: strictly, or else relaxed.
+struct PushAlignment {
+  int sixths = 0;        // of a full turn, from the push that is followed least
+  int pushes_along = 0;  // pushes exactly in the direction
+  bool strict = false;   // within 60 degrees of all pushes, and each of their overlaps shrinks
+};
+/// What a direction is worth: the least score is the best.
+struct Assessment {
+  std::vector<OverlapChange> changes;
+  int score = 0;
+};
+
+const lattice::Shape& shape_of(const World& world, grains::Owner owner) {
+  return world.state.shape(world.state.particles[grains::particle_id(owner)]);
+}
+
+/// None: neither strict nor relaxed.
+std::optional<PushAlignment> alignment_with_pushes(const World& world, std::uint32_t id,
+                                                   Direction direction,
+                                                   const std::vector<OverlapChange>& changes) {
+  PushAlignment alignment;
+  bool all_shrink = true;
+  bool any_shrinks = false;
+  for (const grains::Push& push : world.pushes_onto(id)) {
+    const OverlapChange* change = find(changes, push.pusher);
+    if (change == nullptr || change->after() > change->before()) {
+      return std::nullopt;
+    }
+    const bool shrinks = change->after() < change->before();
+    all_shrink = all_shrink && shrinks;
+    any_shrinks = any_shrinks || shrinks;
+    alignment.sixths =
+        std::max(alignment.sixths, lattice::sixths_between(push.direction, direction));
+    alignment.pushes_along += push.direction == direction ? 1 : 0;
+  }
+  alignment.strict = alignment.sixths <= 1 && all_shrink;
+  return any_shrinks ? std::optional(alignment) : std::nullopt;
+}
+
+/// Whether the direction is within 120 degrees of all pushes.
+bool follows_pushes(const World& world, std::uint32_t id, Direction direction) {
+  const auto pushes = world.pushes_onto(id);
+  return std::ranges::all_of(pushes, [&](const grains::Push& push) {
+    return lattice::sixths_between(push.direction, direction) <= 2;
+  });
+}
+
+/// Overlaps that begin, each weighed with the size of the other. None: one would be too deep.
+std::optional<int> grown_depth(const World& world, std::uint32_t id, Direction direction,
+                               const std::vector<OverlapChange>& changes) {
+  const grains::Particle there = moved(world.state.particles[id], direction);
+  int grown = 0;
+  for (const OverlapChange& change : changes) {
+    if (is_too_deep(world, there, change)) {
+      return std::nullopt;
+    }
+    grown += change.begins() ? 1 + radius_of(shape_of(world, change.owner)) : 0;
+  }
+  return grown;
+}
+
+bool has_room(const World& world, std::uint32_t id, Direction direction) {
+  const grains::State& state = world.state;
+  const grains::Particle& here = state.particles[id];
+  bool room = true;
+  world.box.for_each_entered(here, direction, [&](std::size_t index) {
+    const grains::Owner owner = world.occupancy.owner(index);
+    const bool closed =
+        owner == grains::kBorder ||
+        (grains::is_wall(owner) && !state.walls[grains::wall_number(owner)].lets_overlap());
+    room = room && !closed && world.occupancy.second_owner(index) == grains::kFree;
+  });
+  return room;
+}
+
+/// Whether the move gets onto no further wall, and shares no more sites with walls than now.
+bool keeps_off_walls(const World& world, std::uint32_t id, Direction direction,
+                     const std::vector<OverlapChange>& changes) {
+  const grains::Particle there = moved(world.state.particles[id], direction);
+  int before = 0;
+  int after = 0;
+  for (const OverlapChange& change : changes) {
+    if (grains::is_particle(change.owner)) {
+      continue;
+    }
+    before += change.sites_before;
+    after += change.sites_after;
+    // Onto a further wall nobody may go: that would be an overlap without a push.
+    const bool comes_onto = change.sites_before == 0;
+    if (comes_onto ||
+        (change.sites_after > 0 && !can_leave(world, there, change.owner, lattice::kDirections))) {
+      return false;
+    }
+  }
+  return after <= before;
+}
+
+/// Whether the particle, and each of those into which it would get further, shares no more sites
+/// than its limit.
+bool is_within_limits(const World& world, std::uint32_t id,
+                      const std::vector<OverlapChange>& changes) {
+  bool grows = false;
+  int own = 0;
+  for (const OverlapChange& change : changes) {
+    if (!grains::is_particle(change.owner)) {
+      continue;
+    }
+    own += change.sites_after;
+    grows = grows || change.grows();
+    if (change.grows() && shared_sites(world, grains::particle_id(change.owner)) +
+                                  change.sites_after - change.sites_before >
+                              limit(shape_of(world, change.owner))) {
+      return false;
+    }
+  }
+  return !grows || own <= limit(shape_of(world, grains::as_owner(id)));
+}
+
+/// Assesses a direction of a pushed particle: it has to get it out of what pushes it along the way
+/// of the push, or at least sideways, without worse elsewhere; it may push others.
+std::optional<Assessment> assess(const World& world, std::uint32_t id, Direction direction) {
+  if (!follows_pushes(world, id, direction) || !has_room(world, id, direction)) {
+    return std::nullopt;
+  }
+  Assessment assessment{.changes = overlap_changes(world, id, direction), .score = 0};
+  const std::optional<PushAlignment> alignment =
+      alignment_with_pushes(world, id, direction, assessment.changes);
+  if (!alignment || !keeps_off_walls(world, id, direction, assessment.changes)) {
+    return std::nullopt;
+  }
+  const std::optional<int> grown = grown_depth(world, id, direction, assessment.changes);
+  if (!grown || (*grown > 0 && alignment->sixths > 1) ||
+      !is_within_limits(world, id, assessment.changes)) {
+    return std::nullopt;
+  }
+  const grains::State& state = world.state;
+  const bool keeps_on = state.particles[id].previous == static_cast<grains::Move>(direction);
+  const int price = alignment->strict ? 0 : *grown == 0 ? kRelaxed : kRelaxedOnOthers;
+  assessment.score = kPerGrownDepth * *grown + price - kPerPushAlong * alignment->pushes_along -
+                     (keeps_on ? kKeepsOn : 0) - gravity_bonus(world.rules, direction);
+  return assessment;
+}
+
+// Of several pushes the move carries on the one it follows best; of equal ones the heaviest.
+grains::Push cause(const World& world, std::uint32_t id, Direction direction,
+                   const std::vector<OverlapChange>& changes) {
+  const auto sites = [&](const grains::Push& push) {
+    const OverlapChange* change = find(changes, push.pusher);
+    return change == nullptr ? 0 : change->sites_before;
+  };
+  const auto causes = world.pushes_onto(id);
+  return *std::ranges::min_element(causes, {}, [&](const grains::Push& push) {
+    return std::pair(lattice::sixths_between(push.direction, direction), -sites(push));
+  });
+}
+
+/// The best direction of a particle onto which others were pushed; kRest: it is jammed.
+grains::Move passive_direction(const World& world, std::uint32_t id) {
+  std::vector<Direction> best;
+  int least = 0;
+  for (const Direction direction : lattice::kDirections) {
+    const auto assessment = assess(world, id, direction);
+    if (!assessment || (!best.empty() && assessment->score > least)) {
+      continue;
+    }
+    if (best.empty() || assessment->score < least) {
+      best.clear();
+      least = assessment->score;
+    }
+    best.push_back(direction);
+  }
+  if (best.empty()) {
+    return grains::kRest;
+  }
+  const std::uint64_t bits =
+      random::draw(world.state.seed, world.state.step, id, random::Purpose::passive);
+  return static_cast<grains::Move>(best[random::below(bits, best.size())]);
+}
+
+// All other particles that overlap.
+
 /// A direction and its two neighbours.
-std::array<lattice::Direction, 3> around(lattice::Direction first, bool right_first) {
+std::array<Direction, 3> around(Direction first, bool right_first) {
   const int right = right_first ? 1 : -1;
   return {first, rotated(first, right), rotated(first, -right)};
 }
 
 /// Whether it may go that way by itself: into free sites, deeper into nobody.
-bool is_free(const World& world, std::uint32_t id, lattice::Direction direction) {
+bool is_free(const World& world, std::uint32_t id, Direction direction) {
   if (!world.box.is_free(world.state.particles[id], direction)) {
     return false;
   }
@@ -50,8 +329,7 @@ std::optional<grains::Move> move_back(const World& world, std::uint32_t id) {
   }
   const bool right_first =
       (random::draw(state.seed, state.step, id, random::Purpose::passive) & 1U) != 0;
-  for (const lattice::Direction direction :
-       around(opposite(resting.front().direction), right_first)) {
+  for (const Direction direction : around(opposite(resting.front().direction), right_first)) {
     const bool back = std::ranges::all_of(resting, [&](const grains::Push& push) {
       return lattice::sixths_between(opposite(push.direction), direction) <= 1;
     });
@@ -72,9 +350,23 @@ std::optional<grains::Move> move_back(const World& world, std::uint32_t id) {
 
 }  // namespace
 
+bool can_leave(const World& world, const grains::Particle& particle, grains::Owner owner,
+               std::span<const lattice::Direction> directions) {
+  const lattice::Lattice& lattice = world.state.lattice;
+  return std::ranges::any_of(directions, [&](Direction direction) {
+    const grains::Particle target = moved(particle, direction);
+    const std::size_t index = lattice.index(target.site());
+    const int column = lattice.wrapped(target.column);
+    const std::vector<lattice::Offset>& body = world.box.footprints.of(target).body;
+    return std::ranges::none_of(body, [&](lattice::Offset offset) {
+      return world.occupancy.has(lattice.at(index, column, offset), owner);
+    });
+  });
+}
+
 grains::Move provisional(const World& world, const ActiveRule& active, std::uint32_t id) {
   // The passive rule, for those that something has been pushed onto.
-  if (!PushList::onto(world.state, id).empty()) {
+  if (!world.pushes_onto(id).empty()) {
     return passive_direction(world, id);
   }
   // Back from those that it has pushed itself, where they rest.
@@ -82,16 +374,33 @@ grains::Move provisional(const World& world, const ActiveRule& active, std::uint
     return *back;
   }
   // Else the active rule.
-  return active.provisional(
-      id, world.state.particles[id].previous, world.state.step,
-      [&](lattice::Direction direction) { return is_free(world, id, direction); });
+  return active.provisional(id, world.state.particles[id].previous, world.state.step,
+                            [&](Direction direction) { return is_free(world, id, direction); });
 }
 
-bool move_by_itself(World& world, std::uint32_t id, lattice::Direction direction) {
+bool move_by_itself(World& world, std::uint32_t id, Direction direction) {
   if (!is_free(world, id, direction)) {
     return false;
   }
   world.move(id, direction);
+  return true;
+}
+
+bool move_pushed(World& world, std::uint32_t id, Direction direction) {
+  const auto assessment = assess(world, id, direction);
+  if (!assessment) {
+    return false;
+  }
+  const grains::Push push = cause(world, id, direction, assessment->changes);
+  world.move(id, direction);
+  for (const OverlapChange& change : assessment->changes) {
+    if (change.begins()) {
+      world.record_push({.pushed = grains::particle_id(change.owner),
+                         .pusher = grains::as_owner(id),
+                         .source = push.source,
+                         .direction = push.direction});
+    }
+  }
   return true;
 }
 

@@ -5,8 +5,6 @@
 #include <utility>
 
 #include "automaton/rule/decisions.hpp"
-#include "automaton/rule/moving_walls.hpp"
-#include "automaton/rule/passive_rule.hpp"
 
 namespace clca::automaton {
 
@@ -17,7 +15,7 @@ Steps::Steps(grains::State initial, const Rules& rules)
 
 // 1. Moving walls take the step that their motion asks for, if they can.
 void Steps::before_sources() {
-  wall_moved_ = advance_walls(world_).moved > 0;
+  wall_moved_ = advance_walls(world_);
 }
 
 // 2. Open sources emit, and at the end 5. outlets remove particles: for all models by grains::step.
@@ -29,7 +27,11 @@ bool Steps::advance(StepReport& report) {
 
   // The end: settled when no later step can change anything.
   const bool settled = report.moved == 0 && !wall_moved_ && quiet_ && walls_are_still(world_);
-  end_step_of_walls(world_, report.moved > 0);
+  for (grains::Wall& wall : state_.walls) {
+    if (wall.in_motion()) {
+      end_step(*wall.motion, wall.travel, report.moved > 0);
+    }
+  }
   ++state_.step;
   return settled;
 }
@@ -46,13 +48,13 @@ Steps::Movers Steps::movers_of(std::span<const std::uint32_t> ids) {
   std::vector<std::uint32_t> resting;  // known to others only when all have chosen
   for (const std::uint32_t id : ids) {
     const bool has_moved = state_.particles[id].previous != grains::kRest;
-    quiet_ = quiet_ && !(world_.pushes.overlapping(id) && has_moved);
+    quiet_ = quiet_ && !(world_.overlapping(id) && has_moved);
     const grains::Move move = provisional(world_, active_, id);
     if (move == grains::kRest) {
       resting.push_back(id);
       continue;
     }
-    (PushList::onto(state_, id).empty() ? movers.others : movers.pushed)
+    (world_.pushes_onto(id).empty() ? movers.others : movers.pushed)
         .push_back(
             {update_key(world_.rules, state_, id, move), static_cast<lattice::Direction>(move)});
   }

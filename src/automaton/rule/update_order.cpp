@@ -1,7 +1,8 @@
-#include "automaton/rule/update_order.hpp"
+// The order in which movers have their turn.
 
 #include <algorithm>
 
+#include "automaton/rule/step.hpp"
 #include "clca/random/draw.hpp"
 
 namespace clca::automaton {

@@ -11,32 +11,6 @@
 
 namespace clca::automaton {
 
-/// The pushes of a state in order, and who takes part in one.
-/// Every pair that overlaps has one push in State::pushes, and there are no others.
-class PushList {
- public:
-  explicit PushList(const grains::State& state);
-
-  /// True when the particle overlaps with something.
-  bool overlapping(std::uint32_t id) const { return parts_[id] > 0; }
-  /// All overlapping particles, ascending.
-  static std::vector<std::uint32_t> overlapping_particles(const grains::State& state);
-  /// The pushes onto `id`.
-  static std::span<const grains::Push> onto(const grains::State& state, std::uint32_t id);
-
-  void resize(std::size_t particles) { parts_.resize(particles, 0); }
-  /// Enters a push, or renews the one of the same pair.
-  void record(grains::State& state, const grains::Push& push);
-  /// Forgets the push between the particle and `other`, whoever pushed.
-  void forget(grains::State& state, std::uint32_t id, grains::Owner other);
-
- private:
-  void count(const grains::Push& push, int change);
-  bool erase(grains::State& state, std::uint32_t pushed, grains::Owner pusher);
-
-  std::vector<std::uint32_t> parts_;  // pushes in which a particle takes part, by id
-};
-
 /// A wall or particle that shares sites with a particle.
 struct Overlap {
   grains::Owner owner = 0;
@@ -62,6 +36,7 @@ struct Changes {
   }
 };
 
+/// Every pair that overlaps has one push in State::pushes, and there are no others.
 class World {
  public:
   /// The box must outlive the world.
@@ -78,8 +53,19 @@ class World {
   void move(std::uint32_t id, lattice::Direction direction);
   /// Moves many by one site at once; they may be in each other's way. Adds them to `carried`.
   void move_together(std::span<const std::uint32_t> ids, lattice::Direction direction);
-  /// Forgets the push between a particle and `other`, whoever pushed.
+
+  /// True when the particle overlaps with something.
+  bool overlapping(std::uint32_t id) const { return push_counts_[id] > 0; }
+  /// All overlapping particles, ascending.
+  std::vector<std::uint32_t> overlapping_particles() const;
+  /// The pushes onto a particle.
+  std::span<const grains::Push> pushes_onto(std::uint32_t id) const;
+  /// Enters a push, or renews the one of the same pair.
+  void record_push(const grains::Push& push);
+  /// Forgets the push between a particle and `other`, whoever pushed. A particle `other` has
+  /// changed.
   void forget_push(std::uint32_t id, grains::Owner other);
+
   /// Forgets what a particle shares with others, as it will be taken out.
   void let_go(std::uint32_t id);
   /// Particles or walls were changed by something else than steps: forgets the pushes of walls that
@@ -90,13 +76,22 @@ class World {
   grains::State& state;               // of the box
   grains::OccupancyTable& occupancy;  // of the box
   Rules rules;
-  PushList pushes;
   std::vector<std::uint32_t> carried;  ///< particles that walls have moved in this step
   Changes changes;
 
  private:
-  void leave(std::uint32_t id, lattice::Direction direction);
-  void enter(std::uint32_t id, lattice::Direction direction);
+  void change_sites(std::span<const std::uint32_t> ids, lattice::Direction direction);
+  void count(const grains::Push& push, int change);
+
+  std::vector<std::uint32_t> push_counts_;  // of a particle, by id: in which it takes part
 };
+
+/// Moves every active wall by the step that its motion asks for, if it can, in the order of their
+/// numbers. Returns whether any has moved.
+bool advance_walls(World& world);
+
+/// True when no wall will move while no particle does: each has come to its end, or has tried in
+/// vain and cannot take the step that it wants next either.
+bool walls_are_still(World& world);
 
 }  // namespace clca::automaton

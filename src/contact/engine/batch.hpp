@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 
 #include "clca/contact/state.hpp"
 #include "contact/rule/law.hpp"
@@ -36,80 +37,52 @@ struct alignas(16) BodyVelocity {
   Velocity<> velocity;
 };
 
-/// How batches are carried out. `pairs`: PairCoefficients::pairs().
-struct BatchFunctions {
-  /// Gives the bodies the impulses that the contacts remember.
-  void (*apply)(const Batch* batches, std::size_t count, BodyVelocity* bodies, const Pair* pairs,
-                bool rotates);
-  /// Solves all contacts, forwards or backwards.
-  void (*sweep)(Batch* batches, std::size_t count, BodyVelocity* bodies, const Pair* pairs,
-                const LawConstants& law, bool backwards);
+/// What is done with the contacts of batches.
+enum class Pass : std::uint8_t {
+  remembered,  ///< gives the bodies the impulses that the contacts remember
+  forwards,    ///< solves all contacts in this order
+  backwards,
 };
+
+/// Carries out a pass. `pairs`: PairCoefficients::pairs().
+using BatchFunction = void (*)(Pass pass, std::span<Batch> batches, BodyVelocity* bodies,
+                               const Pair* pairs, const LawConstants& law);
 /// One contact after the other.
-BatchFunctions plain_functions();
-/// Eight at once by AVX2; plain_functions() where the compiler or the processor has none.
-BatchFunctions fastest_functions();
+BatchFunction plain_function();
+/// Eight at once by AVX2; plain_function() where the compiler or the processor has none.
+BatchFunction fastest_function();
 
-/// A batch by numbers of some width: contacts from `lane` on, as many as Lanes::Int has numbers.
-/// `Lanes` says how to load and store them.
+/// A BatchFunction by numbers of some width: `Lanes` says how to load and store as many contacts as
+/// Lanes::Int has numbers.
 template <class Lanes>
-class BatchKernel {
- public:
+void carry_out(Pass pass, std::span<Batch> batches, BodyVelocity* bodies, const Pair* pairs,
+               const LawConstants& law) {
   using Int = typename Lanes::Int;
-
-  static void apply(const Batch* batches, std::size_t count, BodyVelocity* bodies,
-                    const Pair* pairs, bool rotates) {
-    for (std::size_t i = 0; i < count; ++i) {
-      for (std::size_t lane = 0; lane < kLanes; lane += Lanes::kWidth) {
-        BatchKernel kernel(batches[i], lane, bodies, pairs);
-        contact::apply(kernel.touching_, kernel.impulse_, rotates);
-        kernel.store_velocities(batches[i]);
+  for (std::size_t i = 0; i < batches.size(); ++i) {
+    Batch& batch = batches[pass == Pass::backwards ? batches.size() - 1 - i : i];
+    Impulse<Batch::PerLane<std::int32_t>>& impulses = batch.impulse;
+    for (std::size_t lane = 0; lane < kLanes; lane += Lanes::kWidth) {
+      Impulse<Int> impulse = {Lanes::load(&impulses.normal[lane]),
+                              Lanes::load(&impulses.shear[lane]),
+                              Lanes::load(&impulses.rolling[lane])};
+      ContactKinematics<Int> touching = {.upper = Lanes::velocities(bodies, &batch.upper[lane]),
+                                         .other = Lanes::velocities(bodies, &batch.other[lane]),
+                                         .normal_x = Lanes::load(&batch.normal_x[lane]),
+                                         .normal_y = Lanes::load(&batch.normal_y[lane]),
+                                         .pair = Lanes::coefficients(pairs, &batch.pair[lane])};
+      if (pass == Pass::remembered) {
+        apply(touching, impulse, law.rotates);
+      } else {
+        solve(impulse, touching, Lanes::load(&batch.bounce[lane]),
+              Lanes::load(&batch.friction[lane]), law);
+        Lanes::store(impulse.normal, &impulses.normal[lane]);
+        Lanes::store(impulse.shear, &impulses.shear[lane]);
+        Lanes::store(impulse.rolling, &impulses.rolling[lane]);
       }
+      Lanes::set_velocities(bodies, &batch.upper[lane], touching.upper);
+      Lanes::set_velocities(bodies, &batch.other[lane], touching.other);
     }
   }
-
-  static void sweep(Batch* batches, std::size_t count, BodyVelocity* bodies, const Pair* pairs,
-                    const LawConstants& law, bool backwards) {
-    for (std::size_t i = 0; i < count; ++i) {
-      Batch& batch = batches[backwards ? count - 1 - i : i];
-      for (std::size_t lane = 0; lane < kLanes; lane += Lanes::kWidth) {
-        BatchKernel kernel(batch, lane, bodies, pairs);
-        solve(kernel.impulse_, kernel.touching_, kernel.load(batch.bounce),
-              kernel.load(batch.friction), law);
-        kernel.store_velocities(batch);
-        kernel.store(kernel.impulse_.normal, batch.impulse.normal);
-        kernel.store(kernel.impulse_.shear, batch.impulse.shear);
-        kernel.store(kernel.impulse_.rolling, batch.impulse.rolling);
-      }
-    }
-  }
-
- private:
-  [[gnu::always_inline]] BatchKernel(const Batch& batch, std::size_t lane, BodyVelocity* bodies,
-                                     const Pair* pairs)
-      : lane_(lane),
-        bodies_(bodies),
-        impulse_{load(batch.impulse.normal), load(batch.impulse.shear),
-                 load(batch.impulse.rolling)},
-        touching_{.upper = Lanes::velocities(bodies, &batch.upper[lane]),
-                  .other = Lanes::velocities(bodies, &batch.other[lane]),
-                  .normal_x = load(batch.normal_x),
-                  .normal_y = load(batch.normal_y),
-                  .pair = Lanes::coefficients(pairs, &batch.pair[lane])} {}
-
-  Int load(const Batch::PerLane<std::int32_t>& from) const { return Lanes::load(&from[lane_]); }
-  void store(const Int& value, Batch::PerLane<std::int32_t>& to) const {
-    Lanes::store(value, &to[lane_]);
-  }
-  void store_velocities(const Batch& batch) const {
-    Lanes::set_velocities(bodies_, &batch.upper[lane_], touching_.upper);
-    Lanes::set_velocities(bodies_, &batch.other[lane_], touching_.other);
-  }
-
-  std::size_t lane_;
-  BodyVelocity* bodies_;
-  Impulse<Int> impulse_;
-  ContactKinematics<Int> touching_;
-};
+}
 
 }  // namespace clca::contact

@@ -1,5 +1,5 @@
 // All contacts of a batch at once. This file is compiled for processors with AVX2 and says so to
-// those who have none: nothing in it may be called before fastest_functions() has asked.
+// those who have none: nothing in it may be called before fastest_function() has asked.
 
 #include "contact/engine/batch.hpp"
 
@@ -17,12 +17,8 @@ namespace {
 struct Ints {
   __m256i values;
 
-  friend Ints operator+(Ints one, Ints other) {
-    return {_mm256_add_epi32(one.values, other.values)};
-  }
-  friend Ints operator-(Ints one, Ints other) {
-    return {_mm256_sub_epi32(one.values, other.values)};
-  }
+  Ints operator+(Ints other) const { return {_mm256_add_epi32(values, other.values)}; }
+  Ints operator-(Ints other) const { return {_mm256_sub_epi32(values, other.values)}; }
   Ints operator-() const { return {_mm256_sub_epi32(_mm256_setzero_si256(), values)}; }
 };
 
@@ -31,12 +27,8 @@ struct Longs {
   __m256i even;
   __m256i odd;
 
-  friend Longs operator+(Longs one, Longs other) {
-    return {_mm256_add_epi64(one.even, other.even), _mm256_add_epi64(one.odd, other.odd)};
-  }
-  friend Longs operator-(Longs one, Longs other) {
-    return {_mm256_sub_epi64(one.even, other.even), _mm256_sub_epi64(one.odd, other.odd)};
-  }
+  Longs operator+(Longs other) const { return {even + other.even, odd + other.odd}; }
+  Longs operator-(Longs other) const { return {even - other.even, odd - other.odd}; }
 };
 
 Ints all(std::int32_t value, Ints /*like*/) {
@@ -161,17 +153,15 @@ struct EightLanes {
 
 }  // namespace
 
-BatchFunctions fastest_functions() {
-  if (!static_cast<bool>(__builtin_cpu_supports("avx2"))) {
-    return plain_functions();
-  }
-  return {.apply = BatchKernel<EightLanes>::apply, .sweep = BatchKernel<EightLanes>::sweep};
+BatchFunction fastest_function() {
+  return static_cast<bool>(__builtin_cpu_supports("avx2")) ? carry_out<EightLanes>
+                                                           : plain_function();
 }
 
 #else
 
-BatchFunctions fastest_functions() {
-  return plain_functions();
+BatchFunction fastest_function() {
+  return plain_function();
 }
 
 #endif

@@ -28,8 +28,8 @@ struct OneLane {
 
 }  // namespace
 
-BatchFunctions plain_functions() {
-  return {.apply = BatchKernel<OneLane>::apply, .sweep = BatchKernel<OneLane>::sweep};
+BatchFunction plain_function() {
+  return carry_out<OneLane>;
 }
 
 std::int32_t ContactSlots::body(grains::Owner owner) const {
@@ -388,8 +388,8 @@ StepContact ContactFinder::touch(std::uint32_t first, std::uint32_t second) {
 }
 
 lattice::Axial ContactFinder::apart(std::uint32_t upper, std::uint32_t other) const {
-  return grains::nearest_vector(state_.lattice, state_.particles[upper].site(),
-                                state_.particles[other].site());
+  return state_.lattice.nearest_vector(state_.particles[upper].site(),
+                                       state_.particles[other].site());
 }
 
 }  // namespace clca::contact

@@ -10,7 +10,7 @@ Engine::Engine(State initial, const Parameters& parameters, grains::PhaseTimes* 
     : Steps(std::move(initial), parameters),
       phase_times_(phase_times),
       clock_(phase_times),
-      batch_(fastest_functions()),
+      carry_out_(fastest_function()),
       finder_(box_, rule_),
       slots_(state_.grains, rule_),
       mover_(state_, box_),
@@ -140,10 +140,11 @@ void Engine::for_each_group(Solve solve) {
 void Engine::sweep_contacts() {
   std::vector<Batch>& batches = slots_.batches();
   const Pair* pairs = rule_.coefficients.pairs().data();
-  batch_.apply(batches.data(), batches.size(), bodies_.data(), pairs, rule_.law.rotates);
+  carry_out_(Pass::remembered, batches, bodies_.data(), pairs, rule_.law);
   clock_.end("warm_start");
   for (int i = 0; i < rule_.sweeps; ++i) {
-    batch_.sweep(batches.data(), batches.size(), bodies_.data(), pairs, rule_.law, i % 2 != 0);
+    carry_out_(i % 2 == 0 ? Pass::forwards : Pass::backwards, batches, bodies_.data(), pairs,
+               rule_.law);
   }
   for (const std::int32_t slot : bouncing_) {
     slots_.bounce(slot) = 0;

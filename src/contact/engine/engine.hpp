@@ -20,7 +20,7 @@ class Mover {
  public:
   static constexpr double kGrainBytes =
       sizeof(std::uint8_t) + (3 * lattice::kDirectionCount + 1) * sizeof(std::int32_t) +
-      sizeof(std::uint64_t) + grains::kListRoom * 5 * sizeof(std::uint32_t);
+      sizeof(std::uint64_t) + grains::kListRoom * 4 * sizeof(std::uint32_t);
 
   /// Both outlive the mover.
   Mover(State& state, grains::Box& box);
@@ -68,7 +68,6 @@ class Mover {
   SiteMoves moves_;
   bool may_hook_;  // grains may be in the way of one another in a ring
   std::vector<std::uint32_t> ids_;
-  std::vector<std::uint32_t> free_;      // those that go at once
   std::vector<std::uint32_t> ready_;     // to be tried
   std::vector<std::uint32_t> blocked_;   // those that have waited in this direction
   std::vector<std::uint8_t> waiting_;    // by id: directions as bits
@@ -115,7 +114,7 @@ class Engine final : public Steps {
 
   grains::PhaseTimes* phase_times_;
   grains::PhaseClock clock_;  // of this step
-  BatchFunctions batch_;
+  BatchFunction carry_out_;
   ContactFinder finder_;
   ContactSlots slots_;
   SmallGroups groups_;

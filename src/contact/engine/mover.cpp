@@ -67,17 +67,13 @@ void Mover::move_all(Direction down, std::span<const std::uint32_t> ids,
 }
 
 void Mover::move(Direction direction, std::span<WallMove> walls) {
-  free_.clear();
   blocked_.clear();
   for (const std::uint32_t id : ids_) {
     if (waits(id, direction)) {
       blocked_.push_back(id);
-    } else if (is_move_due(state_.remainders[id], direction) && !wait(id, direction)) {
-      free_.push_back(id);
+    } else if (is_move_due(state_.remainders[id], direction)) {
+      ready_.push_back(id);
     }
-  }
-  for (const std::uint32_t id : free_) {  // those that wait have to be there when others go
-    move({&id, 1}, direction);
   }
   do {
     while (!ready_.empty()) {

@@ -1,6 +1,7 @@
 #include "contact/rule/moves.hpp"
 
 #include <cstdlib>
+#include <map>
 #include <utility>
 
 #include "clca/random/draw.hpp"
@@ -68,35 +69,26 @@ std::vector<std::uint32_t> SiteMoves::movable_at_once(std::vector<std::uint32_t>
 
 void SiteMoves::move(std::span<const std::uint32_t> ids, Direction direction) {
   for (const std::uint32_t id : ids) {
-    leave(id, direction);
+    box_.for_each_left(state_.grains.particles[id], direction,
+                       [&](std::size_t index) { box_.occupancy.release(index); });
   }
   for (const std::uint32_t id : ids) {
-    enter(id, direction);
-  }
-}
-
-// The two halves of a move.
-void SiteMoves::leave(std::uint32_t id, Direction direction) {
-  box_.for_each_left(state_.grains.particles[id], direction,
-                     [&](std::size_t index) { box_.occupancy.release(index); });
-}
-
-void SiteMoves::enter(std::uint32_t id, Direction direction) {
-  grains::Particle& grain = state_.grains.particles[id];
-  box_.for_each_entered(grain, direction, [&](std::size_t index) {
-    box_.occupancy.take(index, grains::as_owner(id));
-  });
-  grain = grains::moved(grain, direction);
-  if (grain.previous == grains::kRest) {
-    moved_.push_back(id);
-  }
-  grain.previous = static_cast<grains::Move>(direction);
-  take(state_.remainders[id], kSpacing, direction);
-  lattice::Axial& from_anchor = state_.from_anchors[id];
-  from_anchor = from_anchor + unit(direction);
-  if (length(from_anchor) > 1) {
-    from_anchor = {};
-    advanced_ = true;
+    grains::Particle& grain = state_.grains.particles[id];
+    box_.for_each_entered(grain, direction, [&](std::size_t index) {
+      box_.occupancy.take(index, grains::as_owner(id));
+    });
+    grain = grains::moved(grain, direction);
+    if (grain.previous == grains::kRest) {
+      moved_.push_back(id);
+    }
+    grain.previous = static_cast<grains::Move>(direction);
+    take(state_.remainders[id], kSpacing, direction);
+    lattice::Axial& from_anchor = state_.from_anchors[id];
+    from_anchor = from_anchor + unit(direction);
+    if (length(from_anchor) > 1) {
+      from_anchor = {};
+      advanced_ = true;
+    }
   }
 }
 
@@ -229,7 +221,6 @@ void cut(Vector& remainder, Visit visit) {
 
 /// What pushes change of a grain.
 struct PushSum {
-  std::uint32_t id = 0;
   std::int64_t pushes = 0;
   std::int64_t x = 0;  // impulse
   std::int64_t y = 0;
@@ -265,27 +256,19 @@ Cuts collide_blocked(State& state, const SiteMoves& moves, const BodyVelocities&
     return bodies.rule.coefficients.pair(state.grains.particles[id].kind, std::nullopt)
         .upper_inverse_mass;
   };
-  std::vector<PushSum> sums;
-  std::vector<std::uint32_t> number(state.grains.particles.size(), 0);  // by id, from 1
-  const auto sum = [&](std::uint32_t id) -> PushSum& {
-    if (number[id] == 0) {
-      sums.push_back({.id = id});
-      number[id] = static_cast<std::uint32_t>(sums.size());
-    }
-    return sums[number[id] - 1];
-  };
+  std::map<std::uint32_t, PushSum> sums;  // by id
   for (const Contact& push : result.pushes) {
-    ++sum(push.upper).pushes;
+    ++sums[push.upper].pushes;
     if (grains::is_particle(push.other)) {
-      ++sum(grains::particle_id(push.other)).pushes;
+      ++sums[grains::particle_id(push.other)].pushes;
     }
   }
   for (Contact& push : result.pushes) {
-    PushSum& own = sum(push.upper);
-    PushSum* its =
-        grains::is_particle(push.other) ? &sum(grains::particle_id(push.other)) : nullptr;
-    const std::int64_t inverse = own.pushes * inverse_mass(own.id) +
-                                 (its != nullptr ? its->pushes * inverse_mass(its->id) : 0);
+    const auto other = grains::particle_id(push.other);
+    PushSum& own = sums[push.upper];
+    PushSum* its = grains::is_particle(push.other) ? &sums[other] : nullptr;
+    const std::int64_t inverse = own.pushes * inverse_mass(push.upper) +
+                                 (its != nullptr ? its->pushes * inverse_mass(other) : 0);
     const std::int32_t impulse =
         clamped((std::int64_t{closing(push)} << kInverseMassBits) / inverse, 0, kMaxImpulse);
     push.impact.normal = impulse;
@@ -298,16 +281,15 @@ Cuts collide_blocked(State& state, const SiteMoves& moves, const BodyVelocities&
       its->y += y;
     }
   }
-  for (const PushSum& of_grain : sums) {
-    Velocity<>& velocity = bodies.velocity(grains::as_owner(of_grain.id));
-    const auto change = [inverse = inverse_mass(of_grain.id)](std::int32_t& value,
-                                                              std::int64_t impulse) {
+  for (const auto& [id, sum] : sums) {
+    Velocity<>& velocity = bodies.velocity(grains::as_owner(id));
+    const auto change = [inverse = inverse_mass(id)](std::int32_t& value, std::int64_t impulse) {
       const std::int32_t most = clamped(impulse, -2 * kMaxImpulse, 2 * kMaxImpulse - 1);
       value = clamped(value + limited(product(most, inverse), kInverseMassBits, 2 * kMaxVelocity),
                       -kMaxVelocity, kMaxVelocity);
     };
-    change(velocity.x, of_grain.x);
-    change(velocity.y, of_grain.y);
+    change(velocity.x, sum.x);
+    change(velocity.y, sum.y);
   }
   return result;
 }

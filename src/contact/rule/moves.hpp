@@ -43,36 +43,34 @@ Acceleration acceleration(const Vessel& vessel, std::int32_t gravity, bool perio
 /// The vessel after a step.
 Vessel next(const Vessel& vessel);
 
-/// Accelerates a grain in the frame of the vessel: gravity and, if it turns, Coriolis and
-/// centrifugal acceleration.
-inline void accelerate(Velocity<>& velocity, lattice::Site site, const Acceleration& by) {
-  std::int64_t x = by.gravity.x;
-  std::int64_t y = by.gravity.y;
-  if (by.rotates) {
-    const std::int32_t from_centre_x =
-        rounded(product(site.column, unit_of(lattice::Direction::up_right).x),
-                kUnitBits - kCentreBits) -
-        by.centre_x;
-    const std::int32_t from_centre_y =
-        lattice::doubled_height(site) * (1 << (kCentreBits - 1)) - by.centre_y;
-    constexpr int kBits = kCentrifugalBits + kCentreBits - kFractionBits;
-    x += scaled(product(velocity.y, by.rate), kRateBits - 1) +
-         scaled(by.squared_rate * from_centre_x, kBits);
-    y += scaled(by.squared_rate * from_centre_y, kBits) -
-         scaled(product(velocity.x, by.rate), kRateBits - 1);
-  }
-  velocity.x = clamped(velocity.x + x, -kMaxVelocity, kMaxVelocity);
-  velocity.y = clamped(velocity.y + y, -kMaxVelocity, kMaxVelocity);
-}
-
-/// The same for all grains. `velocity(id)`: of a grain.
+/// Accelerates grains in the frame of the vessel: gravity and, if it turns, Coriolis and
+/// centrifugal acceleration. `velocity_of(id)`: of a grain.
 template <class VelocityOf>
-void accelerate_all(const State& state, std::int32_t gravity, VelocityOf velocity) {
+void accelerate_all(const State& state, std::int32_t gravity, VelocityOf velocity_of) {
   const Acceleration by = acceleration(state.vessel, gravity, state.grains.lattice.periodic());
   for (std::uint32_t id = 0; id < state.grains.particles.size(); ++id) {
-    if (const grains::Particle& grain = state.grains.particles[id]; grain.present) {
-      accelerate(velocity(id), grain.site(), by);
+    const grains::Particle& grain = state.grains.particles[id];
+    if (!grain.present) {
+      continue;
     }
+    Velocity<>& velocity = velocity_of(id);
+    std::int64_t x = by.gravity.x;
+    std::int64_t y = by.gravity.y;
+    if (by.rotates) {
+      const std::int32_t from_centre_x =
+          rounded(product(grain.column, unit_of(lattice::Direction::up_right).x),
+                  kUnitBits - kCentreBits) -
+          by.centre_x;
+      const std::int32_t from_centre_y =
+          lattice::doubled_height(grain.site()) * (1 << (kCentreBits - 1)) - by.centre_y;
+      constexpr int kBits = kCentrifugalBits + kCentreBits - kFractionBits;
+      x += scaled(product(velocity.y, by.rate), kRateBits - 1) +
+           scaled(by.squared_rate * from_centre_x, kBits);
+      y += scaled(by.squared_rate * from_centre_y, kBits) -
+           scaled(product(velocity.x, by.rate), kRateBits - 1);
+    }
+    velocity.x = clamped(velocity.x + x, -kMaxVelocity, kMaxVelocity);
+    velocity.y = clamped(velocity.y + y, -kMaxVelocity, kMaxVelocity);
   }
 }
 
@@ -185,8 +183,6 @@ class SiteMoves {
   /// The first owner in the way that `chosen` returns true for; kFree if there is none.
   template <class Chosen>
   grains::Owner in_the_way(std::uint32_t id, lattice::Direction direction, Chosen chosen) const;
-  void leave(std::uint32_t id, lattice::Direction direction);
-  void enter(std::uint32_t id, lattice::Direction direction);
   bool push(const grains::WallStep& step, std::vector<std::uint32_t>& pushed);
   void note_neighbours(const std::vector<std::size_t>& indices);
 

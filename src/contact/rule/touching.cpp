@@ -38,6 +38,20 @@ std::optional<UnitVector> normal_between(const lattice::Shape& first, const latt
   return unit_vector(Axial() - (round ? apart : blocked));
 }
 
+NormalTable::OfTwo::OfTwo(const lattice::Shape& first, const lattice::Shape& second) {
+  const auto extent = [](const lattice::Shape& shape) {
+    const auto [lowest, highest] = std::ranges::minmax(shape.sites(), {}, &Axial::q);
+    return std::pair(Axial{shape.sites().front().x, lowest.q},  // sorted by x
+                     Axial{shape.sites().back().x, highest.q});
+  };
+  const auto [first_low, first_high] = extent(first);
+  const auto [second_low, second_high] = extent(second);
+  constexpr Axial kNext = {1, 1};
+  low = first_low - second_high - kNext;
+  size = first_high - second_low + kNext - low + kNext;
+  normals.assign(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.q), kUnknown);
+}
+
 namespace {
 
 /// How far from touched sites the shape of a surface counts. With 2, a grain in a corner of 120
@@ -89,8 +103,7 @@ std::map<grains::Owner, Surface> touched_bodies(const grains::Box& box,
       const lattice::Site site = box.state.lattice.site(index);
       const grains::Owner body = body_at(box, site);
       result[body].directions |= 1U << lattice::index_of(direction);
-      result[body].touched[body].push_back(
-          grains::nearest_vector(box.state.lattice, grain.site(), site));
+      result[body].touched[body].push_back(box.state.lattice.nearest_vector(grain.site(), site));
     });
   }
   return result;
@@ -318,7 +331,7 @@ std::vector<StepContact> all_contacts(const grains::Box& box, lattice::Direction
         continue;
       }
       const grains::Particle& below = state.particles[grains::particle_id(owner)];
-      const Axial apart = grains::nearest_vector(state.lattice, grain.site(), below.site());
+      const Axial apart = state.lattice.nearest_vector(grain.site(), below.site());
       const UnitVector normal = normals.normal(grain.kind, below.kind, apart);
       if (normal != UnitVector()) {
         result.push_back(

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "clca/contact/state.hpp"
-#include "grains/internal/apart_table.hpp"
 #include "grains/internal/box.hpp"
 
 namespace clca::contact {
@@ -38,26 +37,40 @@ class NormalTable {
 
   /// normal_between() of the kinds; zero if they do not touch.
   UnitVector normal(std::uint16_t first, std::uint16_t second, lattice::Axial apart) {
-    grains::ApartTable<UnitVector>& table = tables_[first * kinds_.size() + second];
-    if (table.is_empty()) {
-      table = {kinds_[first].shape, kinds_[second].shape, kUnknown};
+    OfTwo& table = tables_[first * kinds_.size() + second];
+    if (table.normals.empty()) {
+      table = OfTwo(kinds_[first].shape, kinds_[second].shape);
     }
-    UnitVector* normal = table.find(apart);
-    if (normal == nullptr) {
+    const lattice::Axial at = apart - table.low;
+    if (at.x < 0 || at.q < 0 || at.x >= table.size.x || at.q >= table.size.q) {
       return {};
     }
-    if (*normal == kUnknown) {
-      *normal =
+    UnitVector& normal =
+        table.normals[static_cast<std::size_t>(at.x) * static_cast<std::size_t>(table.size.q) +
+                      static_cast<std::size_t>(at.q)];
+    if (normal == kUnknown) {
+      normal =
           normal_between(kinds_[first].shape, kinds_[second].shape, apart).value_or(UnitVector());
     }
-    return *normal;
+    return normal;
   }
 
  private:
   static constexpr UnitVector kUnknown = {1, 1};
 
+  /// For each vector from the reference site of a shape to that of another at which they overlap or
+  /// touch, and for some around these.
+  struct OfTwo {
+    OfTwo() = default;  ///< of nothing
+    OfTwo(const lattice::Shape& first, const lattice::Shape& second);
+
+    lattice::Axial low;
+    lattice::Axial size;
+    std::vector<UnitVector> normals;
+  };
+
   const std::vector<grains::Kind>& kinds_;
-  std::vector<grains::ApartTable<UnitVector>> tables_;  // by first kind, then by second
+  std::vector<OfTwo> tables_;  // by first kind, then by second
 };
 
 /// A contact in a step.

@@ -93,27 +93,6 @@ class Bitboard {
     }
   }
 
-  /// Whether any site of the rectangle from `low` to `high` (inclusive) is set. The border may be
-  /// part of it.
-  bool any(lattice::Site low, lattice::Site high) const {
-    const Corner first = corner(low);
-    const Corner last = corner(high);
-    const std::size_t rows = static_cast<std::size_t>(high.row - low.row) + 1;
-    const std::size_t blocks = (last.byte - first.byte) / height_;
-    for (std::size_t of_blocks = 0; of_blocks <= blocks; ++of_blocks) {
-      const std::uint64_t not_left = of_blocks == 0 ? 0xFFU << first.column : 0xFFU;
-      const std::uint64_t not_right = of_blocks == blocks ? (2U << last.column) - 1 : 0xFFU;
-      const std::size_t byte = first.byte + of_blocks * height_;
-      for (std::size_t row = 0; row < rows; row += kSide) {
-        const std::uint64_t wanted = first_rows(rows - row) & kEachRow * (not_left & not_right);
-        if ((block(byte + row) & wanted) != 0) {
-          return true;
-        }
-      }
-    }
-    return false;
-  }
-
   bool test(std::size_t index) const {
     const Corner at = this->at(index);
     return (bytes()[at.byte] >> at.column & 1U) != 0;
@@ -148,11 +127,6 @@ class Bitboard {
       throw std::length_error("a box has at most 2^35 sites");
     }
     return words;
-  }
-
-  /// All sites of the first `count` rows of a block.
-  static std::uint64_t first_rows(std::size_t count) {
-    return count >= kSide ? ~std::uint64_t{0} : (std::uint64_t{1} << (kSide * count)) - 1;
   }
 
   /// The sites of a window that lie in its left block.

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <optional>
 #include <span>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "clca/grains/state.hpp"
 #include "clca/lattice/picture.hpp"
 #include "clca/lattice/region.hpp"
+#include "clca/random/draw.hpp"
 #include "grains/internal/box.hpp"
 
 namespace clca::grains {
@@ -41,7 +43,7 @@ FillResult deposit_in(Box& box, const lattice::Rectangle& region,
 FillResult fill_with(Box& box, const lattice::Rectangle& region, const Mixture& mixture);
 
 struct Parts {
-  std::vector<std::vector<std::size_t>> weights;  ///< by species, one for each
+  const std::vector<std::vector<std::uint32_t>>& weights;  ///< by species, one for each
   std::optional<lattice::Picture> picture;
 
   /// None where the picture is empty.
@@ -61,6 +63,10 @@ FillResult deposit_mixture(Box& box, const lattice::Rectangle& region, const Par
 
 // Single particles.
 
+inline std::uint32_t next_id(const State& state) {
+  return static_cast<std::uint32_t>(state.particles.size());
+}
+
 /// True if all sites of the particle are in the box and free.
 bool fits(const Box& box, const Particle& particle);
 
@@ -73,8 +79,24 @@ void insert(Box& box, const Particle& particle);
 /// The kinds of a species: one for each orientation.
 std::vector<std::uint16_t> kinds_of(const State& state, std::size_t species);
 
-/// A species, drawn for the next particle in proportion to the weights, which are not all zero.
-std::size_t draw_species(const State& state, std::span<const std::size_t> weights);
+/// An index, drawn by these bits in proportion to the weights, which are not all zero.
+template <class Weight>
+std::size_t drawn_index(const std::vector<Weight>& weights, std::uint64_t bits) {
+  std::uint64_t rest =
+      random::below(bits, std::accumulate(weights.begin(), weights.end(), std::uint64_t{0}));
+  std::size_t index = 0;
+  while (rest >= weights[index]) {
+    rest -= weights[index++];
+  }
+  return index;
+}
+
+/// A species, drawn for the next particle in the same way.
+template <class Weight>
+std::size_t draw_species(const State& state, const std::vector<Weight>& weights) {
+  return drawn_index(weights,
+                     random::draw(state.seed, 0, next_id(state), random::Purpose::deposit_species));
+}
 
 /// Renumbers the particles from `first` on, column by column from the left, upwards, so that
 /// neighbours in the box are neighbours in memory.

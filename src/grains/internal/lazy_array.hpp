@@ -21,16 +21,6 @@ class LazyArray {
   /// Throws std::bad_alloc.
   explicit LazyArray(std::size_t size)
       : size_(size), data_(zeros(bytes_of(size)), Unmap{bytes_of(size)}) {}
-  LazyArray(const LazyArray& other) : LazyArray(other.size_) {
-    std::copy_n(other.data(), size_, data());
-  }
-  LazyArray& operator=(const LazyArray& other) {
-    *this = LazyArray(other);
-    return *this;
-  }
-  LazyArray(LazyArray&&) noexcept = default;
-  LazyArray& operator=(LazyArray&&) noexcept = default;
-  ~LazyArray() = default;
 
   std::size_t size() const { return size_; }
   T* data() { return data_.get(); }

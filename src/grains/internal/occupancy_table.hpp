@@ -28,9 +28,6 @@ class OccupancyTable {
   /// Number of indices, as lattice::Lattice::index_count.
   std::size_t index_count() const { return inverted_owners_.size(); }
   bool taken(std::size_t index) const { return taken_.test(index); }
-  /// Whether any site of the rectangle from `low` to `high` (inclusive) is taken. The border may be
-  /// part of it.
-  bool any_taken(lattice::Site low, lattice::Site high) const { return taken_.any(low, high); }
   /// The window whose lower left site this is, see Bitboard.
   Bitboard::Corner corner(lattice::Site site) const { return taken_.corner(site); }
   /// The taken sites of a window.

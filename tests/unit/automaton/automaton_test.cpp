@@ -212,26 +212,6 @@ TEST(Occupancy, RefusesOverlapsAndParticlesOutsideTheBox) {
   EXPECT_THROW(Automaton{state}, std::invalid_argument);
 }
 
-TEST(Occupancy, TellsOfAnyRectangleWhetherASiteInItIsTaken) {
-  State state = empty_state(30, 40);
-  const lattice::Site taken = {11, 17};
-  state.walls = {{.sites = {taken}}};
-  const Occupancy occupancy(state);
-  for (int column = 0; column < 30; ++column) {
-    for (int row = 0; row < 40; ++row) {
-      for (const lattice::Site size : {lattice::Site{0, 0}, {7, 7}, {3, 20}, {18, 1}}) {
-        const lattice::Site high = {std::min(column + size.column, 29),
-                                    std::min(row + size.row, 39)};
-        const bool inside = column <= taken.column && taken.column <= high.column &&
-                            row <= taken.row && taken.row <= high.row;
-        ASSERT_EQ(occupancy.any_taken({column, row}, high), inside) << column << ", " << row;
-      }
-    }
-  }
-  EXPECT_TRUE(occupancy.any_taken({-1, 3}, {-1, 3}));
-  EXPECT_TRUE(occupancy.any_taken({3, -1}, {5, 4}));
-}
-
 TEST(Hash, ChangesWithEveryFieldThatARunChanges) {
   State state = testing::mixed_automaton(40, 40, 5).state();
   state.walls = {{.sites = {}}};

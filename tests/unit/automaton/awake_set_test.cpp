@@ -1,9 +1,9 @@
-#include "automaton/engine/awake_set.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cstdint>
 #include <vector>
+
+#include "automaton/engine/strip_worker.hpp"
 
 namespace clca::automaton::awake_set_test {
 namespace {

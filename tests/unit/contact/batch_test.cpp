@@ -77,10 +77,10 @@ void expect_same(const Workload& one, const Workload& other) {
   }
 }
 
-TEST(BatchFunctions, GiveTheSameBitsInAnyWay) {
+TEST(BatchFunction, GiveTheSameBitsInAnyWay) {
   std::mt19937_64 random(1);
-  const BatchFunctions plain = plain_functions();
-  const BatchFunctions fastest = fastest_functions();
+  const BatchFunction plain = plain_function();
+  const BatchFunction fastest = fastest_function();
   const std::vector<Pair> pairs = many_pairs();
   for (int trial = 0; trial < 3000; ++trial) {
     const bool extreme = trial % 3 == 0;
@@ -91,13 +91,10 @@ TEST(BatchFunctions, GiveTheSameBitsInAnyWay) {
     const LawConstants law = {.rotates = turns,
                               .resists_rolling = turns && random() % 2 == 0,
                               .rolling_friction = ratio(0.5)};
-    for (const auto& [functions, load] :
-         {std::pair<const BatchFunctions&, Workload&>(plain, one), {fastest, other}}) {
-      functions.apply(load.batches.data(), load.batches.size(), load.bodies.data(), pairs.data(),
-                      turns);
-      for (const bool backwards : {false, true}) {
-        functions.sweep(load.batches.data(), load.batches.size(), load.bodies.data(), pairs.data(),
-                        law, backwards);
+    for (const auto& [carry_out, load] :
+         {std::pair<BatchFunction, Workload&>(plain, one), {fastest, other}}) {
+      for (const Pass pass : {Pass::remembered, Pass::forwards, Pass::backwards}) {
+        carry_out(pass, load.batches, load.bodies.data(), pairs.data(), law);
       }
     }
     expect_same(one, other);
@@ -159,9 +156,10 @@ TEST(ContactSlots, HaveNothingInALaneThatIsEmptied) {
   std::vector<BodyVelocity> bodies(4, {{7, 8, 9}});
   bodies[kRestingBody] = {};
   const Pair* pairs = bed.rule.coefficients.pairs().data();
-  for (const BatchFunctions& functions : {plain_functions(), fastest_functions()}) {
-    functions.apply(slots.batches().data(), 1, bodies.data(), pairs, true);
-    functions.sweep(slots.batches().data(), 1, bodies.data(), pairs, {.rotates = true}, false);
+  for (const BatchFunction carry_out : {plain_function(), fastest_function()}) {
+    for (const Pass pass : {Pass::remembered, Pass::forwards}) {
+      carry_out(pass, slots.batches(), bodies.data(), pairs, {.rotates = true});
+    }
     EXPECT_EQ(bodies[1].velocity, (Velocity<Number>{7, 8, 9}));
     EXPECT_EQ(bodies[kRestingBody].velocity, Velocity<Number>());
   }

@@ -105,7 +105,7 @@ TEST(Bitboard, AWindowThatIsWipedHasNothingLeftAndNothingFarAwayIsLost) {
     Filled filled(lattice::Lattice(60, 60, false));
     const Site corner = {27, 29};
     const Bitboard::Corner at = filled.bits.corner(corner);
-    const Filled before = filled;
+    const Filled before(filled.lattice);
     filled.bits.clear_blocks(at, access);
     EXPECT_EQ(filled.window(corner), 0U);
     for_each_corner(filled.lattice, [&](Site other) {

@@ -223,5 +223,25 @@ TEST(Lattice, APlaceOfAPeriodicBoxIsBroughtIntoIt) {
   }
 }
 
+TEST(NearestVector, LeadsToAnImageOfTheSiteNoFartherThanHalfTheBox) {
+  const Lattice box(12, 9, true);
+  for (int from = -30; from < 30; ++from) {
+    for (int to = -30; to < 30; ++to) {
+      const Site start{from, 4};
+      const Site goal{to, 6};
+      const Axial way = box.nearest_vector(start, goal);
+      const Site end = start + way;
+      EXPECT_LE(std::abs(way.x), 6);
+      EXPECT_EQ(end.row, goal.row);
+      EXPECT_EQ(box.wrapped(end.column), box.wrapped(goal.column));
+    }
+  }
+}
+
+TEST(NearestVector, IsThePlainOneInABoxWithSides) {
+  const Lattice box(12, 9, false);
+  EXPECT_EQ(box.nearest_vector({1, 4}, {11, 4}), (Site{11, 4} - Site{1, 4}));
+}
+
 }  // namespace
 }  // namespace clca::lattice::lattice_test

@@ -1,8 +1,11 @@
+#include "grains/internal/box.hpp"
+
 #include <algorithm>
 #include <iterator>
+#include <set>
 #include <utility>
 
-#include "grains/internal/box.hpp"
+#include "grains/internal/filling.hpp"
 
 namespace clca::grains {
 
@@ -49,21 +52,35 @@ std::vector<std::size_t> indices_now(const State& state, const Wall& wall) {
   return indices(state.lattice, wall.sites, wall.shift());
 }
 
-/// Gives the sites of a removed wall, in ascending order, to other walls that cover them.
-void leave_to_others(Box& box, const std::vector<std::size_t>& vacated) {
-  for (std::size_t other = 0; other < box.state.walls.size(); ++other) {
-    if (!box.state.walls[other].present) {
-      continue;
-    }
-    for (const std::size_t index : indices_now(box.state, box.state.walls[other])) {
-      if (std::binary_search(vacated.begin(), vacated.end(), index)) {
-        box.occupancy.take(index, wall_code(other));
+}  // namespace
+
+std::vector<lattice::Offset> offsets(const lattice::Lattice& lattice,
+                                     const std::vector<lattice::Axial>& sites, bool odd_column) {
+  std::vector<lattice::Offset> result;
+  result.reserve(sites.size());
+  for (const lattice::Axial site : sites) {
+    result.push_back(lattice.offset(site, odd_column));
+  }
+  return result;
+}
+
+FootprintTable::FootprintTable(const State& state) {
+  for (const Kind& kind : state.kinds) {
+    for (const bool odd_column : {false, true}) {
+      Footprint& footprint = table_.emplace_back();
+      footprint.body = offsets(state.lattice, kind.shape.sites(), odd_column);
+      std::set<lattice::Axial> ring;
+      for (const lattice::Direction direction : lattice::kDirections) {
+        const std::size_t d = index_of(direction);
+        const std::vector<lattice::Axial> lead = kind.shape.lead(direction);
+        ring.insert(lead.begin(), lead.end());
+        footprint.lead[d] = offsets(state.lattice, lead, odd_column);
+        footprint.trail[d] = offsets(state.lattice, kind.shape.trail(direction), odd_column);
       }
+      footprint.ring = offsets(state.lattice, {ring.begin(), ring.end()}, odd_column);
     }
   }
 }
-
-}  // namespace
 
 WallEdges::WallEdges(const State& state) : edges_(state.walls.size()) {
   for (std::size_t wall = 0; wall < state.walls.size(); ++wall) {
@@ -97,7 +114,16 @@ void remove_wall(Box& box, std::size_t number) {
     }
   }
   std::ranges::sort(vacated);
-  leave_to_others(box, vacated);
+  for (std::size_t other = 0; other < box.state.walls.size(); ++other) {
+    if (!box.state.walls[other].present) {
+      continue;
+    }
+    for (const std::size_t index : indices_now(box.state, box.state.walls[other])) {
+      if (std::ranges::binary_search(vacated, index)) {
+        box.occupancy.take(index, wall_code(other));
+      }
+    }
+  }
 }
 
 bool can_insert_wall(const Box& box, std::size_t number) {
@@ -147,6 +173,27 @@ std::optional<std::vector<std::uint32_t>> pushed_particles(
     }
   }
   return blocked ? std::nullopt : std::optional(std::move(ids));
+}
+
+std::size_t outlet_around(const State& state, const Particle& particle) {
+  const auto outlet = std::ranges::find_if(state.outlets, [&](const Outlet& candidate) {
+    return lies_inside(state, particle, candidate.region);
+  });
+  return static_cast<std::size_t>(outlet - state.outlets.begin());
+}
+
+bool count_at_outlet(State& state, std::uint32_t id) {
+  const Particle& particle = state.particles[id];
+  if (!particle.present) {
+    return false;
+  }
+  const std::size_t outlet = outlet_around(state, particle);
+  if (outlet == state.outlets.size()) {
+    return false;
+  }
+  ++state.outlets[outlet].particles;
+  state.outlets[outlet].sites += state.shape(particle).size();
+  return true;
 }
 
 }  // namespace clca::grains
