@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <iterator>
 
+#include "clca/measure/field_grid.hpp"
 #include "clca/measure/force.hpp"
 #include "clca/measure/outflow.hpp"
-#include "clca/measure/probe.hpp"
 #include "clca/scene/units.hpp"
 #include "record/energy_record.hpp"
 #include "record/internal/quantities.hpp"
