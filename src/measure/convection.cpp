@@ -14,10 +14,6 @@ namespace {
 constexpr double kInside = 1.0 / 6;  // of the bed's width, to either side of its middle
 constexpr double kAtWalls = 1.0 / 3;
 
-double cross_product(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
-
 }  // namespace
 
 Convection::Convection(const lattice::Lattice& lattice, double cell)

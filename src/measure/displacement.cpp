@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "lattice/internal/require.hpp"
 
@@ -14,57 +13,23 @@ void check_origins(const grains::State& state) {
   require(state.origins.size() == state.particles.size(), "not every particle has an origin");
 }
 
-/// Number of particle sites per column; columns are not wrapped at a periodic boundary.
-class ColumnCounts {
- public:
-  /// `at_origin`: at the start of the stage.
-  ColumnCounts(const grains::State& state, bool at_origin) {
-    check_origins(state);
-    int low = std::numeric_limits<int>::max();
-    int high = std::numeric_limits<int>::min();
-    for_each_column(state, at_origin, [&](int column) {
-      low = std::min(low, column);
-      high = std::max(high, column);
-      ++sites_;
-    });
-    if (sites_ > 0) {
-      first_ = low;
-      counts_.resize(static_cast<std::size_t>(high - low) + 1, 0);
-      for_each_column(state, at_origin,
-                      [&](int column) { ++counts_[static_cast<std::size_t>(column - low)]; });
-    }
-  }
-
-  std::size_t sites() const { return sites_; }
-  int first() const { return first_; }
-  int last() const { return first_ + static_cast<int>(counts_.size()) - 1; }
-  /// Column of the site `number`, counted from the left, from 0.
-  int column_of(std::size_t number) const {
-    std::size_t column = 0;
-    while (number >= counts_[column]) {
-      number -= counts_[column++];
-    }
-    return first_ + static_cast<int>(column);
-  }
-
- private:
-  template <class Visit>
-  static void for_each_column(const grains::State& state, bool at_origin, Visit visit) {
-    for (std::size_t id = 0; id < state.particles.size(); ++id) {
-      const grains::Particle& particle = state.particles[id];
-      const int reference = at_origin ? state.origins[id].column : particle.column;
-      if (particle.present) {
-        for (const lattice::Axial part : state.shape(particle).sites()) {
-          visit(reference + part.x);
-        }
+/// Columns of all particle sites, ascending; they are not wrapped at a periodic boundary.
+/// `at_origin`: at the start of the stage.
+std::vector<int> site_columns(const grains::State& state, bool at_origin) {
+  check_origins(state);
+  std::vector<int> columns;
+  for (std::size_t id = 0; id < state.particles.size(); ++id) {
+    const grains::Particle& particle = state.particles[id];
+    const int reference = at_origin ? state.origins[id].column : particle.column;
+    if (particle.present) {
+      for (const lattice::Axial part : state.shape(particle).sites()) {
+        columns.push_back(reference + part.x);
       }
     }
   }
-
-  int first_ = 0;
-  std::size_t sites_ = 0;
-  std::vector<std::size_t> counts_;
-};
+  std::ranges::sort(columns);
+  return columns;
+}
 
 /// The root of a whole number, so that equal distances in all directions are equal.
 double displacement(const grains::State& state, std::size_t id) {
@@ -109,22 +74,21 @@ double smallest_diameter(const grains::State& state) {
 }
 
 std::optional<Runout> runout(const grains::State& state) {
-  const ColumnCounts before(state, true);
-  const ColumnCounts after(state, false);
-  if (after.sites() == 0) {
+  const std::vector<int> before = site_columns(state, true);
+  const std::vector<int> after = site_columns(state, false);
+  if (after.empty()) {
     return std::nullopt;
   }
-  const std::size_t last = after.sites() - 1;
+  const std::size_t last = after.size() - 1;
   const auto one_percent = static_cast<std::size_t>(0.01 * static_cast<double>(last));
-  const int to_right = after.last() - before.last();
-  const int to_left = before.first() - after.first();
-  const int front = std::max(to_right, to_left);
+  const int to_right = after.back() - before.back();
+  const int to_left = before.front() - after.front();
   const bool at_side =
-      !state.lattice.periodic() && ((to_right > 0 && after.last() == state.lattice.columns() - 1) ||
-                                    (to_left > 0 && after.first() == 0));
-  const int most = std::max(after.column_of(last - one_percent) - before.last(),
-                            before.first() - after.column_of(one_percent));
-  return Runout{.front = lattice::kColumnPitch * front,
+      !state.lattice.periodic() && ((to_right > 0 && after.back() == state.lattice.columns() - 1) ||
+                                    (to_left > 0 && after.front() == 0));
+  const int most =
+      std::max(after[last - one_percent] - before.back(), before.front() - after[one_percent]);
+  return Runout{.front = lattice::kColumnPitch * std::max(to_right, to_left),
                 .percent_99 = lattice::kColumnPitch * most,
                 .at_side = at_side};
 }

@@ -19,11 +19,6 @@ std::size_t count_of(double extent, double cell) {
   return static_cast<std::size_t>(std::max(1.0, std::round(extent / cell)));
 }
 
-/// The nearest of `count` parts.
-std::size_t nearest_part(double part, std::size_t count) {
-  return static_cast<std::size_t>(std::clamp(part, 0.0, static_cast<double>(count) - 1));
-}
-
 /// Adds the shares of a path from `from` to `to`, in cells, at which it crosses an edge.
 void add_crossings(double from, double to, std::vector<double>& shares) {
   const auto [low, high] = std::minmax(from, to);

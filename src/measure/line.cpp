@@ -19,23 +19,26 @@ struct Weighted {
   double weight = 0;
 };
 
-/// Mean over all blocks; its error is that of a ratio of sums.
-LineMean mean_of(const std::vector<Weighted>& blocks) {
+/// Mean over all blocks of what `weighted` gives of each; its error is that of a ratio of sums.
+template <class Weigh>
+LineMean mean_of(const std::vector<LineBlock>& blocks, Weigh weighted) {
   Weighted total;
-  for (const Weighted& block : blocks) {
-    total.sum += block.sum;
-    total.weight += block.weight;
+  std::size_t filled = 0;
+  for (const LineBlock& block : blocks) {
+    const auto [sum, weight] = weighted(block);
+    total.sum += sum;
+    total.weight += weight;
+    filled += weight > 0 ? 1 : 0;
   }
   if (total.weight <= 0) {
     return {};
   }
   LineMean mean = {.value = total.sum / total.weight};
-  const auto filled =
-      std::ranges::count_if(blocks, [](const Weighted& block) { return block.weight > 0; });
-  if (filled >= static_cast<std::ptrdiff_t>(LineSums::kMost / 2)) {
+  if (filled >= LineSums::kMost / 2) {
     double scatter = 0;
-    for (const Weighted& block : blocks) {
-      const double deviation = block.sum - mean.value * block.weight;
+    for (const LineBlock& block : blocks) {
+      const auto [sum, weight] = weighted(block);
+      const double deviation = sum - mean.value * weight;
       scatter += deviation * deviation;
     }
     const auto count = static_cast<double>(filled);
@@ -44,36 +47,19 @@ LineMean mean_of(const std::vector<Weighted>& blocks) {
   return mean;
 }
 
-/// Mean of what `weighted` gives of a part, over the blocks.
-template <class Weigh>
-LineMean mean_of(const std::vector<LineBlock>& blocks, Weigh weighted) {
-  std::vector<Weighted> values;
-  std::ranges::transform(blocks, std::back_inserter(values), weighted);
-  return mean_of(values);
-}
-
 }  // namespace
-
-LinePartSums& LinePartSums::operator+=(const LinePartSums& other) {
-  reflection::add_fields(*this, other);
-  return *this;
-}
-
-LineBlock& LineBlock::operator+=(const LineBlock& other) {
-  observations += other.observations;
-  steps += other.steps;
-  for (std::size_t part = 0; part < parts.size(); ++part) {
-    parts[part] += other.parts[part];
-  }
-  return *this;
-}
 
 LineBlock& LineSums::next(double steps) {
   const bool full = blocks_.empty() || blocks_.back().observations >= block_size_;
   if (full && blocks_.size() == kMost) {
     for (std::size_t pair = 0; pair < kMost / 2; ++pair) {
       LineBlock joined = std::move(blocks_[2 * pair]);
-      joined += blocks_[2 * pair + 1];
+      const LineBlock& next = blocks_[2 * pair + 1];
+      joined.observations += next.observations;
+      joined.steps += next.steps;
+      for (std::size_t part = 0; part < parts_; ++part) {
+        reflection::add_fields(joined.parts[part], next.parts[part]);
+      }
       blocks_[pair] = std::move(joined);
     }
     blocks_.resize(kMost / 2);
@@ -241,7 +227,7 @@ std::vector<LinePart> Line::means(const LineSums& sums) const {
   for (std::size_t part = 0; part < parts(); ++part) {
     LinePartSums total;
     for (const LineBlock& block : sums.blocks()) {
-      total += block.parts[part];
+      reflection::add_fields(total, block.parts[part]);
     }
     const double position = part_length() * (static_cast<double>(part) + 0.5);
     const auto velocity = [part](Eigen::Index component) {

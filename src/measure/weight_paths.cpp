@@ -25,13 +25,9 @@ struct SupportForce {
   Vector2d force;
 };
 
-double cross(const Vector2d& one, const Vector2d& other) {
-  return one.x() * other.y() - one.y() * other.x();
-}
-
 /// From one direction to another, anticlockwise, in radians.
 double angle(const Vector2d& from, const Vector2d& to) {
-  return std::atan2(cross(from, to), from.dot(to));
+  return std::atan2(cross_product(from, to), from.dot(to));
 }
 
 /// A support to one side of a force; one in its direction is on both sides.
@@ -80,9 +76,9 @@ std::vector<SupportForce> along_two(const Vector2d& force, const SupportedGrain&
   }
   const Vector2d& a = one.support->direction;
   const Vector2d& b = other.support->direction;
-  const double both = cross(a, b);
-  return {{one.support->body, cross(force, b) / both * a},
-          {other.support->body, cross(a, force) / both * b}};
+  const double both = cross_product(a, b);
+  return {{one.support->body, cross_product(force, b) / both * a},
+          {other.support->body, cross_product(a, force) / both * b}};
 }
 
 /// `first`: number of the first draw, one for each support.

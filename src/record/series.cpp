@@ -6,10 +6,9 @@
 #include <limits>
 
 #include "clca/contact/force.hpp"
+#include "clca/measure/field_grid.hpp"
 #include "clca/measure/force.hpp"
 #include "clca/measure/outflow.hpp"
-#include "clca/measure/probe.hpp"
-#include "clca/scene/units.hpp"
 #include "clca/scene/units.hpp"
 #include "record/energy_record.hpp"
 #include "record/internal/quantities.hpp"

@@ -90,27 +90,23 @@ bool is_part_of_range(std::string_view value) {
          is_number(value.substr(colon + 1));
 }
 
-scene::AnyScene parsed_with_hint(const Request& request, const std::vector<scene::Override>& varied,
-                                 const std::vector<std::string>& values) {
-  try {
-    return request.text
-               ? scene::parse_any(*request.text, request.scene.string(), request.overrides, varied)
-               : scene::parse_any_file(request.scene, request.overrides, varied);
-  } catch (const scene::SceneError& error) {
-    if (std::ranges::any_of(values, is_part_of_range)) {
-      throw scene::SceneError(std::string(error.what()) + "; a range is FIRST:LAST:STEP");
-    }
-    throw;
-  }
-}
-
 Variant parsed(const Request& request, const std::vector<std::string>& keys,
                std::vector<std::string> values) {
   std::vector<scene::Override> varied;
   for (std::size_t i = 0; i < values.size(); ++i) {
     varied.push_back(fmt::format("{}={}", keys[i], values[i]));
   }
-  scene::AnyScene any = parsed_with_hint(request, varied, values);
+  scene::AnyScene any;
+  try {
+    any = request.text
+              ? scene::parse_any(*request.text, request.scene.string(), request.overrides, varied)
+              : scene::parse_any_file(request.scene, request.overrides, varied);
+  } catch (const scene::SceneError& error) {
+    if (std::ranges::any_of(values, is_part_of_range)) {
+      throw scene::SceneError(std::string(error.what()) + "; a range is FIRST:LAST:STEP");
+    }
+    throw;
+  }
   if (const auto* boltzmann = std::get_if<scene::BoltzmannScene>(&any)) {
     throw scene::SceneError(boltzmann->location +
                             ": error: a sweep takes scenes of grains only; this one has "

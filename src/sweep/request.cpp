@@ -24,14 +24,6 @@ constexpr std::string_view kTo = "..";
   throw scene::SceneError(fmt::format("{} {}: error: {}", option, text::shortened(text), message));
 }
 
-[[noreturn]] void fail_seeds(std::string_view text, std::string_view message) {
-  fail("--seeds", text, message);
-}
-
-[[noreturn]] void fail_variation(std::string_view text, std::string_view message) {
-  fail("--vary", text, message);
-}
-
 /// First and last of `3` or `1..16`.
 std::pair<std::uint64_t, std::uint64_t> seed_range(std::string_view part, std::string_view text) {
   const std::size_t to = part.find(kTo);
@@ -40,13 +32,13 @@ std::pair<std::uint64_t, std::uint64_t> seed_range(std::string_view part, std::s
                         ? first
                         : text::number<std::uint64_t>(part.substr(to + kTo.size()));
   if (!first || !last) {
-    fail_seeds(text,
-               fmt::format("expected whole numbers from 0 to 18446744073709551615, as in 1..16 or "
-                           "1,4,9..12, found {}",
-                           text::shown(part)));
+    fail("--seeds", text,
+         fmt::format("expected whole numbers from 0 to 18446744073709551615, as in 1..16 or "
+                     "1,4,9..12, found {}",
+                     text::shown(part)));
   }
   if (*last < *first) {
-    fail_seeds(text, fmt::format("{} descends; the smaller seed comes first", part));
+    fail("--seeds", text, fmt::format("{} descends; the smaller seed comes first", part));
   }
   return {*first, *last};
 }
@@ -163,17 +155,16 @@ std::vector<std::string> range_values(std::string_view text, std::string_view va
     return {};
   }
   if (unit != unit_of_last || unit != unit_of_step) {
-    fail_variation(text,
-                   fmt::format("{}: expected FIRST:LAST:STEP in one unit", text::shortened(value)));
+    fail("--vary", text,
+         fmt::format("{}: expected FIRST:LAST:STEP in one unit", text::shortened(value)));
   }
   constexpr double kRounding = 1e-9;  // steps like 0.1 have no exact number of steps
   const double steps = std::floor((*last - *first) / *step + kRounding);
   if (!std::isfinite(steps) || steps < 0 || steps >= kMaxRuns) {
-    fail_variation(
-        text,
-        fmt::format("{}: expected FIRST:LAST:STEP with a step from the first towards the last, "
-                    "and at most {} values",
-                    text::shortened(value), kMaxRuns));
+    fail("--vary", text,
+         fmt::format("{}: expected FIRST:LAST:STEP with a step from the first towards the last, "
+                     "and at most {} values",
+                     text::shortened(value), kMaxRuns));
   }
   const int digits = std::max(decimals(*first), decimals(*step));
   std::vector<std::string> values;
@@ -189,20 +180,21 @@ void check_rows(std::string_view text, const Variation& variation) {
   std::set<std::vector<std::string>> known;
   for (const std::vector<std::string>& row : variation.rows) {
     if (std::ranges::count(row, std::string()) > 0) {
-      fail_variation(text, "a value is missing; write null for an empty value");
+      fail("--vary", text, "a value is missing; write null for an empty value");
     }
     if (row.size() != variation.keys.size()) {
-      fail_variation(
-          text, fmt::format("expected {} values with commas between, found {}; a ';' ends them",
-                            variation.keys.size(), fmt::join(row, ",")));
+      fail("--vary", text,
+           fmt::format("expected {} values with commas between, found {}; a ';' ends them",
+                       variation.keys.size(), fmt::join(row, ",")));
     }
   }
   for (const std::vector<std::string>& row : variation.rows) {
     std::vector<std::string> values;
     std::ranges::transform(row, std::back_inserter(values), document::canonical_value);
     if (!known.insert(values).second) {
-      fail_variation(text, fmt::format("the value {} is named twice",
-                                       text::shortened(fmt::format("{}", fmt::join(row, ",")))));
+      fail("--vary", text,
+           fmt::format("the value {} is named twice",
+                       text::shortened(fmt::format("{}", fmt::join(row, ",")))));
     }
   }
 }
@@ -215,11 +207,11 @@ std::vector<std::uint64_t> parse_seeds(std::string_view text) {
     const std::size_t comma = std::min(text.find(',', start), text.size());
     const auto [first, last] = seed_range(text.substr(start, comma - start), text);
     if (!seeds.empty() && first <= seeds.back()) {
-      fail_seeds(text,
-                 fmt::format("{} comes after {}; seeds ascend, each once", first, seeds.back()));
+      fail("--seeds", text,
+           fmt::format("{} comes after {}; seeds ascend, each once", first, seeds.back()));
     }
     if (last - first >= kMaxRuns - seeds.size()) {
-      fail_seeds(text, fmt::format("more than {} runs", kMaxRuns));
+      fail("--seeds", text, fmt::format("more than {} runs", kMaxRuns));
     }
     for (std::uint64_t i = 0; i <= last - first; ++i) {
       seeds.push_back(first + i);
@@ -247,7 +239,7 @@ Variation parse_variation(std::string_view text) {
   const std::size_t equals = text.find('=');
   Variation variation = {split(text.substr(0, equals), ','), {}};
   if (equals == std::string_view::npos || std::ranges::count(variation.keys, std::string()) > 0) {
-    fail_variation(text, "expected KEY=V1,V2,... with a key like rules.inertia");
+    fail("--vary", text, "expected KEY=V1,V2,... with a key like rules.inertia");
   }
   const bool has_one_key = variation.keys.size() == 1;
   for (const std::string& part : split(text.substr(equals + 1), has_one_key ? ',' : ';')) {

@@ -26,7 +26,6 @@ struct LinePartSums {
   double sites = 0;      ///< that have passed to the right, less those to the left
   double particles = 0;  ///< whose centre has passed, either way
 
-  LinePartSums& operator+=(const LinePartSums& other);
   CLCA_FIELDS(open, covered, followed, displacement, sites, particles);
 };
 
@@ -36,7 +35,6 @@ struct LineBlock {
   double steps = 0;
   std::vector<LinePartSums> parts = {};
 
-  LineBlock& operator+=(const LineBlock& other);
   CLCA_FIELDS(observations, steps, parts);
 };
 

@@ -106,7 +106,7 @@ struct Outlet {
   std::string location = {};
 };
 
-/// A region of the box that is observed; see clca/measure/probe.hpp.
+/// A region of the box that is observed; see clca/measure/field_grid.hpp.
 struct Probe {
   std::string name;
   lattice::Rectangle region;

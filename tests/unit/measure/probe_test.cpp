@@ -1,11 +1,10 @@
 // What probes see, in boxes small enough to count by hand.
 
-#include "clca/measure/probe.hpp"
-
 #include <gtest/gtest.h>
 
 #include <array>
 
+#include "clca/measure/field_grid.hpp"
 #include "support/states.hpp"
 
 namespace clca::measure::probe_test {
