@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <limits>
+#include <map>
 #include <mutex>
 #include <optional>
 #include <thread>
@@ -17,15 +19,47 @@
 #include "clca/scene/resolve.hpp"
 #include "clca/tasks/pool.hpp"
 #include "record/internal/meter.hpp"
-#include "run/gas_saved.hpp"
-#include "run/gas_share.hpp"
 #include "run/run_base.hpp"
+#include "run/saved.hpp"
 
 namespace clca::run {
 
 namespace {
 
 constexpr double kMinSeconds = 1e-9;
+constexpr double kAnySize = std::numeric_limits<double>::infinity();
+
+/// The gases of an ensemble that a rank advances.
+struct GasShare {
+  double restitution = 1;
+  /// Of all members that have not begun, by number: each rank takes the next one when it is free.
+  std::vector<std::size_t> shared;
+  /// Members that have begun in an earlier process, by number: for this rank alone.
+  std::map<std::size_t, model::GasMember> begun;
+
+  CLCA_FIELDS(restitution, shared, begun);
+};
+
+/// From one rank to another.
+template <class T>
+tasks::Bytes packed(const T& value, const std::string& scene) {
+  return store::checkpoint_bytes({.kind = "gas",
+                                  .scene_name = "",
+                                  .scene = scene,
+                                  .summary = "",
+                                  .fields = reflection::encode(value)});
+}
+
+/// Gases at a time in a process, and threads of each.
+struct GasThreads {
+  GasThreads(int threads, std::uint64_t ensemble, int ranks)
+      : gases(std::min<std::uint64_t>(static_cast<std::uint64_t>(threads),
+                                      1 + (ensemble - 1) / static_cast<std::uint64_t>(ranks))),
+        of_gas(std::max(1, threads / static_cast<int>(gases))) {}
+
+  std::size_t gases;
+  int of_gas;
+};
 
 std::string case_name(double restitution) {
   return fmt::format("restitution-{}", restitution);
@@ -106,7 +140,7 @@ class GasRun : public RunBase {
   std::atomic<double> collisions_ = 0;  // of gases that are not under way
   std::uint64_t gases_done_ = 0;
   std::vector<GasProgress> progress_;       // one for each member of a case
-  std::mutex checkpoint_mutex_;             // of checkpoint_writer()
+  std::mutex checkpoint_mutex_;             // of checkpoint_due_by_clock()
   std::atomic<bool> saves_ = false;         // a checkpoint is due, once no gas is advanced here
   std::atomic<int> startable_threads_ = 1;  // of each gas
   std::thread::id thread_ = std::this_thread::get_id();
@@ -116,7 +150,7 @@ class GasRun : public RunBase {
 };
 
 void GasRun::carry_out() {
-  if (log().bytes() == 0) {
+  if (log_bytes() == 0) {
     warn();
   }
   if (ranks_.size() > 1) {
@@ -134,7 +168,7 @@ void GasRun::warn() {
   constexpr double kPercent = 100;
   const double heat = kPercent * boltzmann::expected_heating(*literal, scene_.until);
   const std::string bias = std::isfinite(heat) ? fmt::format("by {:.0f} %", heat) : "without bound";
-  log().warning(
+  warning(
       fmt::format("{}: a time step of {} is too long for the scheme ogawa-kato, whose bias "
                   "grows with it: elastic spheres heat {} until time {}; 0.025 or less is "
                   "what it was made for",
@@ -173,8 +207,9 @@ void GasRun::run_case(record::GasCase& gas_case) {
   forecast_ = record::TimeEstimate();
   progress_ = std::vector<GasProgress>(gas_case.members.size());
   const std::vector<GasShare> shares = shares_of(gas_case);
-  ranks_.hand_out(
-      [&](int rank) { return to_bytes(shares[static_cast<std::size_t>(rank)], scene_); });
+  ranks_.hand_out([&](int rank) {
+    return packed(shares[static_cast<std::size_t>(rank)], scene::to_yaml(scene_));
+  });
   tasks::Pool<bool> pool(threads_.gases, ranks_, shares[0].shared, work(gas_case), options().stop,
                          true);
   for (const auto& [number, _] : shares[0].begun) {
@@ -255,7 +290,10 @@ tasks::Pool<bool>::Work GasRun::work(record::GasCase& gas_case) {
           .result =
               [this, &gas_case, end](std::size_t number, const tasks::Bytes& answer) {
                 collisions_ -= collisions(gas_case.members[number].participations);
-                return end(number, gas_member(answer));
+                model::GasMember member;
+                reflection::decode(store::parse_checkpoint(answer, kAnySize).fields, kAnySize,
+                                   member);
+                return end(number, std::move(member));
               },
           .begin = [this] {  // while there is memory for it
             const int had = parallel::start_team(threads_.of_gas);
@@ -268,7 +306,7 @@ tasks::Pool<bool>::Work GasRun::work(record::GasCase& gas_case) {
 void GasRun::look_at_checkpoint() {
   const std::unique_lock lock(checkpoint_mutex_, std::try_to_lock);
   if (lock && !saves_) {  // else a step later will do
-    saves_ = checkpoint_writer().due_by_clock();
+    saves_ = checkpoint_due_by_clock();
   }
 }
 
@@ -322,15 +360,15 @@ void GasRun::finish_case(const record::GasCase& gas_case) {
                       .ended = ended,
                       .measures = record::gas_measures(scene_, gas_case)});
   if (++course_.cases_ended > cases_logged_) {
-    log().info(fmt::format("restitution {}: {} gases of {} particles, {} steps, ended: {}",
-                           gas_case.restitution, gas_case.members.size(), scene_.particles, steps,
-                           ended));
+    info(fmt::format("restitution {}: {} gases of {} particles, {} steps, ended: {}",
+                     gas_case.restitution, gas_case.members.size(), scene_.particles, steps,
+                     ended));
   }
 }
 
 void GasRun::save_course() {
   course_.wall_seconds = wall_seconds();
-  course_.log_bytes = log().bytes();
+  course_.log_bytes = log_bytes();
   store::Checkpoint saved = checkpoint();
   reflection::encode(kSavedGases, course_, saved.fields);
   save(std::move(saved));
@@ -344,6 +382,27 @@ void GasRun::complete_summary(store::RunSummary& summary) const {
   summary.step_seconds = summary.wall_seconds;
   summary.rate = collisions_ / std::max(summary.wall_seconds, kMinSeconds);
   summary.state_hash = hash_.value();
+}
+
+/// On a rank that is not rank 0.
+void advance(GasShare share, const scene::BoltzmannScene& scene, const RunOptions& options) {
+  const model::GasIntegrator integrator(scene);
+  const GasThreads threads(options.threads, scene.ensemble, options.ranks->size());
+  const auto advance_one = [&](std::size_t number, const std::atomic<int>& stop) {
+    const auto begun = share.begun.find(number);
+    model::GasMember member =
+        begun == share.begun.end() ? model::GasMember() : std::move(begun->second);
+    integrator.integrate(member, share.restitution, boltzmann::member_seed(scene.seed, number),
+                         parallel::start_team(threads.of_gas),
+                         [&](const model::GasMember& /*now*/) { return stop == 0; });
+    return packed(member, "");
+  };
+  tasks::Pool<tasks::Bytes> pool(threads.gases, *options.ranks, share.shared,
+                                 {.carry_out = advance_one}, options.stop);
+  for (const auto& [number, _] : share.begun) {
+    pool.add(number);
+  }
+  tasks::serve(pool, *options.ranks);
 }
 
 }  // namespace
@@ -363,6 +422,18 @@ store::RunSummary resume_gas(SavedRun& saved, const RunOptions& options, const R
     saved.checkpoint.fields.clear();  // as large as the gases
   }
   return GasRun(scene, options, events, std::move(saved.folder), std::move(course)).execute();
+}
+
+void serve(const RunOptions& options) {
+  options.ranks->begin(record::version());
+  while (const auto work = options.ranks->wait_for_work(options.stop)) {
+    const store::Checkpoint content = store::parse_checkpoint(*work, kAnySize);
+    GasShare share;
+    reflection::decode(content.fields, kAnySize, share);
+    advance(std::move(share),
+            std::get<scene::BoltzmannScene>(scene::parse_any(content.scene, "the scene of rank 0")),
+            options);
+  }
 }
 
 }  // namespace clca::run

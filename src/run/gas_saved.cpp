@@ -1,12 +1,9 @@
-#include "run/gas_saved.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "clca/reflection/columns.hpp"
 #include "run/saved.hpp"
 
 namespace clca::run {

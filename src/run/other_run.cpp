@@ -79,16 +79,12 @@ OtherRun frame_of(const fs::path& folder, const store::RunSummary& summary, std:
   return {std::move(scene), std::move(state)};
 }
 
-OtherRun read_run(const scene::Begin& begin, double max_bytes) {
-  const fs::path folder = begin.run;
-  const store::RunSummary summary = store::read_summary(folder / store::kSummaryFile);
-  return begin.step ? frame_of(folder, summary, *begin.step, max_bytes)
-                    : end_of(folder, summary, max_bytes);
-}
-
 OtherRun other_run(const scene::Begin& begin, double max_bytes) {
   try {
-    OtherRun run = read_run(begin, max_bytes);
+    const fs::path folder = begin.run;
+    const store::RunSummary summary = store::read_summary(folder / store::kSummaryFile);
+    OtherRun run = begin.step ? frame_of(folder, summary, *begin.step, max_bytes)
+                              : end_of(folder, summary, max_bytes);
     const std::uint64_t found = model::hash(run.state);
     if (begin.state && *begin.state != found) {
       throw store::StoreError(
@@ -206,64 +202,58 @@ void empty_outlets(grains::State& state) {
   }
 }
 
-/// Contacts of the other run as those of this one, where the same bodies touch.
-class ContactTransfer {
- public:
-  ContactTransfer(const grains::State& there, const std::vector<std::size_t>& ids,
-                  const grains::State& here)
-      : there_(there),
-        here_(here),
-        sites_there_(there),
-        sites_here_(here),
-        grains_(there.particles.size(), grains::kFree) {
-    for (std::size_t id = 0; id < ids.size(); ++id) {
-      if (here.particles[id].present) {
-        grains_[ids[id]] = grains::as_owner(id);
-      }
-    }
-  }
+/// `factor` times an integer of at most `most`.
+std::int32_t scaled(double factor, std::int32_t value, double most) {
+  return static_cast<std::int32_t>(std::llround(std::clamp(factor * value, -most, most)));
+}
 
-  /// Its bodies here; none if one is missing. The model drops contacts of bodies that do not touch.
-  std::optional<contact::Contact> contact(contact::Contact contact) const {
-    const grains::Owner upper = grains_[contact.upper];
-    if (upper == grains::kFree) {
-      return std::nullopt;
-    }
-    contact.upper = static_cast<std::uint32_t>(upper);
-    if (grains::is_particle(contact.other)) {
-      contact.other = grains_[static_cast<std::size_t>(contact.other)];
-    } else if (contact.other > contact::kRightSide) {
-      contact.other = wall_in_place_of(contact.other, here_.particles[contact.upper]);
-    }
-    return contact.other == grains::kFree ? std::nullopt : std::optional(contact);
+/// Contacts of the other run as those of this one, where the same bodies touch; the model drops
+/// others. `force`: factor of the impulses.
+void take_contacts(const contact::State& other, const std::vector<std::size_t>& ids, double force,
+                   contact::State& state) {
+  const grains::State& there = other.grains;
+  const grains::State& here = state.grains;
+  const grains::Occupancy sites_there(there);
+  const grains::Occupancy sites_here(here);
+  std::vector<grains::Owner> grains(there.particles.size(), grains::kFree);  // here, by id there
+  for (std::size_t id = 0; id < ids.size(); ++id) {
+    grains[ids[id]] = here.particles[id].present ? grains::as_owner(id) : grains::kFree;
   }
-
- private:
   /// The wall that the particle touches here where it touches `wall` there.
-  grains::Owner wall_in_place_of(grains::Owner wall, const grains::Particle& particle) const {
+  const auto wall_in_place_of = [&](grains::Owner wall, const grains::Particle& particle) {
     for (const lattice::Direction direction : lattice::kDirections) {
-      for (const lattice::Axial side : here_.shape(particle).lead(direction)) {
+      for (const lattice::Axial side : here.shape(particle).lead(direction)) {
         const lattice::Site site = particle.site() + side;
-        const grains::Owner here = sites_here_.owner(here_.lattice.index(site));
-        if (sites_there_.owner(there_.lattice.index(site)) == wall && grains::is_wall(here) &&
-            here != grains::kBorder) {
-          return here;
+        const grains::Owner found = sites_here.owner(here.lattice.index(site));
+        if (sites_there.owner(there.lattice.index(site)) == wall && grains::is_wall(found) &&
+            found != grains::kBorder) {
+          return found;
         }
       }
     }
     return grains::kFree;
+  };
+  const auto impulse = [force](std::int32_t value) {
+    return scaled(force, value, contact::kMaxImpulse);
+  };
+  std::set<std::pair<std::uint32_t, grains::Owner>> known;
+  for (contact::Contact contact : other.contacts) {
+    const grains::Owner upper = grains[contact.upper];
+    if (upper == grains::kFree) {
+      continue;
+    }
+    contact.upper = static_cast<std::uint32_t>(upper);
+    if (grains::is_particle(contact.other)) {
+      contact.other = grains[static_cast<std::size_t>(contact.other)];
+    } else if (contact.other > contact::kRightSide) {
+      contact.other = wall_in_place_of(contact.other, here.particles[contact.upper]);
+    }
+    if (contact.other != grains::kFree && known.emplace(contact.upper, contact.other).second) {
+      auto& [normal, shear, rolling] = contact.impulse;
+      contact.impulse = {impulse(normal), impulse(shear), impulse(rolling)};
+      state.contacts.push_back(contact);
+    }
   }
-
-  const grains::State& there_;
-  const grains::State& here_;
-  grains::Occupancy sites_there_;
-  grains::Occupancy sites_here_;
-  std::vector<grains::Owner> grains_;  // by id there: the id here, or kFree
-};
-
-/// `factor` times an integer of at most `most`.
-std::int32_t scaled(double factor, std::int32_t value, double most) {
-  return static_cast<std::int32_t>(std::llround(std::clamp(factor * value, -most, most)));
 }
 
 /// A time step of another length changes velocities, in spacings a step, and impulses.
@@ -277,32 +267,20 @@ void take_motion(const scene::Scene& scene, const OtherRun& other,
   }
   const double gravity = contact::gravity(scene::contact_parameters(scene)) /
                          contact::gravity(scene::contact_parameters(other.scene));
-  const double force =
-      gravity * contact::mass_unit(there->grains.kinds) / contact::mass_unit(state.grains.kinds);
   const auto velocity = [longer = std::sqrt(gravity)](std::int32_t value) {
     return scaled(longer, value, contact::kMaxVelocity);
   };
-  const auto impulse = [force](std::int32_t value) {
-    return scaled(force, value, contact::kMaxImpulse);
-  };
   for (std::size_t id = 0; id < ids.size(); ++id) {
-    if (!state.grains.particles[id].present) {
-      continue;
-    }
-    const auto& old = there->velocities[ids[id]];
-    state.velocities[id] = {velocity(old.x), velocity(old.y), velocity(old.spin)};
-    state.remainders[id] = there->remainders[ids[id]];
-  }
-  const ContactTransfer transfer(there->grains, ids, state.grains);
-  std::set<std::pair<std::uint32_t, grains::Owner>> known;
-  for (const contact::Contact& contact : there->contacts) {
-    auto taken = transfer.contact(contact);
-    if (taken && known.emplace(taken->upper, taken->other).second) {
-      auto& [normal, shear, rolling] = taken->impulse;
-      taken->impulse = {impulse(normal), impulse(shear), impulse(rolling)};
-      state.contacts.push_back(*taken);
+    if (state.grains.particles[id].present) {
+      const auto& old = there->velocities[ids[id]];
+      state.velocities[id] = {velocity(old.x), velocity(old.y), velocity(old.spin)};
+      state.remainders[id] = there->remainders[ids[id]];
     }
   }
+  take_contacts(
+      *there, ids,
+      gravity * contact::mass_unit(there->grains.kinds) / contact::mass_unit(state.grains.kinds),
+      state);
 }
 
 }  // namespace

@@ -22,7 +22,6 @@
 #include "record/internal/meter.hpp"
 #include "record/internal/observer.hpp"
 #include "record/internal/quantities.hpp"
-#include "run/gas_saved.hpp"
 #include "run/run_base.hpp"
 #include "run/saved.hpp"
 #include "run/stage.hpp"
@@ -93,15 +92,9 @@ class Run : public RunBase {
   void show_progress(bool until_rest, std::optional<double> seconds_left);
   const scene::Stage& stage() const { return scene_.stages[course_.stage]; }
   record::StageView view() {
-    return {scene_,
-            stage(),
-            model_,
-            history_,
-            observers_,
-            course_.moving,
-            course_.stepped,
-            &folder().files(),
-            [this](const std::string& line) { log().warning(line); }};
+    return {scene_,          stage(),           model_,
+            history_,        observers_,        course_.moving,
+            course_.stepped, &folder().files(), [this](const std::string& line) { warning(line); }};
   }
   double step_seconds() const { return course_.step_seconds + step_clock_.seconds(); }
   double rate() const { return step_seconds() > 0 ? course_.updates / step_seconds() : 0; }
@@ -132,7 +125,7 @@ void Run::carry_out() {
   observers_.open(folder(), model_.state());
   const bool has_pictures = scene_.output.frames && options().pictures != WantedPictures::none;
   if (has_pictures && scene_.output.frames->caption && !render::font_problem().empty()) {
-    log().warning(render::font_problem());
+    warning(render::font_problem());
   }
   while (course_.stage < scene_.stages.size() && is_complete()) {
     run_stage();
@@ -188,7 +181,7 @@ StageEnd Run::run_steps() {
       estimate.update(done.value_or(0));
       show_progress(!done, estimate.seconds_left());
     }
-    if (checkpoint_writer().due(model_.state().step)) {
+    if (checkpoint_due(model_.state().step)) {
       save(checkpoint_now());
     }
   }
@@ -218,23 +211,22 @@ void Run::end_stage(StageEnd end) {
                       .fills = stage().fill.has_value()});
   const std::string time =
       conversion_ ? fmt::format(" ({})", conversion_->time_text(history_.steps)) : "";
-  log().info(fmt::format("stage {}: {} steps{}, ended: {}", stage().name, history_.steps, time,
-                         to_text(end)));
+  info(fmt::format("stage {}: {} steps{}, ended: {}", stage().name, history_.steps, time,
+                   to_text(end)));
   const auto* until = std::get_if<scene::UntilDischarged>(&stage().until);
   if (until != nullptr && end == StageEnd::settled) {
-    log().info(
-        fmt::format("stage {}: nothing moves any more, with {:.3g} % discharged, not {:.3g} %",
-                    stage().name, 100 * history_.discharged_share(), 100 * until->share));
+    info(fmt::format("stage {}: nothing moves any more, with {:.3g} % discharged, not {:.3g} %",
+                     stage().name, 100 * history_.discharged_share(), 100 * until->share));
   }
   for (const std::string& note : stages().back().notes) {
-    log().info(fmt::format("stage {}: {}", stage().name, note));
+    info(fmt::format("stage {}: {}", stage().name, note));
   }
   for (const std::string& line : record::stall_lines(scene_, model_, history_.profile_at_start)) {
-    log().info(line);
+    info(line);
   }
   if (end == StageEnd::bound) {
-    log().warning(fmt::format("stage {} was still moving at its bound of {} steps (max_steps)",
-                              stage().name, stage().max_steps));
+    warning(fmt::format("stage {} was still moving at its bound of {} steps (max_steps)",
+                        stage().name, stage().max_steps));
   }
 }
 
@@ -245,7 +237,7 @@ store::Checkpoint Run::checkpoint_now() {
   RunCourse course = course_;
   course.wall_seconds = wall_seconds();
   course.step_seconds = step_seconds();
-  course.log_bytes = log().bytes();
+  course.log_bytes = log_bytes();
   model_.save(saved.fields);
   reflection::encode(kSavedCourse, course, saved.fields);
   reflection::encode(kSavedHistory, history_, saved.fields);

@@ -48,29 +48,6 @@ fs::path made_free(const fs::path& folder) {
 
 }  // namespace
 
-store::RunFolder begin_run(const RunOptions& options, const RunEvents& events,
-                           const store::Checkpoint& start) {
-  const fs::path path = options.keep ? made_free(options.folder) : options.folder;
-  if (events.folder) {
-    events.folder(path);
-  }
-  store::RunFolder folder = store::RunFolder::for_new_run(path);
-  if (const auto earlier = folder.earlier_run()) {
-    const std::string run = description(*earlier);
-    if (earlier->unfinished && !options.overwrite) {
-      throw UnfinishedRunError(
-          fmt::format("{}: there is an unfinished run ({}): continue it with clca resume, "
-                      "replace it with --overwrite, or run in another folder with --keep",
-                      path.string(), run));
-    }
-    if (events.message) {
-      events.message(fmt::format("replacing the run in {}: {}", path.string(), run));
-    }
-  }
-  folder.start_over(start);
-  return folder;
-}
-
 RunOptions with_threads(RunOptions options, int startable, const RunEvents& events) {
   const int wanted = std::exchange(options.threads, startable);
   if (options.threads < wanted && events.warning) {
@@ -79,63 +56,13 @@ RunOptions with_threads(RunOptions options, int startable, const RunEvents& even
   return options;
 }
 
-CheckpointWriter::CheckpointWriter(const std::optional<scene::Checkpoints>& when) : when_(when) {
-  if (when && when->seconds) {
-    timer_.emplace(std::chrono::duration_cast<std::chrono::milliseconds>(
-        std::chrono::duration<double>(*when->seconds)));
-  }
-}
-
-bool CheckpointWriter::due(std::uint64_t step) {
-  const bool by_steps = when_ && when_->every && step % *when_->every == 0;
-  return by_steps || due_by_clock();
-}
-
-void CheckpointWriter::save(const store::OutputFolder& run_folder, store::Checkpoint checkpoint) {
-  writing_.start([run_folder, checkpoint = std::move(checkpoint)] {
-    store::write_checkpoint(run_folder, checkpoint);
-  });
-}
-
-void Log::append(const char* level, const std::string& line) {
-  using std::chrono::system_clock;
-  const system_clock::time_point now = system_clock::now();
-  const auto milliseconds =
-      std::chrono::duration_cast<std::chrono::milliseconds>(now.time_since_epoch()) %
-      std::chrono::seconds(1);
-  try {
-    file_.append(fmt::format("{:%Y-%m-%d %H:%M:%S}.{:03} {}: {}\n",
-                             fmt::localtime(system_clock::to_time_t(now)), milliseconds.count(),
-                             level, line));
-  } catch (const store::StoreError&) {  // see above
-  }
-}
-
-void Log::info(const std::string& line) {
-  append("info", line);
-  if (events_.message) {
-    events_.message(line);
-  }
-}
-
-void Log::warning(const std::string& line) {
-  append("warning", line);
-  if (events_.warning) {
-    events_.warning(line);
-  }
-}
-
-void Log::error(const std::string& line) {
-  append("error", line);
-}
-
 store::RunSummary RunBase::execute() {
   // Before scene.yaml: the old summary must not be combined with the new scene.
   write_summary("running");
   folder_->files().write(store::kSceneFile, identity_.scene_text);
   try {
     carry_out();
-    checkpoint_writer_.finish();
+    writing_.finish();
   } catch (const std::exception& error) {
     note_failure(error);
     throw;
@@ -149,13 +76,64 @@ store::RunSummary RunBase::execute() {
 }
 
 void RunBase::begin(std::optional<store::RunFolder> folder, const store::Checkpoint& start) {
-  go_on(folder ? std::move(*folder) : begin_run(options_, events_, start), 0, 0);
+  if (folder) {
+    go_on(*std::move(folder), 0, 0);
+    return;
+  }
+  const fs::path path = options_.keep ? made_free(options_.folder) : options_.folder;
+  if (events_.folder) {
+    events_.folder(path);
+  }
+  store::RunFolder made = store::RunFolder::for_new_run(path);
+  if (const auto earlier = made.earlier_run()) {
+    const std::string run = description(*earlier);
+    if (earlier->unfinished && !options_.overwrite) {
+      throw UnfinishedRunError(
+          fmt::format("{}: there is an unfinished run ({}): continue it with clca resume, "
+                      "replace it with --overwrite, or run in another folder with --keep",
+                      path.string(), run));
+    }
+    if (events_.message) {
+      events_.message(fmt::format("replacing the run in {}: {}", path.string(), run));
+    }
+  }
+  made.start_over(start);
+  go_on(std::move(made), 0, 0);
 }
 
 void RunBase::go_on(store::RunFolder folder, std::uint64_t log_bytes, double seconds_before) {
   folder_.emplace(std::move(folder));
-  log_.emplace(*folder_, log_bytes, events_);
+  log_.emplace(folder_->files(), store::kLogFile, log_bytes);
   seconds_before_ = seconds_before;
+}
+
+bool RunBase::checkpoint_due(std::uint64_t step) {
+  const auto& when = identity_.checkpoints;
+  return (when && when->every && step % *when->every == 0) || checkpoint_due_by_clock();
+}
+
+void RunBase::save(store::Checkpoint checkpoint) {
+  writing_.start([run_folder = folder_->files(), checkpoint = std::move(checkpoint)] {
+    store::write_checkpoint(run_folder, checkpoint);
+  });
+}
+
+void RunBase::note(const char* level, const std::string& line,
+                   const std::function<void(const std::string&)>& event) {
+  using std::chrono::system_clock;
+  const system_clock::time_point now = system_clock::now();
+  const auto milliseconds =
+      std::chrono::duration_cast<std::chrono::milliseconds>(now.time_since_epoch()) %
+      std::chrono::seconds(1);
+  try {
+    log_->append(fmt::format("{:%Y-%m-%d %H:%M:%S}.{:03} {}: {}\n",
+                             fmt::localtime(system_clock::to_time_t(now)), milliseconds.count(),
+                             level, line));
+  } catch (const store::StoreError&) {  // the run goes on without
+  }
+  if (event) {
+    event(line);
+  }
 }
 
 store::Checkpoint RunBase::checkpoint() const {
@@ -210,10 +188,10 @@ void RunBase::write_summary(const std::string& status) const {
 void RunBase::note_failure(const std::exception& failure) {
   reserve_.reset();
   try {
-    log_->error(failure.what());
+    note("error", failure.what(), {});
     write_summary("failed");
   } catch (const std::exception& error) {
-    log_->error(error.what());
+    note("error", error.what(), {});
   }
 }
 

@@ -1,8 +1,10 @@
 #pragma once
 // What runs of grains and of gases share: summary and log, clock, the way a run begins and ends.
 
+#include <chrono>
 #include <cstddef>
 #include <exception>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,51 +24,6 @@ namespace clca::run {
 /// The options with as many threads as could be started: the result does not depend on them. Warns
 /// if fewer than requested.
 RunOptions with_threads(RunOptions options, int startable, const RunEvents& events);
-
-/// Decides when to save a checkpoint and writes it in the background.
-class CheckpointWriter {
- public:
-  explicit CheckpointWriter(const std::optional<scene::Checkpoints>& when);
-
-  /// Whether a checkpoint is due after `step` steps.
-  bool due(std::uint64_t step);
-  bool due_by_clock() { return timer_ && timer_->due(); }
-  /// Waits for the previous one and rethrows its error.
-  void save(const store::OutputFolder& run_folder, store::Checkpoint checkpoint);
-  /// Waits until everything is written. Rethrows its error.
-  void finish() { writing_.finish(); }
-
- private:
-  std::optional<scene::Checkpoints> when_;
-  std::optional<record::IntervalTimer> timer_;
-  tasks::Background writing_;
-};
-
-/// The log of a run: log.txt and callbacks. Failure to write (full disk) does not stop the run.
-class Log {
- public:
-  /// Keeps the first `kept` bytes of the file. Throws store::StoreError if it has less.
-  Log(const store::RunFolder& folder, std::uint64_t kept, const RunEvents& events)
-      : file_(folder.files(), store::kLogFile, kept), events_(events) {}
-
-  /// Bytes written so far.
-  std::uint64_t bytes() const { return file_.bytes(); }
-
-  void info(const std::string& line);
-  void warning(const std::string& line);
-  void error(const std::string& line);
-
- private:
-  void append(const char* level, const std::string& line);
-
-  store::GrowingFile file_;
-  const RunEvents& events_;
-};
-
-/// Prepares the folder of `options` for a run that starts with `start`; removes the files of an
-/// earlier run. Throws UnfinishedRunError and store::StoreError before it changes anything.
-store::RunFolder begin_run(const RunOptions& options, const RunEvents& events,
-                           const store::Checkpoint& start);
 
 class RunBase {
  public:
@@ -92,13 +49,19 @@ class RunBase {
       : identity_(std::move(identity)),
         options_(std::move(options)),
         events_(events),
-        progress_timer_(events.progress_interval),
-        checkpoint_writer_(identity_.checkpoints) {}
+        progress_timer_(events.progress_interval) {
+    if (identity_.checkpoints && identity_.checkpoints->seconds) {
+      checkpoint_timer_.emplace(std::chrono::duration_cast<std::chrono::milliseconds>(
+          std::chrono::duration<double>(*identity_.checkpoints->seconds)));
+    }
+  }
 
   virtual void carry_out() = 0;
   virtual void complete_summary(store::RunSummary& summary) const = 0;
 
-  /// `folder`: if it has been prepared already.
+  /// `folder`: if it has been prepared already; else that of the options, from which the files of
+  /// an earlier run are removed. Throws UnfinishedRunError and store::StoreError before it changes
+  /// anything.
   void begin(std::optional<store::RunFolder> folder, const store::Checkpoint& start);
   /// Goes on. Keeps the first `log_bytes` of the log. `seconds_before`: by the clock, until the run
   /// was saved.
@@ -106,7 +69,11 @@ class RunBase {
   const RunOptions& options() const { return options_; }
   const RunEvents& events() const { return events_; }
   const store::RunFolder& folder() const { return *folder_; }
-  Log& log() { return *log_; }
+  // Into log.txt and to the callbacks. Failure to write (full disk) does not stop the run.
+  void info(const std::string& line) { note("info", line, events_.message); }
+  void warning(const std::string& line) { note("warning", line, events_.warning); }
+  /// Written so far.
+  std::uint64_t log_bytes() const { return log_->bytes(); }
   void tell(const std::string& detail) const {
     if (events_.detail) {
       events_.detail(detail);
@@ -124,10 +91,11 @@ class RunBase {
   bool is_complete() const { return is_complete_; }
   /// Those that have ended.
   std::vector<store::StageSummary>& stages() { return stages_; }
-  CheckpointWriter& checkpoint_writer() { return checkpoint_writer_; }
-  void save(store::Checkpoint checkpoint) {
-    checkpoint_writer_.save(folder_->files(), std::move(checkpoint));
-  }
+  /// Whether a checkpoint is due after `step` steps.
+  bool checkpoint_due(std::uint64_t step);
+  bool checkpoint_due_by_clock() { return checkpoint_timer_ && checkpoint_timer_->due(); }
+  /// Writes it in the background. Waits for the previous one and rethrows its error.
+  void save(store::Checkpoint checkpoint);
   /// Without fields.
   store::Checkpoint checkpoint() const;
 
@@ -135,6 +103,8 @@ class RunBase {
   store::RunSummary summary(const std::string& status) const;
   void write_summary(const std::string& status) const;
   void note_failure(const std::exception& failure);
+  void note(const char* level, const std::string& line,
+            const std::function<void(const std::string&)>& event);
 
   Identity identity_;
   RunOptions options_;
@@ -142,13 +112,14 @@ class RunBase {
   record::WallClock wall_clock_;  // since this run began or went on
   double seconds_before_ = 0;
   std::optional<store::RunFolder> folder_;
-  std::optional<Log> log_;
+  std::optional<store::GrowingFile> log_;
   record::IntervalTimer progress_timer_;
+  std::optional<record::IntervalTimer> checkpoint_timer_;
   bool is_complete_ = true;
   std::vector<store::StageSummary> stages_;
   /// Memory held back, so that a run that runs out of memory can still write its summary.
   std::optional<std::vector<std::byte>> reserve_ = std::vector<std::byte>(std::size_t{1} << 20U);
-  CheckpointWriter checkpoint_writer_;  // last: at the end it waits for its thread
+  tasks::Background writing_;  // last: at the end it waits for its thread
 };
 
 }  // namespace clca::run

@@ -32,22 +32,6 @@ scene::AnyScene prolonged(const scene::AnyScene& saved, const std::string& text,
                              scene::least_steps(longer.stages.back(), longer)));
 }
 
-/// A scene from its resolved text, with its name.
-struct SavedScene {
-  std::string text;
-  std::string name;
-};
-
-scene::AnyScene parse_saved(const SavedScene& saved, const std::filesystem::path& file,
-                            const std::optional<std::string>& until) {
-  scene::AnyScene scene = scene::parse_any(saved.text, file.string());
-  if (until) {
-    scene = prolonged(scene, saved.text, file.string(), *until);
-  }
-  std::visit([&](auto& held) { held.name = saved.name; }, scene);
-  return scene;
-}
-
 /// The summary of a finished run. Others need not be whole after a power failure.
 std::optional<store::RunSummary> finished(const store::RunFolder& folder) {
   try {
@@ -56,26 +40,6 @@ std::optional<store::RunSummary> finished(const store::RunFolder& folder) {
   } catch (const store::StoreError&) {
     return std::nullopt;
   }
-}
-
-/// Whether a new run has started to replace the one that wrote run.json.
-bool is_about_to_start(const store::RunFolder& folder, double max_bytes) {
-  try {
-    const auto found = store::read_checkpoint(folder.path(), max_bytes);
-    return found && found->checkpoint.is_start();
-  } catch (const store::StoreError&) {  // it is older and damaged: it is not needed
-    return false;
-  }
-}
-
-store::FoundCheckpoint found_checkpoint(const store::RunFolder& folder, double max_bytes) {
-  if (auto found = store::read_checkpoint(folder.path(), max_bytes)) {
-    return *std::move(found);
-  }
-  throw store::StoreError(
-      fmt::format("cannot resume the run in {}: it has no checkpoint; a run with "
-                  "output.checkpoint: none keeps none",
-                  folder.path().string()));
 }
 
 /// Whether a run that reached `now` can have recorded this history of what has left.
@@ -114,20 +78,39 @@ SavedRun load_run(const std::filesystem::path& folder, double max_bytes,
                   .max_bytes = max_bytes,
                   .until = until,
                   .warning = ""};
-  auto done = until ? std::nullopt : finished(run.folder);
-  if (done && !is_about_to_start(run.folder, max_bytes)) {
-    run.finished = std::move(done);
+  run.finished = until ? std::nullopt : finished(run.folder);
+  std::optional<store::FoundCheckpoint> found;
+  try {
+    found = store::read_checkpoint(folder, max_bytes);
+  } catch (const store::StoreError&) {
+    if (!run.finished) {  // else it is older and damaged: it is not needed
+      throw;
+    }
+  }
+  const bool begins_anew = found && found->checkpoint.is_start();
+  if (run.finished && !begins_anew) {
     return run;
   }
-  store::FoundCheckpoint found = found_checkpoint(run.folder, max_bytes);
-  run.checkpoint = std::move(found.checkpoint);
-  run.warning = std::move(found.warning);
-  const SavedScene saved = {run.checkpoint.scene, run.checkpoint.scene_name};
-  if (!text::is_file_name(saved.name)) {
-    throw store::StoreError(fmt::format("cannot resume the run in {}: '{}' cannot name a file",
-                                        folder.string(), saved.name));
+  run.finished.reset();
+  if (!found) {
+    throw store::StoreError(
+        fmt::format("cannot resume the run in {}: it has no checkpoint; a run with "
+                    "output.checkpoint: none keeps none",
+                    folder.string()));
   }
-  run.scene = parse_saved(saved, folder / store::kSceneFile, until);
+  run.checkpoint = std::move(found->checkpoint);
+  run.warning = std::move(found->warning);
+  const std::string& name = run.checkpoint.scene_name;
+  if (!text::is_file_name(name)) {
+    throw store::StoreError(
+        fmt::format("cannot resume the run in {}: '{}' cannot name a file", folder.string(), name));
+  }
+  const std::string file = (folder / store::kSceneFile).string();
+  run.scene = scene::parse_any(run.checkpoint.scene, file);
+  if (until) {
+    run.scene = prolonged(run.scene, run.checkpoint.scene, file, *until);
+  }
+  std::visit([&](auto& held) { held.name = name; }, run.scene);
   return run;
 }
 

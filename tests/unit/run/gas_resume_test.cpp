@@ -13,7 +13,7 @@
 
 #include "clca/run/run.hpp"
 #include "clca/store/file.hpp"
-#include "run/gas_saved.hpp"
+#include "run/saved.hpp"
 #include "support/runs.hpp"
 #include "support/thread_ranks.hpp"
 
