@@ -84,17 +84,14 @@ class Source:
         labels = [name[len(begin) :] for name in self.names if name.startswith(begin)]
 
         def order(label: str) -> tuple[int, float, str]:
-            return (self.stages.index(label) if label in self.stages else len(self.stages), number_in(label), label)
+            try:
+                number = float(label)
+            except ValueError:
+                number = 0.0
+            return (self.stages.index(label) if label in self.stages else len(self.stages), number, label)
 
         labels = sorted((label for label in labels if label and set(label) <= LABEL), key=order)
         return [(one, self.table(begin + one)) for one in labels if one not in self.stages or self.is_wanted(one)]
-
-
-def number_in(text: str) -> float:
-    try:
-        return float(text)
-    except ValueError:
-        return 0.0
 
 
 def has(table: Table, column: str) -> bool:

@@ -322,10 +322,6 @@ class Trajectory:
         self._numbers = numpy.flatnonzero(numpy.append(True, steps[1:] != steps[:-1]))
         self.list: list[tuple[int, str]] = [(int(steps[i]), stages[stage[i]]) for i in self._numbers]
 
-    def _opened(self, frame: int) -> AbstractContextManager[Any]:
-        number: int = self._frames["part"][frame]
-        return self._parts[number]()
-
     def _look(self, part: Any, summary: dict[str, Any]) -> Look:
         self.species = species = [name.decode() for name in part["scene/species"]]
         self.lattice = tuple(int(number) for number in part["scene/lattice"])  # columns, rows, 1 if periodic
@@ -374,7 +370,7 @@ class Trajectory:
                 if entered > len(origins):
                     origins = numpy.concatenate([origins, numpy.zeros((entered - len(origins), 2), "i4")])
                 if self._frames["origins"][number]:
-                    with self._opened(number) as part:
+                    with self._parts[self._frames["part"][number]]() as part:
                         ids, sites = self._rows(part, number, "origins", ["id", "site"])
                     origins[ids] = sites
             self._origins = (begin, frame + 1, origins)
@@ -384,7 +380,7 @@ class Trajectory:
         """By its place in `list`. Throws Error."""
         frame = int(self._numbers[number])
         origins = self._origins_of(frame)
-        with self._opened(frame) as part:
+        with self._parts[self._frames["part"][frame]]() as part:
             bodies = self._bodies(part, frame, origins)
             row, walls = int(self._frames["row"][frame]), len(self.look.walls)
             present = numpy.asarray(part["walls/present"][:]).reshape(-1, walls)[row] if walls else []
@@ -403,7 +399,7 @@ class Trajectory:
         kind = [(name, CONTACT[name]) for name in columns]
         if not self.has_contacts:
             return numpy.empty(0, kind)
-        with self._opened(frame) as part:
+        with self._parts[self._frames["part"][frame]]() as part:
             cells = self._rows(part, frame, "contacts", columns, rows)
         found = numpy.empty(len(cells[0]), kind)
         for name, values in zip(columns, cells):
