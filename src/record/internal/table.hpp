@@ -46,7 +46,7 @@ double velocity_unit(const scene::Scene& scene);
 struct ColumnInfo {
   Quantity quantity;
   std::vector<std::string_view> endings = {""};  ///< columns KEY + ending: one, or two as below
-  std::string_view where = "";                   ///< as ColumnGroup::where
+  std::string_view where = {};                   ///< as ColumnGroup::where
   bool is_there = true;                          ///< for the scene
 
   std::vector<std::string> names() const;
@@ -167,19 +167,20 @@ class RunTable {
   void write(const store::OutputFolder* folder, const std::string& part = "");
 
  protected:
-  RunTable(const TableInfo& info, const scene::Scene& scene)
-      : conversion_(scene::conversion(scene)), info_(info) {}
+  RunTable(TableInfo info, const scene::Scene& scene)
+      : conversion_(scene::conversion(scene)), info_(std::move(info)) {}
   /// Of a gas: there are errors of means over the members of an ensemble.
-  RunTable(const TableInfo& info, const scene::BoltzmannScene& scene)
-      : has_errors_(scene.ensemble > 1), info_(info) {}
+  RunTable(TableInfo info, const scene::BoltzmannScene& scene)
+      : has_errors_(scene.ensemble > 1), info_(std::move(info)) {}
 
   void set_columns(const std::vector<std::string>& names) { table_ = store::Table(names); }
   void add_row(std::vector<store::Cell> cells) { table_.add_row(std::move(cells)); }
-
-  bool has_errors_ = true;
-  std::optional<scene::Conversion> conversion_ = {};  // for the time behind each step
+  bool has_errors() const { return has_errors_; }
+  const std::optional<scene::Conversion>& conversion() const { return conversion_; }
 
  private:
+  bool has_errors_ = true;
+  std::optional<scene::Conversion> conversion_ = {};  // for the time behind each step
   TableInfo info_;
   store::Table table_{{}};
   std::uint64_t bytes_ = 0;
@@ -192,7 +193,7 @@ class TableWriter : public RunTable {
   /// `more`: names of the columns of_each.
   TableWriter(const auto& scene, const TableOf<Row>& table,
               const std::vector<std::string>& more = {})
-      : RunTable(table, scene) {
+      : RunTable(table.info(), scene) {
     std::vector<std::string> names;
     for (const Column<Row>& column : table.values) {
       if (!column.is_there) {
@@ -216,15 +217,15 @@ class TableWriter : public RunTable {
     for (const Column<Row>& column : columns_) {
       const std::size_t first = cells.size();
       column.add(cells, row);
-      for (std::size_t cell = first; conversion_ && cell < cells.size(); ++cell) {
+      for (std::size_t cell = first; conversion() && cell < cells.size(); ++cell) {
         if (auto* value = std::get_if<double>(&cells[cell])) {
-          *value = conversion_->in_si(*value, column.quantity.unit);
+          *value = conversion()->in_si(*value, column.quantity.unit);
         }
       }
       if (lacks_error(column)) {
         cells.pop_back();
       } else if (has_time(column)) {
-        cells.emplace_back(conversion_->time(std::get<std::uint64_t>(cells.back())));
+        cells.emplace_back(conversion()->time(std::get<std::uint64_t>(cells.back())));
       }
     }
     cells.insert(cells.end(), more.begin(), more.end());
@@ -233,10 +234,10 @@ class TableWriter : public RunTable {
 
  private:
   bool lacks_error(const Column<Row>& column) const {
-    return !has_errors_ && column.endings.back() == kErrorEnding;
+    return !has_errors() && column.endings.back() == kErrorEnding;
   }
   bool has_time(const Column<Row>& column) const {
-    return conversion_ && column.quantity.key == kStep.key;
+    return conversion() && column.quantity.key == kStep.key;
   }
 
   std::vector<Column<Row>> columns_;
