@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "lattice/internal/bounded.hpp"
+#include "clca/lattice/region.hpp"
 
 namespace clca::scene {
 
