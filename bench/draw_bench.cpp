@@ -60,7 +60,7 @@ Subject subject_of(const benchmark::State& bench, render::Drawing drawing) {
           static_cast<int>(bench.range(2)), drawing};
 }
 
-/// With what its colours take.
+/// The time includes that of the colours.
 template <class ColoringOf>
 void capture(benchmark::State& bench, render::Drawing drawing, ColoringOf coloring_of) {
   Subject subject = subject_of(bench, drawing);

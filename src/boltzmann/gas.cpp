@@ -96,7 +96,7 @@ void standardise(Eigen::Ref<Array3Xd> vectors) {
   vectors *= std::sqrt(3 * count / square);
 }
 
-// Both samples: spins are of the same length in the mean as the velocities.
+// Spins have the same mean square as velocities; so also in equal_sample().
 Motions normal_sample(const InitialCondition& condition, std::uint64_t seed) {
   const CubePoints points(condition, condition.particles, seed);
   Motions sample(6, static_cast<Eigen::Index>(condition.particles));

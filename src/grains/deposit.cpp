@@ -192,8 +192,8 @@ class Deposit {
     }
   }
 
-  /// Down if free, else a free side, either with equal probability: by a bit of a draw, as many
-  /// of which have been taken as there were `flips`. None at rest.
+  /// Down if free, else a free side, each with equal probability. None at rest. `flips`: random
+  /// bits that the particle has used.
   std::optional<Direction> way_down(const Particle& particle, std::uint32_t id,
                                     std::uint64_t& flips) const {
     if (free(particle, Direction::down)) {
@@ -209,7 +209,7 @@ class Deposit {
       constexpr std::uint64_t kBits = 64;  // of a draw
       const std::uint64_t bits =
           random::draw(state_.seed, flips / kBits, id, random::Purpose::deposit_coin);
-      to_right = (bits >> flips % kBits & 1U) != 0;
+      to_right = ((bits >> (flips % kBits)) & 1U) != 0;
       ++flips;
     }
     return to_right ? Direction::down_right : Direction::down_left;

@@ -44,12 +44,15 @@ void put_wall(OccupancyTable& occupancy, const State& state, std::size_t number)
 }
 
 void take_border(OccupancyTable& occupancy, const lattice::Lattice& lattice) {
-  const int beside = lattice.periodic() ? 0 : 1;  // there the border columns are never read
+  const int beside = lattice.periodic() ? 0 : 1;  // of a periodic box they are never read
   for (int column = -beside; column < lattice.columns() + beside; ++column) {
     occupancy.take(lattice.index({column, -1}), kBorder);
     occupancy.take(lattice.index({column, lattice.rows()}), kBorder);
   }
-  for (int row = 0; row < lattice.rows() && !lattice.periodic(); ++row) {
+  if (lattice.periodic()) {
+    return;
+  }
+  for (int row = 0; row < lattice.rows(); ++row) {
     occupancy.take(lattice.index({-1, row}), kBorder);
     occupancy.take(lattice.index({lattice.columns(), row}), kBorder);
   }

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "lattice/internal/require.hpp"
 
@@ -65,8 +66,9 @@ std::vector<Site> chain_along(const SweptRegion& swept_region, const Segment& se
   return chain;
 }
 
-/// Adds the sites that `contains`, column by column from the left, upwards. `heights(column)`:
-/// where in a column they may lie.
+/// Adds the sites for whose positions `contains` is true, column by column from the left, upwards.
+/// `heights(column)`: the lowest and the highest ordinate that they may have there; none if the
+/// first is above the second.
 template <class Heights, class Contains>
 void add_sites(const SweptRegion& swept_region, double left, double right, Heights heights,
                Contains contains, std::vector<Site>& sites) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "lattice/internal/require.hpp"
 
@@ -13,22 +14,30 @@ void check_origins(const grains::State& state) {
   require(state.origins.size() == state.particles.size(), "not every particle has an origin");
 }
 
-/// Columns of all particle sites, ascending; they are not wrapped at a periodic boundary.
+/// Number of particle sites by column; columns are not wrapped at a periodic boundary.
 /// `at_origin`: at the start of the stage.
-std::vector<int> site_columns(const grains::State& state, bool at_origin) {
+std::map<int, std::size_t> column_counts(const grains::State& state, bool at_origin) {
   check_origins(state);
-  std::vector<int> columns;
+  std::map<int, std::size_t> counts;
   for (std::size_t id = 0; id < state.particles.size(); ++id) {
     const grains::Particle& particle = state.particles[id];
     const int reference = at_origin ? state.origins[id].column : particle.column;
     if (particle.present) {
       for (const lattice::Axial part : state.shape(particle).sites()) {
-        columns.push_back(reference + part.x);
+        ++counts[reference + part.x];
       }
     }
   }
-  std::ranges::sort(columns);
-  return columns;
+  return counts;
+}
+
+/// Column of the site `number`, counted from 0 in the order of `begin`.
+template <class Iterator>
+int column_of(std::size_t number, Iterator begin) {
+  for (; number >= begin->second; ++begin) {
+    number -= begin->second;
+  }
+  return begin->first;
 }
 
 /// The root of a whole number, so that equal distances in all directions are equal.
@@ -74,20 +83,25 @@ double smallest_diameter(const grains::State& state) {
 }
 
 std::optional<Runout> runout(const grains::State& state) {
-  const std::vector<int> before = site_columns(state, true);
-  const std::vector<int> after = site_columns(state, false);
+  const std::map<int, std::size_t> before = column_counts(state, true);
+  const std::map<int, std::size_t> after = column_counts(state, false);
   if (after.empty()) {
     return std::nullopt;
   }
-  const std::size_t last = after.size() - 1;
-  const auto one_percent = static_cast<std::size_t>(0.01 * static_cast<double>(last));
-  const int to_right = after.back() - before.back();
-  const int to_left = before.front() - after.front();
-  const bool at_side =
-      !state.lattice.periodic() && ((to_right > 0 && after.back() == state.lattice.columns() - 1) ||
-                                    (to_left > 0 && after.front() == 0));
-  const int most =
-      std::max(after[last - one_percent] - before.back(), before.front() - after[one_percent]);
+  std::size_t sites = 0;
+  for (const auto& [column, count] : after) {
+    sites += count;
+  }
+  const auto one_percent = static_cast<std::size_t>(0.01 * static_cast<double>(sites - 1));
+  const int left = before.begin()->first;
+  const int right = before.rbegin()->first;
+  const int to_right = after.rbegin()->first - right;
+  const int to_left = left - after.begin()->first;
+  const bool at_side = !state.lattice.periodic() &&
+                       ((to_right > 0 && after.rbegin()->first == state.lattice.columns() - 1) ||
+                        (to_left > 0 && after.begin()->first == 0));
+  const int most = std::max(column_of(one_percent, after.rbegin()) - right,
+                            left - column_of(one_percent, after.begin()));
   return Runout{.front = lattice::kColumnPitch * std::max(to_right, to_left),
                 .percent_99 = lattice::kColumnPitch * most,
                 .at_side = at_side};

@@ -42,7 +42,7 @@ void share_out(double position, std::size_t count, const Visit& visit) {
             visit);
 }
 
-/// Of the vector product, the only component.
+/// The component of the vector product at right angles to the plane.
 inline double cross_product(const Eigen::Vector2d& one, const Eigen::Vector2d& other) {
   return one.x() * other.y() - one.y() * other.x();
 }

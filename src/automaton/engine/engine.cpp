@@ -136,8 +136,10 @@ void Engine::wake_changed() {
   for (const std::uint32_t id : world_.changes.particles) {
     wake(id);
   }
-  for (std::uint32_t id = 0; !sleeping_ && id < world_.state.particles.size(); ++id) {
-    wake(id);
+  if (!sleeping_) {
+    for (std::uint32_t id = 0; id < world_.state.particles.size(); ++id) {
+      wake(id);
+    }
   }
   for (const std::size_t index : world_.changes.vacated) {
     if (!world_.occupancy.taken(index)) {

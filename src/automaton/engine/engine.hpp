@@ -51,7 +51,8 @@ class Engine final : public Steps {
 
   // Before the phases.
   void begin_step();
-  /// Wakes particles by what walls, sources, outlets and overlaps have changed.
+  /// Wakes particles by what walls, sources, outlets and overlaps have changed; all, where
+  /// none sleep.
   void wake_changed();
   void wake_upstream(lattice::Site vacated);
   void wake(std::uint32_t id);

@@ -35,7 +35,8 @@ struct WorkHistogram {
   }
 };
 
-/// How far the windows of a particle reach from its reference site.
+/// How far the windows of a particle reach from its reference site, those of sites that it wakes
+/// included.
 struct Reach {
   int left = 0;
   int right = 0;

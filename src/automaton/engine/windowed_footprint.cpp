@@ -37,7 +37,8 @@ std::vector<WindowMask> window_masks(const std::vector<Axial>& sites, bool odd_c
   return result;
 }
 
-/// Sites beside the step of a shape from which a candidate move leads into one that it vacates.
+/// Sites from which a candidate move leads into one that the step of a shape vacates, without those
+/// that the shape covers before or after it.
 std::vector<Axial> upstream(const lattice::Shape& shape, Direction step,
                             std::span<const Direction> candidates) {
   std::vector<Axial> result;

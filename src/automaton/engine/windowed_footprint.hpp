@@ -50,8 +50,8 @@ struct WindowedFootprint : grains::Footprint {
   PerDirection<lattice::Offset> wake;
   // The same as masks of windows: one window for all moves if that is enough, else several.
   bool one_window = false;
-  lattice::Site corner;      ///< of that window or the lower left one, from the reference site
-  lattice::Site far_corner;  ///< the upper right site of the windows, from the reference site
+  lattice::Site corner;      ///< lower left site of the lower left window, from the reference site
+  lattice::Site far_corner;  ///< upper right site of the upper right one, likewise
   lattice::Site corner_from(lattice::Site reference) const {
     return {reference.column + corner.column, reference.row + corner.row};
   }

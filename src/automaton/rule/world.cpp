@@ -26,7 +26,7 @@ void World::include_new(std::size_t first) {
 }
 
 std::vector<Overlap> World::overlaps(std::uint32_t id, const grains::Particle& at) const {
-  constexpr std::size_t kUsual = 8;  // at most
+  constexpr std::size_t kUsual = 8;  // more are rare
   std::vector<Overlap> result;
   result.reserve(kUsual);
   const auto count = [&](grains::Owner owner) {

@@ -1,5 +1,5 @@
 #pragma once
-// A box, and who overlaps in it.
+// A box, who overlaps in it, and its moving walls (moving_walls.cpp).
 
 #include <cstdint>
 #include <span>
@@ -36,7 +36,8 @@ struct Changes {
   }
 };
 
-/// Every pair that overlaps has one push in State::pushes, and there are no others.
+/// A box in which particles may overlap. State::pushes has one push for each pair that does, and no
+/// other.
 class World {
  public:
   /// The box must outlive the world.
@@ -62,8 +63,8 @@ class World {
   std::span<const grains::Push> pushes_onto(std::uint32_t id) const;
   /// Enters a push, or renews the one of the same pair.
   void record_push(const grains::Push& push);
-  /// Forgets the push between a particle and `other`, whoever pushed. A particle `other` has
-  /// changed.
+  /// Forgets the push between a particle and `other`, whoever pushed. If `other` is a
+  /// particle, `changes` has it.
   void forget_push(std::uint32_t id, grains::Owner other);
 
   /// Forgets what a particle shares with others, as it will be taken out.
@@ -83,7 +84,7 @@ class World {
   void change_sites(std::span<const std::uint32_t> ids, lattice::Direction direction);
   void count(const grains::Push& push, int change);
 
-  std::vector<std::uint32_t> push_counts_;  // of a particle, by id: in which it takes part
+  std::vector<std::uint32_t> push_counts_;  // by id: those in which the particle takes part
 };
 
 /// Moves every active wall by the step that its motion asks for, if it can, in the order of their

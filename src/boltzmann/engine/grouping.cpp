@@ -8,13 +8,18 @@ namespace clca::boltzmann {
 
 namespace {
 
-std::uint64_t prime_from(std::uint64_t number) {
-  number = std::max<std::uint64_t>(number, 2);
+bool is_prime(std::uint64_t number) {
   for (std::uint64_t divisor = 2; divisor * divisor <= number; ++divisor) {
     if (number % divisor == 0) {
-      ++number;
-      divisor = 1;
+      return false;
     }
+  }
+  return number >= 2;
+}
+
+std::uint64_t prime_from(std::uint64_t number) {
+  while (!is_prime(number)) {
+    ++number;
   }
   return number;
 }

@@ -39,7 +39,7 @@ struct alignas(16) BodyVelocity {
 
 /// What is done with the contacts of batches.
 enum class Pass : std::uint8_t {
-  remembered,  ///< gives the bodies the impulses that the contacts remember
+  warm_start,  ///< gives the bodies the impulses that the contacts remember
   forwards,    ///< solves all contacts in this order
   backwards,
 };
@@ -52,8 +52,8 @@ BatchFunction plain_function();
 /// Eight at once by AVX2; plain_function() where the compiler or the processor has none.
 BatchFunction fastest_function();
 
-/// A BatchFunction by numbers of some width: `Lanes` says how to load and store as many contacts as
-/// Lanes::Int has numbers.
+/// A BatchFunction that computes with as many contacts at once as Lanes::Int has numbers. `Lanes`
+/// says how to load and store them.
 template <class Lanes>
 void carry_out(Pass pass, std::span<Batch> batches, BodyVelocity* bodies, const Pair* pairs,
                const LawConstants& law) {
@@ -70,7 +70,7 @@ void carry_out(Pass pass, std::span<Batch> batches, BodyVelocity* bodies, const 
                                          .normal_x = Lanes::load(&batch.normal_x[lane]),
                                          .normal_y = Lanes::load(&batch.normal_y[lane]),
                                          .pair = Lanes::coefficients(pairs, &batch.pair[lane])};
-      if (pass == Pass::remembered) {
+      if (pass == Pass::warm_start) {
         apply(touching, impulse, law.rotates);
       } else {
         solve(impulse, touching, Lanes::load(&batch.bounce[lane]),

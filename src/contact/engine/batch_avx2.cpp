@@ -27,8 +27,12 @@ struct Longs {
   __m256i even;
   __m256i odd;
 
-  Longs operator+(Longs other) const { return {even + other.even, odd + other.odd}; }
-  Longs operator-(Longs other) const { return {even - other.even, odd - other.odd}; }
+  Longs operator+(Longs other) const {
+    return {_mm256_add_epi64(even, other.even), _mm256_add_epi64(odd, other.odd)};
+  }
+  Longs operator-(Longs other) const {
+    return {_mm256_sub_epi64(even, other.even), _mm256_sub_epi64(odd, other.odd)};
+  }
 };
 
 Ints all(std::int32_t value, Ints /*like*/) {

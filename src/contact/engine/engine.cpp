@@ -140,7 +140,7 @@ void Engine::for_each_group(Solve solve) {
 void Engine::sweep_contacts() {
   std::vector<Batch>& batches = slots_.batches();
   const Pair* pairs = rule_.coefficients.pairs().data();
-  carry_out_(Pass::remembered, batches, bodies_.data(), pairs, rule_.law);
+  carry_out_(Pass::warm_start, batches, bodies_.data(), pairs, rule_.law);
   clock_.end("warm_start");
   for (int i = 0; i < rule_.sweeps; ++i) {
     carry_out_(i % 2 == 0 ? Pass::forwards : Pass::backwards, batches, bodies_.data(), pairs,

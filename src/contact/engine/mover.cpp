@@ -107,6 +107,7 @@ void Mover::release(std::span<const std::uint32_t> ids, Direction direction) {
 
 /// Whether some grain waits for one that waits for one ... that waits for it.
 bool Mover::has_ring(Direction direction) {
+  std::erase_if(blocked_, [&](std::uint32_t id) { return !waits(id, direction); });
   const std::uint64_t before = walks_;
   for (std::uint32_t id : blocked_) {
     ++walks_;

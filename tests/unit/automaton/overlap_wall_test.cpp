@@ -64,7 +64,6 @@ TEST(OverlapWall, StallsAndIsUndoneWhereOneMoveCouldNotFreeTheParticle) {
   const State before = bench.state;
   EXPECT_FALSE(bench.advance());  // it would stand in the centre
   EXPECT_EQ(bench.travel(0).stalls, 1U);
-  EXPECT_EQ(bench.travel(0).stalls, 1U);
   EXPECT_EQ(bench.travel(0).stalled_since, 1U);
   EXPECT_EQ(bench.travel(0).offset, 1);
   EXPECT_EQ(bench.state.pushes, before.pushes);

@@ -77,7 +77,7 @@ void expect_same(const Workload& one, const Workload& other) {
   }
 }
 
-TEST(BatchFunction, GiveTheSameBitsInAnyWay) {
+TEST(BatchFunction, GivesTheSameBitsInAnyWay) {
   std::mt19937_64 random(1);
   const BatchFunction plain = plain_function();
   const BatchFunction fastest = fastest_function();
@@ -93,7 +93,7 @@ TEST(BatchFunction, GiveTheSameBitsInAnyWay) {
                               .rolling_friction = ratio(0.5)};
     for (const auto& [carry_out, load] :
          {std::pair<BatchFunction, Workload&>(plain, one), {fastest, other}}) {
-      for (const Pass pass : {Pass::remembered, Pass::forwards, Pass::backwards}) {
+      for (const Pass pass : {Pass::warm_start, Pass::forwards, Pass::backwards}) {
         carry_out(pass, load.batches, load.bodies.data(), pairs.data(), law);
       }
     }
@@ -157,7 +157,7 @@ TEST(ContactSlots, HaveNothingInALaneThatIsEmptied) {
   bodies[kRestingBody] = {};
   const Pair* pairs = bed.rule.coefficients.pairs().data();
   for (const BatchFunction carry_out : {plain_function(), fastest_function()}) {
-    for (const Pass pass : {Pass::remembered, Pass::forwards}) {
+    for (const Pass pass : {Pass::warm_start, Pass::forwards}) {
       carry_out(pass, slots.batches(), bodies.data(), pairs, {.rotates = true});
     }
     EXPECT_EQ(bodies[1].velocity, (Velocity<Number>{7, 8, 9}));
