@@ -81,7 +81,7 @@ bool is_ascii(std::string_view text) {
 std::vector<png_text> text_chunks(const PngText& text) {
   std::vector<png_text> chunks;
   for (const auto& [keyword, value] : text) {
-    if (!is_ascii(keyword) || value.find('\0') != std::string::npos) {
+    if (!is_ascii(keyword) || (keyword + value).find('\0') != std::string::npos) {
       throw std::runtime_error("a PNG file cannot hold the text \"" + keyword + "\"");
     }
     png_text chunk = {};

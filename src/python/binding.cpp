@@ -51,6 +51,7 @@ void add_scene(py::module_& module) {
   py::class_<LoadedScene>(module, "Scene")
       .def(py::init<std::string, std::optional<std::string>, std::vector<scene::Override>>(),
            py::call_guard<Released>())
+      .def("__reduce__", refuse_pickle)
       .def_property_readonly(
           "name",
           [](const LoadedScene& loaded) {

@@ -18,7 +18,7 @@ namespace clca::python {
 
 namespace py = pybind11;
 
-/// What objects of Python hold.
+/// Base of what objects of Python hold; their caster, below, refuses those without it.
 struct Held {};
 
 /// A scene with all checks of the command line done.
@@ -58,6 +58,12 @@ py::array view(std::shared_ptr<Owner> owner, const void* memory, const py::dtype
 inline py::array pixels(const image::Image& image) {
   static_assert(sizeof(image::Rgb) == 3);
   return py::array_t<std::uint8_t>({image.height, image.width, 3}, &image.pixels.data()->red);
+}
+
+/// Refuses pickle, whose older protocols end the process for classes of pybind11.
+inline py::object refuse_pickle(const py::object& self) {
+  throw py::type_error("cannot pickle " +
+                       py::str(py::type::of(self).attr("__name__")).cast<std::string>());
 }
 
 void add_run(py::module_& module);

@@ -93,6 +93,7 @@ void add_gas(py::module_& module) {
   py::class_<Gas>(module, "Gas")
       .def(py::init<const LoadedScene&, std::optional<int>>(), py::arg("scene"),
            py::arg("threads") = py::none())
+      .def("__reduce__", refuse_pickle)
       .def("_advance", &Gas::advance)
       .def_property_readonly(
           "time", [](const Gas& gas) { return gas.now().time; }, "Of the gas.")

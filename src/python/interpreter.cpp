@@ -23,11 +23,14 @@ struct End {
   }
 };
 
+/// How often this thread has given the interpreter up.
+thread_local int works = 0;
+
 /// For ever, where Python comes to its end in another thread.
 void wait_at_end() {
   End& end = End::get();
   if (end.is_near && end.thread.load() != std::this_thread::get_id()) {
-    --end.at_work;
+    end.at_work -= works > 0 ? 1 : 0;
     for (;;) {
       ::pause();
     }
@@ -43,19 +46,20 @@ void come_to_end() {
   end.thread = std::this_thread::get_id();
   end.is_near = true;
   const pybind11::gil_scoped_release free;
-  for (int tries = 0; end.at_work > 0 && tries < kTries; ++tries) {
+  for (int tries = 0; end.at_work > works && tries < kTries; ++tries) {
     std::this_thread::sleep_for(1ms);
   }
 }
 
 /// The other threads are not in the child.
 void forked() {
-  End::get().at_work = 0;
+  End::get().at_work = works;
 }
 
 }  // namespace
 
 Released::Released() : state_(PyEval_SaveThread()) {
+  ++works;
   ++End::get().at_work;
   wait_at_end();
 }
@@ -63,6 +67,7 @@ Released::Released() : state_(PyEval_SaveThread()) {
 Released::~Released() {
   wait_at_end();
   PyEval_RestoreThread(state_);
+  --works;
   --End::get().at_work;
 }
 

@@ -30,10 +30,10 @@ using Values = std::vector<std::string>;
 using VariedKeys = std::pair<Values, std::vector<Values>>;
 
 /// What runs tell while the interpreter is free: how far they are, and warnings.
-class Work : public Interrupt {
+class Reported : public Interrupt {
  public:
   /// `report`: None, or called as in _clca.pyi.
-  explicit Work(const py::object& report) : report_(report) {}
+  explicit Reported(const py::object& report) : report_(report) {}
 
   void report(const std::string& stage, std::uint64_t done, std::optional<std::uint64_t> of,
               std::optional<double> seconds_left) {
@@ -65,7 +65,7 @@ class Work : public Interrupt {
 /// Calls `run_it`; the folder that it names.
 template <class RunIt>
 fs::path carry_out(run::RunOptions options, const py::object& report, RunIt run_it) {
-  Work work(report);
+  Reported work(report);
   fs::path used;
   work.during([&] {
     options.stop = work.stop();
@@ -144,7 +144,7 @@ void sweep_scene(const std::string& source, const std::optional<std::string>& te
                  const std::vector<scene::Override>& overrides,
                  const std::vector<VariedKeys>& varied, std::vector<std::uint64_t> seeds,
                  const fs::path& folder, const std::optional<int>& jobs, const py::object& report) {
-  Work work(report);
+  Reported work(report);
   work.during([&] {
     check(varied, seeds);
     std::ranges::sort(seeds);

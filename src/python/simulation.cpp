@@ -167,6 +167,7 @@ void add_simulation(py::module_& module) {
   };
   py::class_<Simulation>(module, "Simulation")
       .def(py::init(make), py::arg("scene"), py::arg("threads") = 1)
+      .def("__reduce__", refuse_pickle)
       .def("_step", step)
       .def("next_stage", next_stage,
            "Ends the stage here and begins the next one. Throws Error in the last one.")

@@ -248,7 +248,7 @@ TableOf<LoadRow> loads_table(const scene::Scene& scene) {
              {{"pushes", "Pushes", "", "onto it"}, &LoadRow::contacts}}}}};
 }
 
-/// Of one that overlaps particles with what there is in the base.
+/// A wall or a side of the box. The base: of a wall that may overlap particles.
 struct WallRow : measure::WallOverlap {
   std::string name = {};
   std::uint64_t contacts = 0;

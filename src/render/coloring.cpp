@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -131,8 +132,9 @@ LayerRange layer_range(const State& state, std::span<const std::size_t> sources)
 }
 
 Coloring color_by_layer(const State& state, int layers, const LayerRange& range) {
-  if (layers < 1) {
-    throw std::invalid_argument("there is at least one layer");
+  constexpr int kMost = std::numeric_limits<std::uint16_t>::max();  // of shades
+  if (layers < 1 || layers > kMost) {
+    throw std::invalid_argument(fmt::format("there are 1 to {} layers", kMost));
   }
   const std::vector<double> centroids = centroid_heights(state.kinds);
   const auto layer_of = [&](std::size_t id) {

@@ -203,10 +203,11 @@ double width_of(PangoLayout* layout) {
 
 }  // namespace
 
-Graphics::Graphics(int width, int height, On on) : width_(width), height_(height) {
-  const Surface surface = on == On::page ? page_of(width, height, pdf_) : surface_of(width, height);
+Graphics::Graphics(int width, int height, Medium medium) : width_(width), height_(height) {
+  const Surface surface =
+      medium == Medium::page ? page_of(width, height, pdf_) : surface_of(width, height);
   cairo_.reset(cairo_create(surface.get()), cairo_destroy);
-  if (on == On::page) {
+  if (medium == Medium::page) {
     cairo_scale(cairo_.get(), kPoints, kPoints);
   }
   set_color(kPaper);

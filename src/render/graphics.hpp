@@ -28,9 +28,9 @@ void require_memory(std::size_t bytes = std::size_t{128} << 20U);
 class Graphics {
  public:
   /// What is drawn on: pixels, or vector graphics with pixels of 1/96 inch. White at first.
-  enum class On : std::uint8_t { picture, page };
-  /// Throws RenderError if Cairo cannot draw one of this size, std::bad_alloc.
-  Graphics(int width, int height, On on = On::picture);
+  enum class Medium : std::uint8_t { picture, page };
+  /// Throws RenderError if Cairo cannot draw a picture or page of this size, std::bad_alloc.
+  Graphics(int width, int height, Medium medium = Medium::picture);
 
   /// What is drawn on a picture; white in the rows of `without`.
   Image image(const PixelBox& without = {}) const;

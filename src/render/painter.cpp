@@ -175,14 +175,19 @@ Capture Painter::capture(const grains::State& state, const grains::Occupancy& oc
   if (coloring.shades.size() != state.particles.size()) {
     throw std::invalid_argument("the colours are those of another state");
   }
+  for (std::size_t id = 0; id < state.particles.size(); ++id) {
+    if (state.particles[id].present && coloring.shades[id] >= coloring.palette.size()) {
+      throw std::invalid_argument("a shade is not in the palette");
+    }
+  }
   auto content = std::make_shared<Capture::Content>();
   if (!parts_->polygons) {
     content->panel = parts_->lookup.picture(state, occupancy, coloring);
   }
   if (parts_->polygons || parts_->style.vector) {
-    const std::vector<std::uint16_t> one_shade(state.particles.size());
-    content->walls =
-        parts_->walls.picture(state, occupancy, {.shades = one_shade, .palette = {kPaper}});
+    content->walls = parts_->walls.picture(
+        state, occupancy,
+        {.shades = std::vector<std::uint16_t>(state.particles.size()), .palette = {kPaper}});
     content->bodies = bodies_in_view(parts_->projection, state, coloring);
   }
   Capture capture = {.content = std::move(content), .legend = coloring.legend};
@@ -215,7 +220,7 @@ Image Painter::rasterize(const Capture& captured, const Caption& caption, const 
 
 std::vector<std::uint8_t> Painter::pdf(const Capture& captured, const Caption& caption,
                                        const Overlay& overlay, double turn) {
-  Graphics graphics(width(), height(), Graphics::On::page);
+  Graphics graphics(width(), height(), Graphics::Medium::page);
   parts_->draw(graphics, captured.legend, caption, overlay, turn,
                [&] { parts_->draw_panel(graphics, *captured.content); });
   return graphics.pdf(fmt::format("{}: {}", caption.title, caption.detail));
@@ -227,6 +232,7 @@ double Painter::bytes_for(const Style& style, double particles, int captures) {
   // In Cairo, of the view in captures and lookup, of the picture; what the lookup remembers.
   double bytes = pixels * (4 + (captures + 2.0) * sizeof(Rgb) + sizeof(grains::Owner)) +
                  particles * 4 * sizeof(Sample);
+  bytes += particles * (sizeof(double) + 2 * sizeof(std::uint16_t));  // values and their shades
   if (style.vector || style.drawing == Drawing::polygons) {
     // Of the walls in captures and lookup, on the canvas and as it is read.
     const double samples = pixels * style.supersampling * style.supersampling;

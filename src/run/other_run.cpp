@@ -207,19 +207,21 @@ std::int32_t scaled(double factor, std::int32_t value, double most) {
   return static_cast<std::int32_t>(std::llround(std::clamp(factor * value, -most, most)));
 }
 
-/// Contacts of the other run as those of this one, where the same bodies touch; the model drops
-/// others. `force`: factor of the impulses.
+/// Contacts of the other run as those of this one, if both bodies are here. The model drops
+/// contacts of bodies that do not touch. `force`: factor of the impulses.
 void take_contacts(const contact::State& other, const std::vector<std::size_t>& ids, double force,
                    contact::State& state) {
   const grains::State& there = other.grains;
   const grains::State& here = state.grains;
   const grains::Occupancy sites_there(there);
   const grains::Occupancy sites_here(here);
-  std::vector<grains::Owner> grains(there.particles.size(), grains::kFree);  // here, by id there
+  std::vector<grains::Owner> owners(there.particles.size(), grains::kFree);  // here, by id there
   for (std::size_t id = 0; id < ids.size(); ++id) {
-    grains[ids[id]] = here.particles[id].present ? grains::as_owner(id) : grains::kFree;
+    if (here.particles[id].present) {
+      owners[ids[id]] = grains::as_owner(id);
+    }
   }
-  /// The wall that the particle touches here where it touches `wall` there.
+  // The wall that the particle touches here where it touches `wall` there.
   const auto wall_in_place_of = [&](grains::Owner wall, const grains::Particle& particle) {
     for (const lattice::Direction direction : lattice::kDirections) {
       for (const lattice::Axial side : here.shape(particle).lead(direction)) {
@@ -238,13 +240,13 @@ void take_contacts(const contact::State& other, const std::vector<std::size_t>& 
   };
   std::set<std::pair<std::uint32_t, grains::Owner>> known;
   for (contact::Contact contact : other.contacts) {
-    const grains::Owner upper = grains[contact.upper];
+    const grains::Owner upper = owners[contact.upper];
     if (upper == grains::kFree) {
       continue;
     }
     contact.upper = static_cast<std::uint32_t>(upper);
     if (grains::is_particle(contact.other)) {
-      contact.other = grains[static_cast<std::size_t>(contact.other)];
+      contact.other = owners[static_cast<std::size_t>(contact.other)];
     } else if (contact.other > contact::kRightSide) {
       contact.other = wall_in_place_of(contact.other, here.particles[contact.upper]);
     }

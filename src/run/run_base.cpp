@@ -129,7 +129,7 @@ void RunBase::note(const char* level, const std::string& line,
     log_->append(fmt::format("{:%Y-%m-%d %H:%M:%S}.{:03} {}: {}\n",
                              fmt::localtime(system_clock::to_time_t(now)), milliseconds.count(),
                              level, line));
-  } catch (const store::StoreError&) {  // the run goes on without
+  } catch (const store::StoreError&) {  // the run goes on without it
   }
   if (event) {
     event(line);

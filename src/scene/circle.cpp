@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <stdexcept>
-
-#include "scene/geometry.hpp"
 
 namespace clca::scene {
 
@@ -119,24 +118,67 @@ Band band_of(const Circle& circle) {
   return band;
 }
 
+/// Half the height of a circle at a horizontal distance from its centre; 0 outside.
+double half_chord(double radius, double distance) {
+  return std::sqrt(std::max(0.0, radius * radius - distance * distance));
+}
+
+using Visit = std::function<bool(Site)>;
+
+/// Visits these rows of a column, upwards, until `visit` returns true for a site of the band.
+bool visit_rows(const Band& band, int column, lattice::RowRange rows, const Visit& visit) {
+  for (int row = rows.first; row < rows.end; ++row) {
+    const Site site = {column, row};
+    if (band.contains(lattice::position(site)) && visit(site)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Visits the sites, column by column from the left, until `visit` returns true.
+bool visit_sites(const SweptRegion& swept_region, const Band& band, const Visit& visit) {
+  constexpr double kMargin = 2;  // more than a row and what rounding may lose
+  const int low = swept_region.first_column();
+  const int high = swept_region.end_column();
+  const int end =
+      lattice::bounded((band.centre.x() + band.outer) / lattice::kColumnPitch + kMargin, low, high);
+  for (int column =
+           lattice::bounded((band.centre.x() - band.outer) / lattice::kColumnPitch - 1, low, high);
+       column < end; ++column) {
+    const lattice::RowRange all = swept_region.rows(column);
+    const double distance = lattice::kColumnPitch * column - band.centre.x();
+    const double outside = half_chord(band.outer, distance) + kMargin;
+    const double inside = half_chord(band.inner, distance) - kMargin;
+    const auto row_at = [&](double height) {
+      return lattice::bounded(band.centre.y() + height, all.first, std::max(all.first, all.end));
+    };
+    // Below the inner circle and above it.
+    const int first = row_at(-outside);
+    const int last = row_at(outside);
+    const int gap = inside > 0 ? row_at(-inside) : last;
+    const int after_gap = inside > 0 ? row_at(inside) : last;
+    if (visit_rows(band, column, {first, gap}, visit) ||
+        visit_rows(band, column, {after_gap, last}, visit)) {
+      return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 std::vector<Site> sites_in(const SweptRegion& swept_region, const Circle& circle) {
-  const Band band = band_of(circle);
   std::vector<Site> sites;
-  any_site(swept_region, around(circle), [&](Site site) {
-    if (band.contains(lattice::position(site))) {
-      sites.push_back(site);
-    }
+  visit_sites(swept_region, band_of(circle), [&](Site site) {
+    sites.push_back(site);
     return false;
   });
   return sites;
 }
 
 bool holds_no_site(const Lattice& lattice, const Circle& circle) {
-  const Band band = band_of(circle);
-  return !any_site(SweptRegion(lattice), around(circle),
-                   [&](Site site) { return band.contains(lattice::position(site)); });
+  return !visit_sites(SweptRegion(lattice), band_of(circle), [](Site) { return true; });
 }
 
 Rectangle around(const Circle& circle) {

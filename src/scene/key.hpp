@@ -22,7 +22,8 @@
 
 namespace clca::scene {
 
-/// An object of a JSON Schema, as text: only `clca explain` needs it as anything else.
+/// An object of a JSON Schema, as text: parsed only for `clca explain` and for the words
+/// of a key. What is put into it holds nothing that JSON escapes.
 using Schema = std::string;
 
 struct KeyDescription;

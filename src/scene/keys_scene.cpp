@@ -17,21 +17,22 @@ namespace {
 /// scene has the numbers.
 template <class AScene>
 Keys<AScene> first_keys() {
-  static const std::string kText = std::to_string(kVersion);
+  static const std::string kVersionText = std::to_string(kVersion);
   const auto check_version = [](const KeyedMap& fields, AScene& /*scene*/) {
     const Place place = fields.at("clca");
-    if (place.value.quoted || place.value.text != kText) {
-      fail(place, "expected version {} of the format, found {}", kText, found(place));
+    if (place.value.quoted || place.value.text != kVersionText) {
+      fail(place, "expected version {} of the format, found {}", kVersionText, found(place));
     }
   };
   return {
       own_key<AScene>({.name = "clca",
                        .about = "version of the format, without quotes",
-                       .allowed = fmt::format("`{}`", kText),
+                       .allowed = fmt::format("`{}`", kVersionText),
                        .required = true,
-                       .schema = fmt::format(R"({{"const": {}}})", kText)},
+                       .schema = fmt::format(R"({{"const": {}}})", kVersionText)},
                       check_version)
-          .written_as([](const AScene& /*scene*/) { return std::optional(Value::scalar(kText)); }),
+          .written_as(
+              [](const AScene& /*scene*/) { return std::optional(Value::scalar(kVersionText)); }),
       own_key<AScene>(
           {.name = "let",
            .about = "numbers with names, for [expressions](#expressions) in the place of numbers",

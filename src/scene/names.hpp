@@ -29,10 +29,12 @@ constexpr std::array<Named<T>, sizeof...(Words)> in_order(Words... words) {
 }
 
 inline constexpr auto kRollingNames = in_order<contact::Rolling>("none", "resistance", "free");
+static_assert(kRollingNames.back().value == contact::Rolling::free);
 /// A unit of length and how many of it make a metre.
 inline constexpr std::array<Named<double>, 4> kLengthUnits = {
     {{"m", 1}, {"cm", 1e2}, {"mm", 1e3}, {"um", 1e6}}};
 inline constexpr auto kCandidateNames = in_order<automaton::Candidates>("downward", "all");
+static_assert(kCandidateNames.back().value == automaton::Candidates::all);
 inline constexpr std::array<Named<lattice::Direction>, 6> kDirectionNames = {
     {{"down", lattice::Direction::down},
      {"up", lattice::Direction::up},
@@ -42,25 +44,36 @@ inline constexpr std::array<Named<lattice::Direction>, 6> kDirectionNames = {
      {"up_left", lattice::Direction::up_left}}};
 inline constexpr auto kUpdateClassNames =
     in_order<automaton::UpdateClass>("rest", "inertia", "gravity");
+static_assert(kUpdateClassNames.back().value == automaton::UpdateClass::gravity);
 inline constexpr auto kFillMethodNames = in_order<FillMethod>("random", "deposition");
+static_assert(kFillMethodNames.back().value == FillMethod::deposition);
 inline constexpr auto kTiesNames = in_order<automaton::Ties>("particle", "direction");
+static_assert(kTiesNames.back().value == automaton::Ties::direction);
 inline constexpr auto kWaveformNames = in_order<grains::Waveform>("sine", "triangle");
+static_assert(kWaveformNames.back().value == grains::Waveform::triangle);
 /// Whether a vessel is shaken sideways.
 inline constexpr auto kShakeDirectionNames = in_order<bool>("vertical", "horizontal");
 inline constexpr auto kPassiveNames = in_order<grains::Passive>("rigid", "overlap");
+static_assert(kPassiveNames.back().value == grains::Passive::overlap);
 inline constexpr auto kMeasureNames = in_order<Measure>(
     "profile", "repose", "runout", "packing", "moved", "outflow", "force", "segregation",
     "intruder", "convection", "axis_order", "mixing", "weight_paths");
+static_assert(kMeasureNames.back().value == Measure::weight_paths);
 inline constexpr auto kColorByNames =
     in_order<ColorBy>("species", "stage_layer", "displacement", "speed", "spin", "coordination",
                       "id", "axis", "force", "pressure");
+static_assert(kColorByNames.back().value == ColorBy::pressure);
 inline constexpr auto kDrawingNames = in_order<Drawing>("auto", "polygons", "lookup");
+static_assert(kDrawingNames.back().value == Drawing::lookup);
 inline constexpr auto kOverlayNames =
     in_order<Overlay>("none", "forces", "arrows", "velocity", "weight_inner", "weight_outer",
                       "weight_pair", "weight_q");
+static_assert(kOverlayNames.back().value == Overlay::weight_q);
 inline constexpr auto kPictureStyleNames = in_order<PictureStyle>("screen", "print");
+static_assert(kPictureStyleNames.back().value == PictureStyle::print);
 
 inline constexpr auto kInitialNames = in_order<boltzmann::Initial>("gaussian", "equal_energy");
+static_assert(kInitialNames.back().value == boltzmann::Initial::equal_energy);
 /// Whether draws are quasi-random.
 inline constexpr auto kSamplingNames = in_order<bool>("random", "quasi");
 /// By index in boltzmann::Scheme.

@@ -157,7 +157,7 @@ AnyScene parse_any(std::string_view text, const std::string& file,
   }
   std::vector<std::string_view> keys = names_of(*scene_type().keys);
   std::ranges::copy(names_of(*boltzmann_type().keys), std::back_inserter(keys));
-  document::evaluate_expressions(root, keys, "title", "measure");
+  document::evaluate_expressions(root, keys, /*text=*/"title", /*open=*/"measure");
   const bool gas = is_boltzmann(root);
   leave_out_none(root, gas ? *boltzmann_type().keys : *scene_type().keys);
   if (gas) {

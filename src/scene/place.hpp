@@ -58,6 +58,7 @@ template <class... Args>
 }
 
 // All throw SceneError.
+
 /// A number of type int, std::uint64_t or double.
 template <class T>
 T read_number(const Place& place, T low, T high);

@@ -1,6 +1,6 @@
 #pragma once
-// HDF5 files with a checksum header, readable by any HDF5 program. Below them, wrappers for the C
-// interface of the library: objects that close themselves, errors that throw.
+// HDF5 files with a checksum header, readable by any HDF5 program, and in the namespace hdf5
+// wrappers for the C interface of the library: objects that close themselves, errors that throw.
 
 #include <hdf5.h>
 

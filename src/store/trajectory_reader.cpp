@@ -231,8 +231,9 @@ class Trajectory::Impl {
     if (loaded_ != &part) {
       loaded_ = nullptr;
       rows_ = {};
-      rows_ = read_rows(part.path, part.content.frames, layout_, bytes_left_);
-      check_ids(part, rows_.id, part.content.frames.particles);
+      auto rows = read_rows(part.path, part.content.frames, layout_, bytes_left_);
+      check_ids(part, rows.id, part.content.frames.particles);
+      rows_ = std::move(rows);
       loaded_ = &part;
     }
     return place;

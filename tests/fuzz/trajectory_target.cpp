@@ -114,7 +114,7 @@ Omitted change(store::TrajectoryPart& part, const store::Extents& before, fuzz::
   for (std::size_t changes = choices.up_to(6); changes > 0; --changes) {
     const std::vector<store::Column> columns = part.columns(kLayout);
     const std::size_t number = choices.up_to(kColumns - 1);
-    if (number == columns.size()) {
+    if (number >= columns.size()) {
       continue;
     }
     const store::Column& column = columns[number];

@@ -348,7 +348,7 @@ class UnmadeTest(unittest.TestCase):
                 with self.subTest(f"{kind.__name__}.{name}"), self.assertRaises(TypeError):
                     found = getattr(kind.__new__(kind), name)
                     found()
-        objects = [clca.Simulation(scene), *(kind.__new__(kind) for kind in (clca.Simulation, clca.Gas, clca.Scene))]
+        objects = [clca.Simulation(scene), *(kind.__new__(kind) for kind in classes)]
         for unmade, protocol in itertools.product(objects, range(pickle.HIGHEST_PROTOCOL + 1)):
             with self.subTest(f"{type(unmade).__name__}, protocol {protocol}"), self.assertRaises((TypeError, AttributeError)):
                 pickle.dumps(unmade, protocol)

@@ -15,7 +15,8 @@ struct Rgb {
   bool operator==(const Rgb&) const = default;
 };
 
-/// A rectangle of pixels, the upper left one first.
+/// A rectangle of pixels, the upper left one first; of samples where it is said, with the lower
+/// left one first.
 struct PixelBox {
   int x = 0;
   int y = 0;

@@ -32,8 +32,8 @@ void apply_override(Value& root, const std::string& text, std::string_view optio
                     bool (*is_choice)(const std::vector<std::string>& path));
 
 /// Evaluates what stands under `let`, in its order, then replaces each `=EXPRESSION` of the tree
-/// by its value. Keys at the top: nothing under `let` has a `taken` name, under `text` there are no
-/// expressions, under the `open` key those also have names of other things than numbers.
+/// by its value. Keys at the top: nothing under `let` has a `taken` name, under the key `text`
+/// there are no expressions; those under the key `open` may have other names, too.
 /// Throws Error.
 void evaluate_expressions(Value& root, const std::vector<std::string_view>& taken,
                           std::string_view text, std::string_view open);

@@ -149,7 +149,7 @@ class Figure(NamedTuple):
     log: bool = False
     style: str = "line"
     each: str = ""  #: a figure for each `file` or for each value of this column
-    where: tuple[str, Any] = ("", None)  #: a column: only rows with this text there, or a number that is not less
+    where: tuple[str, Any] = ("", None)  #: column, value: only rows with this text there, or with this number or a greater one
     draw: Callable[[Source, Figure, Files, str, Table], Panel] | None = None
 
 
@@ -556,7 +556,8 @@ def charts_of(source: Source, figure: Figure) -> list[Chart]:
     column, value = figure.where
     for label, table in files:
         if column:
-            table = table[table[column] == value if isinstance(value, str) else table[column] >= value]
+            cells = table[column]
+            table = table[cells == value if isinstance(value, str) else cells >= value]
         for group, rows in groups_of(table, figure.each):
             if allows(figure, rows):
                 parts.setdefault(label if figure.each == "file" else group, []).append((label, rows))

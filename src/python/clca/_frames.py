@@ -433,7 +433,7 @@ class Trajectory:
                 spins = of(["spin"])[0] if "particles/spin" in part else numpy.nan
                 some["angular_velocity"] = spins / (self.radii[kinds] * self.look.units["time"][1])
             else:
-                moves = numpy.array([(0, 1), (1, 0), (1, -1), (0, -1), (-1, 0), (-1, 1), (0, 0)])  # clockwise from up; none
+                moves = numpy.array([(0, 1), (1, 0), (1, -1), (0, -1), (-1, 0), (-1, 1), (0, 0)])  # clockwise from up; 6: none
                 some["velocity"] = positions(moves)[numpy.minimum(move, 6)]
         return bodies
 

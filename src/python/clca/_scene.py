@@ -94,9 +94,11 @@ def run(
     """
     if all([flag("keep", keep), flag("overwrite", overwrite)]):
         raise ArgumentError("keep excludes overwrite")
+    if output is not None:
+        output = absolute(output)
     with reporting(progress) as report:
         checked = Scene.of(scene, seed, set)
-        folder = absolute(f"renders/{checked.name}" if output is None else output)
+        folder = output or absolute(f"renders/{checked.name}")
         return Run(_clca.run(checked, folder, workers("threads", threads), keep, overwrite, report))
 
 
@@ -156,9 +158,6 @@ class Simulation(_clca.Simulation):
             return f"<simulation at step {self.steps}, stage {self.stage}>"
         except Error as error:
             return f"<simulation that has failed: {error}>"
-
-    def __reduce__(self) -> Any:
-        raise TypeError("cannot pickle Simulation")
 
     def step(self, steps: int = 1) -> int:
         """Takes so many steps, and begins stages where others have ended. Returns how many were taken: fewer if the last
@@ -222,9 +221,6 @@ class Gas(_clca.Gas):
         self, scene: AnyScene, seed: int | None = None, set: Mapping[str, Any] | None = None, threads: int | None = None
     ) -> None:
         super().__init__(Scene.of(scene, seed, set), workers("threads", threads))
-
-    def __reduce__(self) -> Any:
-        raise TypeError("cannot pickle Gas")
 
     def advance(self, time: float) -> None:
         """Goes on to this time, which is not before that of the gas. The bits are those of a run where that also stops at it: its

@@ -62,7 +62,7 @@ class Keys:
     def combinations(self, rows: Table, keys: Sequence[str]) -> list[tuple[Cell, Table]]:
         """As grouped(), in order."""
         places = [self.values[key] for key in keys]
-        return sorted(grouped(rows, keys), key=lambda group: list(map(list.index, places, group[0])))
+        return sorted(grouped(rows, keys), key=lambda group: [place.index(value) for place, value in zip(places, group[0])])
 
     def label(self, cell: Cell) -> str:
         """Of a curve; a word alone says enough."""

@@ -1,5 +1,5 @@
 #pragma once
-// Walls that push grains and are stalled.
+// What a run says of stalled walls; measures and tables of forces are observers (forces.cpp).
 
 #include <string>
 #include <vector>

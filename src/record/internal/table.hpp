@@ -47,7 +47,7 @@ struct ColumnInfo {
   Quantity quantity;
   std::vector<std::string_view> endings = {""};  ///< columns KEY + ending: one, or two as below
   std::string_view where = {};                   ///< as ColumnGroup::where
-  bool is_there = true;                          ///< for the scene
+  bool is_there = true;                          ///< in tables of the scene, where one is given
 
   std::vector<std::string> names() const;
 };

@@ -16,8 +16,7 @@ namespace clca::render {
 using PolygonPainter = std::function<std::vector<Sample>(std::span<const Body> bodies)>;
 
 /// For pictures of `samples` x `samples` samples a pixel, with particles in `box` only, whose
-/// lower left sample comes first. Throws
-/// RenderError.
+/// lower left sample comes first. Throws RenderError.
 PolygonPainter polygon_painter(const Projection& projection, int samples, const PixelBox& box,
                                std::span<const grains::Kind> kinds);
 

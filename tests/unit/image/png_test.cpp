@@ -49,7 +49,8 @@ TEST(Png, IsTheSameBytesEachTime) {
 TEST(Png, RefusesWhatAFileCannotHold) {
   EXPECT_THROW(encode_png(Image(), {}), std::runtime_error);
   for (const std::string& keyword :
-       {std::string(), std::string(80, 'k'), std::string(" k"), std::string("a  b")}) {
+       {std::string(), std::string(80, 'k'), std::string(" k"), std::string("k "),
+        std::string("a  b"), std::string("a\0b", 3), std::string("\x7f"), std::string("é")}) {
     EXPECT_THROW(encode_png(colorful(2, 2), {{keyword, "text"}}), std::runtime_error);
   }
   EXPECT_THROW(encode_png(colorful(2, 2), {{"key", std::string("a\0b", 3)}}), std::runtime_error);

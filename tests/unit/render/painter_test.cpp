@@ -204,6 +204,9 @@ TEST(Painter, RefusesAnotherLatticeAndColorsOfAnotherState) {
   Painter painter({}, state.lattice, state.kinds);
   const grains::Occupancy occupancy(state);
   EXPECT_THROW(painter.draw(state, occupancy, {}, {}), std::invalid_argument);
+  EXPECT_THROW(painter.draw(state, occupancy, {.shades = {0}}, {}), std::invalid_argument);
+  EXPECT_THROW(painter.draw(state, occupancy, {.shades = {1}, .palette = {{1, 2, 3}}}, {}),
+               std::invalid_argument);
   const grains::State other = packed(60, 40, false).state();
   EXPECT_THROW(painter.draw(other, grains::Occupancy(other), color_by_id(other), {}),
                std::invalid_argument);

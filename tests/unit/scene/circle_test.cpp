@@ -163,9 +163,12 @@ TEST(Circle, HoldsNoSiteSaysWhetherThereAreAny) {
   EXPECT_FALSE(holds_no_site(lattice, Arc{{{0, 0}, 8, 1}, 80, 350}));
 }
 
-TEST(Circle, AWideDiscTakesNoLongerThanToItsFirstSite) {
+TEST(Circle, WideOnesTakeNoLongerThanTheirEdges) {
   const Lattice lattice(1'000'000, 1'000'000, false);
   EXPECT_FALSE(holds_no_site(lattice, Disc{{0, 0}, 1e6}));
+  EXPECT_TRUE(holds_no_site(lattice, Disc{{-7e5, -7e5}, 9.5e5}));  // its rectangle has many
+  EXPECT_TRUE(holds_no_site(lattice, Ring{{4e5, 5e5}, 1e6, 1}));
+  EXPECT_FALSE(sites_in(SweptRegion(lattice), Ring{{4e5, 5e5}, 1e5, 1}).empty());
 }
 
 TEST(Circle, OnlyTheSitesThatComeInAreTaken) {
