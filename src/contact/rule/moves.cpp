@@ -1,7 +1,6 @@
 #include "contact/rule/moves.hpp"
 
 #include <cstdlib>
-#include <map>
 #include <utility>
 
 #include "clca/random/draw.hpp"
@@ -221,6 +220,7 @@ void cut(Vector& remainder, Visit visit) {
 
 /// What pushes change of a grain.
 struct PushSum {
+  std::uint32_t id = 0;
   std::int64_t pushes = 0;
   std::int64_t x = 0;  // impulse
   std::int64_t y = 0;
@@ -256,19 +256,30 @@ Cuts collide_blocked(State& state, const SiteMoves& moves, const BodyVelocities&
     return bodies.rule.coefficients.pair(state.grains.particles[id].kind, std::nullopt)
         .upper_inverse_mass;
   };
-  std::map<std::uint32_t, PushSum> sums;  // by id
+  std::vector<std::uint32_t> pushed;  // ids, once for each push
   for (const Contact& push : result.pushes) {
-    ++sums[push.upper].pushes;
+    pushed.push_back(push.upper);
     if (grains::is_particle(push.other)) {
-      ++sums[grains::particle_id(push.other)].pushes;
+      pushed.push_back(static_cast<std::uint32_t>(grains::particle_id(push.other)));
     }
   }
+  std::vector<PushSum> sums;  // of these grains, ascending
+  std::ranges::sort(pushed);
+  for (std::size_t i = 0; i < pushed.size(); ++i) {
+    if (i == 0 || pushed[i] != pushed[i - 1]) {
+      sums.push_back({.id = pushed[i]});
+    }
+    ++sums.back().pushes;
+  }
+  const auto sum = [&](std::size_t id) -> PushSum& {
+    return *std::ranges::lower_bound(sums, id, {}, &PushSum::id);
+  };
   for (Contact& push : result.pushes) {
-    const auto other = grains::particle_id(push.other);
-    PushSum& own = sums[push.upper];
-    PushSum* its = grains::is_particle(push.other) ? &sums[other] : nullptr;
-    const std::int64_t inverse = own.pushes * inverse_mass(push.upper) +
-                                 (its != nullptr ? its->pushes * inverse_mass(other) : 0);
+    PushSum& own = sum(push.upper);
+    PushSum* its =
+        grains::is_particle(push.other) ? &sum(grains::particle_id(push.other)) : nullptr;
+    const std::int64_t inverse = own.pushes * inverse_mass(own.id) +
+                                 (its != nullptr ? its->pushes * inverse_mass(its->id) : 0);
     const std::int32_t impulse =
         clamped((std::int64_t{closing(push)} << kInverseMassBits) / inverse, 0, kMaxImpulse);
     push.impact.normal = impulse;
@@ -281,15 +292,16 @@ Cuts collide_blocked(State& state, const SiteMoves& moves, const BodyVelocities&
       its->y += y;
     }
   }
-  for (const auto& [id, sum] : sums) {
-    Velocity<>& velocity = bodies.velocity(grains::as_owner(id));
-    const auto change = [inverse = inverse_mass(id)](std::int32_t& value, std::int64_t impulse) {
+  for (const PushSum& all : sums) {
+    Velocity<>& velocity = bodies.velocity(grains::as_owner(all.id));
+    const auto change = [inverse = inverse_mass(all.id)](std::int32_t& value,
+                                                         std::int64_t impulse) {
       const std::int32_t most = clamped(impulse, -2 * kMaxImpulse, 2 * kMaxImpulse - 1);
       value = clamped(value + limited(product(most, inverse), kInverseMassBits, 2 * kMaxVelocity),
                       -kMaxVelocity, kMaxVelocity);
     };
-    change(velocity.x, sum.x);
-    change(velocity.y, sum.y);
+    change(velocity.x, all.x);
+    change(velocity.y, all.y);
   }
   return result;
 }
