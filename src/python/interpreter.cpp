@@ -24,13 +24,16 @@ struct End {
 };
 
 /// How often this thread has given the interpreter up.
-thread_local int works = 0;
+int& works() {
+  thread_local int count = 0;
+  return count;
+}
 
 /// For ever, where Python comes to its end in another thread.
 void wait_at_end() {
   End& end = End::get();
   if (end.is_near && end.thread.load() != std::this_thread::get_id()) {
-    end.at_work -= works > 0 ? 1 : 0;
+    end.at_work -= works() > 0 ? 1 : 0;
     for (;;) {
       ::pause();
     }
@@ -46,20 +49,20 @@ void come_to_end() {
   end.thread = std::this_thread::get_id();
   end.is_near = true;
   const pybind11::gil_scoped_release free;
-  for (int tries = 0; end.at_work > works && tries < kTries; ++tries) {
+  for (int tries = 0; end.at_work > works() && tries < kTries; ++tries) {
     std::this_thread::sleep_for(1ms);
   }
 }
 
 /// The other threads are not in the child.
 void forked() {
-  End::get().at_work = works;
+  End::get().at_work = works();
 }
 
 }  // namespace
 
 Released::Released() : state_(PyEval_SaveThread()) {
-  ++works;
+  ++works();
   ++End::get().at_work;
   wait_at_end();
 }
@@ -67,7 +70,7 @@ Released::Released() : state_(PyEval_SaveThread()) {
 Released::~Released() {
   wait_at_end();
   PyEval_RestoreThread(state_);
-  --works;
+  --works();
   --End::get().at_work;
 }
 

@@ -21,10 +21,6 @@
 
 namespace clca::record {
 
-std::vector<QuantityGroup> outflow_quantities();
-std::vector<std::string> names_by_outlet(const scene::Scene& scene);
-std::vector<QuantityGroup> force_quantities();
-
 namespace {
 
 using Values = std::vector<store::MeasureValue>;

@@ -61,6 +61,13 @@ bool is_real_folder(const fs::path& path) {
   return fs::is_directory(fs::symlink_status(path, error));
 }
 
+void require_folder_or_nothing(const fs::path& folder) {
+  std::error_code error;
+  if (fs::exists(fs::symlink_status(folder, error)) && !is_real_folder(folder)) {
+    fail("write to", folder, "it is no folder, or a symbolic link, which is not followed");
+  }
+}
+
 Descriptor opened(const fs::path& file, int flags) {
   return Descriptor(
       ::open(file.c_str(), flags | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, kReadableByAll));
@@ -111,12 +118,6 @@ struct OutputFolder::State {
   void remove(const std::string& name) const {
     if (is_file(name) && ::unlink(at(name).c_str()) != 0 && errno != ENOENT) {
       fail("remove", path / name);
-    }
-  }
-  void require_folder_or_nothing(const fs::path& folder) const {
-    std::error_code error;
-    if (fs::exists(fs::symlink_status(folder, error)) && !is_real_folder(folder)) {
-      fail("write to", folder, "it is no folder, or a symbolic link, which is not followed");
     }
   }
   /// All that files of the manifest are in.
@@ -377,7 +378,7 @@ void OutputFolder::clear(const std::string& first, const std::string& kept) cons
   state_->read_manifest();  // another process may have added names
   const std::set<std::string> folders = state_->folders();
   for (const std::string& below : folders) {  // before anything is lost
-    state_->require_folder_or_nothing(state_->at(below));
+    require_folder_or_nothing(state_->at(below));
   }
   if (state_->names.contains(first)) {
     state_->remove(first);

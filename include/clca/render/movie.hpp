@@ -34,6 +34,7 @@ class Movie {
   Movie(const std::filesystem::path& file, MovieFormat format, int width, int height,
         double frames_per_second, const std::atomic<int>* stop = nullptr);
   /// One that is not finished remains incomplete.
+  ~Movie() = default;
   Movie(const Movie&) = delete;
   Movie& operator=(const Movie&) = delete;
 

@@ -38,6 +38,11 @@ inline std::optional<double> height_of(const std::vector<double>& profile) {
 /// All of a stage, in the order of the documents; those of one measure in that of run.json.
 const std::vector<QuantityGroup>& stage_quantities();
 
+// Of these, what has a source of its own; outlets and species by name.
+std::vector<QuantityGroup> outflow_quantities();
+std::vector<std::string> names_by_outlet(const scene::Scene& scene);
+std::vector<QuantityGroup> force_quantities();
+
 std::vector<store::NamedMeasure> stage_measures(const StageView& stage);
 /// Of one measure alone, which the scene asks for.
 std::vector<store::NamedMeasure> stage_measures(scene::Measure wanted, const StageView& stage);
