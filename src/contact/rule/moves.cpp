@@ -292,16 +292,16 @@ Cuts collide_blocked(State& state, const SiteMoves& moves, const BodyVelocities&
       its->y += y;
     }
   }
-  for (const PushSum& all : sums) {
-    Velocity<>& velocity = bodies.velocity(grains::as_owner(all.id));
-    const auto change = [inverse = inverse_mass(all.id)](std::int32_t& value,
-                                                         std::int64_t impulse) {
+  for (const PushSum& total : sums) {
+    Velocity<>& velocity = bodies.velocity(grains::as_owner(total.id));
+    const auto change = [inverse = inverse_mass(total.id)](std::int32_t& value,
+                                                           std::int64_t impulse) {
       const std::int32_t most = clamped(impulse, -2 * kMaxImpulse, 2 * kMaxImpulse - 1);
       value = clamped(value + limited(product(most, inverse), kInverseMassBits, 2 * kMaxVelocity),
                       -kMaxVelocity, kMaxVelocity);
     };
-    change(velocity.x, all.x);
-    change(velocity.y, all.y);
+    change(velocity.x, total.x);
+    change(velocity.y, total.y);
   }
   return result;
 }
