@@ -70,8 +70,9 @@ std::optional<double> metres(std::string_view text);
 double steps_until(double time, const Conversion& conversion);
 
 /// The parameters of a contact scene. Default fall height: the height of all fills together at a
-/// packing fraction of 0.8 in the widest of their regions; that of the box if there are sources
-/// without a count, no fills, or a beginning with another run.
+/// packing fraction of 0.8 in the widest of their regions, or more, so that what falls from the
+/// highest fill is no faster than a site a step; that of the box if there are sources without a
+/// count, no fills, or a beginning with another run.
 contact::Parameters contact_parameters(const Scene& scene);
 /// The same in a stage that may have friction and restitution of its own.
 contact::Parameters contact_parameters(const Scene& scene, const Stage& stage);

@@ -13,6 +13,11 @@ constexpr auto kBadContacts = std::to_array<BadScene>({
      "scene.yaml:10:34: error: unknown key 'resolution' in stages.first.contact (allowed: "
      "friction, "
      "wall_friction, rolling_friction, restitution); did you mean 'restitution'?"},
+    {"a resolution without a time step", "contact: {resolution: 0.01, fall_height: 1000000}",
+     "scene.yaml:13:10: error: contact: a resolution of 0.01 and a fall height of 1000000 give no "
+     "time step: gravity would be 5e-11 lattice spacings per step squared, and may be 9.54e-07 to "
+     "0.25",
+     Judge::parser},
     {"a misspelt model", "model: contct",
      "scene.yaml:6:8: error: model: expected one of automaton, contact, voids, baxter, found "
      "'contct'; did "
