@@ -1,5 +1,3 @@
-#include "clca/document/expression.hpp"
-
 #include <fmt/format.h>
 #include <muParser.h>
 
@@ -206,11 +204,31 @@ class Evaluator {
   bool has_names_ = true;
 };
 
+/// Numbers in one form only; texts, keys and nothing so that they differ from all else.
+void make_canonical(Value& value) {
+  if (value.is(Value::Kind::nothing)) {
+    value = Value::scalar("null");
+  } else if (const auto number = number_in<double>(value)) {
+    value = Value::number(*number + 0.0);
+  } else if (value.is(Value::Kind::scalar)) {
+    value.quoted = true;
+  }
+  std::ranges::for_each(value.items, make_canonical);
+  std::ranges::for_each(value.entries, make_canonical, &Entry::value);
+}
+
 }  // namespace
 
-void evaluate_expression(Value& value) {
-  Evaluator evaluator;
-  for_each_expression(value, [&](Value& each) { evaluator.evaluate(each); });
+std::string canonical_value(const std::string& text) {
+  try {
+    Value value = read_document(text, std::make_shared<const Origin>());
+    Evaluator evaluator;
+    for_each_expression(value, [&](Value& each) { evaluator.evaluate(each); });
+    make_canonical(value);
+    return flow_text(value);
+  } catch (const Error&) {
+    return text;
+  }
 }
 
 std::string with_numbers(
