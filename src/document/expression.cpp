@@ -275,15 +275,11 @@ std::vector<std::string> names_in(std::string_view expression, const IsKnown& is
 std::optional<double> value_of(
     std::string_view expression,
     const std::function<std::optional<double>(std::string_view name)>& values) {
-  const auto has_value = [&](std::string_view name) { return values(name).has_value(); };
-  if (!std::ranges::all_of(names_in(expression, has_value), has_value)) {
-    return std::nullopt;
-  }
   Value value = Value::scalar(std::string(expression), {std::make_shared<const Origin>(), 1, 1});
   try {
     const double result = Evaluator().result_of(with_numbers(expression.substr(1), values), value);
     return std::isfinite(result) ? std::optional(result) : std::nullopt;
-  } catch (const Error&) {  // a value that a function refuses
+  } catch (const Error&) {  // a name without a value, or a value that a function refuses
     return std::nullopt;
   }
 }
