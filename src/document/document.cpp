@@ -22,13 +22,6 @@ namespace {
 
 constexpr std::size_t kMaxDepth = 32;  // nesting of lists and maps
 constexpr std::size_t kMaxValues = 260'000;
-constexpr std::size_t kBlock = 1024;
-
-std::size_t count_characters(std::string_view text) {
-  return static_cast<std::size_t>(std::ranges::count_if(text, [](char byte) {
-    return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80;  // not the middle of one
-  }));
-}
 
 /// The text before YAML parsing: allowed characters and line numbers.
 class SourceText {
@@ -39,11 +32,9 @@ class SourceText {
     if (text_.size() > kMaxBytes) {
       fail({origin_, 1, 1}, "the text is larger than {} MiB", kMaxBytes >> 20U);
     }
-    characters_ = {0};
-    for (std::size_t i = 0; i + kBlock <= text_.size(); i += kBlock) {
-      characters_.push_back(characters_.back() + count_characters(text_.substr(i, kBlock)));
-    }
     for (std::size_t i = 0; i < text_.size(); ++i) {
+      const bool begins = (static_cast<unsigned char>(text_[i]) & 0xC0U) != 0x80;  // a character
+      characters_.push_back(characters_.back() + (begins ? 1 : 0));
       if (text_[i] == '\n') {
         line_starts_.push_back(i + 1);
       }
@@ -59,7 +50,7 @@ class SourceText {
     const std::size_t end = std::min(position, text_.size());
     const auto next = std::upper_bound(line_starts_.begin(), line_starts_.end(), end);
     const auto line = static_cast<std::size_t>(next - line_starts_.begin());
-    return {origin_, line, characters_before(end) - characters_before(line_starts_[line - 1]) + 1};
+    return {origin_, line, characters_[end] - characters_[line_starts_[line - 1]] + 1};
   }
 
   /// Where the quote that opens at `begin` closes; the size of the text if it does not.
@@ -76,12 +67,6 @@ class SourceText {
   }
 
  private:
-  std::size_t characters_before(std::size_t position) const {
-    const std::size_t block = position / kBlock;
-    return characters_[block] +
-           count_characters(text_.substr(block * kBlock, position - block * kBlock));
-  }
-
   void check_character(std::size_t position, std::size_t length) const {
     if (length == 0) {
       fail(location(position), "the byte 0x{:02x} is not UTF-8 text",
@@ -159,7 +144,7 @@ class SourceText {
   std::string_view text_;
   std::shared_ptr<const Origin> origin_;
   std::vector<std::size_t> line_starts_ = {0};
-  std::vector<std::size_t> characters_;  // before each block of bytes, for long lines
+  std::vector<std::size_t> characters_ = {0};  // that begin before each byte, for long lines
 };
 
 constexpr std::size_t kMaxKeys = 10'000;  // of a map

@@ -1,5 +1,3 @@
-#include "clca/document/expression.hpp"
-
 #include <fmt/format.h>
 #include <muParser.h>
 
@@ -206,11 +204,31 @@ class Evaluator {
   bool has_names_ = true;
 };
 
+/// Numbers in one form only; texts, keys and nothing so that they differ from all else.
+void make_canonical(Value& value) {
+  if (value.is(Value::Kind::nothing)) {
+    value = Value::scalar("null");
+  } else if (const auto number = number_in<double>(value)) {
+    value = Value::number(*number + 0.0);
+  } else if (value.is(Value::Kind::scalar)) {
+    value.quoted = true;
+  }
+  std::ranges::for_each(value.items, make_canonical);
+  std::ranges::for_each(value.entries, make_canonical, &Entry::value);
+}
+
 }  // namespace
 
-void evaluate_expression(Value& value) {
-  Evaluator evaluator;
-  for_each_expression(value, [&](Value& each) { evaluator.evaluate(each); });
+std::string canonical_value(const std::string& text) {
+  try {
+    Value value = read_document(text, std::make_shared<const Origin>());
+    Evaluator evaluator;
+    for_each_expression(value, [&](Value& each) { evaluator.evaluate(each); });
+    make_canonical(value);
+    return flow_text(value);
+  } catch (const Error&) {
+    return text;
+  }
 }
 
 std::string with_numbers(
@@ -257,15 +275,11 @@ std::vector<std::string> names_in(std::string_view expression, const IsKnown& is
 std::optional<double> value_of(
     std::string_view expression,
     const std::function<std::optional<double>(std::string_view name)>& values) {
-  const auto has_value = [&](std::string_view name) { return values(name).has_value(); };
-  if (!std::ranges::all_of(names_in(expression, has_value), has_value)) {
-    return std::nullopt;
-  }
   Value value = Value::scalar(std::string(expression), {std::make_shared<const Origin>(), 1, 1});
   try {
     const double result = Evaluator().result_of(with_numbers(expression.substr(1), values), value);
     return std::isfinite(result) ? std::optional(result) : std::nullopt;
-  } catch (const Error&) {  // a value that a function refuses
+  } catch (const Error&) {  // a name without a value, or a value that a function refuses
     return std::nullopt;
   }
 }

@@ -61,41 +61,7 @@ Value& child(Value& parent, const std::vector<std::string>& above, const std::st
   return parent.entries.back().value;
 }
 
-/// Text of a value in which numbers have one form only.
-std::string canonical_text(const Value& value) {
-  std::string text;
-  switch (value.kind) {
-    case Value::Kind::nothing:
-      return "null";
-    case Value::Kind::scalar: {
-      const auto number = number_in<double>(value);
-      return number ? fmt::format("{}", *number + 0.0) : flow_text(Value::quoted_text(value.text));
-    }
-    case Value::Kind::list:
-      for (const Value& item : value.items) {
-        text += canonical_text(item) + ",";
-      }
-      return "[" + text + "]";
-    case Value::Kind::map:
-      for (const Entry& entry : value.entries) {
-        text += flow_text(Value::quoted_text(entry.key)) + ":" + canonical_text(entry.value) + ",";
-      }
-      return "{" + text + "}";
-  }
-  return text;
-}
-
 }  // namespace
-
-std::string canonical_value(const std::string& text) {
-  try {
-    Value value = read_document(text, std::make_shared<const Origin>());
-    evaluate_expression(value);
-    return canonical_text(value);
-  } catch (const Error&) {
-    return text;
-  }
-}
 
 void apply_override(Value& root, const std::string& text, std::string_view option,
                     IsChoice is_choice) {

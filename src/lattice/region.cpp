@@ -66,27 +66,6 @@ std::vector<Site> chain_along(const SweptRegion& swept_region, const Segment& se
   return chain;
 }
 
-/// Adds the sites for whose positions `contains` is true, column by column from the left, upwards.
-/// `heights(column)`: the lowest and the highest ordinate that they may have there; none if the
-/// first is above the second.
-template <class Heights, class Contains>
-void add_sites(const SweptRegion& swept_region, double left, double right, Heights heights,
-               Contains contains, std::vector<Site>& sites) {
-  const int low = swept_region.first_column();
-  const int high = swept_region.end_column();
-  const int last_column = bounded(right / kColumnPitch + 2, low, high);
-  for (int column = bounded(left / kColumnPitch - 1, low, high); column < last_column; ++column) {
-    const auto [bottom, top] = heights(column);
-    const RowRange rows = swept_region.rows(column);
-    const int last_row = bounded(top + 2, rows.first, rows.end);
-    for (int row = bounded(bottom - 1, rows.first, rows.end); row < last_row; ++row) {
-      if (contains(position(Site{column, row}))) {
-        sites.push_back({column, row});
-      }
-    }
-  }
-}
-
 }  // namespace
 
 SweptRegion::SweptRegion(const Lattice& lattice, Direction direction, int low, int high)
@@ -172,10 +151,10 @@ Rectangle around(const Segment& segment) {
 std::vector<Site> sites_in(const SweptRegion& swept_region, const Rectangle& rectangle) {
   check(rectangle);
   std::vector<Site> sites;
-  add_sites(
-      swept_region, rectangle.left, rectangle.right,
-      [&](int /*column*/) { return std::pair(rectangle.bottom, rectangle.top); },
-      [&](const Eigen::Vector2d& point) { return rectangle.contains(point); }, sites);
+  any_site(swept_region, rectangle, [&](Site site) {
+    sites.push_back(site);
+    return false;
+  });
   return sites;
 }
 
@@ -187,21 +166,24 @@ std::vector<Site> sites_along(const SweptRegion& swept_region, const Segment& se
   const double reach = 0.5 * segment.thickness;
   const double margin = reach + 1e-6;  // rounding must not lose a site
   const Eigen::Vector2d along = segment.to - segment.from;
-  const auto heights = [&](int column) {
+  const auto part_of_column = [&](int column) {
     const double x = kColumnPitch * column;
     const Part part = part_between(segment.from.x(), along.x(), x - margin, x + margin);
     if (part.begin > part.end) {
-      return std::pair<double, double>(INFINITY, -INFINITY);
+      return std::array{std::pair<double, double>(INFINITY, -INFINITY)};
     }
     const auto [low, high] = std::minmax(
         {segment.from.y() + part.begin * along.y(), segment.from.y() + part.end * along.y()});
-    return std::pair(low - margin, high + margin);
+    return std::array{std::pair(low - margin, high + margin)};
   };
   const auto [left, right] = std::minmax({segment.from.x(), segment.to.x()});
   std::vector<Site> sites;
-  add_sites(
-      swept_region, left - reach, right + reach, heights,
-      [&](const Eigen::Vector2d& point) { return distance(segment, point) <= reach; }, sites);
+  any_site(swept_region, left - reach, right + reach, part_of_column, [&](Site site) {
+    if (distance(segment, position(site)) <= reach) {
+      sites.push_back(site);
+    }
+    return false;
+  });
   for (const Site site : chain_along(swept_region, segment)) {
     if (swept_region.contains(site)) {
       sites.push_back(site);

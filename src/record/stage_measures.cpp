@@ -8,7 +8,7 @@
 #include <map>
 #include <stdexcept>
 
-#include "clca/document/expression.hpp"
+#include "clca/document/document.hpp"
 #include "clca/measure/coordination.hpp"
 #include "clca/measure/displacement.hpp"
 #include "clca/measure/profile.hpp"

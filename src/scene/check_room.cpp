@@ -33,17 +33,6 @@ bool share_initial_site(const lattice::Lattice& lattice, const Wall& a, const Wa
   });
 }
 
-/// Checks the initial positions.
-void check_begin(const lattice::Lattice& lattice, const Wall& mover, const Wall& other) {
-  const auto in_box = [&](lattice::Site site) { return lattice.contains(site); };
-  if (share_initial_site(lattice, mover, other, in_box)) {
-    fail(mover,
-         "stands in wall '{}' at the start; insert one of them later, or move "
-         "one of them elsewhere",
-         other.name);
-  }
-}
-
 /// The walls present in some stage that moves `mover`.
 std::vector<bool> companions(const Scene& scene, const std::vector<std::vector<bool>>& there,
                              std::size_t mover) {
@@ -61,13 +50,11 @@ std::vector<bool> companions(const Scene& scene, const std::vector<std::vector<b
 /// One bit per site index.
 std::vector<bool> way_of(const lattice::Lattice& lattice, const Wall& wall) {
   std::vector<bool> way(lattice.index_count(), false);
-  bool empty = true;
   any_swept_site(lattice, wall, [&](lattice::Site site) {
     way[lattice.index(site)] = true;
-    empty = false;
     return false;
   });
-  return empty ? std::vector<bool>() : way;
+  return way;
 }
 
 void check_pair(const lattice::Lattice& lattice, const Wall& mover, const std::vector<bool>& way,
@@ -75,8 +62,7 @@ void check_pair(const lattice::Lattice& lattice, const Wall& mover, const std::v
   if (other.motion == mover.motion) {
     if (share_initial_site(lattice, mover, other, [](lattice::Site) { return true; })) {
       fail(mover,
-           "shares sites with wall '{}', which has the same motion; make them "
-           "parts of one wall, "
+           "shares sites with wall '{}', which has the same motion; make them parts of one wall, "
            "or move one of them elsewhere",
            other.name);
     }
@@ -166,13 +152,14 @@ void check_walls(const Scene& scene) {
   const lattice::Lattice lattice = lattice_of(scene.box);
   const std::vector<std::vector<bool>> there = walls_present_by_stage(scene);
   const std::vector<bool> first = walls_present_at_start(scene);
+  const auto in_box = [&](lattice::Site site) { return lattice.contains(site); };
   for (std::size_t i = 0; i < scene.walls.size(); ++i) {
     const Wall& mover = scene.walls[i];
     if (!mover.motion) {
       continue;
     }
     const std::vector<bool> way = way_of(lattice, mover);
-    if (way.empty()) {
+    if (std::ranges::find(way, true) == way.end()) {
       fail(mover, "no site of the box, {} wide and {} high, lies on its way", scene.box.width,
            scene.box.height);
     }
@@ -180,8 +167,12 @@ void check_walls(const Scene& scene) {
     for (std::size_t other = 0; other < scene.walls.size(); ++other) {
       if (met[other]) {
         check_pair(lattice, mover, way, scene.walls[other]);
-      } else if (other != i && first[i] && first[other]) {
-        check_begin(lattice, mover, scene.walls[other]);
+      } else if (other != i && first[i] && first[other] &&
+                 share_initial_site(lattice, mover, scene.walls[other], in_box)) {
+        fail(mover,
+             "stands in wall '{}' at the start; insert one of them later, or move one of them "
+             "elsewhere",
+             scene.walls[other].name);
       }
     }
   }

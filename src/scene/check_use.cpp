@@ -13,69 +13,6 @@ namespace clca::scene {
 
 namespace {
 
-/// Which walls are present, and since which stage.
-class History {
- public:
-  explicit History(const Scene& scene)
-      : scene_(scene), there_(walls_present_at_start(scene)), since_(scene.walls.size(), nullptr) {}
-
-  void check(const Stage& stage, const Place& fields) {
-    for_each(fields, "remove", stage.remove, [&](std::size_t wall, const Place& entry) {
-      if (std::ranges::count(stage.insert, wall) > 0) {
-        refuse(wall, entry, "is under insert too");
-      }
-      require(wall, entry);
-      there_[wall] = false;
-      since_[wall] = &stage;
-    });
-    for_each(fields, "insert", stage.insert, [&](std::size_t wall, const Place& entry) {
-      if (there_[wall]) {
-        refuse(wall, entry, fmt::format("is there since stage '{}'", since_[wall]->name));
-      }
-      there_[wall] = true;
-      since_[wall] = &stage;
-    });
-    for_each(fields, "move", stage.move, [&](std::size_t wall, const Place& entry) {
-      if (!scene_.walls[wall].motion) {
-        refuse(wall, entry, "has no motion");
-      }
-      require(wall, entry);
-    });
-  }
-
- private:
-  /// Calls change(wall, entry) for the walls in a list of a stage.
-  template <class Change>
-  void for_each(const Place& fields, std::string_view key, const std::vector<std::size_t>& walls,
-                const Change& change) {
-    for (std::size_t i = 0; i < walls.size(); ++i) {
-      const Place list = fields.at(key);
-      change(walls[i], Place{list.value.items[i], list.path, list.scene});
-    }
-  }
-
-  [[noreturn]] void refuse(std::size_t wall, const Place& entry, std::string_view reason) const {
-    fail(entry, "wall '{}' {}", scene_.walls[wall].name, reason);
-  }
-
-  void require(std::size_t wall, const Place& entry) const {
-    if (there_[wall]) {
-      return;
-    }
-    if (since_[wall] != nullptr) {
-      refuse(wall, entry, fmt::format("is gone since stage '{}'", since_[wall]->name));
-    }
-    const auto first = std::ranges::find_if(scene_.stages, [wall](const Stage& stage) {
-      return std::ranges::count(stage.insert, wall) > 0;
-    });
-    refuse(wall, entry, fmt::format("is not there before stage '{}' inserts it", first->name));
-  }
-
-  const Scene& scene_;
-  std::vector<bool> there_;
-  std::vector<const Stage*> since_;  // null since the start
-};
-
 /// Refuses a thing under `key` for which `used(scene, index)` is false.
 template <class Use>
 void require_use(const Place& root, std::string_view key, std::string_view advice, Use used) {
@@ -126,18 +63,62 @@ bool appears(const Scene& scene, std::size_t species) {
 }  // namespace
 
 void check_history(const Place& list) {
-  const std::vector<Stage>& stages = list.scene.stages;
+  const Scene& scene = list.scene;
   std::set<std::string_view> known;
-  for (std::size_t i = 0; i < stages.size(); ++i) {
-    if (!known.insert(stages[i].name).second) {
+  for (std::size_t i = 0; i < scene.stages.size(); ++i) {
+    if (!known.insert(scene.stages[i].name).second) {
       fail(list.value.items[i].find("name")->location, "stages: the name '{}' is taken",
-           stages[i].name);
+           scene.stages[i].name);
     }
   }
-  History history(list.scene);
-  for (std::size_t i = 0; i < stages.size(); ++i) {
-    history.check(stages[i],
-                  {list.value.items[i], join_path(list.path, stages[i].name), list.scene});
+  std::vector<bool> there = walls_present_at_start(scene);
+  std::vector<const Stage*> since(scene.walls.size(), nullptr);  // null since the start
+  const auto refuse = [&](std::size_t wall, const Place& entry, std::string_view reason) {
+    fail(entry, "wall '{}' {}", scene.walls[wall].name, reason);
+  };
+  const auto require = [&](std::size_t wall, const Place& entry) {
+    if (!there[wall] && since[wall] != nullptr) {
+      refuse(wall, entry, fmt::format("is gone since stage '{}'", since[wall]->name));
+    }
+    if (!there[wall]) {
+      const auto first = std::ranges::find_if(scene.stages, [wall](const Stage& stage) {
+        return std::ranges::count(stage.insert, wall) > 0;
+      });
+      refuse(wall, entry, fmt::format("is not there before stage '{}' inserts it", first->name));
+    }
+  };
+  for (std::size_t i = 0; i < scene.stages.size(); ++i) {
+    const Stage& stage = scene.stages[i];
+    const Place fields = {list.value.items[i], join_path(list.path, stage.name), scene};
+    // Calls change(wall, entry) for the walls in a list of the stage.
+    const auto for_each = [&](std::string_view key, const std::vector<std::size_t>& walls,
+                              const auto& change) {
+      for (std::size_t k = 0; k < walls.size(); ++k) {
+        const Place entries = fields.at(key);
+        change(walls[k], Place{entries.value.items[k], entries.path, scene});
+      }
+    };
+    for_each("remove", stage.remove, [&](std::size_t wall, const Place& entry) {
+      if (std::ranges::count(stage.insert, wall) > 0) {
+        refuse(wall, entry, "is under insert too");
+      }
+      require(wall, entry);
+      there[wall] = false;
+      since[wall] = &stage;
+    });
+    for_each("insert", stage.insert, [&](std::size_t wall, const Place& entry) {
+      if (there[wall]) {
+        refuse(wall, entry, fmt::format("is there since stage '{}'", since[wall]->name));
+      }
+      there[wall] = true;
+      since[wall] = &stage;
+    });
+    for_each("move", stage.move, [&](std::size_t wall, const Place& entry) {
+      if (!scene.walls[wall].motion) {
+        refuse(wall, entry, "has no motion");
+      }
+      require(wall, entry);
+    });
   }
 }
 

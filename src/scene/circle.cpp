@@ -1,10 +1,11 @@
 #include "clca/scene/circle.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <functional>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 namespace clca::scene {
 
@@ -52,23 +53,18 @@ double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
 }
 
 /// The directions between two angles.
-class Sector {
- public:
-  explicit Sector(const Arc& arc)
-      : from_(unit_at(arc.from)), to_(unit_at(arc.to)), wide_(arc.to - arc.from > 180) {}
+struct Sector {
+  Eigen::Vector2d from;
+  Eigen::Vector2d to;
+  bool wide = false;  ///< more than half a turn
 
   bool contains(const Eigen::Vector2d& from_centre) const {
-    if (wide_) {
-      return cross(to_, from_centre) <= kOnEdge || cross(from_centre, from_) <= kOnEdge;
+    if (wide) {
+      return cross(to, from_centre) <= kOnEdge || cross(from_centre, from) <= kOnEdge;
     }
-    return cross(from_, from_centre) >= -kOnEdge && cross(from_centre, to_) >= -kOnEdge &&
-           (from_ + to_).dot(from_centre) >= -kOnEdge;
+    return cross(from, from_centre) >= -kOnEdge && cross(from_centre, to) >= -kOnEdge &&
+           (from + to).dot(from_centre) >= -kOnEdge;
   }
-
- private:
-  Eigen::Vector2d from_;
-  Eigen::Vector2d to_;
-  bool wide_;
 };
 
 /// What discs, rings and arcs have in common.
@@ -113,7 +109,7 @@ Band band_of(const Circle& circle) {
     if (!(std::abs(arc->from) < kTooLong && arc->to > arc->from && arc->to - arc->from < 360)) {
       throw std::invalid_argument("an arc ends less than 360 degrees after it begins");
     }
-    band.sector = Sector(*arc);
+    band.sector = {unit_at(arc->from), unit_at(arc->to), arc->to - arc->from > 180};
   }
   return band;
 }
@@ -123,54 +119,32 @@ double half_chord(double radius, double distance) {
   return std::sqrt(std::max(0.0, radius * radius - distance * distance));
 }
 
-using Visit = std::function<bool(Site)>;
-
-/// Visits these rows of a column, upwards, until `visit` returns true for a site of the band.
-bool visit_rows(const Band& band, int column, lattice::RowRange rows, const Visit& visit) {
-  for (int row = rows.first; row < rows.end; ++row) {
-    const Site site = {column, row};
-    if (band.contains(lattice::position(site)) && visit(site)) {
-      return true;
-    }
-  }
-  return false;
-}
-
-/// Visits the sites, column by column from the left, until `visit` returns true.
-bool visit_sites(const SweptRegion& swept_region, const Band& band, const Visit& visit) {
-  constexpr double kMargin = 2;  // more than a row and what rounding may lose
-  const int low = swept_region.first_column();
-  const int high = swept_region.end_column();
-  const int end =
-      lattice::bounded((band.centre.x() + band.outer) / lattice::kColumnPitch + kMargin, low, high);
-  for (int column =
-           lattice::bounded((band.centre.x() - band.outer) / lattice::kColumnPitch - 1, low, high);
-       column < end; ++column) {
-    const lattice::RowRange all = swept_region.rows(column);
+/// Whether `test` holds for a site of the region inside the band: column by column from the left,
+/// upwards.
+template <class Test>
+bool any_site_in(const SweptRegion& swept_region, const Band& band, const Test& test) {
+  const auto parts = [&](int column) {
     const double distance = lattice::kColumnPitch * column - band.centre.x();
-    const double outside = half_chord(band.outer, distance) + kMargin;
-    const double inside = half_chord(band.inner, distance) - kMargin;
-    const auto row_at = [&](double height) {
-      return lattice::bounded(band.centre.y() + height, all.first, std::max(all.first, all.end));
-    };
-    // Below the inner circle and above it.
-    const int first = row_at(-outside);
-    const int last = row_at(outside);
-    const int gap = inside > 0 ? row_at(-inside) : last;
-    const int after_gap = inside > 0 ? row_at(inside) : last;
-    if (visit_rows(band, column, {first, gap}, visit) ||
-        visit_rows(band, column, {after_gap, last}, visit)) {
-      return true;
+    const double y = band.centre.y();
+    const double outside = half_chord(band.outer, distance);
+    const double inside = half_chord(band.inner, distance);
+    std::array result = {std::pair(y - outside, y + outside),
+                         std::pair<double, double>(INFINITY, -INFINITY)};
+    if (inside > 2) {  // below the inner circle and above it
+      result = {std::pair(y - outside, y - inside), std::pair(y + inside, y + outside)};
     }
-  }
-  return false;
+    return result;
+  };
+  return lattice::any_site(
+      swept_region, band.centre.x() - band.outer, band.centre.x() + band.outer, parts,
+      [&](Site site) { return band.contains(lattice::position(site)) && test(site); });
 }
 
 }  // namespace
 
 std::vector<Site> sites_in(const SweptRegion& swept_region, const Circle& circle) {
   std::vector<Site> sites;
-  visit_sites(swept_region, band_of(circle), [&](Site site) {
+  any_site_in(swept_region, band_of(circle), [&](Site site) {
     sites.push_back(site);
     return false;
   });
@@ -178,7 +152,7 @@ std::vector<Site> sites_in(const SweptRegion& swept_region, const Circle& circle
 }
 
 bool holds_no_site(const Lattice& lattice, const Circle& circle) {
-  return !visit_sites(SweptRegion(lattice), band_of(circle), [](Site) { return true; });
+  return !any_site_in(SweptRegion(lattice), band_of(circle), [](Site) { return true; });
 }
 
 Rectangle around(const Circle& circle) {

@@ -15,25 +15,25 @@ using Json = nlohmann::ordered_json;
 
 /// A key and how users write where it is.
 struct FoundKey {
-  const KeyDescription* key = nullptr;  ///< none at the top
-  Descriptions keys;                    ///< below it; null if there is no such key
+  const AnyKey* key = nullptr;  ///< none at the top
+  AnyKeys keys;                 ///< below it; null if there is no such key
   std::string path;
 };
 
 /// The key at the path below these; null if there is none. After a key whose value has names, such
 /// as `walls`, a name may stand.
-FoundKey find(const Descriptions& top, const std::vector<std::string>& parts) {
+FoundKey find(const AnyKeys& top, const std::vector<std::string>& parts) {
   FoundKey found = {.key = nullptr, .keys = top, .path = ""};
-  static const Descriptions kNone = std::make_shared<const std::vector<KeyDescription>>();
+  static const AnyKeys kNone = std::make_shared<const std::vector<AnyKey>>();
   bool name_allowed = false;
   for (const std::string& part : parts) {
     const auto next = std::find_if(found.keys->begin(), found.keys->end(),
-                                   [&](const KeyDescription& key) { return key.name == part; });
+                                   [&](const AnyKey& key) { return key.name == part; });
     if (next != found.keys->end()) {
       found = {.key = &*next,
-               .keys = next->keys ? next->keys : kNone,
+               .keys = next->type->keys ? next->type->keys : kNone,
                .path = join_path(found.path, part)};
-      name_allowed = next->is_collection;
+      name_allowed = next->type->is_collection;
       found.path += name_allowed ? ".NAME" : "";
     } else if (part.empty() || !std::exchange(name_allowed, false)) {
       return {};
@@ -61,14 +61,14 @@ std::vector<FoundKey> found_keys(std::string_view path) {
   path.remove_suffix(path.size() > 1 && path.ends_with('.') && !path.ends_with("..") ? 1 : 0);
   const std::vector<std::string> parts =
       document::parts_of_path(path.substr(gas_only ? kGasOnly.size() : 0));
-  const std::vector<Descriptions> tops =
-      gas_only ? std::vector{boltzmann_type().keys}
-               : std::vector{scene_type().keys, boltzmann_type().keys};
+  const std::vector<AnyKeys> tops = gas_only
+                                        ? std::vector{boltzmann_type().keys}
+                                        : std::vector{scene_type().keys, boltzmann_type().keys};
   std::vector<FoundKey> found;
-  for (const Descriptions& top : tops) {
+  for (const AnyKeys& top : tops) {
     const FoundKey match = find(top, parts);
-    if (match.keys != nullptr &&
-        (found.empty() || match.key == nullptr || match.key->schema != found.front().key->schema)) {
+    if (match.keys != nullptr && (found.empty() || match.key == nullptr ||
+                                  match.key->type->schema != found.front().key->type->schema)) {
       found.push_back(match);
     }
   }
@@ -77,8 +77,8 @@ std::vector<FoundKey> found_keys(std::string_view path) {
   }
   std::vector<std::string_view> names;
   const std::vector<std::string> parents(parts.begin(), parts.end() - (parts.empty() ? 0 : 1));
-  for (const Descriptions& top : tops) {
-    if (const Descriptions keys = find(top, parents).keys) {
+  for (const AnyKeys& top : tops) {
+    if (const AnyKeys keys = find(top, parents).keys) {
       const auto more = names_of(*keys);
       names.insert(names.end(), more.begin(), more.end());
     }
@@ -101,14 +101,14 @@ std::vector<FoundKey> found_keys(std::string_view path) {
       fmt::format("the scene format has no key {}{}", text::shown(path), suggestion));
 }
 
-std::string values_text(const KeyDescription& key) {
+std::string values_text(const AnyKey& key) {
   const bool is_value = key.default_value || may_be_none(key);
   const std::string otherwise = key.required            ? "required"
                                 : key.otherwise.empty() ? ""
                                 : key.is_condition      ? key.otherwise
                                 : is_value              ? "default: " + key.otherwise
                                                         : "if left out: " + key.otherwise;
-  return without_markup(key.allowed + (otherwise.empty() ? "" : "; " + otherwise));
+  return without_markup(key.type->allowed + (otherwise.empty() ? "" : "; " + otherwise));
 }
 
 std::string explained(const FoundKey& found) {
@@ -116,7 +116,7 @@ std::string explained(const FoundKey& found) {
   if (found.key != nullptr) {
     text = fmt::format("{}: {}\n  {}\n", found.path, meaning(*found.key), values_text(*found.key));
   }
-  for (const KeyDescription& key : *found.keys) {
+  for (const AnyKey& key : *found.keys) {
     text += fmt::format("\n  {}: {}\n    {}\n", key.name, meaning(key), values_text(key));
   }
   return text;
@@ -149,10 +149,10 @@ std::string cell(std::string text) {
   return text;
 }
 
-std::string row(const std::string& prefix, const KeyDescription& key) {
+std::string row(const std::string& prefix, const AnyKey& key) {
   const std::string model =
       key.model ? fmt::format("with `model: {}`: ", name_of(kModelNames, *key.model)) : "";
-  return fmt::format("| `{}{}` | {} | {} | {}{} |\n", prefix, key.name, cell(key.allowed),
+  return fmt::format("| `{}{}` | {} | {} | {}{} |\n", prefix, key.name, cell(key.type->allowed),
                      key.required ? "required" : cell(key.otherwise), model, cell(key.about));
 }
 
@@ -205,19 +205,19 @@ std::vector<KeyName> keys_beginning(std::string_view begun) {
   const std::vector<std::string> parents =
       document::parts_of_path(begun.substr(0, std::max<std::size_t>(length, 1) - 1));
   std::vector<KeyName> names;
-  for (const Descriptions& top : {scene_type().keys, boltzmann_type().keys}) {
+  for (const AnyKeys& top : {scene_type().keys, boltzmann_type().keys}) {
     const FoundKey found = find(top, parents);
     const bool name_follows =
-        found.key != nullptr && found.key->is_collection && found.key->name == parents.back();
+        found.key != nullptr && found.key->type->is_collection && found.key->name == parents.back();
     if (found.keys == nullptr || name_follows) {
       continue;
     }
-    for (const KeyDescription& key : *found.keys) {
+    for (const AnyKey& key : *found.keys) {
       const std::string path = std::string(begun.substr(0, length)) + key.name;
       const bool is_known =
           std::ranges::any_of(names, [&](const KeyName& name) { return name.path == path; });
       if (path.starts_with(begun) && !is_known) {
-        names.push_back({path, meaning(key), key.keys != nullptr});
+        names.push_back({path, meaning(key), key.type->keys != nullptr});
       }
     }
   }
@@ -226,10 +226,10 @@ std::vector<KeyName> keys_beginning(std::string_view begun) {
 
 std::vector<std::string> words_of(std::string_view path) {
   std::vector<std::string> words;
-  for (const Descriptions& top : {scene_type().keys, boltzmann_type().keys}) {
+  for (const AnyKeys& top : {scene_type().keys, boltzmann_type().keys}) {
     const FoundKey found = find(top, document::parts_of_path(path));
     if (found.key != nullptr) {
-      add_words(Json::parse(found.key->schema), words);
+      add_words(Json::parse(found.key->type->schema), words);
     }
   }
   return words;
@@ -241,7 +241,7 @@ std::string markdown_table(const std::vector<std::string>& paths) {
     const std::string& first = paths.front();
     const std::string inside = path.starts_with(first + ".") ? path.substr(first.size() + 1) : path;
     const std::string prefix = path == first ? "" : inside + ".";
-    for (const KeyDescription& key : *found_keys(path).front().keys) {
+    for (const AnyKey& key : *found_keys(path).front().keys) {
       table += row(prefix, key);
     }
   }

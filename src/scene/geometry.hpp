@@ -17,10 +17,6 @@ lattice::Lattice lattice_of(const Box& box);
 
 /// `[left, bottom, right, top]`
 std::string shown(const lattice::Rectangle& edges);
-/// Whether `found` returns true for a site of the region in the rectangle: column by column from
-/// the left, upwards.
-bool any_site(const lattice::SweptRegion& swept_region, const lattice::Rectangle& rectangle,
-              const std::function<bool(lattice::Site)>& found);
 /// True when no site of the lattice lies in the rectangle, or on the straight wall.
 bool holds_no_site(const lattice::Lattice& lattice, const lattice::Rectangle& rectangle);
 bool holds_no_site(const lattice::Lattice& lattice, const lattice::Segment& segment);

@@ -39,12 +39,12 @@ std::optional<Value> key_text(const AnyKey& key, const void* owner, const Scene&
     return key.text(owner, scene);
   }
   // Of an owner that is not changed.
-  const void* value = key.type != nullptr ? key.way(const_cast<void*>(owner), false) : nullptr;
+  const void* value = key.way ? key.way(const_cast<void*>(owner), false) : nullptr;
   return value != nullptr ? std::optional(key.type->text_of(value, scene)) : std::nullopt;
 }
 
 /// Reads the key, or refuses it in another model.
-void read_key(const AnyKey& key, const KeyedMap& fields, void* owner) {
+void read_key(const AnyKey& key, const Place& fields, void* owner) {
   const Value* value = fields.find(key.name);
   if (key.model && *key.model != fields.scene.model) {
     if (value != nullptr) {
@@ -58,7 +58,7 @@ void read_key(const AnyKey& key, const KeyedMap& fields, void* owner) {
   if (key.before) {
     key.before(fields, owner);
   }
-  if (key.type == nullptr || (value == nullptr && !key.required)) {
+  if (!key.way || (value == nullptr && !key.required)) {
     return;
   }
   const Place place = fields.at(key.name);
@@ -68,16 +68,17 @@ void read_key(const AnyKey& key, const KeyedMap& fields, void* owner) {
 }
 
 /// A map with these keys, and exactly one of some. `conditions`: further members.
-Schema map_schema(const std::vector<KeyDescription>& keys, const std::vector<std::string>& one_of,
+Schema map_schema(const std::vector<AnyKey>& keys, const std::vector<std::string>& one_of,
                   std::string_view conditions) {
   std::vector<std::string> properties;
   std::vector<std::string> required;
-  for (const KeyDescription& key : keys) {
+  for (const AnyKey& key : keys) {
     const bool says_default = !key.required && !key.otherwise.empty() && !key.default_value;
     const std::string about =
         meaning(key) +
         (says_default ? fmt::format(" (default: {})", without_markup(key.otherwise)) : "");
-    const Schema values = may_be_none(key) ? any_of({word_schema("none"), key.schema}) : key.schema;
+    const Schema& schema = key.type->schema;
+    const Schema values = may_be_none(key) ? any_of({word_schema("none"), schema}) : schema;
     properties.push_back(fmt::format(
         R"("{}": {{"description": {}, {}{}}})", key.name, Json(about).dump(), members(values),
         key.default_value ? fmt::format(R"(, "default": {})", to_json(*key.default_value).dump())
@@ -102,15 +103,15 @@ Schema map_schema(const std::vector<KeyDescription>& keys, const std::vector<std
 }
 
 struct PlacedKey {
-  const KeyDescription* key = nullptr;
+  const AnyKey* key = nullptr;
   std::string path;
 };
 
 /// All keys, the shortest paths first.
-std::vector<PlacedKey> all_keys(const Descriptions& top) {
+std::vector<PlacedKey> all_keys(const AnyKeys& top) {
   std::vector<PlacedKey> all;
-  const auto add = [&all](const Descriptions& keys, const std::string& above) {
-    for (const KeyDescription& key : *keys) {
+  const auto add = [&all](const AnyKeys& keys, const std::string& above) {
+    for (const AnyKey& key : *keys) {
       all.push_back({&key, join_path(above, key.name)});
     }
   };
@@ -118,8 +119,8 @@ std::vector<PlacedKey> all_keys(const Descriptions& top) {
   std::size_t next = 0;
   while (next < all.size()) {
     const auto [key, path] = all[next++];
-    if (key->keys != nullptr) {
-      add(key->keys, key->is_collection ? path + ".NAME" : path);
+    if (key->type->keys != nullptr) {
+      add(key->type->keys, key->type->is_collection ? path + ".NAME" : path);
     }
   }
   return all;
@@ -127,7 +128,7 @@ std::vector<PlacedKey> all_keys(const Descriptions& top) {
 
 /// Paths of the keys that are meant.
 template <class IsMeant>
-std::vector<std::string> paths_of(const Descriptions& top, const IsMeant& is_meant) {
+std::vector<std::string> paths_of(const AnyKeys& top, const IsMeant& is_meant) {
   std::vector<std::string> paths;
   for (const auto& [key, path] : all_keys(top)) {
     if (is_meant(*key)) {
@@ -173,19 +174,19 @@ Schema object_schema(const Schema& value, std::string_view pattern) {
       pattern, value);
 }
 
-std::vector<std::string> paths_of_key(const Descriptions& top, std::string_view name) {
-  return paths_of(top, [&](const KeyDescription& key) { return key.name == name; });
+std::vector<std::string> paths_of_key(const AnyKeys& top, std::string_view name) {
+  return paths_of(top, [&](const AnyKey& key) { return key.name == name; });
 }
 
-std::vector<std::string> paths_about(const Descriptions& top, std::string_view word) {
+std::vector<std::string> paths_about(const AnyKeys& top, std::string_view word) {
   const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
   constexpr std::ptrdiff_t kLeastLetters = 3;  // shorter ones are in too many texts
   if (std::ranges::count_if(word, is_letter) < kLeastLetters) {
     return {};
   }
-  return paths_of(top, [&](const KeyDescription& key) {
+  return paths_of(top, [&](const AnyKey& key) {
     const std::string about =
-        fmt::format(" {} {} ", without_markup(key.about), without_markup(key.allowed));
+        fmt::format(" {} {} ", without_markup(key.about), without_markup(key.type->allowed));
     std::size_t at = about.find(word, 1);
     while (at != std::string::npos &&
            (is_letter(about[at - 1]) || is_letter(about[at + word.size()]))) {
@@ -195,7 +196,7 @@ std::vector<std::string> paths_about(const Descriptions& top, std::string_view w
   });
 }
 
-std::string path_suggestion(const Descriptions& top, std::string_view name) {
+std::string path_suggestion(const AnyKeys& top, std::string_view name) {
   std::vector<std::string_view> names;
   for (const PlacedKey& placed : all_keys(top)) {
     names.push_back(placed.key->name);
@@ -204,36 +205,36 @@ std::string path_suggestion(const Descriptions& top, std::string_view name) {
   return nearest ? fmt::format("; did you mean '{}'?", paths_of_key(top, *nearest).front()) : "";
 }
 
-bool may_be_none(const KeyDescription& key) {
+bool may_be_none(const AnyKey& key) {
   return !key.required && !key.default_value &&
          (key.otherwise == "none" || key.otherwise.starts_with("none:"));
 }
 
-void leave_out_none(Value& value, const std::vector<KeyDescription>& keys) {
-  for (const KeyDescription& key : keys) {
+void leave_out_none(Value& value, const std::vector<AnyKey>& keys) {
+  for (const AnyKey& key : keys) {
     Value* given = value.find(key.name);
     if (given == nullptr) {
       continue;
     }
     if (may_be_none(key) && !given->quoted && given->text == "none") {
       std::erase_if(value.entries, [&](const Entry& entry) { return entry.key == key.name; });
-    } else if (key.keys != nullptr) {
-      if (!key.is_collection) {
-        leave_out_none(*given, *key.keys);
+    } else if (const AnyKeys& inner = key.type->keys; inner != nullptr) {
+      if (!key.type->is_collection) {
+        leave_out_none(*given, *inner);
       }
       for (Value& item : given->items) {
-        leave_out_none(item, *key.keys);
+        leave_out_none(item, *inner);
       }
       for (Entry& named : given->entries) {
-        if (key.is_collection) {
-          leave_out_none(named.value, *key.keys);
+        if (key.type->is_collection) {
+          leave_out_none(named.value, *inner);
         }
       }
     }
   }
 }
 
-std::string meaning(const KeyDescription& key) {
+std::string meaning(const AnyKey& key) {
   // A link at the end says where to read on.
   std::string about = key.about;
   const std::size_t link = about.rfind('[');
@@ -256,18 +257,12 @@ std::string without_markup(std::string text) {
   return text;
 }
 
-KeyDescription described(std::string_view name, const AnyType& type, std::string_view about) {
-  return {.name = std::string(name),
-          .about = std::string(about),
-          .allowed = type.allowed,
-          .is_collection = type.is_collection,
-          .schema = type.schema,
-          .keys = type.keys};
-}
-
 AnyKey any_key(std::string_view name, const Way& way, const AnyType& type, std::string_view about,
                const void* otherwise) {
-  AnyKey key = {described(name, type, about), {}, way, std::make_shared<const AnyType>(type), {}};
+  AnyKey key = {.name = std::string(name),
+                .about = std::string(about),
+                .type = std::make_shared<const AnyType>(type),
+                .way = way};
   if (otherwise != nullptr) {
     key.default_value = type.text_of(otherwise, Scene());
     key.otherwise = fmt::format("`{}`", flow_text(*key.default_value));
@@ -285,10 +280,9 @@ Way joined(const Way& first, const Way& second) {
 AnyType map_type(const std::vector<AnyKey>& keys, const std::vector<std::string>& one_of,
                  const AnyAction& check, std::string_view conditions) {
   const auto all = std::make_shared<const std::vector<AnyKey>>(keys);
-  AnyType type;
-  type.allowed = "map";
-  type.read_into = [=](const Place& place, void* owner) {
-    const KeyedMap fields(place, names_of(*all));
+  AnyType type = {.allowed = "map", .schema = map_schema(keys, one_of, conditions), .keys = all};
+  type.read_into = [=](const Place& fields, void* owner) {
+    check_keys(fields, names_of(*all));
     for (const AnyKey& key : *all) {
       read_key(key, fields, owner);
     }
@@ -310,8 +304,6 @@ AnyType map_type(const std::vector<AnyKey>& keys, const std::vector<std::string>
     }
     return result;
   };
-  type.keys = std::make_shared<const std::vector<KeyDescription>>(keys.begin(), keys.end());
-  type.schema = map_schema(*type.keys, one_of, conditions);
   return type;
 }
 

@@ -26,9 +26,9 @@ namespace clca::scene {
 /// of a key. What is put into it holds nothing that JSON escapes.
 using Schema = std::string;
 
-struct KeyDescription;
+struct AnyKey;
 /// Shared, since types and keys are copied into each other.
-using Descriptions = std::shared_ptr<const std::vector<KeyDescription>>;
+using AnyKeys = std::shared_ptr<const std::vector<AnyKey>>;
 
 /// The schema with more members: what is between the brackets of an object.
 Schema with(const Schema& schema, std::string_view more);
@@ -48,21 +48,6 @@ Schema array_schema(const Schema& items, std::size_t least, std::size_t most);
 /// An object whose names match the pattern.
 Schema object_schema(const Schema& value, std::string_view pattern);
 
-/// A key as users see it. Texts are Markdown.
-struct KeyDescription {
-  std::string name;
-  std::string about;                        ///< one phrase
-  std::string allowed;                      ///< values
-  std::string otherwise = {};               ///< what holds if it is left out, or a condition
-  bool is_condition = false;                ///< `otherwise` says when the key is given
-  std::optional<Value> default_value = {};  ///< the same, if it is a value
-  bool required = false;
-  std::optional<Model> model = {};  ///< the only one that has it
-  bool is_collection = false;       ///< its value has names or numbers above the keys
-  Schema schema = {};               ///< of the value alone
-  Descriptions keys = {};           ///< of the map that the value is; null: none
-};
-
 /// A kind of values: how they are read, written and described.
 struct AnyType {
   std::string allowed;
@@ -70,8 +55,8 @@ struct AnyType {
   /// Into a default value of the type. Throws SceneError.
   std::function<void(const Place& place, void* result)> read_into = {};
   std::function<Value(const void* value, const Scene& scene)> text_of = {};
-  Descriptions keys = {};
-  bool is_collection = false;
+  AnyKeys keys = {};           ///< of the map that a value is; null: none
+  bool is_collection = false;  ///< a value has names or numbers above the keys
 };
 
 /// The same for values of a C++ type.
@@ -113,7 +98,7 @@ auto any_text(const Text& text) {
 /// `keys` if values may be maps.
 template <class T, class Read, class Text>
 Type<T> own_type(std::string_view allowed, const Schema& schema, const Read& read, const Text& text,
-                 const Descriptions& keys = {}) {
+                 const AnyKeys& keys = {}) {
   return Type<T>(
       AnyType{.allowed = std::string(allowed),
               .schema = schema,
@@ -124,30 +109,36 @@ Type<T> own_type(std::string_view allowed, const Schema& schema, const Read& rea
 }
 
 /// Reads something into an owner, or checks it.
-using AnyAction = std::function<void(const KeyedMap& fields, void* owner)>;
+using AnyAction = std::function<void(const Place& fields, void* owner)>;
 template <class Owner>
-using Action = void (*)(const KeyedMap& fields, Owner& owner);
+using Action = void (*)(const Place& fields, Owner& owner);
 
 template <class Owner>
 AnyAction any_action(Action<Owner> action) {
   if (action == nullptr) {
     return {};
   }
-  return [action](const KeyedMap& fields, void* owner) {
-    action(fields, *static_cast<Owner*>(owner));
-  };
+  return
+      [action](const Place& fields, void* owner) { action(fields, *static_cast<Owner*>(owner)); };
 }
 
 /// From an object to a part of it; `make` puts a default one there first, if there is none. Null
 /// where it is not, or cannot be.
 using Way = std::function<void*(void* object, bool make)>;
 
-/// A key of a map that is read into an owner.
-struct AnyKey : KeyDescription {
-  AnyAction before = {};                     ///< what is done before it is read
-  Way way = {};                              ///< from the owner to the value
-  std::shared_ptr<const AnyType> type = {};  ///< of the value; null: nothing is read or written
-  /// Its value in place of that one; none if it is left out.
+/// A key of a map that is read into an owner. Texts are Markdown.
+struct AnyKey {
+  std::string name;
+  std::string about;                         ///< one phrase
+  std::shared_ptr<const AnyType> type = {};  ///< of the value
+  Way way = {};                ///< from the owner to the value; null: it is not read or written
+  std::string otherwise = {};  ///< what holds if it is left out, or a condition
+  bool is_condition = false;   ///< `otherwise` says when the key is given
+  std::optional<Value> default_value = {};  ///< the same, if it is a value
+  bool required = false;
+  std::optional<Model> model = {};  ///< the only one that has it
+  AnyAction before = {};            ///< what is done before it is read
+  /// Its value where that of the type is not written; none if it is left out.
   std::function<std::optional<Value>(const void* owner, const Scene& scene)> text = {};
 
   void describe_default(std::string_view phrase) {
@@ -220,25 +211,24 @@ struct Map {
 
 /// Paths of the keys of this name below `top`, the shortest first; `walls.NAME.motion` where a name
 /// of the scene stands in between.
-std::vector<std::string> paths_of_key(const Descriptions& top, std::string_view name);
+std::vector<std::string> paths_of_key(const AnyKeys& top, std::string_view name);
 
 /// Paths of the keys below `top` that say this word about themselves, the shortest first.
-std::vector<std::string> paths_about(const Descriptions& top, std::string_view word);
+std::vector<std::string> paths_about(const AnyKeys& top, std::string_view word);
 
 /// `; did you mean 'rules.inertia'?` for a key of this or a similar name below `top`, or nothing.
-std::string path_suggestion(const Descriptions& top, std::string_view name);
+std::string path_suggestion(const AnyKeys& top, std::string_view name);
 
 /// Whether it is left out by `none` as its value, too.
-bool may_be_none(const KeyDescription& key);
+bool may_be_none(const AnyKey& key);
 /// Removes the entries of such keys that have that value, at any depth.
-void leave_out_none(Value& value, const std::vector<KeyDescription>& keys);
+void leave_out_none(Value& value, const std::vector<AnyKey>& keys);
 
 /// Without backticks and addresses of links.
 std::string without_markup(std::string text);
 /// What the key is for, without markup.
-std::string meaning(const KeyDescription& key);
+std::string meaning(const AnyKey& key);
 
-KeyDescription described(std::string_view name, const AnyType& type, std::string_view about);
 /// `otherwise`: its default, if that is a value.
 AnyKey any_key(std::string_view name, const Way& way, const AnyType& type, std::string_view about,
                const void* otherwise = nullptr);
@@ -312,6 +302,14 @@ Key<Variant> alternative(std::string_view name, const Type<T>& type, std::string
   return Key<Variant>(any_key(name, to_alternative<Variant, T>(), type, about));
 }
 
+/// The same of a member of the Owner.
+template <class Owner, class Variant, class T>
+Key<Owner> alternative(std::string_view name, Variant Owner::*member, const Type<T>& type,
+                       std::string_view about) {
+  const Way way = joined(to_member(member), to_alternative<Variant, T>());
+  return Key<Owner>(any_key(name, way, type, about));
+}
+
 /// Keys of what the way leads to as keys of the Owner itself.
 template <class Owner>
 Keys<Owner> inlined(const Way& way, std::vector<AnyKey> keys) {
@@ -321,13 +319,8 @@ Keys<Owner> inlined(const Way& way, std::vector<AnyKey> keys) {
   return Keys<Owner>(std::move(keys));
 }
 
-/// The key of a member of the Owner as a key of the Owner itself.
-template <class Owner, class Part>
-Key<Owner> inlined(Part Owner::*member, const Key<Part>& part) {
-  return Key<Owner>(inlined<Owner>(to_member(member), {part}).front());
-}
-
-/// The key of an alternative of such a member; not read where that has another one.
+/// The key of an alternative of a member as a key of the Owner itself; not read where that has
+/// another one.
 template <class Owner, class Variant, class Part>
 Key<Owner> inlined_alternative(Variant Owner::*member, const Key<Part>& part) {
   const Way way = joined(to_member(member), to_alternative<Variant, Part>(true));
@@ -336,11 +329,9 @@ Key<Owner> inlined_alternative(Variant Owner::*member, const Key<Part>& part) {
 
 /// A key with a function of its own, if any, that reads it. Not written unless `written_as`.
 template <class Owner>
-Key<Owner> own_key(const KeyDescription& description, Action<Owner> read = nullptr) {
-  AnyKey key;
-  static_cast<KeyDescription&>(key) = description;
-  key.before = any_action(read);
-  return Key<Owner>(key);
+Key<Owner> own_key(std::string_view name, const AnyType& type, std::string_view about,
+                   Action<Owner> read = nullptr) {
+  return Key<Owner>(any_key(name, {}, type, about)).after(read);
 }
 
 AnyType map_type(const std::vector<AnyKey>& keys, const std::vector<std::string>& one_of,

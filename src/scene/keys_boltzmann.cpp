@@ -12,7 +12,7 @@ namespace clca::scene {
 
 namespace {
 
-void read_restitutions(const KeyedMap& fields, BoltzmannScene& scene) {
+void read_restitutions(const Place& fields, BoltzmannScene& scene) {
   const Type<double> restitution = number(0, 1);
   const Place place = fields.at("restitution");
   scene.lists_restitutions = place.value.is(Value::Kind::list);
@@ -26,26 +26,16 @@ Key<BoltzmannScene> restitution_key() {
   const Type<double> one = number(0, 1);
   const auto several = set_of(one, 1, kMaxRestitutions);
   return own_key<BoltzmannScene>(
-             {.name = "restitution",
-              .about = "ε, normal restitution; of a list, one run for each, in that order",
-              .allowed =
+             "restitution",
+             {.allowed =
                   fmt::format("0 to 1, or a list of 1 to {} different ones", kMaxRestitutions),
-              .required = true,
               .schema = any_of({one.schema, several.schema})},
-             read_restitutions)
+             "ε, normal restitution; of a list, one run for each, in that order", read_restitutions)
+      .is_required()
       .written_as([=](const BoltzmannScene& scene, const Scene& none) {
         return std::optional(scene.lists_restitutions ? several.text(scene.restitutions, none)
                                                       : one.text(scene.restitutions.front(), none));
       });
-}
-
-/// Without it nothing slides; see boltzmann::Law.
-Key<BoltzmannScene> friction_key() {
-  return key("friction", &BoltzmannScene::friction, number(0, kMaxFriction),
-             "η of Coulomb, of rough spheres")
-      .defaults_to("nothing slides")
-      .written_if(
-          [](const BoltzmannScene& scene) { return scene.friction != boltzmann::kNoSlidingLimit; });
 }
 
 bool is_majorant(const BoltzmannScene& scene) {
@@ -53,7 +43,7 @@ bool is_majorant(const BoltzmannScene& scene) {
 }
 
 /// Refuses a key that only the other scheme has.
-void refuse_key(const KeyedMap& fields, std::string_view key, const BoltzmannScene& scene) {
+void refuse_key(const Place& fields, std::string_view key, const BoltzmannScene& scene) {
   if (fields.find(key) != nullptr) {
     fail(fields.at(key), "only scheme: {} has it; leave it out, or change the scheme",
          name_of(kSchemeNames, 1 - scene.scheme.index()));
@@ -75,18 +65,7 @@ Key<BoltzmannScene> ogawa_kato_key(std::string_view name, T boltzmann::OgawaKato
   return inlined_alternative(&BoltzmannScene::scheme, key(name, member, type, about));
 }
 
-Key<BoltzmannScene> shear_rate_key() {
-  return key("shear_rate", &BoltzmannScene::shear_rate, number(0, 100),
-             "of `majorant` only: velocity gradient of uniform shear flow, per unit of time")
-      .after([](const KeyedMap& fields, BoltzmannScene& scene) {
-        if (!is_majorant(scene)) {
-          refuse_key(fields, "shear_rate", scene);
-        }
-      })
-      .written_if(is_majorant);
-}
-
-void check_block(const KeyedMap& fields, BoltzmannScene& scene) {
+void check_block(const Place& fields, BoltzmannScene& scene) {
   if (auto* ogawa_kato = std::get_if<boltzmann::OgawaKato>(&scene.scheme)) {
     ogawa_kato->quasi = scene.quasi;
   }
@@ -99,7 +78,7 @@ void check_block(const KeyedMap& fields, BoltzmannScene& scene) {
   scene.histograms = {0, scene.until};
 }
 
-void read_histograms(const KeyedMap& fields, BoltzmannScene& scene) {
+void read_histograms(const Place& fields, BoltzmannScene& scene) {
   if (fields.find("histograms") == nullptr) {
     return;
   }
@@ -135,7 +114,7 @@ Type<UniformBins> uniform_bins() {
                          fmt::format("at most `end`, and at most {} bins", kMaxUniformBins)),
                 required("end", &UniformBins::end, above_zero(kMaxEnergy),
                          "where the last bin begins, which has no end")},
-       .check = [](const KeyedMap& fields, UniformBins& bins) {
+       .check = [](const Place& fields, UniformBins& bins) {
          if (bins.width > bins.end || bins.end > kMaxUniformBins * bins.width) {
            fail(fields.at("width"),
                 "expected a number from {} to {} for at most {} bins up to {}, found {}",
@@ -162,15 +141,14 @@ Type<BinsSpec> bins_type() {
 Key<BoltzmannScene> histograms_key() {
   const auto times = list_of(number(0, kMaxTime), 0, kMaxHistograms);
   return own_key<BoltzmannScene>(
-             {.name = "histograms",
-              .about = "times, ascending, from 0 to `until`, at which the "
-                       "distributions of both energies are "
-                       "written; `[]` for none",
-              .allowed = fmt::format("list of at most {}", kMaxHistograms),
-              .otherwise = "begin and end",
+             "histograms",
+             {.allowed = fmt::format("list of at most {}", kMaxHistograms),
               .schema = with(array_schema(number(0, kMaxTime).schema),
                              fmt::format(R"("maxItems": {}, {})", kMaxHistograms, kUnique))},
+             "times, ascending, from 0 to `until`, at which the distributions of both energies are "
+             "written; `[]` for none",
              read_histograms)
+      .defaults_to("begin and end")
       .written_as([=](const BoltzmannScene& scene, const Scene& none) {
         return std::optional(times.text(scene.histograms, none));
       });
@@ -192,13 +170,17 @@ Key<BoltzmannScene> boltzmann_block() {
            key("sampling", &B::quasi, choice(kSamplingNames),
                "draws of the beginning, and all draws of `ogawa-kato`: independent, or from a "
                "randomly shifted lattice"),
-           restitution_key(), friction_key(),
+           restitution_key(),
+           key("friction", &B::friction, number(0, kMaxFriction), "η of Coulomb, of rough spheres")
+               .defaults_to("nothing slides")
+               .written_if(
+                   [](const B& scene) { return scene.friction != boltzmann::kNoSlidingLimit; }),
            key("roughness", &B::roughness, number(-1, 1),
                "β, tangential restitution where nothing slides: -1 smooth, 1 reversed"),
            key("energy_ratio", &B::energy_ratio, number(0, 1e6), "C_e = I⟨ω²⟩/(m⟨v²⟩) at time 0"),
            key("scheme", &B::scheme, scheme_type(),
                "pairs in continuous time; or the time steps of the paper, which are biased")
-               .after([](const KeyedMap& fields, B& scene) {
+               .after([](const Place& fields, B& scene) {
                  const Value* given = fields.find("scheme");
                  if (given == nullptr || given->text == kSchemeNames.front().name) {
                    refuse_key(fields, "time_step", scene);
@@ -209,7 +191,15 @@ Key<BoltzmannScene> boltzmann_block() {
                           "of `ogawa-kato` only"),
            ogawa_kato_key("partners", &boltzmann::OgawaKato::partners, integer(1, 1000),
                           "of `ogawa-kato` only: how many each particle draws in a step"),
-           shear_rate_key(), key("until", &B::until, above_zero(kMaxTime), "time at the end"),
+           key("shear_rate", &B::shear_rate, number(0, 100),
+               "of `majorant` only: velocity gradient of uniform shear flow, per unit of time")
+               .after([](const Place& fields, B& scene) {
+                 if (!is_majorant(scene)) {
+                   refuse_key(fields, "shear_rate", scene);
+                 }
+               })
+               .written_if(is_majorant),
+           key("until", &B::until, above_zero(kMaxTime), "time at the end"),
            key("ensemble", &B::ensemble, count(1, 10'000),
                "runs with seeds derived from `seed`, for means and their errors")},
       .check = check_block,

@@ -25,7 +25,7 @@ using Weights = std::vector<std::uint32_t>;
 Type<Weights> part_type() {
   return or_map("", R"({"type": "string"})", weights_type(), [](const Place& place) {
     Weights weights(place.scene.species.size(), 0);
-    weights[read_species(read_text(place), place.value.location, place)] = 1;
+    weights[read_species(place)] = 1;
     return weights;
   });
 }
@@ -54,7 +54,7 @@ char pixel_of(image::Rgb color, const std::vector<image::Rgb>& colors) {
 }
 
 /// Of the keys that stand for `rows` and `pixels`.
-void read_file(const KeyedMap& fields, FillPicture& picture) {
+void read_file(const Place& fields, FillPicture& picture) {
   constexpr std::array<std::string_view, 2> kSources = {"file", "rows"};
   if (fields.only(kSources) != "file") {
     return;
@@ -77,15 +77,13 @@ void read_file(const KeyedMap& fields, FillPicture& picture) {
 /// Read with the file.
 Key<FillPicture> colors_key() {
   return own_key<FillPicture>(
-      {.name = "colors",
-       .about =
-           "of a file: by colour, such as `\"#d55e00\"`, a species or weights by species; a pixel "
-           "has the nearest of these colours, or is white and stays empty",
-       .allowed = "map of colours",
-       .otherwise = "goes with `file`",
-       .is_condition = true,
-       .schema = with(object_schema(part_type().schema, "^#[0-9A-Fa-f]{6}$"),
-                      fmt::format(R"("minProperties": 1, "maxProperties": {})", kMaxParts))});
+             "colors",
+             {.allowed = "map of colours",
+              .schema = with(object_schema(part_type().schema, "^#[0-9A-Fa-f]{6}$"),
+                             fmt::format(R"("minProperties": 1, "maxProperties": {})", kMaxParts))},
+             "of a file: by colour, such as `\"#d55e00\"`, a species or weights by species; a "
+             "pixel has the nearest of these colours, or is white and stays empty")
+      .with_condition("goes with `file`");
 }
 
 using Parts = std::map<char, Weights>;
@@ -114,7 +112,7 @@ Type<Parts> pixels_type() {
       });
 }
 
-void check_part_weights(const KeyedMap& fields) {
+void check_part_weights(const Place& fields) {
   std::size_t parts = 0;
   for (const Stage& stage : fields.scene.stages) {
     parts += stage.fill && stage.fill->picture ? stage.fill->picture->weights.size() : 0;
@@ -127,7 +125,7 @@ void check_part_weights(const KeyedMap& fields) {
   }
 }
 
-void check_picture(const KeyedMap& fields, FillPicture& picture) {
+void check_picture(const Place& fields, FillPicture& picture) {
   const bool file = fields.find("file") != nullptr;
   const char* foreign = file ? "pixels" : "colors";
   if (fields.find(foreign) != nullptr) {
@@ -163,7 +161,7 @@ Type<FillPicture> picture() {
            R"("oneOf": [{"required": ["file", "colors"]}, {"required": ["rows", "pixels"]}])"});
 }
 
-void check_keys_of_fill(const KeyedMap& fields, Fill& fill) {
+void check_keys_of_fill(const Place& fields, Fill& fill) {
   fill.location = reference(fields);
   if (!fill.level) {
     return;
@@ -197,8 +195,7 @@ Type<Fill> fill_type() {
                     .with_condition("one of these three"),
                 key("level", &Fill::level, length(number(0, kMaxBoxHeight)),
                     "of a `mix` with `method: deposition`: mean height of its surface where the "
-                    "filling "
-                    "ends")
+                    "filling ends")
                     .defaults_to("until the region is full")},
        .one_of = {"counts", "mix", "picture"},
        .check = check_keys_of_fill});

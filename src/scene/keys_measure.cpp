@@ -73,7 +73,7 @@ void read_derived(const Place& place, Scene& scene) {
   }
 }
 
-void read_measures(const KeyedMap& fields, Scene& scene) {
+void read_measures(const Place& fields, Scene& scene) {
   for (const auto& named : kMeasureNames) {
     // Mixing takes time in each step; paths of weight are of beds at rest only.
     if (named.value != Measure::mixing && named.value != Measure::weight_paths) {
@@ -130,19 +130,17 @@ Key<Scene> measure_key() {
   const Type<DerivedMeasure> derived = derived_type();
   const Schema by_name = with(object_schema(derived.schema, kExpressionNamePattern),
                               fmt::format(R"("maxProperties": {})", kMaxDerived));
-  return own_key<Scene>(
-             {.name = "measure",
-              .about = "what is measured at the end of each stage: [measures](#measures)",
-              .allowed =
-                  "list of " + word.allowed +
-                  " and of maps of "
-                  "[derived measures](#derived-measures) by name, or such a map beside the default",
-              .otherwise = "all but `mixing` and `weight_paths`",
-              .is_collection = true,
-              .schema =
-                  any_of({with(array_schema(any_of({word.schema, by_name})), kUnique), by_name}),
-              .keys = derived.keys},
-             read_measures)
+  const AnyType type = {
+      .allowed = "list of " + word.allowed +
+                 " and of maps of [derived measures](#derived-measures) by name, or such a map "
+                 "beside the default",
+      .schema = any_of({with(array_schema(any_of({word.schema, by_name})), kUnique), by_name}),
+      .keys = derived.keys,
+      .is_collection = true};
+  return own_key<Scene>("measure", type,
+                        "what is measured at the end of each stage: [measures](#measures)",
+                        read_measures)
+      .defaults_to("all but `mixing` and `weight_paths`")
       .written_as(measures_text);
 }
 

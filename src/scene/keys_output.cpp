@@ -33,7 +33,7 @@ void check_view(const lattice::Rectangle& view, const Place& place) {
 }
 
 /// What can be drawn depends on how walls move.
-void check_frames(const KeyedMap& fields, Frames& frames) {
+void check_frames(const Place& fields, Frames& frames) {
   const Scene& scene = fields.scene;
   frames.location = reference(fields);
   if (frames.color_by == ColorBy::force && scene.model != Model::contact) {
@@ -73,6 +73,16 @@ void check_frames(const KeyedMap& fields, Frames& frames) {
     fail(fields.at("velocity_cell"), "expected 1 to {:g}, the longer side of the box, found {:g}",
          side, *frames.velocity_cell);
   }
+}
+
+Type<statistics::Range> color_bar_ends() {
+  using statistics::Range;
+  const auto type = list_of_members("`[low, high]`", number(-1e9, 1e9), &Range::low, &Range::high);
+  return type.checked([](const statistics::Range& range, const Place& place) {
+    if (range.low >= range.high) {
+      fail(place, "expected [low, high] with low < high, found [{}, {}]", range.low, range.high);
+    }
+  });
 }
 
 Type<Frames> frames_type() {
@@ -143,7 +153,7 @@ Type<Fields> fields_type() {
                 key("every", &Fields::every, count(1, kMaxSteps), "steps of a window")}});
 }
 
-void check_contacts(const KeyedMap& fields, Contacts& contacts) {
+void check_contacts(const Place& fields, Contacts& contacts) {
   if (fields.scene.model != Model::contact) {
     require_overlap(fields, "contacts");
     return;
@@ -180,20 +190,20 @@ Key<Checkpoints> seconds_key() {
              "on it");
 }
 
-}  // namespace
-
 Type<Checkpoints> checkpoint_type() {
   return type_of<Checkpoints>({.keys = {key("every", &Checkpoints::every, count(1, kMaxSteps),
                                             "steps from one checkpoint to the next"),
                                         seconds_key()},
                                .check =
-                                   [](const KeyedMap& fields, Checkpoints& checkpoints) {
+                                   [](const Place& fields, Checkpoints& checkpoints) {
                                      if (!checkpoints.every && !checkpoints.seconds) {
                                        fail(fields, "expected every (steps), seconds or both");
                                      }
                                    },
                                .conditions = R"("minProperties": 1)"});
 }
+
+}  // namespace
 
 Type<Checkpoints> gas_checkpoint_type() {
   return type_of<Checkpoints>({.keys = {seconds_key().is_required()}});
@@ -222,7 +232,7 @@ Type<Output> output_type() {
                 key("checkpoint", &Output::checkpoint, or_none(checkpoint_type()),
                     "when the run saves a checkpoint, besides at its end and when it is stopped: "
                     "[output.checkpoint](#outputcheckpoint)")},
-       .check = [](const KeyedMap& /*fields*/, Output& output) {
+       .check = [](const Place& /*fields*/, Output& output) {
          if (output.frames && !output.frames->view) {
            output.frames->view = output.view;
          }

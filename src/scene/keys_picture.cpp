@@ -77,7 +77,7 @@ bool is_dark(image::Rgb pixel) {
   return 299 * pixel.red + 587 * pixel.green + 114 * pixel.blue < 1000 * kMiddle;
 }
 
-void read_rows(const KeyedMap& fields, Picture& picture) {
+void read_rows(const Place& fields, Picture& picture) {
   if (fields.find("file") != nullptr && fields.find("rows") == nullptr) {
     picture.rows = rows_of(read_picture(fields.at("file")), [](image::Rgb color) {
       return is_dark(color) ? Picture::kDark : Picture::kLight;

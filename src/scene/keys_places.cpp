@@ -8,8 +8,6 @@ namespace clca::scene {
 
 namespace {
 
-using Position = decltype(Source::position);
-
 void check_region(const lattice::Rectangle& region, const Place& place) {
   const Box& box = place.scene.box;
   if (region.left < 0 || region.bottom < 0 || region.right > box.width || region.top > box.height) {
@@ -28,7 +26,7 @@ void check_end(const Eigen::Vector2d& end, const Place& place) {
   }
 }
 
-void check_line(const KeyedMap& fields, Line& line) {
+void check_line(const Place& fields, Line& line) {
   check_end(line.from, fields.at("from"));
   check_end(line.to, fields.at("to"));
   const double length = (line.to - line.from).norm();
@@ -39,7 +37,7 @@ void check_line(const KeyedMap& fields, Line& line) {
   }
 }
 
-void check_source(const KeyedMap& fields, Source& source) {
+void check_source(const Place& fields, Source& source) {
   if (const auto* at = std::get_if<Eigen::Vector2d>(&source.position)) {
     const Box& box = fields.scene.box;
     if (!lattice_of(box).contains(lattice::nearest_site(*at))) {
@@ -57,14 +55,13 @@ void check_source(const KeyedMap& fields, Source& source) {
 }  // namespace
 
 Type<std::vector<Source>> sources_type() {
-  const auto position = [](std::string_view name, const auto& type, std::string_view about) {
-    return inlined(&Source::position, alternative<Position>(name, type, about));
-  };
   return by_name<Source>(
       "sources",
-      {.keys = {position("at", point(), "emits at the site nearest to this point")
+      {.keys = {alternative("at", &Source::position, point(),
+                            "emits at the site nearest to this point")
                     .with_condition("this or `region`"),
-                position("region", region(), "emits at any site of this region of the box")
+                alternative("region", &Source::position, region(),
+                            "emits at any site of this region of the box")
                     .with_condition("this or `at`"),
                 key("species", &Source::weights, weights_type(), "weights of what is emitted")
                     .defaults_to("all alike"),
@@ -80,7 +77,7 @@ Type<std::vector<Outlet>> outlets_type() {
   return by_name<Outlet>("outlets",
                          {.keys = {required("region", &Outlet::region, region(),
                                             "where particles are removed that lie wholly inside")},
-                          .check = [](const KeyedMap& fields, Outlet& outlet) {
+                          .check = [](const Place& fields, Outlet& outlet) {
                             outlet.location = reference(fields.at("region"));
                           }});
 }

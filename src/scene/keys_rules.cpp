@@ -90,10 +90,6 @@ Keys<contact::Parameters> friction_keys() {
               "normal velocity after a collision over that before")};
 }
 
-Type<automaton::Rules> rules_type() {
-  return type_of<automaton::Rules>({.keys = rules_keys()});
-}
-
 Type<contact::Parameters> contact_type() {
   using P = contact::Parameters;
   Keys<P> keys = friction_keys();
@@ -153,7 +149,8 @@ Type<contact::Parameters> stage_contact_type() {
 
 Keys<Scene> model_blocks() {
   return {
-      key("rules", &Scene::rules, rules_type(), "what a particle does in a step: [rules](#rules)")
+      key("rules", &Scene::rules, type_of<automaton::Rules>({.keys = rules_keys()}),
+          "what a particle does in a step: [rules](#rules)")
           .of(Model::automaton)
           .defaults_to("that of each of its keys"),
       key("contact", &Scene::contact, contact_type(),

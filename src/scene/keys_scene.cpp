@@ -1,4 +1,5 @@
-// The keys at the top, of both kinds of scenes.
+// The keys at the top, of both kinds of scenes; title, box, and the state of another run that a run
+// begins with.
 
 #include <fmt/ranges.h>
 
@@ -6,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "clca/text/message.hpp"
+#include "clca/text/number.hpp"
 #include "scene/sections.hpp"
 #include "scene/types.hpp"
 
@@ -13,32 +16,88 @@ namespace clca::scene {
 
 namespace {
 
+std::string read_title(const Place& place) {
+  const std::string& title = read_text(place);
+  const std::optional<std::size_t> characters = line_length(title);
+  if (!characters) {
+    fail(place, "expected one line of text, found {}", text::shown(title));
+  }
+  if (*characters == 0 || *characters > kMaxTitleLength) {
+    fail(place, "expected 1 to {} characters, found {}", kMaxTitleLength, *characters);
+  }
+  return title;
+}
+
+constexpr std::size_t kHashDigits = 16;
+
+std::uint64_t read_hash(const Place& place) {
+  constexpr int kHexadecimal = 16;
+  const std::string& digits = read_text(place);
+  const auto hash = text::number<std::uint64_t>(digits, kHexadecimal);
+  if (digits.size() != kHashDigits || !hash) {
+    fail(place, "expected {} hexadecimal digits, found {}", kHashDigits, found(place));
+  }
+  return *hash;
+}
+
+Type<std::uint64_t> hash_type() {
+  return own_type<std::uint64_t>(
+      fmt::format("{} hexadecimal digits, in quotes", kHashDigits),
+      text_schema("^[0-9A-Fa-f]{16}$"), read_hash,
+      [](std::uint64_t hash) { return Value::quoted_text(fmt::format("{:016x}", hash)); });
+}
+
+Type<Box> box_type() {
+  return type_of<Box>(
+      {.keys =
+           {required("width", &Box::width, length(number(1, kMaxBoxWidth)),
+                     "width; columns stand 0.866 apart"),
+            required("height", &Box::height, length(number(1, kMaxBoxHeight)), "height"),
+            key("periodic", &Box::periodic, yes_or_no(),
+                "what leaves on the right comes back on the left; the number of columns is made "
+                "even")},
+       .check = [](const Place& fields, Box& box) { box.location = reference(fields); }});
+}
+
+Type<Begin> begin_type() {
+  return type_of<Begin>(
+      {.keys = {required("run", &Begin::run, file_path_type(),
+                         "folder of the run; a relative one begins at the folder of the scene"),
+                key("step", &Begin::step,
+                    word_or_value("last", count(0, kMaxSteps),
+                                  fmt::format("a whole number from 0 to {}", kMaxSteps)),
+                    "its end, or a step of its trajectory"),
+                key("state", &Begin::state, hash_type(),
+                    "hash of the state there: another one is refused. Runs note it in their "
+                    "`scene.yaml`")
+                    .defaults_to("any state")},
+       .check = [](const Place& fields, Begin& begin) { begin.location = reference(fields); }});
+}
+
 /// What both kinds begin with. What stands under `let` is evaluated before the keys are read; the
 /// scene has the numbers.
 template <class AScene>
 Keys<AScene> first_keys() {
   static const std::string kVersionText = std::to_string(kVersion);
-  const auto check_version = [](const KeyedMap& fields, AScene& /*scene*/) {
+  const auto check_version = [](const Place& fields, AScene& /*scene*/) {
     const Place place = fields.at("clca");
     if (place.value.quoted || place.value.text != kVersionText) {
       fail(place, "expected version {} of the format, found {}", kVersionText, found(place));
     }
   };
   return {
-      own_key<AScene>({.name = "clca",
-                       .about = "version of the format, without quotes",
-                       .allowed = fmt::format("`{}`", kVersionText),
-                       .required = true,
+      own_key<AScene>("clca",
+                      {.allowed = fmt::format("`{}`", kVersionText),
                        .schema = fmt::format(R"({{"const": {}}})", kVersionText)},
-                      check_version)
+                      "version of the format, without quotes", check_version)
+          .is_required()
           .written_as(
               [](const AScene& /*scene*/) { return std::optional(Value::scalar(kVersionText)); }),
-      own_key<AScene>(
-          {.name = "let",
-           .about = "numbers with names, for [expressions](#expressions) in the place of numbers",
-           .allowed = "numbers by name",
-           .otherwise = "none",
-           .schema = object_schema(R"({"type": "number"})", kExpressionNamePattern)}),
+      own_key<AScene>("let",
+                      {.allowed = "numbers by name",
+                       .schema = object_schema(R"({"type": "number"})", kExpressionNamePattern)},
+                      "numbers with names, for [expressions](#expressions) in the place of numbers")
+          .defaults_to("none"),
       key("title", &AScene::title, title_type(), "one line for captions, figures and reports")
           .defaults_to("name of the file"),
       key("seed", &AScene::seed, count(0, std::numeric_limits<std::uint64_t>::max()),
@@ -91,6 +150,14 @@ std::string model_conditions() {
 }
 
 }  // namespace
+
+Type<std::string> title_type() {
+  return own_type<std::string>(
+      fmt::format("1 to {} characters", kMaxTitleLength),
+      fmt::format(R"({{"type": ["string", "number", "boolean"], "minLength": 1, "maxLength": {}}})",
+                  kMaxTitleLength),
+      read_title, [](const std::string& title) { return Value::quoted_text(title); });
+}
 
 const Type<Scene>& scene_type() {
   static const std::string kConditions = model_conditions();

@@ -35,8 +35,7 @@ Type<ShapeSpec> shape() {
   return one_of<ShapeSpec>(
       {alternative<ShapeSpec>(
            "hexagon", as(&HexagonSpec::radius, integer(0, kMaxRadius)),
-           "all sites within that many steps of the centre: 0 is a single site, 1 "
-           "has 7, 2 has 19"),
+           "all sites within that many steps of the centre: 0 is a single site, 1 has 7, 2 has 19"),
        alternative<ShapeSpec>("disc", as(&DiscSpec::radius, length(number(0, kMaxRadius))),
                               "all sites within that many spacings of the centre"),
        alternative<ShapeSpec>("rectangle",
@@ -45,7 +44,7 @@ Type<ShapeSpec> shape() {
                               "an upright rectangle, to the nearest number of columns and of sites "
                               "in each"),
        alternative<ShapeSpec>("outline",
-                              as(&OutlineSpec::corners, list_of(corner(), 3, kMaxCorners)),
+                              as(&OutlineSpec::corners, list_of(point(kMaxLength), 3, kMaxCorners)),
                               "all sites whose centre lies on or inside the outline with these "
                               "corners, in spacings to the right and upwards"),
        alternative<ShapeSpec>("sites", as(&SitesSpec::sites, sites(1, kMaxSites)), "these sites"),
@@ -186,7 +185,7 @@ image::Rgb read_color(const Place& place) {
 }
 
 /// A particle that met itself across a periodic boundary would block itself.
-void check_width(const Species& species, const KeyedMap& fields) {
+void check_width(const Species& species, const Place& fields) {
   const Box& box = fields.scene.box;
   if (!box.periodic) {
     return;
@@ -219,9 +218,8 @@ Type<std::vector<Species>> species_type() {
                                     "the sites of a particle"))
                    .with_condition("this or `sizes`"),
                // Replaced by species with shapes before the keys are read; see expand_sizes.
-               own_key<Species>(described("sizes", sizes_type(),
-                                          "round particles whose sizes follow a law: "
-                                          "[sizes](#sizes)"))
+               own_key<Species>("sizes", sizes_type(),
+                                "round particles whose sizes follow a law: [sizes](#sizes)")
                    .with_condition("this or `shape`"),
                key("orientations", &Species::orientations, orientations(),
                    "angles it may start with, clockwise; one of them at random"),
@@ -231,7 +229,7 @@ Type<std::vector<Species>> species_type() {
                    "factor of the chance that a void takes such a grain and not another beside it")
                    .of(Model::voids)},
       .one_of = {"shape", "sizes"}};
-  map.check = [](const KeyedMap& fields, Species& species) {
+  map.check = [](const Place& fields, Species& species) {
     try {
       species.shape = build_checked(species.shape_spec);
     } catch (const std::invalid_argument& error) {

@@ -35,7 +35,7 @@ Type<Rotate> rotate() {
                          "turns per unit of time: anticlockwise, or clockwise below 0"),
                 key("centre", &Rotate::centre, point(), "what it turns about")
                     .defaults_to("the middle of the box")},
-       .check = [](const KeyedMap& fields, Rotate& rotate) {
+       .check = [](const Place& fields, Rotate& rotate) {
          if (fields.scene.box.periodic) {
            fail(fields, "a periodic box has no centre to turn about; say 'periodic: false'");
          }
@@ -63,14 +63,6 @@ const Wall* cyclic_wall(const Stage& stage, const Scene& scene) {
     }
   }
   return nullptr;
-}
-
-/// The unending motion of the vessel in the stage; empty if there is none.
-std::string_view vessel_cycle(const Stage& stage) {
-  if (!vessel_has_cycles(stage)) {
-    return {};
-  }
-  return std::holds_alternative<Rotate>(*stage.vessel) ? "turns" : "is shaken";
 }
 
 constexpr std::uint64_t kMaxCycleLength = 10'000'000;  // times kMaxSteps fits 64 bits
@@ -113,13 +105,13 @@ std::string why_never_at_rest(const Stage& stage, const Scene& scene) {
 std::string endless(const Stage& stage, const Scene& scene) {
   if (const Wall* wall = cyclic_wall(stage, scene)) {
     return fmt::format(
-        "while wall '{}' goes to and fro; end the stage after cycles or steps, or "
-        "give max_steps",
+        "while wall '{}' goes to and fro; end the stage after cycles or steps, or give max_steps",
         wall->name);
   }
-  if (const std::string_view motion = vessel_cycle(stage); !motion.empty()) {
+  if (vessel_has_cycles(stage)) {
     return fmt::format(
-        "while the vessel {}; end the stage after cycles or steps, or give max_steps", motion);
+        "while the vessel {}; end the stage after cycles or steps, or give max_steps",
+        std::holds_alternative<Rotate>(*stage.vessel) ? "turns" : "is shaken");
   }
   const std::string reason = why_never_at_rest(stage, scene);
   return reason.empty() ? reason : reason + "; give max_steps";
@@ -149,11 +141,15 @@ void check_max_steps(const Place& fields, const Stage& stage, std::uint64_t leas
   }
 }
 
-/// Refuses an end that the stage cannot come to.
-void check_possible(const Stage& stage, const Place& until) {
-  const Scene& scene = until.scene;
-  if (std::holds_alternative<UntilCycles>(stage.until) && cyclic_wall(stage, scene) == nullptr &&
-      vessel_cycle(stage).empty()) {
+/// The end of a stage that has been read, and its `max_steps`, which may follow from it. Refuses
+/// ends that can never come.
+void check_until(const Place& fields, Stage& stage) {
+  const Scene& scene = fields.scene;
+  const Value* given = fields.find("until");
+  const Place until = {given != nullptr ? *given : fields.value, join_path(fields.path, "until"),
+                       scene};
+  const bool cycles = std::holds_alternative<UntilCycles>(stage.until);
+  if (cycles && cyclic_wall(stage, scene) == nullptr && !vessel_has_cycles(stage)) {
     fail(until,
          "no wall of this stage goes to and fro{}; name one with a wave or a shake under move",
          scene.model == Model::contact ? ", and its vessel neither turns nor is shaken" : "");
@@ -161,6 +157,23 @@ void check_possible(const Stage& stage, const Place& until) {
   if (std::holds_alternative<UntilDischarged>(stage.until) && scene.outlets.empty()) {
     fail(until, "nothing can be discharged, the scene has no outlets");
   }
+  const std::uint64_t least = least_steps(stage, scene);
+  if (fields.find("max_steps") != nullptr) {
+    check_max_steps(fields, stage, least, cycles ? "that the cycles of until take" : "of until");
+    return;
+  }
+  if (least > kMaxSteps) {
+    fail(until, "the cycles take {} steps; expected at most {}", least, kMaxSteps);
+  }
+  if (std::holds_alternative<UntilSettled>(stage.until)) {
+    if (const std::string reason = endless(stage, scene); !reason.empty()) {
+      fail(until, "never comes to rest {}", reason);
+    }
+  }
+  if (cycles) {
+    check_waits(stage, until);
+  }
+  stage.max_steps = std::max(stage.max_steps, least);
 }
 
 /// An end other than settled.
@@ -174,8 +187,7 @@ Type<Until> end_type() {
            "when this share of the particles has left through the outlets"),
        end("cycles", as(&UntilCycles::cycles, count(1, kMaxSteps)),
            "after so many cycles of each wall with a wave or a shake, and of a vessel that turns "
-           "or "
-           "is shaken"),
+           "or is shaken"),
        end("time", as(&UntilTime::time, above_zero(kMaxTime)),
            "after this time: in seconds where the scene has [`units`](#units), else in "
            "√(spacing/gravity)")
@@ -193,7 +205,24 @@ UntilSettled read_settled(const Place& place) {
   return {};
 }
 
-void check_stage(const KeyedMap& fields, Stage& stage) {
+Type<VesselMotion> vessel_type() {
+  return one_of<VesselMotion>(
+      {alternative<VesselMotion>("tilt", tilt(),
+                                 "stands at this angle from upright, in degrees anticlockwise: at "
+                                 "once, or turned to it the shorter way"),
+       alternative<VesselMotion>("rotate", rotate(), "turns without end"),
+       alternative<VesselMotion>("shake", vessel_shake(), "swings as a sine")});
+}
+
+Type<Until> until_type() {
+  return or_map(
+      "`settled`", word_schema("settled"), end_type(), read_settled, [](const Until& until) {
+        return std::holds_alternative<UntilSettled>(until) ? std::optional(Value::scalar("settled"))
+                                                           : std::nullopt;
+      });
+}
+
+void check_stage(const Place& fields, Stage& stage) {
   if (fields.find("insert") != nullptr) {
     stage.insert_location = reference(fields.at("insert"));
   }
@@ -241,23 +270,6 @@ Map<Stage> stage_map() {
 
 }  // namespace
 
-Type<VesselMotion> vessel_type() {
-  return one_of<VesselMotion>(
-      {alternative<VesselMotion>("tilt", tilt(),
-                                 "stands at this angle from upright, in degrees anticlockwise: at "
-                                 "once, or turned to it the shorter way"),
-       alternative<VesselMotion>("rotate", rotate(), "turns without end"),
-       alternative<VesselMotion>("shake", vessel_shake(), "swings as a sine")});
-}
-
-Type<Until> until_type() {
-  return or_map(
-      "`settled`", word_schema("settled"), end_type(), read_settled, [](const Until& until) {
-        return std::holds_alternative<UntilSettled>(until) ? std::optional(Value::scalar("settled"))
-                                                           : std::nullopt;
-      });
-}
-
 std::uint64_t least_steps(const Stage& stage, const Scene& scene) {
   if (const auto steps = steps_of(stage.until)) {
     return *steps;
@@ -268,32 +280,6 @@ std::uint64_t least_steps(const Stage& stage, const Scene& scene) {
     longest = std::max(longest, min_cycle(scene.walls[stage.move[i]]));
   }
   return cycles != nullptr ? cycles->cycles * std::min(longest, kMaxCycleLength) : 0;
-}
-
-void check_until(const KeyedMap& fields, Stage& stage) {
-  const Scene& scene = fields.scene;
-  const Value* given = fields.find("until");
-  const Place until = {given != nullptr ? *given : fields.value, join_path(fields.path, "until"),
-                       scene};
-  check_possible(stage, until);
-  const std::uint64_t least = least_steps(stage, scene);
-  const bool cycles = std::holds_alternative<UntilCycles>(stage.until);
-  if (fields.find("max_steps") != nullptr) {
-    check_max_steps(fields, stage, least, cycles ? "that the cycles of until take" : "of until");
-    return;
-  }
-  if (least > kMaxSteps) {
-    fail(until, "the cycles take {} steps; expected at most {}", least, kMaxSteps);
-  }
-  if (std::holds_alternative<UntilSettled>(stage.until)) {
-    if (const std::string reason = endless(stage, scene); !reason.empty()) {
-      fail(until, "never comes to rest {}", reason);
-    }
-  }
-  if (cycles) {
-    check_waits(stage, until);
-  }
-  stage.max_steps = std::max(stage.max_steps, least);
 }
 
 void count_steps(Scene& scene, const Value& list) {

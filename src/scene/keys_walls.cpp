@@ -13,9 +13,8 @@ namespace clca::scene {
 namespace {
 
 using grains::WallMotion;
-using Program = decltype(WallMotion::program);
 
-void check_wave(const KeyedMap& fields, grains::Wave& wave) {
+void check_wave(const Place& fields, grains::Wave& wave) {
   const std::uint64_t least = grains::least_period(wave);
   if (wave.period < least) {
     fail(fields.at("period"),
@@ -108,7 +107,7 @@ Key<WallMotion> drive_key(std::string_view name, T grains::Drive::*member, const
   return inlined_alternative(&WallMotion::program, key(name, member, type, about)).defaults_to("");
 }
 
-void check_program(const KeyedMap& fields, WallMotion& motion) {
+void check_program(const Place& fields, WallMotion& motion) {
   constexpr std::array<std::string_view, 5> kKeys = {"period", "distance", "wave", "shake", "path"};
   std::vector<std::string_view> given;
   std::ranges::copy_if(kKeys, std::back_inserter(given),
@@ -126,9 +125,27 @@ void check_program(const KeyedMap& fields, WallMotion& motion) {
   }
 }
 
-template <class T>
-Key<WallMotion> program(std::string_view name, const Type<T>& type, std::string_view about) {
-  return inlined(&WallMotion::program, alternative<Program>(name, type, about));
+Type<WallMotion> motion_type() {
+  return type_of<WallMotion>(
+      {.keys = {key("direction", &WallMotion::direction, choice(kDirectionNames),
+                    "where to; required with `distance`"),
+                drive_key("period", &grains::Drive::period, count(1, kMaxSteps),
+                          "steps for each site of the distance")
+                    .defaults_to("1"),
+                drive_key("distance", &grains::Drive::distance, integer(1, kMaxOffset),
+                          "sites in all, then it stands"),
+                alternative("wave", &WallMotion::program, wave(), "to and fro about home"),
+                alternative("shake", &WallMotion::program, shake(),
+                            "lifted, dropped back home, then a wait; again and again"),
+                alternative(
+                    "path", &WallMotion::program, path_type(),
+                    "from point to point, straight between them: steps increase, and nowhere is "
+                    "it steeper than one site a step, counted from `[0, 0]`")},
+       .check = check_program,
+       .conditions = R"(
+         "oneOf": [{"required": ["distance"]}, {"required": ["wave"]}, {"required": ["shake"]},
+                   {"required": ["path"]}],
+         "dependencies": {"distance": ["direction"], "period": ["distance"]})"});
 }
 
 Type<lattice::Segment> line() {
@@ -137,7 +154,7 @@ Type<lattice::Segment> line() {
                                     required("to", &Segment::to, point(), "the other end"),
                                     key("thickness", &Segment::thickness,
                                         length(number(0, kMaxThickness)), "thickness")},
-                           .check = [](const KeyedMap& fields, Segment& segment) {
+                           .check = [](const Place& fields, Segment& segment) {
                              if (segment.from == segment.to) {
                                fail(fields.at("to").value.location,
                                     "{}: from and to are the same point", fields.path);
@@ -159,7 +176,7 @@ Keys<Ring> ring_keys() {
               "outer radius less the inner one")};
 }
 
-void check_arc(const KeyedMap& fields, Arc& arc) {
+void check_arc(const Place& fields, Arc& arc) {
   if (arc.from >= arc.to || arc.to - arc.from >= 360) {
     fail(
         fields,
@@ -212,7 +229,7 @@ void check_part(const WallPart& part, const Place& fields) {
   }
 }
 
-void check_wall(const KeyedMap& fields, Wall& wall) {
+void check_wall(const Place& fields, Wall& wall) {
   wall.location = reference(fields);
   if (wall.motion) {
     return;
@@ -233,29 +250,6 @@ void check_wall(const KeyedMap& fields, Wall& wall) {
 }
 
 }  // namespace
-
-Type<WallMotion> motion_type() {
-  return type_of<WallMotion>(
-      {.keys = {key("direction", &WallMotion::direction, choice(kDirectionNames),
-                    "where to; required with `distance`"),
-                drive_key("period", &grains::Drive::period, count(1, kMaxSteps),
-                          "steps for each site of the distance")
-                    .defaults_to("1"),
-                drive_key("distance", &grains::Drive::distance, integer(1, kMaxOffset),
-                          "sites in all, then it stands"),
-                program("wave", wave(), "to and fro about home"),
-                program("shake", shake(),
-                        "lifted, dropped back home, then a wait; again and again"),
-                program(
-                    "path", path_type(),
-                    "from point to point, straight between them: steps increase, and nowhere is "
-                    "it steeper than one site a step, counted from `[0, 0]`")},
-       .check = check_program,
-       .conditions = R"(
-         "oneOf": [{"required": ["distance"]}, {"required": ["wave"]}, {"required": ["shake"]},
-                   {"required": ["path"]}],
-         "dependencies": {"distance": ["direction"], "period": ["distance"]})"});
-}
 
 Type<std::vector<Wall>> walls_type() {
   // A wall of a single part is not in a list.

@@ -24,31 +24,27 @@ namespace {
 bool is_boltzmann(const Value& root) {
   const std::vector<std::string_view> automaton_keys = names_of(*scene_type().keys);
   const std::vector<std::string_view> boltzmann_keys = names_of(*boltzmann_type().keys);
-  const Entry* automaton = nullptr;
-  const Entry* boltzmann = nullptr;
-  for (const Entry& entry : root.entries) {
-    const bool in_automaton = std::ranges::count(automaton_keys, entry.key) > 0;
-    const bool in_boltzmann = std::ranges::count(boltzmann_keys, entry.key) > 0;
-    if (in_automaton && !in_boltzmann && automaton == nullptr) {
-      automaton = &entry;
-    } else if (in_boltzmann && !in_automaton) {
-      boltzmann = &entry;
-    }
-    if (automaton != nullptr && boltzmann != nullptr) {
-      const Entry& other = automaton == &entry ? *boltzmann : *automaton;
-      fail(entry.location,
-           "'{}' does not go with '{}': a scene of the Boltzmann equation has the keys {}; one of "
-           "grains has {}",
-           entry.key, other.key, fmt::join(boltzmann_keys, ", "), fmt::join(automaton_keys, ", "));
-    }
+  const auto first_of = [&](const auto& keys, const auto& other_keys) {
+    return std::ranges::find_if(root.entries, [&](const Entry& entry) {
+      return std::ranges::count(keys, entry.key) > std::ranges::count(other_keys, entry.key);
+    });
+  };
+  const auto none = root.entries.end();
+  const auto automaton = first_of(automaton_keys, boltzmann_keys);
+  const auto boltzmann = first_of(boltzmann_keys, automaton_keys);
+  if (automaton != none && boltzmann != none) {
+    const auto [other, entry] = std::minmax(automaton, boltzmann);
+    fail(entry->location,
+         "'{}' does not go with '{}': a scene of the Boltzmann equation has the keys {}; one of "
+         "grains has {}",
+         entry->key, other->key, fmt::join(boltzmann_keys, ", "), fmt::join(automaton_keys, ", "));
   }
   // A misspelt `boltzmann` makes no scene of grains.
   const auto is_misspelt = [](const Entry& entry) {
     constexpr std::array<std::string_view, 1> kBlock = {"boltzmann"};
     return text::nearest(entry.key, kBlock).has_value();
   };
-  return boltzmann != nullptr ||
-         (automaton == nullptr && std::ranges::any_of(root.entries, is_misspelt));
+  return boltzmann != none || (automaton == none && std::ranges::any_of(root.entries, is_misspelt));
 }
 
 /// What the run is called, and its files.
@@ -87,14 +83,6 @@ void override_with(Value& root, const Override& text, std::string_view option) {
   }
 }
 
-/// Probes and lines are observed at the steps of the series.
-void give_series(Scene& scene, const Value& root) {
-  const bool is_given = root.find_path("output.series") != nullptr;
-  if (!is_given && !(scene.probes.empty() && scene.lines.empty())) {
-    scene.output.series = Series();
-  }
-}
-
 Scene read_scene(Value root, const std::string& file) {
   Scene scene;
   if (const Value* units = root.find("units")) {  // first: lengths may be in them
@@ -106,7 +94,10 @@ Scene read_scene(Value root, const std::string& file) {
   scene.folder = std::filesystem::path(file).parent_path().string();
   const Place place = {root, "", scene};
   scene_type().read_into(place, &scene);
-  give_series(scene, root);
+  const bool is_observed = !scene.probes.empty() || !scene.lines.empty();
+  if (is_observed && root.find_path("output.series") == nullptr) {
+    scene.output.series = Series();  // at its steps
+  }
   check_model(place);
   check_history(place.at("stages"));
   check_time_step(place);

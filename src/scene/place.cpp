@@ -19,7 +19,7 @@ std::string suggestion(const Entry& entry, std::string_view path,
                        std::span<const std::string_view> keys) {
   constexpr std::string_view kGas = "boltzmann";
   const bool is_gas = path.starts_with(kGas) || std::ranges::find(keys, kGas) != keys.end();
-  const Descriptions& all = is_gas ? boltzmann_type().keys : scene_type().keys;
+  const AnyKeys& all = is_gas ? boltzmann_type().keys : scene_type().keys;
   const bool elsewhere = path.empty() || !entry.location.origin->has_lines;
   const bool is_elsewhere = elsewhere && !paths_of_key(all, entry.key).empty();
   std::string here = is_elsewhere ? "" : text::suggestion(entry.key, keys);
@@ -127,13 +127,13 @@ void check_name(const std::string& name, const TextLocation& location, std::stri
   }
 }
 
-std::size_t read_reference(const std::string& name, const TextLocation& location,
-                           std::string_view path, std::string_view kind,
+std::size_t read_reference(const Place& place, std::string_view kind,
                            std::span<const std::string_view> names) {
+  const std::string& name = read_text(place);
   const auto match = std::ranges::find(names, name);
   if (match == names.end()) {
     const std::string known = names.empty() ? "there is none" : "known: " + text::listed(names);
-    fail(location, "{}: unknown {} {} ({}){}", path, kind, text::shown(name), known,
+    fail(place, "unknown {} {} ({}){}", kind, text::shown(name), known,
          text::suggestion(name, names));
   }
   return static_cast<std::size_t>(match - names.begin());
@@ -186,19 +186,20 @@ std::string reference(const Place& place) {
   return to_string(place.value.location);
 }
 
-KeyedMap::KeyedMap(const Place& map, std::span<const std::string_view> keys) : Place(map) {
+void check_keys(const Place& map, std::span<const std::string_view> keys) {
   if (!map.value.is(Value::Kind::map)) {
     unexpected(map, fmt::format("a map (allowed: {})", fmt::join(keys, ", ")));
   }
-  for (const Entry& entry : read_map(map)) {
+  for (const Entry& entry : map.value.entries) {
     if (std::ranges::find(keys, entry.key) == keys.end()) {
       fail(entry.location, "unknown key {}{} (allowed: {}){}", text::shown(entry.key),
-           path.empty() ? "" : " in " + path, fmt::join(keys, ", "), suggestion(entry, path, keys));
+           map.path.empty() ? "" : " in " + map.path, fmt::join(keys, ", "),
+           suggestion(entry, map.path, keys));
     }
   }
 }
 
-std::string_view KeyedMap::only(std::span<const std::string_view> keys) const {
+std::string_view Place::only(std::span<const std::string_view> keys) const {
   std::vector<std::string_view> present;
   std::ranges::copy_if(keys, std::back_inserter(present),
                        [this](std::string_view key) { return find(key) != nullptr; });

@@ -44,6 +44,8 @@ struct Place {
   Place at(std::string_view key) const;
   /// The value of an entry.
   Place inside(const Entry& entry) const;
+  /// The only one of `keys` that is there. Refuses a map unless it has exactly one.
+  std::string_view only(std::span<const std::string_view> keys) const;
 };
 
 inline std::string found(const Place& place) {
@@ -72,15 +74,16 @@ std::optional<std::size_t> line_length(std::string_view text);
 /// word that stands in the place of the list, the message says how to write it.
 std::vector<Place> read_list(const Place& place, std::size_t least, std::size_t most,
                              const std::function<void(const Place& item)>& read_item = nullptr);
+/// Refuses what is no map, or has a key that is not among `keys`.
+void check_keys(const Place& map, std::span<const std::string_view> keys);
 /// A map; its keys are for the caller to check.
 const std::vector<Entry>& read_map(const Place& place);
 /// A map from names that the scene gives to things; also checks the names.
 const std::vector<Entry>& read_named(const Place& place);
 /// A name that the scene gives to something.
 void check_name(const std::string& name, const TextLocation& location, std::string_view path);
-/// The position of `name` in `names`, the `kind`s of the scene.
-std::size_t read_reference(const std::string& name, const TextLocation& location,
-                           std::string_view path, std::string_view kind,
+/// The position of the name among `names`, the `kind`s of the scene.
+std::size_t read_reference(const Place& place, std::string_view kind,
                            std::span<const std::string_view> names);
 /// The position of the scalar among `words`.
 std::size_t read_word(const Place& place, std::span<const std::string_view> words);
@@ -92,14 +95,5 @@ bool is_word(const Place& place, std::string_view word, std::string_view phrase)
 
 /// Where a value is, for messages about the scene once it has been read.
 std::string reference(const Place& place);
-
-/// A map with known keys.
-struct KeyedMap : Place {
-  /// Refuses what is no map, or has a key that is not among `keys`.
-  KeyedMap(const Place& map, std::span<const std::string_view> keys);
-
-  /// The only one of `keys` that is there. Refuses a map unless it has exactly one.
-  std::string_view only(std::span<const std::string_view> keys) const;
-};
 
 }  // namespace clca::scene

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "clca/scene/boltzmann.hpp"
 #include "scene/geometry.hpp"
 
 namespace clca::scene {
@@ -59,6 +60,21 @@ std::vector<int> degrees_of(const Scene& scene, const std::vector<grains::Kind>&
     result.push_back(found != species.orientations.end() ? *found : 0);
   }
   return result;
+}
+
+boltzmann::InitialCondition initial_condition(const BoltzmannScene& scene) {
+  return {.particles = scene.particles,
+          .initial = scene.initial,
+          .energy_ratio = scene.energy_ratio,
+          .exact_moments = scene.exact_moments,
+          .quasi = scene.quasi};
+}
+
+boltzmann::Process process(const BoltzmannScene& scene, double restitution) {
+  return {
+      .law = {.restitution = restitution, .friction = scene.friction, .roughness = scene.roughness},
+      .scheme = scene.scheme,
+      .shear_rate = scene.shear_rate};
 }
 
 }  // namespace clca::scene

@@ -12,8 +12,6 @@ const Type<Scene>& scene_type();
 const Type<BoltzmannScene>& boltzmann_type();
 
 Type<std::string> title_type();
-Type<Begin> begin_type();
-Type<Box> box_type();
 /// The block of each model, and other keys of one model.
 Keys<Scene> model_blocks();
 /// Of a stage: what is left out is as in the scene.
@@ -24,7 +22,6 @@ Type<std::vector<Species>> species_type();
 Type<Sizes> sizes_type();
 Type<std::vector<Wall>> walls_type();
 Type<lattice::Picture> picture_type();
-Type<grains::WallMotion> motion_type();
 Type<std::vector<Source>> sources_type();
 Type<std::vector<Outlet>> outlets_type();
 Type<std::vector<Probe>> probes_type();
@@ -33,22 +30,16 @@ Type<std::vector<Line>> lines_type();
 std::string stage_path(const Value& value, std::size_t number);
 Type<Fill> fill_type();
 Type<std::vector<Stage>> stages_type();
-Type<VesselMotion> vessel_type();
-Type<Until> until_type();
 /// `measure`: which there are, and those derived from them.
 Key<Scene> measure_key();
 Type<Output> output_type();
-/// By steps and seconds; a gas has seconds only.
-Type<Checkpoints> checkpoint_type();
+/// By seconds; those of grains by steps, too.
 Type<Checkpoints> gas_checkpoint_type();
 Key<BoltzmannScene> boltzmann_block();
 Key<BoltzmannScene> boltzmann_output();
 /// Refuses a series of too many rows.
 void check_rows(const Place& root, const BoltzmannScene& scene);
 
-/// The end of a stage that has been read, and its `max_steps`, which may follow from it. Refuses
-/// ends that can never come.
-void check_until(const KeyedMap& fields, Stage& stage);
 /// The steps of stages until a time, once all that the time step follows from has been read.
 /// `list` is what the stages were read from.
 void count_steps(Scene& scene, const Value& list);

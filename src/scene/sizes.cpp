@@ -79,6 +79,15 @@ std::vector<Diameter> diameters_of(const Sizes& sizes) {
       [=](double diameter) { return mean * normal_below(quantile(diameter) - spread); });
 }
 
+/// Of the classes of the law.
+double largest_diameter(const Sizes& sizes) {
+  double largest = 0;
+  for (const Diameter& diameter : diameters_of(sizes)) {
+    largest = std::max(largest, diameter.value);
+  }
+  return largest;
+}
+
 struct RoundKind {
   double radius = 0;  ///< as in DiscSpec or HexagonSpec
   double sites = 0;
@@ -121,9 +130,9 @@ std::vector<RoundKind> discs(double largest) {
   return kinds;
 }
 
-constexpr auto kLawNames = in_order<SizeLaw>("uniform", "lognormal", "list");
-constexpr auto kSharesByNames = in_order<SharesBy>("number", "area");
-constexpr auto kRoundShapeNames = in_order<RoundShape>("hexagon", "disc");
+constexpr auto kLawNames = in_order<SizeLaw::list>("uniform", "lognormal", "list");
+constexpr auto kSharesByNames = in_order<SharesBy::area>("number", "area");
+constexpr auto kRoundShapeNames = in_order<RoundShape::disc>("hexagon", "disc");
 
 Type<std::vector<double>> list(const Type<double>& number) {
   auto type = list_of(number, 1, kMaxKinds);
@@ -131,7 +140,7 @@ Type<std::vector<double>> list(const Type<double>& number) {
   return type;
 }
 
-void check(const KeyedMap& fields, Sizes& sizes) {
+void check(const Place& fields, Sizes& sizes) {
   const bool list = sizes.law == SizeLaw::list;
   for (const char* key : {"mean", "sd", "kinds", "diameters", "shares"}) {
     const bool of_list = key == std::string_view("diameters") || key == std::string_view("shares");
@@ -164,14 +173,6 @@ void check(const KeyedMap& fields, Sizes& sizes) {
 }
 
 }  // namespace
-
-double largest_diameter(const Sizes& sizes) {
-  double largest = 0;
-  for (const Diameter& diameter : diameters_of(sizes)) {
-    largest = std::max(largest, diameter.value);
-  }
-  return largest;
-}
 
 std::vector<SizeClass> size_classes(const Sizes& sizes) {
   const double largest = largest_diameter(sizes);

@@ -31,9 +31,6 @@ struct SizeClass {
   double extent = 1;  ///< of a particle: its sites for a law by area, else 1
 };
 
-/// Of the classes of the law.
-double largest_diameter(const Sizes& sizes);
-
 /// The kinds of particles of the law, from the smallest to the largest. Of a list: those nearest to
 /// its diameters. Of uniform and lognormal: of each of `kinds` classes, the two around its mean
 /// diameter, with the same mean (by number or by area, as the law). The classes have equal width;

@@ -57,16 +57,6 @@ std::string read_path(const Place& place) {
   return file;
 }
 
-/// [x, y]
-Type<Eigen::Vector2d> pair(double most) {
-  return converted<Eigen::Vector2d>(
-      "`[x, y]`", list_of(length(number(-most, most)), 2, 2),
-      [](const std::vector<double>& pair) { return Eigen::Vector2d(pair[0], pair[1]); },
-      [](const Eigen::Vector2d& pair) {
-        return std::vector<double>{pair.x(), pair.y()};
-      });
-}
-
 std::string read_name(const Place& place) {
   const std::string& name = read_text(place);
   check_name(name, place.value.location, place.path);
@@ -81,8 +71,8 @@ Type<std::vector<Number>> by_species(std::uint64_t high) {
       [high](const Place& place) {
         std::vector<Number> numbers(place.scene.species.size(), 0);
         for (const Entry& entry : read_map(place)) {
-          const std::size_t species = read_species(entry.key, entry.location, place);
-          numbers[species] =
+          const Value species = Value::scalar(entry.key, entry.location);
+          numbers[read_species({species, place.path, place.scene})] =
               static_cast<Number>(read_number<std::uint64_t>(place.inside(entry), 0, high));
         }
         return numbers;
@@ -100,9 +90,8 @@ Type<std::vector<Number>> by_species(std::uint64_t high) {
 
 }  // namespace
 
-std::size_t read_species(const std::string& name, const TextLocation& location,
-                         const Place& place) {
-  return read_reference(name, location, place.path, "species", names_of(place.scene.species));
+std::size_t read_species(const Place& place) {
+  return read_reference(place, "species", names_of(place.scene.species));
 }
 
 Type<double> number(double low, double high) {
@@ -191,22 +180,13 @@ Type<bool> yes_or_no() {
   return own_type<bool>("`true`, `false`", R"({"type": "boolean"})", read, kPlainText);
 }
 
-Type<Eigen::Vector2d> point() {
-  return pair(kMaxCoordinate);
-}
-
-Type<Eigen::Vector2d> corner() {
-  return pair(kMaxLength);
-}
-
-Type<statistics::Range> color_bar_ends() {
-  using statistics::Range;
-  const auto type = list_of_members("`[low, high]`", number(-1e9, 1e9), &Range::low, &Range::high);
-  return type.checked([](const statistics::Range& range, const Place& place) {
-    if (range.low >= range.high) {
-      fail(place, "expected [low, high] with low < high, found [{}, {}]", range.low, range.high);
-    }
-  });
+Type<Eigen::Vector2d> point(double most) {
+  return converted<Eigen::Vector2d>(
+      "`[x, y]`", list_of(length(number(-most, most)), 2, 2),
+      [](const std::vector<double>& pair) { return Eigen::Vector2d(pair[0], pair[1]); },
+      [](const Eigen::Vector2d& pair) {
+        return std::vector<double>{pair.x(), pair.y()};
+      });
 }
 
 Type<lattice::Rectangle> rectangle() {
@@ -267,10 +247,7 @@ Type<std::vector<std::size_t>> references(
     const std::string& kind, std::vector<std::string_view> (*names)(const Scene& scene)) {
   const auto reference = own_type<std::size_t>(
       "", name_type().schema,
-      [=](const Place& place) {
-        return read_reference(read_text(place), place.value.location, place.path, kind,
-                              names(place.scene));
-      },
+      [=](const Place& place) { return read_reference(place, kind, names(place.scene)); },
       [=](std::size_t number, const Scene& scene) { return Value::name(names(scene)[number]); });
   auto type = set_of(reference, 0, kMaxItems);
   type.allowed = fmt::format("names of {}s", kind);

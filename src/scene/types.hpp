@@ -21,13 +21,10 @@ Type<int> integer(int low, int high);
 Type<std::uint64_t> count(std::uint64_t low, std::uint64_t high);
 Type<bool> yes_or_no();
 
-/// [x, y] in the plane, and of a shape.
-Type<Eigen::Vector2d> point();
-Type<Eigen::Vector2d> corner();
+/// [x, y], each from `-most` to `most`.
+Type<Eigen::Vector2d> point(double most = kMaxCoordinate);
 /// [left, bottom, right, top], not empty.
 Type<lattice::Rectangle> rectangle();
-/// The ends of a colour bar.
-Type<statistics::Range> color_bar_ends();
 /// A rectangle that holds at least one site of the box.
 Type<lattice::Rectangle> region();
 
@@ -47,8 +44,8 @@ Type<std::string> name_type();
 Type<std::vector<std::size_t>> references(
     const std::string& kind, std::vector<std::string_view> (*names)(const Scene& scene));
 
-/// The species of this name in a value.
-std::size_t read_species(const std::string& name, const TextLocation& location, const Place& place);
+/// The species of this name.
+std::size_t read_species(const Place& place);
 /// Numbers by species: each a whole number from 0 to `high`; 0 for those not named.
 Type<std::vector<std::size_t>> counts_type(std::uint64_t high);
 /// The same with at least one above 0.
@@ -70,9 +67,9 @@ const image::Image& read_picture(const Place& place);
 /// The key of such a file, in the place of `rows`: a run folder has no other file.
 template <class Owner>
 Key<Owner> picture_file_key(Action<Owner> read) {
-  return own_key<Owner>(described("file", file_path_type(),
-                                  "a PNG of up to 1000000 pixels; a relative path begins at the "
-                                  "folder of the scene"),
+  return own_key<Owner>("file", file_path_type(),
+                        "a PNG of up to 1000000 pixels; a relative path begins at the folder of "
+                        "the scene",
                         read)
       .with_condition("this or `rows`");
 }

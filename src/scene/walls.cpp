@@ -9,6 +9,33 @@
 
 namespace clca::scene {
 
+lattice::Lattice lattice_of(const Box& box) {
+  return lattice::Lattice::covering(box.width, box.height, box.periodic);
+}
+
+std::string shown(const lattice::Rectangle& edges) {
+  return fmt::format("[{}, {}, {}, {}]", edges.left, edges.bottom, edges.right, edges.top);
+}
+
+bool holds_no_site(const lattice::Lattice& lattice, const lattice::Rectangle& rectangle) {
+  return !lattice::any_site(lattice::SweptRegion(lattice), rectangle, [](auto) { return true; });
+}
+
+bool holds_no_site(const lattice::Lattice& lattice, const lattice::Segment& segment) {
+  // First without its thickness: a thick line across the box has many sites.
+  const lattice::Segment thin = {segment.from, segment.to, 0};
+  return lattice::sites_along(lattice, thin).empty() &&
+         lattice::sites_along(lattice, segment).empty();
+}
+
+void require_site(const lattice::Rectangle& region, const Place& place) {
+  const Box& box = place.scene.box;
+  if (holds_no_site(lattice_of(box), region)) {
+    fail(place, "no site of the box, {} wide and {} high, lies in {}", box.width, box.height,
+         shown(region));
+  }
+}
+
 lattice::SweptRegion swept_region_of(const lattice::Lattice& lattice, const Wall& wall) {
   if (!wall.motion) {
     return lattice::SweptRegion(lattice);
@@ -71,16 +98,14 @@ bool any_swept_site(const lattice::Lattice& lattice, const Wall& wall,
 
 std::vector<bool> walls_present_at_start(const Scene& scene) {
   std::vector<bool> there(scene.walls.size(), true);
-  std::vector<bool> known(scene.walls.size(), false);
-  const auto note = [&](const std::vector<std::size_t>& walls, bool before) {
-    for (const std::size_t wall : walls) {
-      there[wall] = known[wall] ? there[wall] : before;
-      known[wall] = true;
+  // From the last stage on: the first one that names a wall decides.
+  for (auto stage = scene.stages.rbegin(); stage != scene.stages.rend(); ++stage) {
+    for (const std::size_t wall : stage->remove) {
+      there[wall] = true;
     }
-  };
-  for (const Stage& stage : scene.stages) {
-    note(stage.insert, false);
-    note(stage.remove, true);
+    for (const std::size_t wall : stage->insert) {
+      there[wall] = false;
+    }
   }
   return there;
 }

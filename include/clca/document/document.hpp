@@ -1,9 +1,14 @@
 #pragma once
-// Text that describes something in YAML, and what is wrong in it.
+// Text that describes something in YAML, and what is wrong in it; expressions whose names get their
+// values later, such as those of measures.
 
 #include <cstddef>
+#include <functional>
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace clca::document {
 
@@ -19,5 +24,17 @@ class Error : public std::runtime_error {
 /// The text of a value as one that is the same for all texts that mean the same: `0.5` of 0.50 and
 /// =1/2. What is no YAML, or depends on names under `let`, stays as it is.
 std::string canonical_value(const std::string& text);
+
+/// The names in an expression, as they come: all but functions and constants. One with '-' behind a
+/// dot is a name if it is known, else a difference.
+std::vector<std::string> names_in(
+    std::string_view expression, const std::function<bool(std::string_view name)>& is_known =
+                                     [](std::string_view /*name*/) { return false; });
+
+/// The value of an expression, `values` of whose names are known; none if one of them has no value,
+/// or the result is not a finite number.
+std::optional<double> value_of(
+    std::string_view expression,
+    const std::function<std::optional<double>(std::string_view name)>& values);
 
 }  // namespace clca::document

@@ -3,7 +3,9 @@
 // box.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "clca/lattice/lattice.hpp"
@@ -51,6 +53,30 @@ class SweptRegion {
   int end_column_;
 };
 
+/// Whether `test` holds for a site of the region: tries those in the columns from `left` to `right`
+/// and some beside them, and in each column those between the pairs of heights in `parts(column)`,
+/// which are in order and further than three apart, and some beside them, until it holds. All
+/// lengths in lattice spacings.
+template <class Parts, class Test>
+bool any_site(const SweptRegion& swept_region, double left, double right, const Parts& parts,
+              const Test& test) {
+  const int first = swept_region.first_column();
+  const int end = swept_region.end_column();
+  const int last_column = bounded(right / kColumnPitch + 2, first, end);
+  for (int column = bounded(left / kColumnPitch - 1, first, end); column < last_column; ++column) {
+    const RowRange rows = swept_region.rows(column);
+    for (const auto& [bottom, top] : parts(column)) {
+      const int last_row = bounded(top + 2, rows.first, rows.end);
+      for (int row = bounded(bottom - 1, rows.first, rows.end); row < last_row; ++row) {
+        if (test(Site{column, row})) {
+          return true;
+        }
+      }
+    }
+  }
+  return false;
+}
+
 /// A rectangle in lattice spacings. Left and bottom edges belong to it, right and top edges do not.
 struct Rectangle {
   double left = 0;
@@ -83,6 +109,16 @@ inline Rectangle around(const Rectangle& rectangle) {
   return rectangle;
 }
 Rectangle around(const Segment& segment);
+
+/// The same for the sites of the region inside `rectangle`: column by column from the left,
+/// upwards.
+template <class Test>
+bool any_site(const SweptRegion& swept_region, const Rectangle& rectangle, const Test& test) {
+  const std::array part = {std::pair(rectangle.bottom, rectangle.top)};
+  return any_site(
+      swept_region, rectangle.left, rectangle.right, [&](int /*column*/) { return part; },
+      [&](Site site) { return rectangle.contains(position(site)) && test(site); });
+}
 
 /// The sites of the region inside `rectangle`, column by column from the left, upwards. Throws as
 /// check().

@@ -37,8 +37,6 @@ void apply_override(Value& root, const std::string& text, std::string_view optio
 /// Throws Error.
 void evaluate_expressions(Value& root, const std::vector<std::string_view>& taken,
                           std::string_view text, std::string_view open);
-/// Expressions without names in a value. Throws Error.
-void evaluate_expression(Value& value);
 
 /// Refuses the text of a value that cannot be an expression, whatever its names stand for. Throws
 /// Error.

@@ -1,4 +1,4 @@
-#include "clca/document/expression.hpp"
+#include "clca/document/document.hpp"
 
 #include <gtest/gtest.h>
 

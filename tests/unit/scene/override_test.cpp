@@ -179,9 +179,9 @@ TEST(Override, OfNoneLeavesOutAKeyWhoseDefaultIsNone) {
 // Whatever else is wrong with it in this scene, such as a map that lacks other keys.
 TEST(Override, OfADefaultThatIsExplainedIsAValueOfTheKey) {
   int checked = 0;
-  const auto check = [&](const auto& self, const Descriptions& keys, const std::string& above,
+  const auto check = [&](const auto& self, const AnyKeys& keys, const std::string& above,
                          bool is_gas) -> void {
-    for (const KeyDescription& key : *keys) {
+    for (const AnyKey& key : *keys) {
       const std::string path = above + key.name;
       const std::string text = explain((is_gas ? "boltzmann:" : "") + path);
       const std::string first = text.substr(0, text.find("\n", text.find('\n') + 1));
@@ -200,8 +200,8 @@ TEST(Override, OfADefaultThatIsExplainedIsAValueOfTheKey) {
         }
         ++checked;
       }
-      if (key.keys != nullptr) {
-        self(self, key.keys, path + (key.is_collection ? ".first." : "."), is_gas);
+      if (key.type->keys != nullptr) {
+        self(self, key.type->keys, path + (key.type->is_collection ? ".first." : "."), is_gas);
       }
     }
   };
