@@ -123,6 +123,10 @@ const State& ContactModel::state() const {
   steps(mechanics()).write_back();
   return steps(mechanics()).state();
 }
+const std::vector<Velocity<>>& ContactModel::velocities() const {
+  steps(mechanics()).write_back_velocities();
+  return steps(mechanics()).state().velocities;
+}
 std::vector<Contact> ContactModel::wall_contacts() const {
   return steps(mechanics()).wall_contacts();
 }

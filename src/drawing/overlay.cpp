@@ -7,9 +7,9 @@
 #include <map>
 #include <utility>
 
+#include "clca/measure/displacement.hpp"
 #include "clca/measure/force.hpp"
 #include "clca/measure/grid.hpp"
-#include "clca/measure/snapshot.hpp"
 #include "clca/measure/weight_paths.hpp"
 #include "clca/record/quantity.hpp"
 #include "clca/scene/units.hpp"

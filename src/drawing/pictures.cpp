@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "clca/measure/weight_paths.hpp"
-#include "clca/tasks/threads.hpp"
+#include "clca/tasks/background.hpp"
 #include "drawing/internal/frame_painter.hpp"
 #include "record/internal/contact_record.hpp"
 #include "record/internal/cycle_record.hpp"

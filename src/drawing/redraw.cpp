@@ -13,7 +13,7 @@
 #include "clca/scene/units.hpp"
 #include "clca/store/file.hpp"
 #include "clca/store/run_folder.hpp"
-#include "clca/tasks/threads.hpp"
+#include "clca/tasks/background.hpp"
 #include "drawing/run_drawing.hpp"
 #include "drawing/space_time.hpp"
 #include "record/internal/meter.hpp"

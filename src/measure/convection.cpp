@@ -4,8 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "measure/internal/sites.hpp"
-#include "measure/numbers.hpp"
+#include "measure/places.hpp"
 
 namespace clca::measure {
 

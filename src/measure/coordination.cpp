@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "clca/baxter/baxter_model.hpp"
-#include "measure/internal/sites.hpp"
+#include "measure/places.hpp"
 
 namespace clca::measure {
 

@@ -1,7 +1,9 @@
 #include "clca/measure/field_grid.hpp"
 
-#include "measure/internal/sites.hpp"
-#include "measure/numbers.hpp"
+#include <algorithm>
+
+#include "clca/lattice/region.hpp"
+#include "measure/places.hpp"
 
 namespace clca::measure {
 
@@ -60,6 +62,134 @@ std::vector<RegionMotion> motions_by_region(const std::vector<Displacement>& dis
   }
   return motions;
 }
+
+/// Displacements by the same lattice vector differ by rounding only, others by half a spacing or
+/// more.
+constexpr double kAtRest = 1e-9;  // square spacings
+
+struct CellMotion {
+  std::size_t particles = 0;
+  Eigen::Vector2d mean = Eigen::Vector2d::Zero();  // displacement
+  double squares = 0;                              // sum of squared deviations from it
+
+  bool is_sparse() const { return particles < Fluctuations::kMinParticles; }
+  bool is_resting() const { return squares < kAtRest; }
+  bool counts() const { return !is_sparse() && !is_resting(); }
+  /// Squared deviation of one particle, corrected for the mean being that of its own cell.
+  double energy(const Displacement& displacement) const {
+    const auto count = static_cast<double>(particles);
+    return (displacement.vector - mean).squaredNorm() * count / (count - 1);
+  }
+};
+
+std::vector<CellMotion> cell_motions(const std::vector<Displacement>& displacements,
+                                     const Grid& grid) {
+  std::vector<CellMotion> cells(grid.size());
+  for (const Displacement& displacement : displacements) {
+    CellMotion& cell = cells[grid.index(displacement.from)];
+    ++cell.particles;
+    cell.mean += displacement.vector;
+  }
+  for (CellMotion& cell : cells) {
+    cell.mean /= static_cast<double>(std::max<std::size_t>(cell.particles, 1));
+  }
+  for (const Displacement& displacement : displacements) {
+    CellMotion& cell = cells[grid.index(displacement.from)];
+    cell.squares += (displacement.vector - cell.mean).squaredNorm();
+  }
+  return cells;
+}
+
+/// Half the mean energy of the counted particles; 0 if there are none.
+double temperature(const std::vector<CellMotion>& cells) {
+  double energies = 0;
+  double particles = 0;
+  for (const CellMotion& cell : cells) {
+    if (cell.counts()) {
+      const auto count = static_cast<double>(cell.particles);
+      energies += cell.squares * count / (count - 1);
+      particles += count;
+    }
+  }
+  return particles > 0 ? energies / particles / 2 : 0;
+}
+
+/// Bin of a particle by the energies of its own cell.
+/// For n normal particles its share of the sum of squares is beta distributed with parameters 1 and
+/// n - 2, so that P(larger) = (1 - share)^(n - 2).
+std::size_t local_bin(const CellMotion& cell, double energy) {
+  const double rest = std::max(0.0, 1 - energy / cell.squares);
+  double beyond = 1;  // by multiplication: the last bit of pow is not the same everywhere
+  for (std::size_t i = 2; i < cell.particles; ++i) {
+    beyond *= rest;
+  }
+  const auto bin = static_cast<std::size_t>((1 - beyond) * Fluctuations::kBins);
+  return std::min(bin, Fluctuations::kBins - 1);
+}
+
+class Walls {
+ public:
+  explicit Walls(const grains::State& state)
+      : state_(state), sites_(state.lattice.index_count(), false) {
+    for (const lattice::Site site : wall_sites(state)) {
+      sites_[state.lattice.index(site)] = true;
+    }
+  }
+
+  /// The path of a force on a wall to the centre of the grain, against the normal: through the wall
+  /// to its far side, or to that of the box behind it. The branch if it misses the wall.
+  Eigen::Vector2d path(const contact::Force& force) const {
+    constexpr double kStep = 1.0 / 16;  // lattice spacings
+    const Eigen::Vector2d centre = force.point + force.branch;
+    const auto at = [&](double length) { return Eigen::Vector2d(centre - length * force.normal); };
+    const double reached = reach(state_.shape(state_.particles[force.upper])) + 1;
+    double length = 0;
+    while (length < reached && !is_wall(at(length))) {
+      length += kStep;
+    }
+    if (length >= reached) {
+      return force.branch;
+    }
+    const double most = to_side(centre, force.normal);
+    while (length < most && (is_wall(at(length)) || !is_inside(at(length)))) {
+      length += kStep;
+    }
+    return std::min(length, most) * force.normal;
+  }
+
+ private:
+  /// Whether the site of a point is such; or of two sites left and right of it, one.
+  template <class Is>
+  static bool at_site(const Eigen::Vector2d& point, const Is& is) {
+    const Eigen::Vector2d aside(kRounding, 0);
+    return is(lattice::nearest_site(point - aside)) || is(lattice::nearest_site(point + aside));
+  }
+  bool is_inside(const Eigen::Vector2d& point) const {
+    return at_site(point, [&](lattice::Site site) { return state_.lattice.contains(site); });
+  }
+  bool is_wall(const Eigen::Vector2d& point) const {
+    return at_site(point, [&](lattice::Site site) {
+      return state_.lattice.contains(site) && sites_[state_.lattice.index(site)];
+    });
+  }
+
+  /// How far the side of the box lies from a point against the normal.
+  double to_side(const Eigen::Vector2d& point, const Eigen::Vector2d& normal) const {
+    const Eigen::Vector2d low = lattice::Lattice::corner();
+    const Eigen::Vector2d high = low + state_.lattice.size();
+    double least = state_.lattice.size().norm();
+    for (const Eigen::Index axis : {0, 1}) {
+      const double side = normal[axis] > 0 ? low[axis] : high[axis];
+      if (normal[axis] != 0 && !(axis == 0 && state_.lattice.periodic())) {
+        least = std::min(least, (point[axis] - side) / normal[axis]);
+      }
+    }
+    return least;
+  }
+
+  const grains::State& state_;
+  std::vector<bool> sites_;  // by index in the lattice
+};
 
 }  // namespace
 
@@ -143,6 +273,61 @@ double downward_flow(const Snapshot& before, const grains::State& now,
     }
   }
   return flow;
+}
+
+void Fluctuations::add(const std::vector<Displacement>& displacements, const Grid& grid) {
+  const std::vector<CellMotion> cells = cell_motions(displacements, grid);
+  for (const CellMotion& cell : cells) {
+    (cell.is_sparse() ? sparse_ : cell.is_resting() ? resting_ : samples_) += cell.particles;
+  }
+  const double scale = temperature(cells);
+  for (const Displacement& displacement : displacements) {
+    const CellMotion& cell = cells[grid.index(displacement.from)];
+    if (cell.counts()) {
+      const double energy = cell.energy(displacement);
+      ++counts_[bins_.find(energy / scale)];
+      ++local_counts_[local_bin(cell, energy)];
+    }
+  }
+}
+
+std::vector<double> Fluctuations::shares_of(const std::vector<std::uint64_t>& counts) const {
+  std::vector<double> shares(counts.size(), 0.0);
+  for (std::size_t bin = 0; bin < counts.size() && samples_ > 0; ++bin) {
+    shares[bin] = static_cast<double>(counts[bin]) / static_cast<double>(samples_);
+  }
+  return shares;
+}
+
+double Fluctuations::of_all(std::uint64_t particles) const {
+  const auto all = static_cast<double>(samples_ + resting_ + sparse_);
+  return all > 0 ? static_cast<double>(particles) / all : 0;
+}
+
+std::vector<StressCell> stress_field(const grains::State& state,
+                                     std::span<const contact::Force> forces, double cell) {
+  const Grid grid(state.lattice, cell);
+  const Walls walls(state);
+  std::vector<StressCell> cells(grid.size());
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    cells[i].centre = grid.centre(i);
+  }
+  for (const contact::Force& force : forces) {
+    const bool with_grain = grains::is_particle(force.other);
+    const Eigen::Vector2d centre = with_grain
+                                       ? grains::centre_in_box(state, state.particles[force.upper])
+                                       : Eigen::Vector2d(force.point + force.branch);
+    const Eigen::Vector2d path =
+        with_grain || contact::is_side(force.other) ? force.branch : walls.path(force);
+    const Eigen::Vector2d on_upper = force.on_upper() / grid.cell_area();
+    for (const Grid::Part& part : grid.parts(centre - path, path)) {
+      StressCell& sum = cells[part.cell];
+      sum.xx += part.share * on_upper.x() * path.x();
+      sum.xy += part.share * (on_upper.x() * path.y() + on_upper.y() * path.x()) / 2;
+      sum.yy += part.share * on_upper.y() * path.y();
+    }
+  }
+  return cells;
 }
 
 }  // namespace clca::measure

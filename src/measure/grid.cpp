@@ -4,8 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "lattice/internal/require.hpp"
-#include "measure/numbers.hpp"
+#include "measure/places.hpp"
 
 namespace clca::measure {
 

@@ -2,12 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
+#include <vector>
 
-#include "lattice/internal/require.hpp"
+#include "clca/measure/grid.hpp"
+#include "clca/measure/profile.hpp"
+#include "measure/places.hpp"
 
 namespace clca::measure {
 
 namespace {
+
+using grains::Particle;
+using grains::State;
 
 /// Length of a vector in the box, by the nearest image where that is periodic.
 double distance(const lattice::Lattice& lattice, Eigen::Vector2d between) {
@@ -24,6 +32,84 @@ double mean_diameter(const grains::State& state, const std::vector<std::uint32_t
     sum += state.shape(state.particles[id]).diameter();
   }
   return ids.empty() ? 0 : sum / static_cast<double>(ids.size());
+}
+
+/// Sizes of the smallest and the largest particles present, in sites.
+struct Sizes {
+  std::size_t smallest = std::numeric_limits<std::size_t>::max();
+  std::size_t largest = 0;
+
+  bool differ() const { return smallest < largest; }
+};
+
+Sizes sizes_of(const State& state) {
+  Sizes sizes;
+  for (const Particle& particle : state.particles) {
+    if (particle.present) {
+      const std::size_t size = state.shape(particle).size();
+      sizes.smallest = std::min(sizes.smallest, size);
+      sizes.largest = std::max(sizes.largest, size);
+    }
+  }
+  return sizes;
+}
+
+/// Mean height of the centres of mass of particles of this size.
+double mean_height_of(const State& state, std::size_t size) {
+  double sum = 0;
+  double count = 0;
+  for (const Particle& particle : state.particles) {
+    if (particle.present && state.shape(particle).size() == size) {
+      sum += grains::centre(state, particle).y();
+      count += 1;
+    }
+  }
+  return sum / count;
+}
+
+/// Vertical extent of particles: edges of sites, in lattice spacings above the floor of the box.
+struct VerticalExtent {
+  double bottom = kInfinity;
+  double top = -kInfinity;
+
+  void add(lattice::Site site) {
+    const double height = lattice::position(site).y();
+    bottom = std::min(bottom, height);
+    top = std::max(top, height + 1);
+  }
+};
+
+/// Height of the bed as defined at segregation_index. Precondition: there is a particle.
+double bed_height(const State& state) {
+  double sum = 0;
+  double count = 0;
+  VerticalExtent extent;
+  for_each_site(state, [&](lattice::Site site) {
+    extent.add(site);
+    sum += lattice::position(site).y() + 0.5;
+    count += 1;
+  });
+  return 2 * (sum / count - extent.bottom);
+}
+
+/// Id of the only particle of the only species with exactly one; none otherwise.
+std::optional<std::size_t> intruder(const State& state) {
+  struct Members {
+    std::size_t count = 0;
+    std::size_t last = 0;  // id
+  };
+  std::map<std::uint16_t, Members> species;
+  for (std::size_t id = 0; id < state.particles.size(); ++id) {
+    if (state.particles[id].present) {
+      Members& members = species[state.kinds[state.particles[id].kind].species];
+      members = {members.count + 1, id};
+    }
+  }
+  const auto alone = [](const auto& entry) { return entry.second.count == 1; };
+  if (std::ranges::count_if(species, alone) != 1) {
+    return std::nullopt;
+  }
+  return std::ranges::find_if(species, alone)->second.last;
 }
 
 }  // namespace
@@ -88,6 +174,72 @@ bool Mixing::precedes(const grains::State& now) const {
            return pair.first < now.particles.size() && pair.second < now.particles.size() &&
                   pair.passed <= fallen_.size();
          });
+}
+
+std::optional<double> segregation_index(const State& state) {
+  const Sizes sizes = sizes_of(state);
+  if (!sizes.differ()) {
+    return std::nullopt;
+  }
+  const double apart = mean_height_of(state, sizes.largest) - mean_height_of(state, sizes.smallest);
+  return apart / (bed_height(state) / 2);
+}
+
+std::optional<double> lacey_index(const State& state, double cell) {
+  struct Count {
+    double all = 0;
+    double large = 0;
+  };
+  const Sizes sizes = sizes_of(state);
+  if (!sizes.differ()) {
+    return std::nullopt;
+  }
+  const Grid grid(state.lattice, cell);
+  std::vector<Count> counts(grid.size());
+  Count total;
+  for (const Particle& particle : state.particles) {
+    if (particle.present) {
+      const double large = state.shape(particle).size() == sizes.largest ? 1 : 0;
+      grid.share_out(grains::centre_in_box(state, particle), [&](std::size_t index, double share) {
+        Count& count = counts[index];
+        count = {count.all + share, count.large + share * large};
+      });
+      total = {total.all + 1, total.large + large};
+    }
+  }
+  double variance = 0;
+  double cells = 0;
+  const double share = total.large / total.all;
+  for (const Count& count : counts) {
+    if (count.all > 0) {
+      variance += count.all / total.all * std::pow(count.large / count.all - share, 2);
+      cells += 1;
+    }
+  }
+  if (cells >= total.all) {
+    return std::nullopt;
+  }
+  const double separated = share * (1 - share);
+  return (separated - variance) / (separated * (1 - (cells - 1) / (total.all - 1)));
+}
+
+std::optional<double> intruder_height(const State& state) {
+  const std::optional<std::size_t> id = intruder(state);
+  if (!id) {
+    return std::nullopt;
+  }
+  State others = state;
+  others.particles[*id].present = false;
+  const double surface = mean_height(surface_profile(others));
+  VerticalExtent bed;
+  for_each_site(state, [&](lattice::Site site) { bed.add(site); });
+  const Particle& particle = state.particles[*id];
+  VerticalExtent own;
+  for (const lattice::Axial part : state.shape(particle).sites()) {
+    own.add(particle.site() + part);
+  }
+  const double range = surface - (own.top - own.bottom) - bed.bottom;
+  return range > 0 ? std::optional((own.bottom - bed.bottom) / range) : std::nullopt;
 }
 
 }  // namespace clca::measure

@@ -1,11 +1,150 @@
 #include "clca/measure/outflow.hpp"
 
 #include <algorithm>
+#include <array>
+#include <functional>
+#include <numeric>
 
 #include "grains/internal/box.hpp"
-#include "lattice/internal/require.hpp"
+#include "measure/places.hpp"
 
 namespace clca::measure {
+
+namespace {
+
+using lattice::Site;
+
+/// The sites from which a particle can fall into an outlet.
+struct FallPaths {
+  std::vector<bool> from;  ///< by index of the first site of the shape, which lies in the box
+  bool none = true;        ///< not even inside the outlet is room
+  /// Somewhere below the top of the box there is no way further up, as particles are in one.
+  bool end_at_particle = false;
+  bool reach_top = false;  ///< of the box
+};
+
+/// The ways of particles of one kind.
+class Search {
+ public:
+  Search(const grains::State& state, const grains::Occupancy& occupancy, std::uint16_t kind,
+         std::size_t outlet, lattice::Direction down)
+      : state_(state),
+        occupancy_(occupancy),
+        kind_(kind),
+        sites_(state.kinds[kind].shape.sites()),
+        outlet_(outlet),
+        up_({opposite(down), rotated(opposite(down), 1), rotated(opposite(down), -1)}) {
+    for (std::size_t way = 0; way < up_.size(); ++way) {
+      lead_[way] = state.kinds[kind].shape.lead(up_[way]);
+    }
+  }
+
+  /// Of a particle with this reference site, which may lie outside the box.
+  std::size_t first_index(Site site) const { return state_.lattice.index(site + sites_.front()); }
+
+  /// `past_particles`: only walls and the sides of the box are in the way. Sites above another
+  /// outlet do not count: from there a particle falls into that one.
+  FallPaths fall_paths(bool past_particles) const {
+    const auto stops = [&](grains::Owner owner) {
+      return owner != grains::kFree && !(past_particles && grains::is_particle(owner));
+    };
+    const std::vector<bool> above_others = this->above_others();
+    FallPaths result = {.from = std::vector<bool>(state_.lattice.index_count(), false)};
+    std::vector<Site> sites = inside(outlet_);
+    std::erase_if(sites, [&](Site site) { return any_owner(site, sites_, stops); });
+    result.none = sites.empty();
+    for (const Site site : sites) {
+      result.from[first_index(site)] = true;
+    }
+    while (!sites.empty()) {
+      const Site site = sites.back();
+      sites.pop_back();
+      bool ends = true;
+      bool below_particle = false;
+      for (std::size_t way = 0; way < up_.size(); ++way) {
+        if (any_owner(site, lead_[way], stops)) {
+          below_particle = below_particle || any_owner(site, lead_[way], grains::is_particle);
+          continue;
+        }
+        ends = false;
+        const Site next = moved(site, up_[way]);
+        if (!result.from[first_index(next)] && !above_others[first_index(next)]) {
+          result.from[first_index(next)] = true;
+          sites.push_back(next);
+        }
+      }
+      const bool at_top =
+          any_owner(site, lead_[0], [](grains::Owner owner) { return owner == grains::kBorder; });
+      result.reach_top = result.reach_top || at_top;
+      result.end_at_particle = result.end_at_particle || (ends && below_particle && !at_top);
+    }
+    return result;
+  }
+
+ private:
+  template <class Test>
+  bool any_owner(Site site, const std::vector<lattice::Axial>& parts, Test test) const {
+    return std::ranges::any_of(parts, [&](lattice::Axial part) {
+      return test(occupancy_.owner(state_.lattice.index(site + part)));
+    });
+  }
+
+  Site moved(Site site, lattice::Direction direction) const {
+    const Site next = site + unit(direction);
+    return {state_.lattice.wrapped(next.column), next.row};
+  }
+
+  /// Sites from which a particle falls straight into another outlet, past all particles.
+  std::vector<bool> above_others() const {
+    const auto stops = [](grains::Owner owner) {
+      return owner != grains::kFree && !grains::is_particle(owner);
+    };
+    std::vector<bool> result(state_.lattice.index_count(), false);
+    for (std::size_t other = 0; other < state_.outlets.size(); ++other) {
+      if (other == outlet_) {
+        continue;
+      }
+      for (Site site : inside(other)) {
+        while (!result[first_index(site)]) {
+          result[first_index(site)] = true;
+          if (any_owner(site, lead_[0], stops)) {
+            break;
+          }
+          site = moved(site, up_[0]);
+        }
+      }
+    }
+    return result;
+  }
+
+  /// Reference sites of particles that lie wholly inside an outlet and the box.
+  std::vector<Site> inside(std::size_t outlet) const {
+    const lattice::Lattice& lattice = state_.lattice;
+    std::vector<Site> result;
+    for (int column = 0; column < lattice.columns(); ++column) {
+      for (int row = 0; row < lattice.rows(); ++row) {
+        const Site site = Site{column, row} + (lattice::Axial() - sites_.front());
+        if (std::ranges::all_of(
+                sites_, [&](lattice::Axial part) { return lattice.contains(site + part); }) &&
+            outlet_around(state_, {.column = site.column, .row = site.row, .kind = kind_}) ==
+                outlet) {
+          result.push_back(site);
+        }
+      }
+    }
+    return result;
+  }
+
+  const grains::State& state_;
+  const grains::Occupancy& occupancy_;
+  std::uint16_t kind_;
+  const std::vector<lattice::Axial>& sites_;
+  std::size_t outlet_;
+  std::array<lattice::Direction, 3> up_;             // straight first
+  std::array<std::vector<lattice::Axial>, 3> lead_;  // along these
+};
+
+}  // namespace
 
 Discharge discharge(const grains::State& state) {
   Discharge total;
@@ -73,6 +212,35 @@ bool Outflow::precedes(Discharge now) const {
          begin_.particles <= last_.particles && begin_.sites <= last_.sites &&
          during_stage().particles <= during_stage().sites && last.step <= steps_ &&
          last.sites == during_stage().sites;
+}
+
+bool clogged(const grains::State& state, const grains::Occupancy& occupancy, std::size_t outlet,
+             lattice::Direction down) {
+  check_occupancy(state, occupancy);
+  static_cast<void>(state.outlets.at(outlet));
+  std::vector<std::vector<Site>> sites(state.kinds.size());
+  for (const grains::Particle& particle : state.particles) {
+    if (particle.present) {
+      sites[particle.kind].push_back(particle.site());
+    }
+  }
+  std::vector<std::uint16_t> kinds(state.kinds.size());
+  std::iota(kinds.begin(), kinds.end(), std::uint16_t{0});
+  std::ranges::stable_sort(kinds, std::ranges::greater(),
+                           [&](std::uint16_t kind) { return state.kinds[kind].shape.size(); });
+  for (const std::uint16_t kind : kinds) {
+    if (sites[kind].empty()) {
+      continue;
+    }
+    const Search search(state, occupancy, kind, outlet, down);
+    const FallPaths past = search.fall_paths(true);
+    if (std::ranges::any_of(sites[kind],
+                            [&](Site site) { return past.from[search.first_index(site)]; })) {
+      const FallPaths now = search.fall_paths(false);
+      return now.none || now.end_at_particle || (past.reach_top && !now.reach_top);
+    }
+  }
+  return false;
 }
 
 }  // namespace clca::measure

@@ -5,8 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "measure/internal/sites.hpp"
-#include "measure/numbers.hpp"
+#include "measure/places.hpp"
 
 namespace clca::measure {
 

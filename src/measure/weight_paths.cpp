@@ -6,8 +6,7 @@
 #include <numeric>
 
 #include "clca/random/draw.hpp"
-#include "measure/internal/sites.hpp"
-#include "measure/numbers.hpp"
+#include "measure/places.hpp"
 
 namespace clca::measure {
 

@@ -157,7 +157,7 @@ std::vector<contact::Force> SceneModel::wall_forces() const {
 std::vector<Eigen::Vector2d> SceneModel::velocities() const {
   std::vector<Eigen::Vector2d> result;
   if (contact() != nullptr) {
-    for (const auto& velocity : contact()->state().velocities) {
+    for (const auto& velocity : contact()->velocities()) {
       result.emplace_back(Eigen::Vector2d(velocity.x, velocity.y) / contact::kSpacing);
     }
   }
@@ -167,7 +167,7 @@ std::vector<Eigen::Vector2d> SceneModel::velocities() const {
 std::vector<double> SceneModel::spins() const {
   std::vector<double> result;
   if (contact() != nullptr) {
-    for (const auto& velocity : contact()->state().velocities) {
+    for (const auto& velocity : contact()->velocities()) {
       result.push_back(static_cast<double>(velocity.spin) / contact::kSpacing);
     }
   }

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "clca/measure/mixing.hpp"
 #include "clca/measure/profile.hpp"
-#include "clca/measure/segregation.hpp"
 #include "record/internal/quantities.hpp"
 
 namespace clca::record {

@@ -4,7 +4,6 @@
 #include <optional>
 
 #include "clca/measure/field_grid.hpp"
-#include "clca/measure/fluctuation.hpp"
 #include "record/internal/quantities.hpp"
 
 namespace clca::record {

@@ -13,9 +13,8 @@
 #include <vector>
 
 #include "clca/contact/force.hpp"
+#include "clca/measure/field_grid.hpp"
 #include "clca/measure/force.hpp"
-#include "clca/measure/force_distribution.hpp"
-#include "clca/measure/stress.hpp"
 #include "record/internal/contact_record.hpp"
 #include "record/internal/cycle_record.hpp"
 #include "record/internal/quantities.hpp"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "clca/parallel/first_failure.hpp"
+#include "clca/parallel/team.hpp"
 #include "clca/render/painter.hpp"
 #include "render/colors.hpp"
 

@@ -15,7 +15,7 @@
 #include "clca/store/output_folder.hpp"
 #include "clca/store/run_folder.hpp"
 #include "clca/store/summary.hpp"
-#include "clca/tasks/threads.hpp"
+#include "clca/tasks/background.hpp"
 #include "record/internal/meter.hpp"
 #include "record/internal/table.hpp"
 

@@ -16,8 +16,6 @@
 #include "clca/measure/line.hpp"
 #include "clca/measure/mixing.hpp"
 #include "clca/measure/profile.hpp"
-#include "clca/measure/segregation.hpp"
-#include "clca/measure/stress.hpp"
 #include "clca/measure/weight_paths.hpp"
 #include "clca/run/simulation.hpp"
 #include "clca/scene/parse.hpp"

@@ -5,7 +5,7 @@
 
 #include "clca/boltzmann/gas.hpp"
 #include "clca/reflection/reflection.hpp"
-#include "clca/statistics/distribution.hpp"
+#include "clca/statistics/sample.hpp"
 
 namespace clca::boltzmann {
 

@@ -105,8 +105,10 @@ class ContactModel : public grains::Model {
 
   /// Has grains(), and costs more than that, as it also updates the list of contacts.
   const State& state() const;
-  /// Of the last step: those with walls and sides of the box, maybe others, too. Costs less than
-  /// state().
+  // Parts of state() at less cost.
+  /// By id.
+  const std::vector<Velocity<>>& velocities() const;
+  /// Of the last step: those with walls and sides of the box, maybe others, too.
   std::vector<Contact> wall_contacts() const;
   const Vessel& vessel() const;
   /// In lattice spacings per step squared.

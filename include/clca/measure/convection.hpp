@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
+#include "clca/measure/displacement.hpp"
 #include "clca/measure/grid.hpp"
-#include "clca/measure/snapshot.hpp"
 #include "clca/reflection/reflection.hpp"
 
 namespace clca::measure {

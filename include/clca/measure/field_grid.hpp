@@ -1,17 +1,21 @@
 #pragma once
-// Coarse-grained fields: packing, velocity and its fluctuations on the cells of a grid, and in
-// probes: rectangles of the box, in lattice spacings.
+// Coarse-grained fields on the cells of a grid: packing, velocity and its fluctuations, also in
+// probes, which are rectangles of the box in lattice spacings; the distribution of the
+// fluctuations; stress.
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "clca/contact/force.hpp"
 #include "clca/grains/state.hpp"
 #include "clca/lattice/region.hpp"
+#include "clca/measure/displacement.hpp"
 #include "clca/measure/grid.hpp"
-#include "clca/measure/snapshot.hpp"
 #include "clca/reflection/reflection.hpp"
+#include "clca/statistics/sample.hpp"
 
 namespace clca::measure {
 
@@ -79,5 +83,68 @@ std::optional<RegionMotion> motion_in(const lattice::Rectangle& region,
 /// been removed.
 double downward_flow(const Snapshot& before, const grains::State& now,
                      const lattice::Rectangle& region);
+
+/// Histogram of the fluctuation energy X of particles over many windows.
+/// The velocity of a particle is its displacement in the window; its fluctuation u is the
+/// difference from the mean over the n particles that started in its cell; its energy is |u|^2
+/// n/(n-1), as the mean came from these n.
+/// X is this energy divided by T, half the mean energy: chi-square with 2 degrees of freedom if u
+/// is normal. The window length cancels, so displacements suffice.
+class Fluctuations {
+ public:
+  static constexpr std::size_t kBins = 20;  ///< equally probable ones
+  /// Cells with fewer particles are ignored ("sparse"): their mean is too uncertain.
+  static constexpr std::size_t kMinParticles = 5;
+
+  /// Adds a window.
+  void add(const std::vector<Displacement>& displacements, const Grid& grid);
+
+  const statistics::Bins& bins() const { return bins_; }
+  /// With T of the whole window, as in a homogeneous gas: over particles that are neither sparse
+  /// nor at rest. Zeros without samples.
+  std::vector<double> shares() const { return shares_of(counts_); }
+  /// With T of each cell, so that only differences inside a cell count. X is transformed to be
+  /// chi-square even for small n.
+  std::vector<double> local_shares() const { return shares_of(local_counts_); }
+
+  /// Particles counted, summed over the windows.
+  std::uint64_t samples() const { return samples_; }
+  /// Share of all particles left out because their cell was at rest or moved rigidly: X would be 0
+  /// or, with T of the cell, undefined.
+  double resting_share() const { return of_all(resting_); }
+  /// Share of all particles that were left out as sparse.
+  double sparse_share() const { return of_all(sparse_); }
+
+  bool has_all_bins() const { return counts_.size() == kBins && local_counts_.size() == kBins; }
+  CLCA_FIELDS(counts_, local_counts_, samples_, resting_, sparse_);
+
+ private:
+  std::vector<double> shares_of(const std::vector<std::uint64_t>& counts) const;
+  double of_all(std::uint64_t particles) const;
+
+  statistics::Bins bins_ = statistics::Bins::equiprobable(kBins, 2);
+  std::vector<std::uint64_t> counts_ = std::vector<std::uint64_t>(kBins);
+  std::vector<std::uint64_t> local_counts_ = std::vector<std::uint64_t>(kBins);
+  std::uint64_t samples_ = 0;
+  std::uint64_t resting_ = 0;
+  std::uint64_t sparse_ = 0;
+};
+
+/// In weights of a grain of mean mass per lattice spacing; compression is positive.
+struct StressCell {
+  Eigen::Vector2d centre = Eigen::Vector2d::Zero();  ///< lattice spacings
+  double xx = 0;
+  double xy = 0;  ///< of the symmetric part
+  double yy = 0;
+
+  double pressure() const { return (xx + yy) / 2; }
+};
+
+/// Contact stress 1/A sum(force x branch vector) on a Grid of side `cell` (lattice spacings).
+/// Each cell takes the part of a branch inside it (Irving & Kirkwood 1950), so that yy averaged
+/// over a row of cells is the weight carried there. A wall carries a force on, against the normal,
+/// to its far side or to the side of the box behind it. The kinetic part is left out.
+std::vector<StressCell> stress_field(const grains::State& state,
+                                     std::span<const contact::Force> forces, double cell);
 
 }  // namespace clca::measure

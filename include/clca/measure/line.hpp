@@ -11,7 +11,7 @@
 
 #include "clca/grains/occupancy.hpp"
 #include "clca/grains/state.hpp"
-#include "clca/measure/snapshot.hpp"
+#include "clca/measure/displacement.hpp"
 #include "clca/reflection/reflection.hpp"
 
 namespace clca::measure {

@@ -1,5 +1,8 @@
 #pragma once
-// Threads of OpenMP regions and others, where the system limits their number.
+// Threads of OpenMP regions and others, where the system limits their number; exceptions out of regions.
+
+#include <atomic>
+#include <exception>
 
 namespace clca::parallel {
 
@@ -12,5 +15,36 @@ int startable_threads(int wanted);
 /// by fork have one thread. Returns the number of threads, at least 1. Throws std::invalid_argument
 /// unless `wanted` is positive.
 int start_team(int wanted);
+
+/// Carries the first exception out of a parallel region, which would end the program. After a
+/// failure all threads skip their work but still reach the barriers.
+class FirstFailure {
+ public:
+  /// Runs `work` unless something has failed. Any thread of the region may call it.
+  template <class Work>
+  void guard(Work work) noexcept {
+    if (failed()) {
+      return;
+    }
+    try {
+      work();
+    } catch (...) {
+      if (!failed_.exchange(true)) {
+        first_ = std::current_exception();
+      }
+    }
+  }
+  bool failed() const { return failed_.load(std::memory_order_relaxed); }
+  /// After the region: rethrows the first exception, if any.
+  void rethrow() const {
+    if (first_) {
+      std::rethrow_exception(first_);
+    }
+  }
+
+ private:
+  std::atomic<bool> failed_ = false;
+  std::exception_ptr first_;
+};
 
 }  // namespace clca::parallel

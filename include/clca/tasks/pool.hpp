@@ -4,16 +4,18 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <condition_variable>
 #include <deque>
 #include <exception>
 #include <functional>
 #include <mutex>
 #include <optional>
+#include <stop_token>
+#include <thread>
 #include <utility>
 #include <vector>
 
 #include "clca/tasks/ranks.hpp"
-#include "clca/tasks/threads.hpp"
 
 namespace clca::tasks {
 
@@ -25,7 +27,8 @@ class Pool {
     std::function<Result(std::size_t task, const std::atomic<int>& stop)> carry_out;
     /// For rank 0: the result from what another rank has sent.
     std::function<Result(std::size_t task, const Bytes& answer)> result = {};
-    /// Each thread of this process begins with it.
+    /// Each thread of this process begins with it, and none carries out a task before all have;
+    /// where no thread could be started, the one that makes the pool.
     std::function<void()> begin = {};
   };
   struct Finished {
@@ -33,11 +36,12 @@ class Pool {
     Result result;
   };
 
-  /// `threads`: tasks at a time in this process. `shared`: the same on all ranks; each rank takes
-  /// the next of them when it has a thread for it. On rank 0, results of all ranks come together.
-  /// `stop`: once it is not zero, or rank 0 has dismissed the others, all tasks are stopped. One
-  /// thread without other ranks is the one that calls take_finished(), if `inline_one` says so. All
-  /// references must outlive this object.
+  /// `threads`: tasks at a time in this process, fewer where the system does not allow as many.
+  /// `shared`: the same on all ranks; each rank takes the next of them when it has a thread for it.
+  /// On rank 0, results of all ranks come together. `stop`: once it is not zero, or rank 0 has
+  /// dismissed the others, all tasks are stopped. The one that calls take_finished() carries out
+  /// the tasks if no thread could be started, or one without other ranks, if `inline_one` says so.
+  /// All references must outlive this object.
   Pool(std::size_t threads, Ranks& ranks, std::vector<std::size_t> shared, Work work,
        const std::atomic<int>* stop, bool inline_one = false)
       : ranks_(ranks),
@@ -46,8 +50,11 @@ class Pool {
         work_(std::move(work)),
         stop_asked_(stop),
         carried_out_(static_cast<std::size_t>(ranks.size())),
-        others_at_work_(ranks.rank() == 0 && !ranks.is_dismissed() ? ranks.size() - 1 : 0),
-        threads_(threads, inline_one && ranks.size() == 1, work_.begin) {}
+        others_at_work_(ranks.rank() == 0 && !ranks.is_dismissed() ? ranks.size() - 1 : 0) {
+    if (threads > 1 || !inline_one || ranks.size() > 1) {
+      start_threads(threads);
+    }
+  }
   /// Stops the tasks that are under way.
   ~Pool() {
     if (!finished()) {
@@ -58,7 +65,7 @@ class Pool {
   Pool& operator=(const Pool&) = delete;
 
   /// Tasks at a time in this process.
-  std::size_t at_a_time() const { return threads_.count(); }
+  std::size_t at_a_time() const { return std::max<std::size_t>(threads_.size(), 1); }
 
   /// A task of this process alone. They are started in this order, before those that are shared.
   void add(std::size_t task) { own_.push_back(task); }
@@ -98,8 +105,7 @@ class Pool {
         break;
       }
       const auto left = std::chrono::duration_cast<std::chrono::microseconds>(end - Clock::now());
-      threads_.wait(ranks_.size() == 1 ? left : std::min(left, kUntilMessages));
-      finished = take_ended();
+      finished = take_ended(ranks_.size() == 1 ? left : std::min(left, kUntilMessages));
       if (ranks_.rank() == 0) {
         take_messages(finished);
       }
@@ -111,14 +117,52 @@ class Pool {
   const std::vector<std::size_t>& carried_out() const { return carried_out_; }
 
  private:
+  void start_threads(std::size_t wanted) {
+    try {
+      threads_.reserve(wanted);
+      while (threads_.size() < wanted) {
+        threads_.emplace_back([this](const std::stop_token& over) { carry_out_tasks(over); });
+      }
+    } catch (const std::exception&) {  // no more can be had
+    }
+    if (threads_.empty() && work_.begin) {
+      work_.begin();
+    }
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [this] { return begun_ == threads_.size(); });
+  }
+
+  /// What a thread does.
+  void carry_out_tasks(const std::stop_token& over) {
+    if (work_.begin) {
+      work_.begin();
+    }
+    std::unique_lock lock(mutex_);
+    ++begun_;
+    changed_.notify_all();
+    while (changed_.wait(lock, over, [this] { return !started_.empty(); })) {
+      const std::size_t task = started_.front();
+      started_.pop_front();
+      lock.unlock();
+      carry_out(task, stop_tasks_);
+      lock.lock();
+    }
+  }
+
   void start_tasks() {
-    while (starts_ && stop_tasks_ == 0 && threads_.idle() > 0) {
+    while (starts_ && stop_tasks_ == 0 && under_way_ < at_a_time()) {
       const std::optional<std::size_t> task = next();
       if (!task) {
         return;
       }
       ++under_way_;
-      threads_.start([this, task = *task] { carry_out(task); });
+      if (threads_.empty()) {  // nobody copies the one stop to the other meanwhile
+        carry_out(*task, stop_asked_ != nullptr ? *stop_asked_ : stop_tasks_);
+        continue;
+      }
+      const std::lock_guard lock(mutex_);
+      started_.push_back(*task);
+      changed_.notify_all();
     }
   }
 
@@ -136,21 +180,22 @@ class Pool {
     return task;
   }
 
-  void carry_out(std::size_t task) noexcept {
+  void carry_out(std::size_t task, const std::atomic<int>& stop) noexcept {
     try {
-      // While a task runs in the calling thread, nobody copies the one to the other.
-      const bool is_inline = threads_.are_inline() && stop_asked_ != nullptr;
-      Finished result = {task, work_.carry_out(task, is_inline ? *stop_asked_ : stop_tasks_)};
+      Finished result = {task, work_.carry_out(task, stop)};
       const std::lock_guard lock(mutex_);
       ended_.push_back(std::move(result));
     } catch (...) {
       const std::lock_guard lock(mutex_);
       failure_ = std::current_exception();
     }
+    changed_.notify_all();
   }
 
-  std::vector<Finished> take_ended() {
-    const std::lock_guard lock(mutex_);
+  /// Waits for at most so long for the first.
+  std::vector<Finished> take_ended(std::chrono::microseconds most) {
+    std::unique_lock lock(mutex_);
+    changed_.wait_for(lock, most, [this] { return !ended_.empty() || failure_; });
     if (failure_) {
       std::rethrow_exception(failure_);
     }
@@ -180,13 +225,16 @@ class Pool {
   const std::atomic<int>* stop_asked_;
   std::atomic<int> stop_tasks_ = 0;
   bool starts_ = true;
-  std::size_t under_way_ = 0;  // in threads, with those that have ended
+  std::size_t under_way_ = 0;  // with those that have ended and are not taken yet
   std::vector<std::size_t> carried_out_;
   int others_at_work_;
-  std::mutex mutex_;  // of all below
+  std::mutex mutex_;  // of all below but the threads
+  std::condition_variable_any changed_;
+  std::size_t begun_ = 0;            // threads
+  std::deque<std::size_t> started_;  // tasks that no thread has begun
   std::vector<Finished> ended_;
   std::exception_ptr failure_;
-  Threads threads_;  // last: at the end it waits for its threads, which use the rest
+  std::vector<std::jthread> threads_;  // last: at the end it waits for them, which use the rest
 };
 
 /// What a rank that is not rank 0 does with its pool: sends the results to rank 0. If it is stopped

@@ -8,7 +8,7 @@
 #include "automaton/engine/strips.hpp"
 #include "automaton/rule/step.hpp"
 #include "clca/automaton/automaton.hpp"
-#include "clca/parallel/first_failure.hpp"
+#include "clca/parallel/team.hpp"
 
 namespace clca::automaton {
 

@@ -9,7 +9,7 @@
 #include "boltzmann/engine/group.hpp"
 #include "boltzmann/engine/grouping.hpp"
 #include "boltzmann/engine/steps.hpp"
-#include "clca/parallel/first_failure.hpp"
+#include "clca/parallel/team.hpp"
 
 namespace clca::boltzmann {
 

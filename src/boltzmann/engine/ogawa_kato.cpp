@@ -13,7 +13,7 @@
 #include "boltzmann/engine/steps.hpp"
 #include "boltzmann/lattice_rule.hpp"
 #include "boltzmann/rule/solid_collision.hpp"
-#include "clca/parallel/first_failure.hpp"
+#include "clca/parallel/team.hpp"
 #include "clca/random/words.hpp"
 
 namespace clca::boltzmann {

@@ -10,7 +10,7 @@
 #include "clca/grains/occupancy.hpp"
 #include "clca/grains/state.hpp"
 #include "clca/image/png.hpp"
-#include "clca/measure/snapshot.hpp"
+#include "clca/measure/displacement.hpp"
 #include "clca/reflection/reflection.hpp"
 #include "clca/render/coloring.hpp"
 #include "clca/render/contact_sheet.hpp"

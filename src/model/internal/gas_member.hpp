@@ -11,7 +11,7 @@
 #include "clca/boltzmann/scheme.hpp"
 #include "clca/reflection/reflection.hpp"
 #include "clca/scene/boltzmann.hpp"
-#include "clca/statistics/distribution.hpp"
+#include "clca/statistics/sample.hpp"
 
 namespace clca::model {
 

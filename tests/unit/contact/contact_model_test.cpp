@@ -390,6 +390,16 @@ TEST_P(ContactModelTest, AGrainSlidesOverTheSeamOfTwoFlushWalls) {
   }
 }
 
+TEST_P(ContactModelTest, VelocitiesAskedForAloneAreThoseOfTheState) {
+  ContactModel one = model(box({particle_at(10, 20), particle_at(20, 30)}));
+  for (int step = 0; step < 100; ++step) {
+    one.step();
+    const std::vector<Velocity<>> alone = one.velocities();
+    EXPECT_EQ(alone, one.state().velocities);
+    EXPECT_NE(alone[1], Velocity<>());
+  }
+}
+
 TEST_P(ContactModelTest, ACornerOfTwoWallsStaysACorner) {
   State state{.grains = box({particle_at(11, 4)}, 40, 40)};
   state.grains.walls = {{.sites = block({0, 0}, 40, 3)}, {.sites = block({0, 3}, 10, 30)}};

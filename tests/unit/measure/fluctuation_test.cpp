@@ -1,10 +1,10 @@
-#include "clca/measure/fluctuation.hpp"
-
 #include <gtest/gtest.h>
 
 #include <array>
 #include <numeric>
 #include <random>
+
+#include "clca/measure/field_grid.hpp"
 
 namespace clca::measure::fluctuation_test {
 namespace {

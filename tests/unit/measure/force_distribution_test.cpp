@@ -1,9 +1,9 @@
-#include "clca/measure/force_distribution.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
+
+#include "clca/measure/force.hpp"
 
 namespace clca::measure::force_distribution_test {
 namespace {

@@ -9,7 +9,6 @@
 #include "clca/measure/displacement.hpp"
 #include "clca/measure/field_grid.hpp"
 #include "clca/measure/force.hpp"
-#include "clca/measure/force_distribution.hpp"
 #include "clca/measure/outflow.hpp"
 #include "clca/measure/profile.hpp"
 #include "pushed_states.hpp"

@@ -1,11 +1,10 @@
-#include "clca/measure/segregation.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <string>
 #include <string_view>
 
+#include "clca/measure/mixing.hpp"
 #include "support/states.hpp"
 
 namespace clca::measure::segregation_test {

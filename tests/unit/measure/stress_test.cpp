@@ -1,13 +1,12 @@
 // Stress on cells, of forces that are known.
 
-#include "clca/measure/stress.hpp"
-
 #include <gtest/gtest.h>
 
 #include <array>
 #include <numeric>
 
 #include "clca/contact/contact_model.hpp"
+#include "clca/measure/field_grid.hpp"
 
 namespace clca::measure::stress_test {
 namespace {

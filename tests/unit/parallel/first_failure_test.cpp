@@ -1,6 +1,6 @@
 // What fails in a parallel region is told behind it.
 
-#include "clca/parallel/first_failure.hpp"
+#include "clca/parallel/team.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,3 @@
-#include "clca/statistics/distribution.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -9,6 +7,8 @@
 #include <numeric>
 #include <random>
 #include <stdexcept>
+
+#include "clca/statistics/sample.hpp"
 
 namespace clca::statistics::distribution_test {
 namespace {

@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "clca/tasks/threads.hpp"
+#include "clca/tasks/background.hpp"
 
 namespace clca::tasks::background_test {
 namespace {

@@ -1,0 +1,23 @@
+#pragma once
+// Calls in the background.
+
+#include <functional>
+#include <future>
+
+namespace clca::tasks {
+
+/// Makes one call at a time, on a thread of its own if one can be had; for writing while the caller
+/// goes on. At its end it waits for the call.
+class Background {
+ public:
+  /// Waits until the call before has ended. Rethrows what that one has thrown.
+  void start(std::function<void()> call);
+  /// Likewise, without another call.
+  void finish();
+
+ private:
+  std::function<void()> call_;
+  std::future<void> ended_;  // last: at the end it waits for the call
+};
+
+}  // namespace clca::tasks
