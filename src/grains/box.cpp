@@ -48,10 +48,6 @@ std::vector<std::size_t> indices(const lattice::Lattice& lattice,
   return result;
 }
 
-std::vector<std::size_t> indices_now(const State& state, const Wall& wall) {
-  return indices(state.lattice, wall.sites, wall.shift());
-}
-
 }  // namespace
 
 std::vector<lattice::Offset> offsets(const lattice::Lattice& lattice,
@@ -101,52 +97,6 @@ WallStep WallEdges::step_of(const State& state, std::size_t number, int desired)
           .direction = direction,
           .enters = indices(state.lattice, edges_[number][ahead], wall.shift() + unit(direction)),
           .leaves = indices(state.lattice, edges_[number][1 - ahead], wall.shift())};
-}
-
-void remove_wall(Box& box, std::size_t number) {
-  Wall& wall = box.state.walls.at(number);
-  const Owner code = wall_code(number);
-  wall.present = false;
-  std::vector<std::size_t> vacated;
-  for (const std::size_t index : indices_now(box.state, wall)) {
-    if (box.occupancy.has(index, code) && box.occupancy.remove(index, code)) {
-      vacated.push_back(index);
-    }
-  }
-  std::ranges::sort(vacated);
-  for (std::size_t other = 0; other < box.state.walls.size(); ++other) {
-    if (!box.state.walls[other].present) {
-      continue;
-    }
-    for (const std::size_t index : indices_now(box.state, box.state.walls[other])) {
-      if (std::ranges::binary_search(vacated, index)) {
-        box.occupancy.take(index, wall_code(other));
-      }
-    }
-  }
-}
-
-bool can_insert_wall(const Box& box, std::size_t number) {
-  const Wall& wall = box.state.walls.at(number);
-  const std::vector<std::size_t> indices = indices_now(box.state, wall);
-  const auto moves = [&](Owner owner) {
-    return is_wall(owner) && box.state.walls[wall_number(owner)].motion.has_value();
-  };
-  return std::ranges::none_of(indices, [&](std::size_t index) {
-    const Owner owner = box.occupancy.owner(index);
-    return is_particle(owner) || moves(owner) || (owner != kFree && wall.motion.has_value());
-  });
-}
-
-void insert_wall(Box& box, std::size_t number) {
-  Wall& wall = box.state.walls.at(number);
-  wall.present = true;
-  for (const std::size_t index : indices_now(box.state, wall)) {
-    const Owner owner = box.occupancy.owner(index);
-    if (!is_wall(owner) || wall_number(owner) < number) {  // as in an OccupancyTable built anew
-      box.occupancy.take(index, wall_code(number));
-    }
-  }
 }
 
 std::optional<std::vector<std::uint32_t>> pushed_particles(

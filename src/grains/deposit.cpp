@@ -53,19 +53,18 @@ std::vector<ColumnEnds> ends_by_column_of(const lattice::Shape& shape) {
   return ends_by_column;
 }
 
-/// The integers from `low` to `high` for which `inside` holds; they are consecutive.
+/// The integers from 0 to below `end` for which `inside` holds; they are consecutive.
 template <class Inside>
-IntegerRange range_where(int low, int high, Inside inside) {
-  IntegerRange span = {high + 1, high};
-  for (int value = low; value <= high; ++value) {
-    if (inside(value)) {
-      span.low = std::min(span.low, value);
-      span.high = value;
-    } else if (span.low <= value) {
-      return {span.low, value - 1};
-    }
+IntegerRange range_where(int end, Inside inside) {
+  int low = 0;
+  while (low < end && !inside(low)) {
+    ++low;
   }
-  return span;
+  int after = low;
+  while (after < end && inside(after)) {
+    ++after;
+  }
+  return {low, after - 1};
 }
 
 /// Where particles may come to rest.
@@ -138,7 +137,7 @@ class Deposit {
         return at >= 0 && at < lattice.columns() && in_region(at);
       });
     };
-    room.columns = range_where(0, lattice.columns() - 1, fits_across);
+    room.columns = range_where(lattice.columns(), fits_across);
     for (const int parity : {0, 1}) {
       const auto fits_up = [&](int row) {
         return std::ranges::all_of(shape.sites(), [&](lattice::Axial part) {
@@ -148,7 +147,7 @@ class Deposit {
                  y < region_.top;
         });
       };
-      room.rows[static_cast<std::size_t>(parity)] = range_where(0, lattice.rows() - 1, fits_up);
+      room.rows[static_cast<std::size_t>(parity)] = range_where(lattice.rows(), fits_up);
     }
     return room;
   }

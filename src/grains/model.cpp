@@ -12,6 +12,113 @@ namespace clca::grains {
 
 namespace {
 
+/// Tries every site of the source once, starting at a random one.
+bool emit_one(Box& box, Source& source, std::uint32_t number) {
+  const State& state = box.state;
+  // Keyed by the number emitted so far: a waiting particle keeps its draw.
+  const std::size_t kind = drawn_index(
+      source.weights,
+      random::draw(state.seed, source.emitted, number, random::Purpose::source_species));
+  const std::uint64_t bits = random::draw(state.seed, state.step + source.emitted, number,
+                                          random::Purpose::source_position);
+  const std::size_t start = random::below(bits, source.sites.size());
+  for (std::size_t i = 0; i < source.sites.size(); ++i) {
+    const lattice::Site site = source.sites[(start + i) % source.sites.size()];
+    const Particle particle = {
+        .column = site.column, .row = site.row, .kind = static_cast<std::uint16_t>(kind)};
+    if (fits(box, particle)) {
+      insert(box, particle);
+      ++source.emitted;
+      return true;
+    }
+  }
+  return false;
+}
+
+/// False if the source is exhausted or the particle does not fit.
+bool run_source(Box& box, Source& source, std::uint32_t number) {
+  source.credit = std::min(source.credit, source.unit) + source.rate;
+  while (source.credit >= source.unit && !source.exhausted()) {
+    if (!emit_one(box, source, number)) {
+      return false;
+    }
+    source.credit -= source.unit;
+  }
+  return !source.exhausted();
+}
+
+/// Emits the particles that are due from every open source, if they fit. Those that do not fit stay
+/// due, up to one step's share. Returns whether an open source will emit even if nothing else
+/// changes.
+bool run_sources(Box& box) {
+  bool waits = false;
+  for (std::size_t number = 0; number < box.state.sources.size(); ++number) {
+    Source& source = box.state.sources[number];
+    if (source.open && !source.exhausted()) {
+      waits = run_source(box, source, static_cast<std::uint32_t>(number)) || waits;
+    }
+  }
+  return waits;
+}
+
+std::vector<std::size_t> indices_now(const State& state, const Wall& wall) {
+  std::vector<std::size_t> result;
+  for (const lattice::Site site : sites_now(state.lattice, wall)) {
+    result.push_back(state.lattice.index(site));
+  }
+  return result;
+}
+
+/// Removes a wall. Its sites go to other walls that cover them.
+void remove_wall(Box& box, std::size_t number) {
+  Wall& wall = box.state.walls[number];
+  const Owner code = wall_code(number);
+  wall.present = false;
+  std::vector<std::size_t> vacated;
+  for (const std::size_t index : indices_now(box.state, wall)) {
+    if (box.occupancy.has(index, code) && box.occupancy.remove(index, code)) {
+      vacated.push_back(index);
+    }
+  }
+  std::ranges::sort(vacated);
+  for (std::size_t other = 0; other < box.state.walls.size(); ++other) {
+    if (!box.state.walls[other].present) {
+      continue;
+    }
+    for (const std::size_t index : indices_now(box.state, box.state.walls[other])) {
+      if (std::ranges::binary_search(vacated, index)) {
+        box.occupancy.take(index, wall_code(other));
+      }
+    }
+  }
+}
+
+/// Whether no particle is in the way of a wall that is not there, nor another wall while one of the
+/// two is a moving wall.
+bool can_insert_wall(const Box& box, std::size_t number) {
+  const Wall& wall = box.state.walls[number];
+  const std::vector<std::size_t> indices = indices_now(box.state, wall);
+  const auto moves = [&](Owner owner) {
+    return is_wall(owner) && box.state.walls[wall_number(owner)].motion.has_value();
+  };
+  return std::ranges::none_of(indices, [&](std::size_t index) {
+    const Owner owner = box.occupancy.owner(index);
+    return is_particle(owner) || moves(owner) || (owner != kFree && wall.motion.has_value());
+  });
+}
+
+/// Inserts a wall that is not there and can be inserted.
+void insert_wall(Box& box, std::size_t number) {
+  Wall& wall = box.state.walls[number];
+  wall.present = true;
+  for (const std::size_t index : indices_now(box.state, wall)) {
+    const Owner owner = box.occupancy.owner(index);
+    if (!is_wall(owner) || wall_number(owner) < number) {  // as in an OccupancyTable built anew
+      box.occupancy.take(index, wall_code(number));
+    }
+  }
+}
+
 /// Removes those of these particles that lie wholly in an outlet, in the order of their ids: what
 /// is summed over them is the same for each order of `ids`. Returns how many.
 std::size_t remove_at_outlets(Mechanics& mechanics, std::vector<std::uint32_t> ids) {
@@ -107,7 +214,7 @@ auto Model::changed(Change change) {
 const State& Model::grains() const {
   return mechanics_->box().state;
 }
-Occupancy Model::occupancy() const {
+const Occupancy& Model::occupancy() const {
   return mechanics_->box().occupancy;
 }
 lattice::Direction Model::down() const {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <stdexcept>
-#include <utility>
 
 #include "lattice/internal/require.hpp"
 
@@ -62,8 +61,10 @@ void take_border(OccupancyTable& occupancy, const lattice::Lattice& lattice) {
 
 OccupancyTable::OccupancyTable(const State& state)
     : taken_(state.lattice),
-      inverted_owners_(state.lattice.index_count()),
-      second_owners_(may_overlap(state) ? state.lattice.index_count() : 0, kFree) {
+      first_(state.lattice.index_count()),
+      second_(may_overlap(state) ? state.lattice.index_count() : 0, kFree) {
+  inverted_owners_ = {first_.data(), first_.size()};
+  second_owners_ = second_;
   const lattice::Lattice& lattice = state.lattice;
   take_border(*this, lattice);
   for (const Kind& kind : state.kinds) {
@@ -112,20 +113,10 @@ bool OccupancyTable::remove(std::size_t index, Owner owner) {
   return false;
 }
 
-bool OccupancyTable::operator==(const OccupancyTable& other) const {
-  return Occupancy(*this) == Occupancy(other);
-}
-
-Occupancy::Occupancy(std::shared_ptr<const OccupancyTable> table)
-    : table_(std::move(table)),
-      inverted_owners_(table_->inverted_owners()),
-      second_owners_(table_->second_owners()) {}
-
 Occupancy::Occupancy(const State& state)
-    : Occupancy(std::make_shared<const OccupancyTable>(state)) {}
-
-Occupancy::Occupancy(const OccupancyTable& table)
-    : Occupancy(std::shared_ptr<const OccupancyTable>(std::shared_ptr<void>(), &table)) {}
+    : table_(std::make_shared<const OccupancyTable>(state)),
+      inverted_owners_(table_->inverted_owners_),
+      second_owners_(table_->second_owners_) {}
 
 bool Occupancy::operator==(const Occupancy& other) const {
   return std::ranges::equal(inverted_owners_, other.inverted_owners_) &&

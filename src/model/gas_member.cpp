@@ -95,17 +95,13 @@ void GasIntegrator::integrate(GasMember& member, double restitution, std::uint64
       break;
     }
     member.observations.push_back(observe(gas, next.in_histograms));
-    retain_gas(member);
+    if (keeps_lasting_ && member.observations.size() == lasting_times_) {
+      member.lasting = member.gas;
+    }
   }
   member.count();
   if (member.observations.size() == times_.size()) {
     member.gas.reset();
-  }
-}
-
-void GasIntegrator::retain_gas(GasMember& member) const {
-  if (keeps_lasting_ && member.observations.size() == lasting_times_) {
-    member.lasting = member.gas;
   }
 }
 
@@ -115,16 +111,12 @@ GasObservation GasIntegrator::observe(const boltzmann::Gas& gas, bool in_histogr
   observation.collisions = gas.collisions_per_particle();
   boltzmann::EnergyShares shares =
       boltzmann::energy_shares(gas.motions, observation.moments, bins_);
-  observation.dh_translational = distance(shares.translational);
-  observation.dh_rotational = distance(shares.rotational);
+  observation.dh_translational = statistics::hellinger_distance(shares.translational, reference_);
+  observation.dh_rotational = statistics::hellinger_distance(shares.rotational, reference_);
   if (in_histograms) {
     observation.shares = std::move(shares);
   }
   return observation;
-}
-
-double GasIntegrator::distance(const std::vector<double>& shares) const {
-  return statistics::hellinger_distance(shares, reference_);
 }
 
 }  // namespace clca::model

@@ -43,10 +43,6 @@ AnyRules rules_in(const scene::Scene& scene, const scene::Stage& stage) {
   return stage.rules.value_or(scene.rules);
 }
 
-}  // namespace
-
-namespace {
-
 /// Forces of contacts in the last step, with what grains that were held up passed on by their
 /// sites. One for each pair.
 std::vector<contact::Force> with_pushes(const contact::ContactModel& model,

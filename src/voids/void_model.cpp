@@ -4,10 +4,10 @@
 
 #include <array>
 #include <memory>
-#include <numeric>
 #include <utility>
 
 #include "clca/random/draw.hpp"
+#include "grains/internal/filling.hpp"
 #include "grains/internal/one_site_steps.hpp"
 #include "lattice/internal/require.hpp"
 
@@ -87,17 +87,12 @@ class Steps final : public grains::OneSiteSteps {
         weights[i] = weights_[state().particles[grains::particle_id(grain)].kind][i];
       }
     }
-    const std::uint64_t sum = std::accumulate(weights.begin(), weights.end(), std::uint64_t{0});
-    if (sum == 0) {
+    if (weights == Weights{}) {
       return grains::kFree;
     }
-    std::size_t chosen = 0;
     const auto item = static_cast<std::uint32_t>(state().lattice.index(site));
-    std::uint64_t rest = random::below(
-        random::draw(state().seed, state().step, item, random::Purpose::void_choice), sum);
-    while (rest >= weights[chosen]) {
-      rest -= weights[chosen++];
-    }
+    const std::size_t chosen = grains::drawn_index(
+        weights, random::draw(state().seed, state().step, item, random::Purpose::void_choice));
     return above(site, kDownward[chosen]);
   }
 

@@ -90,7 +90,7 @@ class Model {
   Model& operator=(const Model&) = delete;
 
   const State& grains() const;
-  Occupancy occupancy() const;
+  const Occupancy& occupancy() const;
   /// The lattice direction nearest to gravity.
   lattice::Direction down() const;
 

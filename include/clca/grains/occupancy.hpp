@@ -19,9 +19,6 @@ class Occupancy {
   /// the box or overlaps a wall or particle without a Push, if a site has three owners, if a moving
   /// wall overlaps another wall, or if a kind is as wide as a periodic box.
   explicit Occupancy(const State& state);
-  /// Of a model.
-  // NOLINTNEXTLINE(google-explicit-constructor): a table is read like any occupancy
-  Occupancy(const OccupancyTable& table);
 
   /// Number of indices, as lattice::Lattice::index_count.
   std::size_t index_count() const { return inverted_owners_.size(); }
@@ -43,11 +40,14 @@ class Occupancy {
   bool operator==(const Occupancy& other) const;
 
  private:
-  explicit Occupancy(std::shared_ptr<const OccupancyTable> table);
+  friend class OccupancyTable;
 
-  std::shared_ptr<const OccupancyTable> table_;
-  std::span<const Owner> inverted_owners_;  // of the table: bitwise complements
-  std::span<const Owner> second_owners_;    // of the table: empty if nothing may overlap
+  Occupancy() = default;
+
+  std::shared_ptr<const OccupancyTable> table_;  // none: that of a model
+  // Of the table:
+  std::span<Owner> inverted_owners_;
+  std::span<Owner> second_owners_;  // empty if nothing may overlap
 };
 
 }  // namespace clca::grains

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <map>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <variant>
@@ -29,30 +30,21 @@ class Mismatch : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The first column in which two sets differ; empty where none does.
-std::string difference(const Columns& a, const Columns& b);
-
 namespace detail {
 
+/// A number as a column holds it.
 template <class T>
-struct StoredAs {
-  using Type = T;
-};
+constexpr auto stored(T value) {
+  if constexpr (std::is_enum_v<T>) {
+    return stored(static_cast<std::underlying_type_t<T>>(value));
+  } else if constexpr (std::same_as<T, bool> || std::same_as<T, char>) {
+    return static_cast<std::uint8_t>(value);
+  } else {
+    return value;
+  }
+}
 template <class T>
-requires std::is_enum_v<T>
-struct StoredAs<T> {
-  using Type = typename StoredAs<std::underlying_type_t<T>>::Type;
-};
-template <>
-struct StoredAs<bool> {
-  using Type = std::uint8_t;
-};
-template <>
-struct StoredAs<char> {
-  using Type = std::uint8_t;
-};
-template <class T>
-using Stored = typename StoredAs<T>::Type;
+using Stored = decltype(stored(T()));
 
 /// What the elements of a container add to its path.
 template <class T>
@@ -133,7 +125,7 @@ class Encoder : public Walk<Encoder> {
   void contents(const std::string& path, const std::vector<const T*>& values) {
     std::vector<Stored<T>> column(values.size());
     std::transform(values.begin(), values.end(), column.begin(),
-                   [](const T* value) { return static_cast<Stored<T>>(*value); });
+                   [](const T* value) { return stored(*value); });
     columns_[path] = std::move(column);
   }
 
@@ -247,11 +239,7 @@ class Decoder : public Walk<Decoder> {
     }
   }
   static std::size_t sum(const std::vector<std::uint64_t>& sizes) {
-    std::size_t total = 0;
-    for (const std::uint64_t size : sizes) {
-      total += size;
-    }
-    return total;
+    return std::accumulate(sizes.begin(), sizes.end(), std::size_t{0});
   }
 
   template <class T>

@@ -121,7 +121,7 @@ std::uint32_t Engine::contested_lead(const MoveProposal& proposal) const {
 // One thread: contests near a cut and those that depend on them would need another phase.
 void Engine::decide_contests() {
   turns_.clear();
-  for (const StripWorker& worker : busy()) {
+  for (const StripWorker& worker : workers_) {
     const auto middle = static_cast<std::ptrdiff_t>(turns_.size());
     turns_.insert(turns_.end(), worker.turns.begin(), worker.turns.end());
     std::ranges::inplace_merge(turns_, turns_.begin() + middle, {}, &QueuedMove::key);
@@ -140,8 +140,6 @@ void Engine::end_conflicts(StripWorker& worker) {
     for_each_lead(*turn.proposal, [&](Corner at, std::uint64_t) {
       contested_.clear_blocks(at, turn.proposal->access);
     });
-  }
-  for (const QueuedMove& turn : worker.turns) {
     if (turn.proposal->outcome != ConflictOutcome::won) {
       turn.proposal->move = grains::kRest;
     }

@@ -46,7 +46,7 @@ std::size_t Engine::move_particles() {
   }
   examined_ = 0;
   std::size_t moved = moved_.size();
-  for (const StripWorker& worker : busy()) {
+  for (const StripWorker& worker : workers_) {
     examined_ += worker.examined;
     for (const Proposals& proposals : worker.proposals) {
       moved += proposals.falling.size() + proposals.sloping.size();
@@ -62,7 +62,7 @@ std::size_t Engine::move_particles() {
 }
 
 void Engine::append_moved(std::vector<std::uint32_t>& ids) const {
-  for (const StripWorker& worker : busy()) {
+  for (const StripWorker& worker : workers_) {
     for (const Proposals& proposals : worker.proposals) {
       for (const auto* list : {&proposals.falling, &proposals.sloping}) {
         for (const MoveProposal& proposal : *list) {
@@ -129,7 +129,7 @@ void Engine::begin_step() {
 }
 
 void Engine::wake_changed() {
-  for (StripWorker& worker : busy()) {
+  for (StripWorker& worker : workers_) {
     worker.awake.resize(world_.state.particles.size());
     worker.waking.resize(world_.state.particles.size());
   }
@@ -190,8 +190,6 @@ void Engine::assign_strips() {
   records_work_ = world_.state.step % kRebalance == kRebalance - 1;
   for (StripWorker& worker : workers_) {
     worker.inner = strips_.inner(worker.strip);
-    worker.awake.resize(world_.state.particles.size());
-    worker.waking.resize(world_.state.particles.size());
   }
 }
 

@@ -1,12 +1,9 @@
 #pragma once
 // The particles' own moves of one step, fast: points 3 and 4 of "One step" in docs/model.md.
 
-#include <span>
 #include <vector>
 
-#include "automaton/engine/strip_worker.hpp"
 #include "automaton/engine/strips.hpp"
-#include "automaton/rule/step.hpp"
 #include "clca/automaton/automaton.hpp"
 #include "clca/parallel/team.hpp"
 
@@ -23,18 +20,11 @@ class Engine final : public Steps {
  private:
   using Corner = grains::Bitboard::Corner;
 
-  /// The workers that take part in this step.
-  std::span<StripWorker> busy() {
-    return std::span(workers_).first(in_parallel_ ? workers_.size() : 1);
-  }
-  std::span<const StripWorker> busy() const {
-    return std::span(workers_).first(in_parallel_ ? workers_.size() : 1);
-  }
   /// Calls `visit` with the proposals in a strip, whichever worker has found them.
   template <class Visit>
   void for_each_proposal(const StripWorker& worker, ReusableBuffer<MoveProposal> Proposals::*list,
                          Visit visit) {
-    for (StripWorker& finder : busy()) {
+    for (StripWorker& finder : workers_) {
       for (MoveProposal& proposal : finder.proposals[worker.strip].*list) {
         visit(proposal);
       }
@@ -101,9 +91,9 @@ class Engine final : public Steps {
   grains::Bitboard reserved_;
   grains::Bitboard contested_;
   Strips strips_;
-  std::vector<StripWorker> workers_;
-  std::vector<QueuedMove> turns_;    // of all workers
-  std::vector<MoveProposal> freed_;  // overlap, but move by themselves
+  std::vector<StripWorker> workers_;  // without several threads the first has the whole box
+  std::vector<QueuedMove> turns_;     // of all workers
+  std::vector<MoveProposal> freed_;   // overlap, but move by themselves
   std::size_t examined_;
   // This step:
   bool in_parallel_ = false;

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "automaton/engine/engine.hpp"
-#include "automaton/rule/decisions.hpp"
 
 namespace clca::automaton {
 

@@ -5,8 +5,6 @@
 #include <numeric>
 #include <utility>
 
-#include "grains/internal/bitboard.hpp"
-
 namespace clca::automaton {
 
 namespace {

@@ -1,6 +1,7 @@
 #pragma once
-// The box cut into strips, one for each thread.
+// The box cut into strips, one for each thread, and what a thread works on in a step.
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -8,6 +9,9 @@
 #include <vector>
 
 #include "automaton/engine/windowed_footprint.hpp"
+#include "automaton/rule/step.hpp"
+#include "clca/grains/state.hpp"
+#include "grains/internal/bitboard.hpp"
 
 namespace clca::automaton {
 
@@ -88,6 +92,147 @@ class Strips {
   Reach reach_;
   Axis axis_ = Axis::columns;
   std::vector<int> cuts_;  // where the second strip and those after it begin
+};
+
+inline constexpr std::size_t kCacheLine = 64;  // bytes
+
+/// Elements in the order in which they were added. Memory is kept when it is cleared; unlike
+/// std::vector, it neither constructs nor destroys what it has room for.
+template <class T>
+class ReusableBuffer {
+ public:
+  void add(const T& element) { add() = element; }
+  /// Without a branch on `wanted`, for what a processor cannot predict.
+  void add_if(bool wanted, const T& element) {
+    add(element);
+    count_ -= wanted ? 0U : 1U;
+  }
+  /// The new element holds what was there before; the caller fills it in.
+  T& add() {
+    if (count_ == capacity_) {
+      elements_.resize(2 * count_ + 1);
+      capacity_ = elements_.size();
+    }
+    return begin()[count_++];
+  }
+  void clear() { count_ = 0; }
+  template <class Predicate>
+  void erase_if(Predicate predicate) {
+    count_ = static_cast<std::size_t>(std::remove_if(begin(), end(), predicate) - begin());
+  }
+
+  std::size_t size() const { return count_; }
+  T* begin() { return elements_.data(); }
+  T* end() { return begin() + count_; }
+  const T* begin() const { return elements_.data(); }
+  const T* end() const { return begin() + count_; }
+
+ private:
+  std::vector<T> elements_;
+  std::size_t capacity_ = 0;  // its size
+  std::size_t count_ = 0;
+};
+
+/// A set of ids. Going through it and clearing it costs time by how many are in it, not by how many
+/// could be.
+class AwakeSet {
+ public:
+  /// Ids have to be below `bound`.
+  void resize(std::size_t bound) { words_.resize((bound + kBits - 1) / kBits, 0); }
+
+  /// Adds an id, unless it is in the set.
+  void insert(std::uint32_t id) {
+    std::uint64_t& word = words_[id / kBits];
+    listed_.add_if((word & bit(id)) == 0, id);
+    word |= bit(id);
+  }
+  bool contains(std::uint32_t id) const { return (words_[id / kBits] & bit(id)) != 0; }
+
+  /// In the order in which they came.
+  std::span<const std::uint32_t> listed() const { return {listed_.begin(), listed_.end()}; }
+
+  void clear() {
+    for (const std::uint32_t id : listed_) {
+      words_[id / kBits] = 0;
+    }
+    listed_.clear();
+  }
+
+ private:
+  static constexpr std::size_t kBits = 64;
+
+  static std::uint64_t bit(std::uint32_t id) { return std::uint64_t{1} << (id % kBits); }
+
+  std::vector<std::uint64_t> words_;
+  ReusableBuffer<std::uint32_t> listed_;
+};
+
+enum class ConflictOutcome : std::uint8_t {
+  none,         ///< not known yet, or it lost its turn
+  overlapping,  ///< the particle overlaps with something: its turn is among those of the contested
+  won,          ///< it had its turn and moves
+};
+
+/// A particle with a provisional direction. Half a cache line, as it is read and written several
+/// times a step.
+struct MoveProposal {
+  lattice::Site site;       ///< the reference site when the step began, wrapped
+  std::uint64_t taken = 0;  ///< which sites of its one window were taken then
+  std::uint32_t id = 0;
+  std::uint32_t byte = 0;  ///< of the corner of its one window, see Bitboard::Corner
+  std::uint16_t kind = 0;
+  grains::Move move = grains::kRest;  ///< kRest at the end of the step if it lost its turn
+  grains::Access access = grains::Access::exclusive;
+  ConflictOutcome outcome = ConflictOutcome::none;
+  std::uint32_t contested : 24 = 0;  ///< how many of its lead sites others want as well
+
+  void contest(std::uint32_t sites) { contested = (contested + sites) & 0xFFFFFFU; }
+};
+static_assert(sizeof(MoveProposal) == kCacheLine / 2);
+
+/// A proposal that waits for its turn.
+struct QueuedMove {
+  UpdateKey key;
+  MoveProposal* proposal = nullptr;
+};
+
+/// Where the one window of the proposal lies.
+inline grains::Bitboard::Corner corner(const MoveProposal& proposal,
+                                       const WindowedFootprint& footprint) {
+  return {.byte = proposal.byte,
+          .column = grains::Bitboard::column_in_block(footprint.corner_from(proposal.site))};
+}
+
+/// Sites of a window whose owners wake.
+struct WakeWindow {
+  lattice::Site corner;
+  std::uint64_t sites = 0;
+};
+
+/// On cache lines of its own: another thread writes to the next.
+struct alignas(kCacheLine) Proposals {
+  ReusableBuffer<MoveProposal> falling;  ///< along gravity
+  ReusableBuffer<MoveProposal> sloping;  ///< in all other directions
+};
+
+/// The work of one thread: the moves of the particles in its strip, and the particles that wake
+/// through them. Particles are examined by whichever thread is free.
+struct alignas(kCacheLine) StripWorker {
+  // Of a particle in the lists: of those to look at, now and next, and of one that may move.
+  static constexpr double kListedBytes = 2 * sizeof(std::uint32_t);
+  static constexpr double kAwakeBytes = sizeof(MoveProposal) + sizeof(WakeWindow);
+
+  std::size_t strip = 0;
+  Interval inner;         ///< of the strip: no other thread changes anything there in this step
+  Interval inner_before;  ///< the same in the last step
+  std::vector<Proposals> proposals;  ///< found by this worker, by strip
+  AwakeSet awake;                    ///< by what was here in the last step
+  AwakeSet waking;                   ///< the same for the next step
+  ReusableBuffer<WakeWindow> to_wake;
+  std::vector<QueuedMove> turns;  ///< contested moves in this strip
+  WorkHistogram work;             ///< see Strips
+  std::size_t examined = 0;
+  std::size_t next_awake = 0;  ///< number of the next awake particle that no thread has taken
 };
 
 }  // namespace clca::automaton

@@ -1,4 +1,4 @@
-#include "automaton/rule/decisions.hpp"
+// The decisions about particles in a step.
 
 #include <algorithm>
 #include <array>
@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "automaton/rule/step.hpp"
 #include "clca/random/draw.hpp"
 
 namespace clca::automaton {

@@ -4,7 +4,7 @@
 #include <array>
 #include <optional>
 
-#include "automaton/rule/decisions.hpp"
+#include "automaton/rule/step.hpp"
 
 namespace clca::automaton {
 
@@ -18,14 +18,13 @@ std::optional<std::vector<std::uint32_t>> pushed(const World& world, const WallS
                                   [&](std::uint32_t id) { return world.overlapping(id); });
 }
 
-void leave(World& world, std::size_t wall, const std::vector<std::size_t>& indices) {
-  for (const std::size_t index : indices) {
+/// Lets a wall leave sites, then take others.
+void move_wall(World& world, std::size_t wall, const std::vector<std::size_t>& leaves,
+               const std::vector<std::size_t>& enters) {
+  for (const std::size_t index : leaves) {
     world.occupancy.remove(index, grains::wall_code(wall));
   }
-}
-
-void take(World& world, std::size_t wall, const std::vector<std::size_t>& indices) {
-  for (const std::size_t index : indices) {
+  for (const std::size_t index : enters) {
     world.occupancy.add(index, grains::wall_code(wall));
   }
 }
@@ -37,9 +36,9 @@ bool push_along(World& world, const WallStep& step) {
   if (!ids) {
     return false;
   }
-  leave(world, step.wall, step.leaves);
+  move_wall(world, step.wall, step.leaves, {});
   world.move_together(*ids, step.direction);
-  take(world, step.wall, step.enters);
+  move_wall(world, step.wall, {}, step.enters);
   return true;
 }
 
@@ -59,14 +58,12 @@ std::optional<std::vector<std::uint32_t>> move_onto(World& world, const WallStep
   }
   std::ranges::sort(ids);
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
-  leave(world, step.wall, step.leaves);
-  take(world, step.wall, step.enters);
+  move_wall(world, step.wall, step.leaves, step.enters);
   const std::array ways = {step.direction, rotated(step.direction, 1), rotated(step.direction, -1)};
   if (!std::ranges::all_of(ids, [&](std::uint32_t id) {
         return can_leave(world, world.state.particles[id], grains::wall_code(step.wall), ways);
       })) {
-    leave(world, step.wall, step.enters);
-    take(world, step.wall, step.leaves);
+    move_wall(world, step.wall, step.enters, step.leaves);
     return std::nullopt;
   }
   return ids;
@@ -102,8 +99,7 @@ bool can_take(World& world, const WallStep& step) {
   }
   const bool can = move_onto(world, step).has_value();
   if (can) {
-    leave(world, step.wall, step.enters);
-    take(world, step.wall, step.leaves);
+    move_wall(world, step.wall, step.enters, step.leaves);
   }
   return can;
 }

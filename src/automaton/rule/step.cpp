@@ -4,11 +4,9 @@
 #include <numeric>
 #include <utility>
 
-#include "automaton/rule/decisions.hpp"
+#include "clca/random/draw.hpp"
 
 namespace clca::automaton {
-
-using grains::StepReport;
 
 Steps::Steps(grains::State initial, const Rules& rules)
     : state_(std::move(initial)), box_(state_), world_(box_, rules), active_(rules, state_.seed) {}
@@ -19,7 +17,7 @@ void Steps::before_sources() {
 }
 
 // 2. Open sources emit, and at the end 5. outlets remove particles: for all models by grains::step.
-bool Steps::advance(StepReport& report) {
+bool Steps::advance(grains::StepReport& report) {
   // 3. Every particle chooses a provisional direction. 4. Movers have their turn.
   moved_.clear();
   quiet_ = true;
@@ -88,8 +86,56 @@ std::size_t Reference::move_particles() {
   // onto, then the others.
   give_turns(movers.pushed, &move_pushed);
   give_turns(movers.others, &move_by_itself);
-  world_.changes.clear();
+  world_.changes = {};
   return moved_.size();
+}
+
+// The order in which movers have their turn.
+
+namespace {
+
+/// The first class that fits.
+std::uint64_t class_of(const Rules& rules, grains::Move previous, grains::Move move) {
+  const auto fits = [&](UpdateClass update_class) {
+    switch (update_class) {
+      case UpdateClass::rest:
+        return previous == grains::kRest;
+      case UpdateClass::inertia:
+        return previous == move;
+      case UpdateClass::gravity:
+        return move == static_cast<grains::Move>(rules.gravity);
+    }
+    return false;
+  };
+  const auto& classes = rules.update_priority;
+  return static_cast<std::uint64_t>(std::ranges::find_if(classes, fits) - classes.begin());
+}
+
+/// Ties::direction: gravity first, then pairs at the same angle to it, each in the order of a coin
+/// for the class and the step.
+std::uint64_t direction_tie(const Rules& rules, const grains::State& state, grains::Move move,
+                            std::uint64_t update_class) {
+  const auto direction = static_cast<lattice::Direction>(move);
+  const auto angle = static_cast<std::uint64_t>(lattice::sixths_between(rules.gravity, direction));
+  const bool clockwise = rotated(rules.gravity, static_cast<int>(angle)) == direction;
+  const auto coin = random::draw(state.seed, state.step, static_cast<std::uint32_t>(update_class),
+                                 random::Purpose::direction_order);
+  const bool clockwise_first = (coin & 1U) == 0;
+  return 2 * angle + (clockwise == clockwise_first ? 0 : 1);
+}
+
+}  // namespace
+
+UpdateKey update_key(const Rules& rules, const grains::State& state, std::uint32_t id,
+                     grains::Move move) {
+  const std::uint64_t update_class = class_of(rules, state.particles[id].previous, move);
+  switch (rules.ties) {
+    case Ties::particle:
+      return {update_class, random::draw(state.seed, state.step, id, random::Purpose::tie), id};
+    case Ties::direction:
+      return {update_class, direction_tie(rules, state, move, update_class), id};
+  }
+  return {update_class, 0, id};
 }
 
 }  // namespace clca::automaton

@@ -28,12 +28,6 @@ struct Changes {
   std::vector<std::size_t> vacated;  ///< sites that became free, if nothing has taken them since
   std::vector<std::uint32_t> particles;  ///< new ones, moved ones, those that lost an overlap
   bool by_others = true;  ///< by something else than the particles' own moves, also before
-
-  void clear() {
-    vacated.clear();
-    particles.clear();
-    by_others = false;
-  }
 };
 
 /// A box in which particles may overlap. State::pushes has one push for each pair that does, and no

@@ -93,10 +93,6 @@ class Bitboard {
     }
   }
 
-  bool test(std::size_t index) const {
-    const Corner at = this->at(index);
-    return (bytes()[at.byte] >> at.column & 1U) != 0;
-  }
   void set(std::size_t index) {
     const Corner at = this->at(index);
     bytes()[at.byte] |= static_cast<unsigned char>(1U << at.column);

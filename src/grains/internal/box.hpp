@@ -139,21 +139,6 @@ std::size_t outlet_around(const State& state, const Particle& particle);
 /// returns true. The caller then removes it.
 bool count_at_outlet(State& state, std::uint32_t id);
 
-/// Emits the particles that are due from every open source, if they fit. Those that do not fit stay
-/// due, up to one step's share. Returns whether an open source will emit even if nothing else
-/// changes.
-bool run_sources(Box& box);
-
-/// Removes a wall. Its sites go to other walls that cover them.
-void remove_wall(Box& box, std::size_t number);
-
-/// Whether no particle is in the way of a wall that is not there, nor another wall while one of the
-/// two is a moving wall.
-bool can_insert_wall(const Box& box, std::size_t number);
-
-/// Inserts a wall that is not there and can be inserted.
-void insert_wall(Box& box, std::size_t number);
-
 /// The particles that must move together with a wall, which pushes them; none if the border or
 /// another wall blocks the step. `overlaps(id)`: whether a particle shares sites with others, which
 /// then move too.

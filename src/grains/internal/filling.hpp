@@ -80,8 +80,8 @@ void insert(Box& box, const Particle& particle);
 std::vector<std::uint16_t> kinds_of(const State& state, std::size_t species);
 
 /// An index, drawn by these bits in proportion to the weights, which are not all zero.
-template <class Weight>
-std::size_t drawn_index(const std::vector<Weight>& weights, std::uint64_t bits) {
+template <class Weights>
+std::size_t drawn_index(const Weights& weights, std::uint64_t bits) {
   std::uint64_t rest =
       random::below(bits, std::accumulate(weights.begin(), weights.end(), std::uint64_t{0}));
   std::size_t index = 0;

@@ -60,11 +60,11 @@ struct GasMember {
   /// The gas at the last time shared with a longer run, from where the end can be moved. None if
   /// the run does not keep it.
   std::optional<boltzmann::Gas> lasting;
-  std::uint64_t steps = 0;  ///< this and the rest: of the gas when count() was called
+  std::uint64_t steps = 0;  ///< these: of the gas when count() was called
   std::uint64_t participations = 0;
   std::uint64_t hash = 0;
 
-  /// Adds an observation of the gas.
+  /// While the gas is under way.
   void count();
 
   CLCA_FIELDS(observations, gas, lasting, steps, participations, hash);
@@ -84,9 +84,6 @@ class GasIntegrator {
 
  private:
   GasObservation observe(const boltzmann::Gas& gas, bool in_histograms) const;
-  double distance(const std::vector<double>& shares) const;
-  /// Keeps a copy of the gas if the scene needs one.
-  void retain_gas(GasMember& member) const;
 
   const scene::BoltzmannScene& scene_;
   std::vector<GasTime> times_;

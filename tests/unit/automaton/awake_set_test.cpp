@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "automaton/engine/strip_worker.hpp"
+#include "automaton/engine/strips.hpp"
 
 namespace clca::automaton::awake_set_test {
 namespace {

@@ -33,7 +33,7 @@ struct Filled {
       const Site site = {corner.column + i % kWindow, corner.row + i / kWindow};
       const bool inside = site.column >= -1 && site.column <= lattice.columns() && site.row >= -1 &&
                           site.row <= lattice.rows();
-      if (inside && bits.test(lattice.index(site))) {
+      if (inside && (bits.window(bits.corner(site)) & 1U) != 0) {
         result |= std::uint64_t{1} << static_cast<unsigned>(i);
       }
     }

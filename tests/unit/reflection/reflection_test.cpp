@@ -114,13 +114,6 @@ TEST(Fields, ThatDoNotBelongAreRefusedByName) {
   EXPECT_EQ(mismatch(encode(example()), 100), "inner needs more memory than the limit");
 }
 
-TEST(Fields, DifferInTheColumnThatIsNamed) {
-  Outer other = example();
-  EXPECT_EQ(difference(encode(example()), encode(other)), "");
-  other.inner[1].number = 5;
-  EXPECT_EQ(difference(encode(example()), encode(other)), "inner/number");
-}
-
 // Of a state, every field: what is changed is found, saved and hashed.
 TEST(Fields, OfAStateAreHashedEachOne) {
   grains::State state{.lattice = lattice::Lattice(4, 4, false)};
@@ -148,7 +141,7 @@ TEST(Fields, OfAStateAreHashedEachOne) {
     grains::State loaded = state;
     decode(other, kMuch, loaded);
     EXPECT_NE(grains::hash(loaded), grains::hash(state)) << path;
-    EXPECT_EQ(difference(encode(loaded), columns), path);
+    EXPECT_TRUE(encode(loaded) == other) << path;
     ++changed;
   }
   EXPECT_GT(changed, 20U);
