@@ -3,6 +3,8 @@
 
 #include <functional>
 #include <future>
+#include <system_error>
+#include <utility>
 
 namespace clca::tasks {
 
@@ -11,9 +13,22 @@ namespace clca::tasks {
 class Background {
  public:
   /// Waits until the call before has ended. Rethrows what that one has thrown.
-  void start(std::function<void()> call);
+  void start(std::function<void()> call) {
+    finish();
+    call_ = std::move(call);
+    try {
+      ended_ = std::async(std::launch::async, std::ref(call_));
+    } catch (const std::system_error&) {  // no more threads can be had
+      call_();
+    }
+  }
   /// Likewise, without another call.
-  void finish();
+  void finish() {
+    if (ended_.valid()) {
+      ended_.get();
+    }
+    call_ = nullptr;
+  }
 
  private:
   std::function<void()> call_;

@@ -192,10 +192,6 @@ void Engine::write_back_velocities() {
                  state_.velocities.begin(), [](const BodyVelocity& body) { return body.velocity; });
 }
 
-std::vector<Contact> Engine::wall_contacts() const {
-  return contacts(false);
-}
-
 /// In order; only those with walls and sides unless also those `with_grains`.
 std::vector<Contact> Engine::contacts(bool with_grains) const {
   std::vector<Contact> result;

@@ -99,7 +99,7 @@ class Engine final : public Steps {
 
  private:
   void move_grains() override;
-  std::vector<Contact> wall_contacts() const override;
+  std::vector<Contact> wall_contacts() const override { return contacts(false); }
   std::vector<Contact> contacts(bool with_grains) const;
   Contact contact(std::int32_t at) const;
   Velocity<>& velocity(std::size_t id) { return bodies_[first_grain_ + id].velocity; }

@@ -307,10 +307,8 @@ std::size_t add_wall_contacts(const grains::Box& box, std::uint32_t id, const Wa
           {.contact = {.upper = id, .other = body, .normal = unit_vector(Axial() - blocked)}});
     }
   }
-  std::sort(touches.begin() + first, touches.end(),
-            [](const StepContact& one, const StepContact& other) {
-              return one.contact.other < other.contact.other;
-            });
+  std::ranges::sort(touches.begin() + first, touches.end(), {},
+                    [](const StepContact& touch) { return touch.contact.other; });
   return count;
 }
 
