@@ -10,6 +10,7 @@
 #include "clca/measure/coordination.hpp"
 #include "clca/record/provenance.hpp"
 #include "clca/scene/parse.hpp"
+#include "record/internal/contact_record.hpp"
 
 namespace clca::drawing {
 
@@ -116,6 +117,27 @@ std::vector<double> pressures(const View& view, const OverlayScales& scales) {
 }
 
 }  // namespace
+
+View view_of(const scene::Scene& scene, const model::SceneModel& model,
+             const record::Observers& observers) {
+  View view = {.state = model.state(),
+               .occupancy = model.grains().occupancy(),
+               .cycles = observers.find<record::CycleRecord>(),
+               .angle = model.vessel().angle};
+  if (scene.model == scene::Model::contact) {
+    view.contact.emplace();
+    if (scene::pictures_show_forces(scene)) {
+      view.contact->forces = observers.find<record::ContactRecord>()->shown(model);
+    }
+    if (scene.output.frames->color_by == scene::ColorBy::speed) {
+      view.contact->velocities = model.velocities();
+    }
+    if (scene.output.frames->color_by == scene::ColorBy::spin) {
+      view.contact->spins = model.spins();
+    }
+  }
+  return view;
+}
 
 lattice::Lattice lattice_of(const scene::Scene& scene) {
   return lattice::Lattice::covering(scene.box.width, scene.box.height, scene.box.periodic);

@@ -1,4 +1,4 @@
-#include "drawing/internal/pictures.hpp"
+// The pictures of a run while it is under way.
 
 #include <fmt/format.h>
 
@@ -6,7 +6,6 @@
 #include "clca/tasks/background.hpp"
 #include "drawing/internal/frame_painter.hpp"
 #include "record/internal/contact_record.hpp"
-#include "record/internal/cycle_record.hpp"
 
 namespace clca::drawing {
 
@@ -64,13 +63,7 @@ class Pictures : public record::Observer {
       return;
     }
     history_.last_step = state.step;
-    CapturedFrame frame =
-        painter_.capture({.state = state,
-                          .occupancy = now.model.grains().occupancy(),
-                          .cycles = now.observers.find<record::CycleRecord>(),
-                          .contact = record::shown_contact(scene_, now.model, now.observers),
-                          .angle = now.model.vessel().angle},
-                         history_);
+    CapturedFrame frame = painter_.capture(view_of(scene_, now.model, now.observers), history_);
     begin_window(history_, scene_, state);
     writer_.start([this, folder = now.files->subfolder(store::kFramesFolder),
                    name = store::frame_name(scene_.name, state.step, scene::step_digits(scene_)),

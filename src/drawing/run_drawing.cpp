@@ -239,13 +239,14 @@ void RunDrawing::share_arrow_scale() {
   if (scene_.output.frames->overlay != scene::Overlay::velocity) {
     return;
   }
+  OverlayScales& scales = painter_->scales();
   double highest = 0;
   for (std::size_t number = 0; number < pictures(); ++number) {
     look_at(number, chosen_[number], [&](const View& view) {
-      highest = std::max(highest, painter_->typical_velocity(view, history_));
+      highest = std::max(highest, typical_velocity(view, history_, scales));
     });
   }
-  painter_->set_typical_velocity(highest);
+  scales.arrow_velocity = arrow_scale(highest, scales);
 }
 
 CapturedFrame RunDrawing::capture(std::size_t number) {

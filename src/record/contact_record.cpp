@@ -168,23 +168,4 @@ double frame_bytes(const scene::Scene& scene, bool has_forces, double particles)
   return is_contact(scene) ? particles * (sizeof(Eigen::Vector2d) + sizeof(double) + forces) : 0;
 }
 
-std::optional<store::ContactFrame> shown_contact(const scene::Scene& scene,
-                                                 const model::SceneModel& model,
-                                                 const Observers& observers) {
-  if (!is_contact(scene)) {
-    return std::nullopt;
-  }
-  store::ContactFrame shown;
-  if (scene::pictures_show_forces(scene)) {
-    shown.forces = observers.find<ContactRecord>()->shown(model);
-  }
-  if (scene.output.frames->color_by == scene::ColorBy::speed) {
-    shown.velocities = model.velocities();
-  }
-  if (scene.output.frames->color_by == scene::ColorBy::spin) {
-    shown.spins = model.spins();
-  }
-  return shown;
-}
-
 }  // namespace clca::record

@@ -38,12 +38,11 @@ TableOf<measure::Arrow> convection_table(const scene::Scene& /*scene*/) {
             &Arrow::weight}}};
 }
 
-std::vector<store::MeasureValue> convection(const StageView& stage) {
+Values convection(const StageView& stage) {
   const measure::Convection* convection = stage.observers.find<CycleRecord>()->convection();
   if (convection == nullptr) {
     return {};
   }
-  using Values = std::vector<store::MeasureValue>;
   const auto rolls = convection->rolls();
   return rolls ? Values{rolls->centre_minus_wall, rolls->circulation_left, rolls->circulation_right}
                : Values(3);

@@ -15,27 +15,21 @@ void RestWatch::begin_anew() {
 
 void RestWatch::add_move(const grains::State& state, std::uint32_t id) {
   const grains::Particle& grain = state.particles[id];
-  const auto is_it = [id](const Mover& one) { return one.id == id; };
-  auto mover = std::ranges::find_if(movers_, is_it);
-  if (mover == movers_.end() && movers_.size() == kMostMovers) {
-    begin_anew();
-    mover = movers_.end();
-  }
-  if (mover == movers_.end()) {
-    movers_.push_back({id, grain.column, grain.row, grain.row, 1});
+  const auto mover = std::ranges::find(movers_, id, &Mover::id);
+  const bool is_known = mover != movers_.end();
+  if (is_known && grain.row >= mover->lowest) {
+    ++mover->moves;
+    if (lattice::length(grain.site() - lattice::Site{mover->column, mover->row}) > 1) {
+      mover->column = grain.column;
+      mover->row = grain.row;
+      has_advanced_ = true;
+    }
     return;
   }
-  ++mover->moves;
-  if (lattice::length(grain.site() - lattice::Site{mover->column, mover->row}) > 1) {
-    mover->column = grain.column;
-    mover->row = grain.row;
-    has_advanced_ = true;
-  }
-  if (grain.row < mover->lowest) {
-    const Mover kept = {id, grain.column, grain.row, grain.row, 1};
+  if (is_known || movers_.size() == kMostMovers) {
     begin_anew();
-    movers_ = {kept};
   }
+  movers_.push_back({id, grain.column, grain.row, grain.row, 1});
 }
 
 std::optional<std::string> RestWatch::add(const scene::Scene& scene, const grains::State& state,
@@ -82,9 +76,7 @@ void EnergyRecord::begin(const scene::Stage& stage, const model::SceneModel& mod
   start_ = model.contact()->energy().sum();
   fall_ = 0;
   for (const grains::Particle& particle : model.state().particles) {
-    const double sites =
-        particle.present ? static_cast<double>(model.state().shape(particle).size()) : 0;
-    fall_ += sites;
+    fall_ += particle.present ? static_cast<double>(model.state().shape(particle).size()) : 0;
   }
   exchanged_ = {};
   lowest_ = start_;
@@ -110,7 +102,7 @@ void EnergyRecord::after_step(const StageView& now) {
   if (!is_closed_ || scene::steps_of(now.stage.until)) {
     return;
   }
-  if (const auto text = rest_.add(now.scene, now.model.state(), now.moving); text) {
+  if (const auto text = rest_.add(now.scene, now.model.state(), now.moving)) {
     now.warn(fmt::format("stage {}, step {}: {}; the stage goes on up to max_steps ({})",
                          now.stage.name, now.model.state().step, *text, now.stage.max_steps));
   }
@@ -154,11 +146,10 @@ ObserverKind energy_observer() {
         "model `contact`, without sources",
         {{"energy_growth", "Growth of the energy", "",
           "most that it has grown in the stage, as a share of that at its start"}},
-        [](const StageView& stage) -> std::vector<store::MeasureValue> {
+        [](const StageView& stage) -> Values {
           const auto* energy = stage.observers.find<EnergyRecord>();
           const auto growth = energy != nullptr ? energy->growth() : std::nullopt;
-          return growth ? std::vector<store::MeasureValue>{*growth}
-                        : std::vector<store::MeasureValue>();
+          return growth ? Values{*growth} : Values{};
         }}});
 }
 

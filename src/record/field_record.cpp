@@ -81,7 +81,7 @@ class FieldRecord : public SavedObserver<FieldRecord> {
   }
   std::vector<RunTable*> tables() override { return {&fields_table_, &fluctuation_table_}; }
 
-  std::vector<store::MeasureValue> measures() const {
+  Values measures() const {
     const auto distance = [&](const std::vector<double>& shares) {
       const auto reference = statistics::chi_square_shares(fluctuations_.bins(), 2);
       return fluctuations_.samples() > 0
@@ -174,7 +174,7 @@ ObserverKind fields_observer() {
           "in cells of fewer than 5 particles"}},
         [](const StageView& stage) {
           const auto* fields = stage.observers.find<FieldRecord>();
-          return fields != nullptr ? fields->measures() : std::vector<store::MeasureValue>();
+          return fields != nullptr ? fields->measures() : Values();
         }}});
 }
 

@@ -57,7 +57,7 @@ class MixingRecord : public Observer {
   TableWriter<MixingRow> table_;
 };
 
-std::vector<store::MeasureValue> mixing(const StageView& stage) {
+Values mixing(const StageView& stage) {
   const auto& fallen = stage.observers.find<MixingRecord>()->fallen();
   const auto at = [&](std::size_t diameters, double (measure::FallenPairs::*value)() const) {
     return diameters <= fallen.size() ? store::MeasureValue((fallen[diameters - 1].*value)())

@@ -12,7 +12,6 @@ namespace clca::record {
 
 namespace {
 
-using Values = std::vector<store::MeasureValue>;
 using Named = std::vector<store::NamedMeasure>;
 
 /// False with so many outlets and species that run.json would have too many measures.

@@ -81,22 +81,12 @@ store::ColumnSummary summary_of(std::string_view key, const Quantity& quantity,
           .meaning = std::string(quantity.meaning)};
 }
 
-/// KEY of a column KEY.NAME.
-const Quantity* find_of_each(std::span<const TableInfo> tables, std::string_view key) {
-  for (const TableInfo& table : tables) {
-    const auto found = std::ranges::find_if(
-        table.of_each, [&](const auto& entry) { return entry.first.key == key; });
-    if (found != table.of_each.end()) {
-      return &found->first;
-    }
-  }
-  return nullptr;
-}
-
-const Quantity* find_column(std::span<const TableInfo> tables, std::string_view name) {
+/// `is_of_each`: KEY of a column KEY.NAME.
+const Quantity* find_column(std::span<const TableInfo> tables, std::string_view name,
+                            bool is_of_each = false) {
   for (const TableInfo& table : tables) {
     const auto found = std::ranges::find_if(table.columns, [&](const ColumnInfo& column) {
-      return std::ranges::count(column.names(), name) > 0;
+      return column.of_each.empty() != is_of_each && std::ranges::count(column.names(), name) > 0;
     });
     if (found != table.columns.end()) {
       return &found->quantity;
@@ -120,11 +110,12 @@ const Quantity* find_quantity(std::string_view key) {
       return found;
     }
   }
-  const Quantity* column = find_column(all_tables(), whole);
-  const Quantity* of_each = find_of_each(all_tables(), whole);
-  const Quantity* first = whole == key ? column : of_each;
-  const Quantity* second = whole == key ? of_each : column;
-  return first != nullptr ? first : second != nullptr ? second : find_in(sweep_quantities(), whole);
+  for (const bool is_of_each : {whole != key, whole == key}) {
+    if (const Quantity* found = find_column(all_tables(), whole, is_of_each)) {
+      return found;
+    }
+  }
+  return find_in(sweep_quantities(), whole);
 }
 
 const Quantity* find_gas_quantity(std::string_view key) {
@@ -153,11 +144,8 @@ std::vector<NamedQuantity> named_quantities() {
           of;
       for (const ColumnInfo& column : table.columns) {
         for (const std::string& key : column.names()) {
-          all.push_back({key, &column.quantity, where});
+          all.push_back({key, &column.quantity, where, !column.of_each.empty()});
         }
-      }
-      for (const auto& [quantity, of_what] : table.of_each) {
-        all.push_back({std::string(quantity.key), &quantity, where, true});
       }
     }
   };
@@ -219,7 +207,7 @@ std::vector<store::ColumnSummary> RunTable::summary() const {
   for (const std::string& name : table_.columns()) {
     const Quantity* column = find_column({&info_, 1}, name);
     const Quantity* known =
-        column != nullptr ? column : find_of_each({&info_, 1}, name.substr(0, name.find('.')));
+        column != nullptr ? column : find_column({&info_, 1}, name.substr(0, name.find('.')), true);
     result.push_back(known != nullptr ? summary_of(name, *known, conversion_)
                                       : store::ColumnSummary{.key = name, .name = name});
   }
@@ -263,18 +251,15 @@ std::string columns_table(std::string_view table) {
         fmt::format("no table '{}'; there are {}", table, fmt::join(table_names(), ", ")));
   }
   std::string text = "| column | unit | what |\n|---|---|---|\n";
-  const auto add = [&text](const std::string& names, const Quantity& what, std::string_view where) {
-    text += fmt::format("| {} | {} | {}{}{} |\n", names, what.unit, described(what),
-                        where.empty() ? "" : "; ", where);
-  };
   for (const ColumnInfo& column : found->second->columns) {
-    add(column.endings.back() == kErrorEnding
-            ? fmt::format("`{}` (`_se`)", column.quantity.key)
-            : fmt::format("`{}`", fmt::join(column.names(), "`, `")),
-        column.quantity, column.where);
-  }
-  for (const auto& [what, of] : found->second->of_each) {
-    add(fmt::format("`{}.{}`", what.key, of), what, "");
+    const Quantity& what = column.quantity;
+    const std::string names = !column.of_each.empty()
+                                  ? fmt::format("`{}.{}`", what.key, column.of_each)
+                              : column.endings.back() == kErrorEnding
+                                  ? fmt::format("`{}` (`_se`)", what.key)
+                                  : fmt::format("`{}`", fmt::join(column.names(), "`, `"));
+    text += fmt::format("| {} | {} | {}{}{} |\n", names, what.unit, described(what),
+                        column.where.empty() ? "" : "; ", column.where);
   }
   return text;
 }

@@ -1,12 +1,10 @@
-// series.csv and probes.csv: the time series of a run, and what the probes of the scene see.
+// series.csv: the time series of a run.
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 
 #include "clca/contact/force.hpp"
-#include "clca/measure/field_grid.hpp"
 #include "clca/measure/force.hpp"
 #include "clca/measure/outflow.hpp"
 #include "clca/scene/units.hpp"
@@ -36,17 +34,9 @@ Eigen::Vector2d middle(const lattice::Lattice& box) {
 
 /// Of a side of the box.
 Eigen::Vector2d middle(const lattice::Lattice& box, grains::Owner side) {
-  const Eigen::Vector2d half = box.size() / 2;
-  switch (side) {
-    case contact::kFloor:
-      return middle(box) - Eigen::Vector2d(0, half.y());
-    case contact::kCeiling:
-      return middle(box) + Eigen::Vector2d(0, half.y());
-    case contact::kLeftSide:
-      return middle(box) - Eigen::Vector2d(half.x(), 0);
-    default:
-      return middle(box) + Eigen::Vector2d(half.x(), 0);
-  }
+  const double x = side == contact::kRightSide ? 1 : side == contact::kLeftSide ? -1 : 0;
+  const double y = side == contact::kCeiling ? 1 : side == contact::kFloor ? -1 : 0;
+  return middle(box) + box.size().cwiseProduct(Eigen::Vector2d(x, y)) / 2;
 }
 
 /// From one point to another; in a periodic box to its nearest image.
@@ -227,28 +217,31 @@ constexpr std::string_view kSinceRun = "by all outlets, since the start of the r
 TableOf<SeriesRow> series_table(const scene::Scene& scene) {
   return {
       {.name = "series",
-       .of_each = {{{"travel", "Travel of the wall", "sites",
-                     "from home, along its motion; of each that moves"},
-                    "WALL"},
-                   {{"index", "Overlap of the wall", "sites",
-                     "in all contacts that began at it; with `passive: overlap`"},
-                    "WALL"},
-                   {{"discharged", "Particles discharged", "particles",
-                     "by it, since the start of the run; with several outlets"},
-                    "OUTLET"},
-                   {{"discharged", "Particles discharged", "particles",
-                     "those of a species; with several species"},
-                    "OUTLET.SPECIES"},
-                   {{"force_x", "Force on the wall, x", scene::kForceUnit,
-                     "of the grains on it, in the frame of the vessel, mean since the last row; "
-                     "with `forces`, of each wall and of `box.floor`, `box.top`, `box.left`, "
-                     "`box.right`"},
-                    "WALL"},
-                   {{"force_y", "Force on the wall, y", scene::kForceUnit, "likewise"}, "WALL"},
-                   {{"torque", "Torque on the wall", scene::kMomentUnit,
-                     "likewise, anticlockwise, about its centroid; in a stage that turns the "
-                     "vessel about the centre of turning"},
-                    "WALL"}}},
+       .columns =
+           {{.quantity = {"travel", "Travel of the wall", "sites",
+                          "from home, along its motion; of each that moves"},
+             .of_each = "WALL"},
+            {.quantity = {"index", "Overlap of the wall", "sites",
+                          "in all contacts that began at it; with `passive: overlap`"},
+             .of_each = "WALL"},
+            {.quantity = {"discharged", "Particles discharged", "particles",
+                          "by it, since the start of the run; with several outlets"},
+             .of_each = "OUTLET"},
+            {.quantity = {"discharged", "Particles discharged", "particles",
+                          "those of a species; with several species"},
+             .of_each = "OUTLET.SPECIES"},
+            {.quantity =
+                 {"force_x", "Force on the wall, x", scene::kForceUnit,
+                  "of the grains on it, in the frame of the vessel, mean since the last row; "
+                  "with `forces`, of each wall and of `box.floor`, `box.top`, `box.left`, "
+                  "`box.right`"},
+             .of_each = "WALL"},
+            {.quantity = {"force_y", "Force on the wall, y", scene::kForceUnit, "likewise"},
+             .of_each = "WALL"},
+            {.quantity = {"torque", "Torque on the wall", scene::kMomentUnit,
+                          "likewise, anticlockwise, about its centroid; in a stage that turns the "
+                          "vessel about the centre of turning"},
+             .of_each = "WALL"}}},
       {{kStep, [](auto& row) { return row.state().step; }},
        {kStage, [](auto& row) { return row.now.stage.name; }},
        {{"particles", "Particles", "particles", "in the box"},
@@ -365,126 +358,29 @@ std::vector<store::Cell> cells_of_each(const SeriesRow& row) {
   return cells;
 }
 
-struct ProbeRow {
-  const StageView& now;
-  const scene::Probe& probe;
-  double filling = 0;
-  double particles = 0;
-  std::optional<Eigen::Vector2d> velocity = {};
-  std::optional<double> fluctuation = {};
-  std::optional<double> flow = {};
-  std::optional<double> mass_flow = {};
-};
-
-TableOf<ProbeRow> probes_table(const scene::Scene& scene) {
-  return {{.name = "probes"},
-          {{kStep, [](auto& row) { return row.now.model.state().step; }},
-           {kStage, [](auto& row) { return row.now.stage.name; }},
-           {{"probe", "Probe", "", "its name"}, [](auto& row) { return row.probe.name; }},
-           {{"filling", "Filling", "",
-             "share of its sites that particles cover, of those without wall"},
-            &ProbeRow::filling},
-           {{"particles", "Particles", "particles", "that the next three are over"},
-            &ProbeRow::particles},
-           {kVelocity, &ProbeRow::velocity},
-           {kFluctuation, &ProbeRow::fluctuation},
-           {{"flow", "Flow", "sites/step",
-             "since the last row, of the particles whose centre has passed the horizontal middle "
-             "line of the probe downwards, less those that have passed it upwards"},
-            &ProbeRow::flow}},
-          {{"with `units.density`",
-            scene::has_density(scene),
-            {{{"mass_flow", "Mass flow", "kg/s", "`flow` in SI units"}, &ProbeRow::mass_flow}}}}};
-}
-
-/// Of the automaton, motion is over the steps since the last row, of the particles that were in the
-/// probe then; of the contact model, it is that at the row.
-class Probes {
- public:
-  explicit Probes(const scene::Scene& scene) : table_(scene, probes_table(scene)) {}
-
-  /// Adds a row for each probe.
-  void add(const StageView& now) {
-    const grains::State& state = now.model.state();
-    const double steps = last_ ? static_cast<double>(state.step - last_->step()) : 0;
-    const double speed = velocity_unit(now.scene);
-    std::vector<measure::Displacement> displacements;
-    if (is_contact(now.scene)) {
-      displacements = measure::displacements_in_step(state, now.model.velocities());
-    } else if (last_) {
-      displacements = last_->displacements(state);
-    }
-    const std::vector<scene::Probe>& probes = now.scene.probes;
-    std::vector<lattice::Rectangle> regions;
-    std::ranges::transform(probes, std::back_inserter(regions),
-                           [](const scene::Probe& probe) { return probe.region; });
-    const std::vector<double> fillings = measure::fillings(state, regions);
-    for (std::size_t i = 0; i < probes.size(); ++i) {
-      ProbeRow row = {now, probes[i], fillings[i]};
-      if (const auto motion =
-              measure::motion_in(regions[i], displacements, is_contact(now.scene) ? 1 : steps)) {
-        row.particles = motion->particles;
-        row.velocity = motion->velocity * speed;
-        row.fluctuation = motion->fluctuation * speed * speed;
-      }
-      if (last_) {
-        row.flow = measure::downward_flow(*last_, state, regions[i]) / steps;
-        if (scene::has_density(now.scene)) {
-          row.mass_flow = scene::conversion(now.scene)->mass_rate(*row.flow);
-        }
-      }
-      table_.add(row);
-    }
-    last_.emplace(state);
-  }
-  TableWriter<ProbeRow>& table() { return table_; }
-  /// At the last row.
-  std::optional<measure::Snapshot>& last() { return last_; }
-
- private:
-  std::optional<measure::Snapshot> last_;
-  TableWriter<ProbeRow> table_;
-};
-
 /// Rows at the steps that are due and at the begin and end of stages, one for each step.
 class Series : public Observer {
  public:
   explicit Series(const scene::Scene& scene)
-      : table_(scene, series_table(scene), names_of_each(scene)) {
-    if (!scene.probes.empty()) {
-      probes_.emplace(scene);
-    }
-  }
+      : table_(scene, series_table(scene), names_of_each(scene)) {}
 
-  void begin_stage(const StageView& now) override { add_rows(now); }
+  void begin_stage(const StageView& now) override { add_row(now); }
   void after_step(const StageView& now) override {
     if (now.model.state().step % now.scene.output.series->every == 0) {
-      add_rows(now);
+      add_row(now);
     }
   }
-  void end_stage(const StageView& now) override { add_rows(now); }
-  void save(reflection::Columns& columns) override {
-    reflection::encode(kPath, last_, columns);
-    if (probes_) {
-      reflection::encode(kProbesPath, probes_->last(), columns);
-    }
-  }
+  void end_stage(const StageView& now) override { add_row(now); }
+  void save(reflection::Columns& columns) override { reflection::encode(kPath, last_, columns); }
   void load(const SavedColumns& saved, const StageView& now) override {
     saved.read(kPath, last_, now.model.state());
-    if (probes_) {
-      saved.read(kProbesPath, probes_->last(), now.model.state());
-    }
   }
-  std::vector<RunTable*> tables() override {
-    return probes_ ? std::vector<RunTable*>{&table_, &probes_->table()}
-                   : std::vector<RunTable*>{&table_};
-  }
+  std::vector<RunTable*> tables() override { return {&table_}; }
 
  private:
   static constexpr const char* kPath = "outputs/series_step";
-  static constexpr const char* kProbesPath = "outputs/probes";
 
-  void add_rows(const StageView& now) {
+  void add_row(const StageView& now) {
     if (last_ == now.model.state().step) {
       return;
     }
@@ -493,14 +389,10 @@ class Series : public Observer {
     const SeriesRow row = {now, contact != nullptr ? contact->energy() : contact::Energy(),
                            now.observers.find<EnergyRecord>(), now.observers.find<SeriesRecord>()};
     table_.add(row, cells_of_each(row));
-    if (probes_) {
-      probes_->add(now);
-    }
   }
 
   std::optional<std::uint64_t> last_;  // step that has a row
   TableWriter<SeriesRow> table_;
-  std::optional<Probes> probes_;
 };
 
 }  // namespace
@@ -513,8 +405,7 @@ ObserverKind series_record_observer() {
 
 ObserverKind series_observer() {
   return observer_kind<Series>(
-      [](const scene::Scene& scene) { return scene.output.series.has_value(); },
-      {series_table, probes_table});
+      [](const scene::Scene& scene) { return scene.output.series.has_value(); }, {series_table});
 }
 
 }  // namespace clca::record

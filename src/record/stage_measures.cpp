@@ -23,8 +23,6 @@ namespace clca::record {
 
 namespace {
 
-using Values = std::vector<store::MeasureValue>;
-
 constexpr std::string_view kFlank =
     "straight line through the surface between 15 % and 80 % of its height";
 

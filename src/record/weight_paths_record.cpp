@@ -99,10 +99,10 @@ store::MeasureValue centre_minus_ring(const std::vector<double>& shares) {
   return shares.empty() ? store::MeasureValue() : measure::centre_minus_ring(shares);
 }
 
-std::vector<store::MeasureValue> of_rules(const StageView& stage) {
+Values of_rules(const StageView& stage) {
   const BasePressures pressures = base_pressures(stage);
   const auto grains = static_cast<double>(grains::present_count(stage.model.state()));
-  std::vector<store::MeasureValue> result;
+  Values result;
   for (std::size_t rule = 0; rule < measure::kWeightRules.size(); ++rule) {
     result.push_back(centre_minus_ring(pressures.shares[rule]));
   }
@@ -127,12 +127,12 @@ store::MeasureValue deviation(const std::vector<double>& one, const std::vector<
   return std::sqrt(squares / static_cast<double>(one.size()));
 }
 
-std::vector<store::MeasureValue> of_contacts(const StageView& stage) {
+Values of_contacts(const StageView& stage) {
   if (!is_contact(stage.scene)) {
     return {};
   }
   const BasePressures pressures = base_pressures(stage);
-  std::vector<store::MeasureValue> result = {centre_minus_ring(pressures.shares.back())};
+  Values result = {centre_minus_ring(pressures.shares.back())};
   for (std::size_t rule = 0; rule < measure::kWeightRules.size(); ++rule) {
     result.push_back(deviation(pressures.shares[rule], pressures.shares.back()));
   }

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <map>
 #include <mutex>
+#include <numeric>
 #include <optional>
 #include <thread>
 #include <utility>
@@ -33,9 +35,9 @@ constexpr double kAnySize = std::numeric_limits<double>::infinity();
 struct GasShare {
   double restitution = 1;
   /// Of all members that have not begun, by number: each rank takes the next one when it is free.
-  std::vector<std::size_t> shared;
+  std::vector<std::size_t> shared = {};
   /// Members that have begun in an earlier process, by number: for this rank alone.
-  std::map<std::size_t, model::GasMember> begun;
+  std::map<std::size_t, model::GasMember> begun = {};
 
   CLCA_FIELDS(restitution, shared, begun);
 };
@@ -103,14 +105,9 @@ class GasRun : public RunBase {
   void run_case(record::GasCase& gas_case);
   std::vector<GasShare> shares_of(const record::GasCase& gas_case) const;
   tasks::Pool<bool>::Work work(record::GasCase& gas_case);
-  /// True while the gas goes on; shows progress in the thread that called run().
-  bool keep_going(std::size_t number, const boltzmann::Gas& gas, double restitution,
-                  const std::atomic<int>& stop);
   /// Asks all gases of this process to stop for a checkpoint if that is due.
   void look_at_checkpoint();
   void show_progress(double restitution);
-  /// Whether gases are advanced in the thread that called run().
-  bool is_inline() const { return threads_.gases == 1 && ranks_.size() == 1; }
   void finish_case(const record::GasCase& gas_case);
   /// Writes a checkpoint; no gas may change meanwhile.
   void save_course();
@@ -121,13 +118,15 @@ class GasRun : public RunBase {
   bool complete(const record::GasCase& gas_case) const {
     return gas_case.at(integrator_.times().size() - 1).size() == gas_case.members.size();
   }
-  /// By one collision.
-  double particles_changed() const {
-    return std::holds_alternative<boltzmann::Majorant>(scene_.scheme) ? 2 : 1;
+  /// How often a particle has collided so far, summed over all gases.
+  std::uint64_t participations() const {
+    return std::transform_reduce(progress_.begin(), progress_.end(), participations_, std::plus(),
+                                 [](const GasProgress& gas) { return gas.participations.load(); });
   }
-
-  double collisions(std::uint64_t participations) const {
-    return static_cast<double>(participations) / particles_changed();
+  /// Of pairs.
+  double collisions() const {
+    const double particles = std::holds_alternative<boltzmann::Majorant>(scene_.scheme) ? 2 : 1;
+    return static_cast<double>(participations()) / particles;
   }
 
   const scene::BoltzmannScene& scene_;
@@ -136,8 +135,8 @@ class GasRun : public RunBase {
   GasThreads threads_;
   model::GasIntegrator integrator_;
   GasCourse course_;
-  std::uint64_t cases_logged_;          // by the lines of log.txt that were there
-  std::atomic<double> collisions_ = 0;  // of gases that are not under way
+  std::uint64_t cases_logged_;        // by the lines of log.txt that were there
+  std::uint64_t participations_ = 0;  // of the cases before
   std::uint64_t gases_done_ = 0;
   std::vector<GasProgress> progress_;       // one for each member of a case
   std::mutex checkpoint_mutex_;             // of checkpoint_due_by_clock()
@@ -156,7 +155,8 @@ void GasRun::carry_out() {
   if (ranks_.size() > 1) {
     ranks_.begin(record::version());
   }
-  startable_threads_ = is_inline() ? parallel::start_team(threads_.of_gas) : threads_.of_gas;
+  const bool is_inline = threads_.gases == 1 && ranks_.size() == 1;  // gases advance in this thread
+  startable_threads_ = is_inline ? parallel::start_team(threads_.of_gas) : threads_.of_gas;
   run_cases();
 }
 
@@ -200,12 +200,13 @@ void GasRun::run_case(record::GasCase& gas_case) {
   gases_done_ = 0;
   tell(fmt::format("restitution {}: {} gases of {} particles", gas_case.restitution,
                    gas_case.members.size(), scene_.particles));
-  for (const model::GasMember& member : gas_case.members) {
-    gases_done_ += is_done(member) ? 1 : 0;
-    collisions_ += collisions(member.participations);
+  participations_ = participations();
+  progress_ = std::vector<GasProgress>(gas_case.members.size());
+  for (std::size_t number = 0; number < gas_case.members.size(); ++number) {
+    gases_done_ += is_done(gas_case.members[number]) ? 1 : 0;
+    progress_[number].participations = gas_case.members[number].participations;
   }
   forecast_ = record::TimeEstimate();
-  progress_ = std::vector<GasProgress>(gas_case.members.size());
   const std::vector<GasShare> shares = shares_of(gas_case);
   ranks_.hand_out([&](int rank) {
     return packed(shares[static_cast<std::size_t>(rank)], scene::to_yaml(scene_));
@@ -244,8 +245,7 @@ void GasRun::run_case(record::GasCase& gas_case) {
 /// By rank. Rank 0 has the members themselves.
 std::vector<GasShare> GasRun::shares_of(const record::GasCase& gas_case) const {
   std::vector<GasShare> shares(static_cast<std::size_t>(ranks_.size()),
-                               {.restitution = gas_case.restitution, .shared = {}, .begun = {}});
-  std::vector<std::size_t> shared;
+                               {.restitution = gas_case.restitution});
   std::size_t begun = 0;
   for (std::size_t number = 0; number < gas_case.members.size(); ++number) {
     const model::GasMember& member = gas_case.members[number];
@@ -253,43 +253,45 @@ std::vector<GasShare> GasRun::shares_of(const record::GasCase& gas_case) const {
       const std::size_t rank = begun++ % shares.size();
       shares[rank].begun.emplace(number, rank == 0 ? model::GasMember() : member);
     } else if (!is_done(member)) {
-      shared.push_back(number);
+      for (GasShare& share : shares) {
+        share.shared.push_back(number);
+      }
     }
-  }
-  for (GasShare& share : shares) {
-    share.shared = shared;
   }
   return shares;
 }
 
 tasks::Pool<bool>::Work GasRun::work(record::GasCase& gas_case) {
   const auto end = [this, &gas_case](std::size_t number, model::GasMember member) {
-    collisions_ += collisions(member.participations);
+    progress_[number].participations = member.participations;
     gas_case.members[number] = std::move(member);
     return is_done(gas_case.members[number]);
   };
-  return {.carry_out =
-              [this, &gas_case, end](std::size_t number, const std::atomic<int>& stop) {
-                model::GasMember member = std::exchange(gas_case.members[number], {});
-                collisions_ -= collisions(member.participations);
-                std::uint64_t step = member.gas ? member.gas->step : 0;
-                integrator_.integrate(
-                    member, gas_case.restitution, boltzmann::member_seed(scene_.seed, number),
-                    startable_threads_, [&](const model::GasMember& now) {
-                      if (now.gas->step != std::exchange(step, now.gas->step)) {
-                        look_at_checkpoint();  // so there is a step between two of them
-                      }
-                      return keep_going(number, *now.gas, gas_case.restitution, stop);
-                    });
-                progress_[number].participations = 0;
-                if (is_done(member)) {
-                  progress_[number].time = 0;
-                }
-                return end(number, std::move(member));
-              },
+  const auto advance = [this, &gas_case, end](std::size_t number, const std::atomic<int>& stop) {
+    model::GasMember member = std::exchange(gas_case.members[number], {});
+    GasProgress& progress = progress_[number];
+    std::uint64_t step = member.gas ? member.gas->step : 0;
+    const auto keep_going = [&](const model::GasMember& now) {
+      if (now.gas->step != std::exchange(step, now.gas->step)) {
+        look_at_checkpoint();  // so there is a step between two of them
+      }
+      progress.time = now.gas->time;
+      progress.participations = now.gas->participations;
+      if (std::this_thread::get_id() == thread_ && progress_due()) {  // that called run()
+        show_progress(gas_case.restitution);
+      }
+      return stop == 0 && !stop_asked() && !saves_;
+    };
+    integrator_.integrate(member, gas_case.restitution, boltzmann::member_seed(scene_.seed, number),
+                          startable_threads_, keep_going);
+    if (is_done(member)) {
+      progress.time = 0;
+    }
+    return end(number, std::move(member));
+  };
+  return {.carry_out = advance,
           .result =
-              [this, &gas_case, end](std::size_t number, const tasks::Bytes& answer) {
-                collisions_ -= collisions(gas_case.members[number].participations);
+              [end](std::size_t number, const tasks::Bytes& answer) {
                 model::GasMember member;
                 reflection::decode(store::parse_checkpoint(answer, kAnySize).fields, kAnySize,
                                    member);
@@ -310,32 +312,19 @@ void GasRun::look_at_checkpoint() {
   }
 }
 
-bool GasRun::keep_going(std::size_t number, const boltzmann::Gas& gas, double restitution,
-                        const std::atomic<int>& stop) {
-  progress_[number].time = gas.time;
-  progress_[number].participations = gas.participations;
-  if (std::this_thread::get_id() == thread_ && progress_due()) {
-    show_progress(restitution);
-  }
-  return stop == 0 && !stop_asked() && !saves_;
-}
-
 void GasRun::show_progress(double restitution) {
   if (!events().gas_progress) {
     return;
   }
   double sum = 0;
   double latest = 0;
-  std::uint64_t participations = 0;
   for (const GasProgress& gas : progress_) {
     const double time = gas.time;
     sum += time;
     latest = std::max(latest, time);
-    participations += gas.participations;
   }
   const auto gases = static_cast<double>(scene_.ensemble);
   forecast_.update((static_cast<double>(gases_done_) + sum / scene_.until) / gases);
-  const double running = static_cast<double>(participations) / particles_changed();
   events().gas_progress({.stage = case_name(restitution),
                          .stage_number = course_.cases_ended + 1,
                          .stage_count = scene_.restitutions.size(),
@@ -343,7 +332,7 @@ void GasRun::show_progress(double restitution) {
                          .until = scene_.until,
                          .gases_done = gases_done_,
                          .gases = scene_.ensemble,
-                         .collisions_per_second = (collisions_ + running) / wall_seconds(),
+                         .collisions_per_second = collisions() / wall_seconds(),
                          .seconds_left = forecast_.seconds_left()});
 }
 
@@ -380,7 +369,7 @@ void GasRun::complete_summary(store::RunSummary& summary) const {
   summary.steps = steps_;
   summary.tables = record::gas_summary(scene_);
   summary.step_seconds = summary.wall_seconds;
-  summary.rate = collisions_ / std::max(summary.wall_seconds, kMinSeconds);
+  summary.rate = collisions() / std::max(summary.wall_seconds, kMinSeconds);
   summary.state_hash = hash_.value();
 }
 

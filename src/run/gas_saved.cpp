@@ -64,38 +64,33 @@ void check(const GasCourse& course, const scene::BoltzmannScene& scene) {
   }
 }
 
-/// Moves a gas back if the end of the run changes.
-void move_end(model::GasMember& member, std::size_t lasting, std::size_t shared, double until) {
-  if (member.gas ? member.observations.size() < shared : member.observations.empty()) {
-    return;  // all of it comes before the earlier end
-  }
-  if (lasting > shared) {
-    throw reflection::Mismatch(
-        fmt::format("its gases are beyond {}, or in a step that leads beyond it", until));
-  }
-  if (!member.lasting) {
-    throw reflection::Mismatch(
-        "it has not kept its gases as they were before the end (output.checkpoint: none, or more "
-        "than 1 GiB of them)");
-  }
-  member.observations.resize(lasting);
-  member.gas = std::exchange(member.lasting, std::nullopt);
-}
-
+/// Moves gases back where the end of the run changes.
 void move_end(GasCourse& course, const scene::BoltzmannScene& old_scene, const SavedRun& saved) {
   const auto& scene = std::get<scene::BoltzmannScene>(saved.scene);
+  const auto refuse = [&](const std::string& reason) {
+    throw store::StoreError(fmt::format("cannot resume the run in {} until {}: {}",
+                                        saved.folder.path().string(), scene.until, reason));
+  };
   const std::size_t lasting = model::lasting_times(old_scene);
   const std::size_t shared =
       model::shared_times(model::gas_times(old_scene), model::gas_times(scene));
-  try {
-    for (record::GasCase& gas_case : course.cases) {
-      for (model::GasMember& member : gas_case.members) {
-        move_end(member, lasting, shared, scene.until);
+  for (record::GasCase& gas_case : course.cases) {
+    for (model::GasMember& member : gas_case.members) {
+      if (member.gas ? member.observations.size() < shared : member.observations.empty()) {
+        continue;  // all of it comes before the earlier end
       }
+      if (lasting > shared) {
+        refuse(
+            fmt::format("its gases are beyond {}, or in a step that leads beyond it", scene.until));
+      }
+      if (!member.lasting) {
+        refuse(
+            "it has not kept its gases as they were before the end (output.checkpoint: none, or "
+            "more than 1 GiB of them)");
+      }
+      member.observations.resize(lasting);
+      member.gas = std::exchange(member.lasting, std::nullopt);
     }
-  } catch (const reflection::Mismatch& error) {
-    throw store::StoreError(fmt::format("cannot resume the run in {} until {}: {}",
-                                        saved.folder.path().string(), scene.until, error.what()));
   }
   course.cases_ended = 0;
 }

@@ -16,9 +16,6 @@
 #include "clca/scene/units.hpp"
 #include "clca/scene/walls.hpp"
 #include "drawing/internal/frame_painter.hpp"
-#include "drawing/internal/pictures.hpp"
-#include "record/internal/cycle_record.hpp"
-#include "record/internal/forces.hpp"
 #include "record/internal/meter.hpp"
 #include "record/internal/observer.hpp"
 #include "record/internal/quantities.hpp"
@@ -46,7 +43,7 @@ class Run : public RunBase {
   Run(const scene::Scene& scene, const RunOptions& options, const RunEvents& events,
       std::optional<store::RunFolder> folder = {})
       : Run(scene, options, events, first_state(scene)) {
-    history_ = prepare_stage(model_, scene_, 0);
+    course_.history = prepare_stage(model_, scene_, 0);
     store::Checkpoint start = checkpoint();
     reflection::encode(kWantedPictures, options.pictures, start.fields);
     begin(std::move(folder), start);
@@ -56,7 +53,14 @@ class Run : public RunBase {
   Run(const scene::Scene& scene, const RunOptions& options, const RunEvents& events,
       SavedRun& saved, SavedParts parts)
       : Run(scene, options, events, std::move(parts.state)) {
-    go_on(saved, parts);
+    course_.reached = parts.course;
+    go_on(std::move(saved.folder), parts.course.log_bytes, parts.course.wall_seconds);
+    course_.history = std::move(parts.history);
+    course_.present = grains::present_count(model_.state());
+    stages() = std::move(parts.stages);
+    model_.set_rules(stage());
+    course_.observers.load({saved.checkpoint.fields, saved.max_bytes}, course_.view());
+    in_stage_ = true;
   }
 
  private:
@@ -75,88 +79,64 @@ class Run : public RunBase {
                {.threads = options.threads,
                 .parallel_from = options.parallel_from,
                 .reference = options.reference}),
-        observers_(observers_of(scene, model_.state(), options)) {}
+        course_{.scene = scene,
+                .model = &model_,
+                .observers = observers_of(scene, model_.state(), options),
+                .warn = [this](const std::string& line) { warning(line); }} {}
 
-  /// Restores the state of `saved`.
-  void go_on(SavedRun& saved, SavedParts& parts);
   void carry_out() override;
   void complete_summary(store::RunSummary& summary) const override;
-  void begin_stage();
   void run_stage();
   /// Runs steps until the stage ends; returns the reason.
   StageEnd run_steps();
-  void step();
   void end_stage(StageEnd end);
   /// Of the run between two steps.
   store::Checkpoint checkpoint_now();
   void show_progress(bool until_rest, std::optional<double> seconds_left);
-  const scene::Stage& stage() const { return scene_.stages[course_.stage]; }
-  record::StageView view() {
-    return {scene_,          stage(),           model_,
-            history_,        observers_,        course_.moving,
-            course_.stepped, &folder().files(), [this](const std::string& line) { warning(line); }};
+  const scene::Stage& stage() const { return course_.stage(); }
+  double rate() const {
+    const RunCourse& reached = course_.reached;
+    return reached.step_seconds > 0 ? reached.updates / reached.step_seconds : 0;
   }
-  double step_seconds() const { return course_.step_seconds + step_clock_.seconds(); }
-  double rate() const { return step_seconds() > 0 ? course_.updates / step_seconds() : 0; }
 
   const scene::Scene& scene_;
   std::optional<scene::Conversion> conversion_;
-  record::Stopwatch step_clock_;
   model::SceneModel model_;
-  record::Observers observers_;
-  RunCourse course_;
-  record::StageHistory history_;
-  std::size_t present_ = 0;                          // particles in the box
+  Course course_;
   bool in_stage_ = false;                            // one that goes on
   std::optional<store::Checkpoint> end_checkpoint_;  // is written with what comes after it
 };
 
-void Run::go_on(SavedRun& saved, SavedParts& parts) {
-  course_ = parts.course;
-  RunBase::go_on(std::move(saved.folder), course_.log_bytes, course_.wall_seconds);
-  history_ = std::move(parts.history);
-  stages() = std::move(parts.stages);
-  model_.set_rules(stage());
-  observers_.load({saved.checkpoint.fields, saved.max_bytes}, view());
-  in_stage_ = true;
-}
-
 void Run::carry_out() {
-  observers_.open(folder(), model_.state());
+  course_.files = &folder().files();
+  course_.observers.open(folder(), model_.state());
   const bool has_pictures = scene_.output.frames && options().pictures != WantedPictures::none;
   if (has_pictures && scene_.output.frames->caption && !render::font_problem().empty()) {
     warning(render::font_problem());
   }
-  while (course_.stage < scene_.stages.size() && is_complete()) {
+  for (; course_.reached.stage < scene_.stages.size() && is_complete(); ++course_.reached.stage) {
     run_stage();
-    ++course_.stage;
   }
-  observers_.finish();
+  course_.observers.finish();
   if (end_checkpoint_) {
     save(*std::move(end_checkpoint_));
   }
 }
 
-void Run::begin_stage() {
-  if (course_.stage > 0) {
-    history_ = prepare_stage(model_, scene_, course_.stage);
-  }
-  history_.begin(model_.state());
-  tell(fmt::format("stage {}: begins at step {} with {} particles", stage().name,
-                   model_.state().step, grains::present_count(model_.state())));
-  observers_.begin_stage(view());
-}
-
 void Run::run_stage() {
   if (!std::exchange(in_stage_, false)) {
-    begin_stage();
-    if (scene_.begin && course_.stage == 0) {
+    if (course_.reached.stage > 0) {
+      course_.history = prepare_stage(model_, scene_, course_.reached.stage);
+    }
+    tell(fmt::format("stage {}: begins at step {} with {} particles", stage().name,
+                     model_.state().step, grains::present_count(model_.state())));
+    course_.begin_stage();
+    if (scene_.begin && course_.reached.stage == 0) {
       save(checkpoint_now());  // from here on the other run is not needed
     }
   }
-  present_ = grains::present_count(model_.state());
   const StageEnd end = run_steps();
-  const bool last = course_.stage + 1 == scene_.stages.size();
+  const bool last = course_.reached.stage + 1 == scene_.stages.size();
   if (end == StageEnd::interrupted) {
     interrupt();
     save(checkpoint_now());
@@ -169,15 +149,15 @@ void Run::run_stage() {
 StageEnd Run::run_steps() {
   record::TimeEstimate estimate;
   while (true) {
-    if (const auto ended = stage_end(stage(), model_.state(), history_)) {
+    if (const auto ended = stage_end(stage(), model_.state(), course_.history)) {
       return *ended;
     }
     if (stop_asked()) {
       return StageEnd::interrupted;
     }
-    step();
+    course_.step();
     if (progress_due()) {
-      const std::optional<double> done = done_share(stage(), history_);
+      const std::optional<double> done = done_share(stage(), course_.history);
       estimate.update(done.value_or(0));
       show_progress(!done, estimate.seconds_left());
     }
@@ -187,41 +167,28 @@ StageEnd Run::run_steps() {
   }
 }
 
-void Run::step() {
-  step_clock_.start();
-  const grains::StepReport report = model_.grains().step();
-  step_clock_.stop();
-  history_.add_step(report, model_.state());
-  course_.moving = report.moved;
-  course_.stepped = present_ + report.emitted;
-  present_ = course_.stepped - report.removed;
-  course_.updates += static_cast<double>(course_.stepped);
-  observers_.after_step(view());
-  history_.cycles = observers_.find<record::CycleRecord>()->cycles();
-}
-
 void Run::end_stage(StageEnd end) {
-  history_.settled = end == StageEnd::settled || end == StageEnd::stalled;
-  observers_.end_stage(view());
+  course_.end_stage(end);
+  const record::StageHistory& history = course_.history;
   stages().push_back({.name = stage().name,
-                      .steps = history_.steps,
+                      .steps = history.steps,
                       .ended = to_text(end),
-                      .measures = record::stage_measures(view()),
+                      .measures = record::stage_measures(course_.view()),
                       .notes = record::measure_notes(scene_, model_),
                       .fills = stage().fill.has_value()});
   const std::string time =
-      conversion_ ? fmt::format(" ({})", conversion_->time_text(history_.steps)) : "";
-  info(fmt::format("stage {}: {} steps{}, ended: {}", stage().name, history_.steps, time,
+      conversion_ ? fmt::format(" ({})", conversion_->time_text(history.steps)) : "";
+  info(fmt::format("stage {}: {} steps{}, ended: {}", stage().name, history.steps, time,
                    to_text(end)));
   const auto* until = std::get_if<scene::UntilDischarged>(&stage().until);
   if (until != nullptr && end == StageEnd::settled) {
     info(fmt::format("stage {}: nothing moves any more, with {:.3g} % discharged, not {:.3g} %",
-                     stage().name, 100 * history_.discharged_share(), 100 * until->share));
+                     stage().name, 100 * history.discharged_share(), 100 * until->share));
   }
   for (const std::string& note : stages().back().notes) {
     info(fmt::format("stage {}: {}", stage().name, note));
   }
-  for (const std::string& line : record::stall_lines(scene_, model_, history_.profile_at_start)) {
+  for (const std::string& line : record::stall_lines(scene_, model_, history.profile_at_start)) {
     info(line);
   }
   if (end == StageEnd::bound) {
@@ -233,14 +200,12 @@ void Run::end_stage(StageEnd end) {
 store::Checkpoint Run::checkpoint_now() {
   tell(fmt::format("checkpoint of step {}", model_.state().step));
   store::Checkpoint saved = checkpoint();
-  observers_.save(saved.fields);
-  RunCourse course = course_;
-  course.wall_seconds = wall_seconds();
-  course.step_seconds = step_seconds();
-  course.log_bytes = log_bytes();
+  course_.observers.save(saved.fields);
+  course_.reached.wall_seconds = wall_seconds();
+  course_.reached.log_bytes = log_bytes();
   model_.save(saved.fields);
-  reflection::encode(kSavedCourse, course, saved.fields);
-  reflection::encode(kSavedHistory, history_, saved.fields);
+  reflection::encode(kSavedCourse, course_.reached, saved.fields);
+  reflection::encode(kSavedHistory, course_.history, saved.fields);
   reflection::encode(kSavedPictures, options().pictures, saved.fields);
   return saved;
 }
@@ -248,13 +213,13 @@ store::Checkpoint Run::checkpoint_now() {
 void Run::show_progress(bool until_rest, std::optional<double> seconds_left) {
   if (events().progress) {
     events().progress({.stage = stage().name,
-                       .stage_number = course_.stage + 1,
+                       .stage_number = course_.reached.stage + 1,
                        .stage_count = scene_.stages.size(),
                        .step = model_.state().step,
                        .time = conversion_ ? conversion_->time_text(model_.state().step) : "",
                        .particles = model_.state().particles.size(),
-                       .moving_share = static_cast<double>(course_.moving) /
-                                       std::max(1.0, static_cast<double>(course_.stepped)),
+                       .moving_share = static_cast<double>(course_.reached.moving) /
+                                       std::max(1.0, static_cast<double>(course_.reached.stepped)),
                        .updates_per_second = rate(),
                        .until_rest = until_rest,
                        .seconds_left = seconds_left});
@@ -274,7 +239,7 @@ void Run::complete_summary(store::RunSummary& summary) const {
                  .top = high.y(),
                  .periodic = lattice.periodic()};
   summary.derived = scene_.derived;
-  summary.tables = observers_.summary();
+  summary.tables = course_.observers.summary();
   const auto& kinds = model_.state().kinds;
   const std::vector<int> degrees = scene::degrees_of(scene_, kinds);
   for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
@@ -285,7 +250,7 @@ void Run::complete_summary(store::RunSummary& summary) const {
                      .step = scene_.begin->step,
                      .state_hash = scene_.begin->state.value_or(0)};
   }
-  summary.step_seconds = step_seconds();
+  summary.step_seconds = course_.reached.step_seconds;
   summary.rate = rate();
   summary.state_hash = model_.hash();
 }

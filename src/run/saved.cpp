@@ -71,13 +71,8 @@ void require_ahead(const std::string& until, const scene::Stage& stage,
 
 SavedRun load_run(const std::filesystem::path& folder, double max_bytes,
                   const std::optional<std::string>& until) {
-  SavedRun run = {.folder = store::RunFolder::for_resumed_run(folder),
-                  .scene = {},
-                  .checkpoint = {},
-                  .finished = {},
-                  .max_bytes = max_bytes,
-                  .until = until,
-                  .warning = ""};
+  SavedRun run = {
+      .folder = store::RunFolder::for_resumed_run(folder), .max_bytes = max_bytes, .until = until};
   run.finished = until ? std::nullopt : finished(run.folder);
   std::optional<store::FoundCheckpoint> found;
   try {
@@ -134,10 +129,7 @@ WantedPictures saved_pictures(const SavedRun& saved) {
 }
 
 SavedParts saved_parts(const scene::Scene& scene, const SavedRun& saved) {
-  SavedParts parts = {.state = model::saved_state(scene, saved.checkpoint.fields, saved.max_bytes),
-                      .course = {},
-                      .history = {},
-                      .stages = {}};
+  SavedParts parts = {.state = model::saved_state(scene, saved.checkpoint.fields, saved.max_bytes)};
   const reflection::Columns& columns = saved.checkpoint.fields;
   reflection::decode(kSavedCourse, columns, saved.max_bytes, parts.course);
   reflection::decode(kSavedHistory, columns, saved.max_bytes, parts.history);

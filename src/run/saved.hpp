@@ -31,9 +31,9 @@ inline constexpr const char* kSavedPictures = "outputs/wanted_pictures";
 /// The parts of a checkpoint that are not of observers.
 struct SavedParts {
   model::ModelState state;
-  RunCourse course;
-  record::StageHistory history;
-  std::vector<store::StageSummary> stages;  ///< those that have ended
+  RunCourse course = {};
+  record::StageHistory history = {};
+  std::vector<store::StageSummary> stages = {};  ///< those that have ended
 };
 
 /// Throws reflection::Mismatch or std::invalid_argument if no run of the scene can have saved it.

@@ -14,7 +14,7 @@
 #include "clca/scene/resolve.hpp"
 #include "clca/store/run_folder.hpp"
 #include "clca/text/message.hpp"
-#include "drawing/internal/pictures.hpp"
+#include "drawing/internal/frame_painter.hpp"
 #include "record/internal/observer.hpp"
 
 namespace clca::run {
@@ -90,22 +90,18 @@ void check_memory(const scene::Scene& scene, double limit) {
   }
 }
 
-void check_memory(const scene::BoltzmannScene& scene, double limit, int threads) {
-  const double bytes = scene::bytes_of(scene, threads);
-  if (bytes > limit) {
+void check_memory(const scene::AnyScene& scene, double limit, int threads) {
+  if (const auto* grains = std::get_if<scene::Scene>(&scene)) {
+    check_memory(*grains, limit);
+    return;
+  }
+  const auto& gas = std::get<scene::BoltzmannScene>(scene);
+  if (const double bytes = scene::bytes_of(gas, threads); bytes > limit) {
     throw scene::SceneError(fmt::format(
         "{}: error: the scene needs about {:.0f} MiB of memory for {} particles on {} threads, "
         "more than the limit of {:.0f} MiB; take fewer particles or threads, write fewer rows and "
         "bins, or raise --memory-limit",
-        scene.location, bytes / kMebibyte, scene.particles, threads, limit / kMebibyte));
-  }
-}
-
-void check_memory(const scene::AnyScene& scene, double limit, int threads) {
-  if (const auto* grains = std::get_if<scene::Scene>(&scene)) {
-    check_memory(*grains, limit);
-  } else {
-    check_memory(std::get<scene::BoltzmannScene>(scene), limit, threads);
+        gas.location, bytes / kMebibyte, gas.particles, threads, limit / kMebibyte));
   }
 }
 

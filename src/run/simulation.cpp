@@ -12,8 +12,6 @@
 #include "clca/scene/walls.hpp"
 #include "drawing/internal/frame_painter.hpp"
 #include "model/internal/scene_model.hpp"
-#include "record/internal/contact_record.hpp"
-#include "record/internal/cycle_record.hpp"
 #include "record/internal/quantities.hpp"
 #include "run/stage.hpp"
 
@@ -44,11 +42,13 @@ struct Simulation::Impl {
         interruption(std::move(interrupt)),
         model(std::make_shared<model::SceneModel>(scene, first_state(scene), options)),
         observed(without_files(scene)),
-        observers(record::observers_of(observed)) {
+        course{.scene = scene,
+               .model = model.get(),
+               .observers = record::Observers(record::observers_of(observed))} {
     begin_stage();
   }
 
-  bool is_last() const { return number + 1 == scene.stages.size(); }
+  bool is_last() const { return course.reached.stage + 1 == scene.stages.size(); }
 
   image::Image picture(const scene::Frames& frames) {
     if (!drawn_by || *drawn_by->scene.output.frames != frames) {
@@ -57,12 +57,7 @@ struct Simulation::Impl {
       drawn_by.emplace(std::move(drawn), model->state());
     }
     const drawing::CapturedFrame frame = drawn_by->painter.capture(
-        {.state = model->state(),
-         .occupancy = model->grains().occupancy(),
-         .cycles = observers.find<record::CycleRecord>(),
-         .contact = record::shown_contact(drawn_by->scene, *model, observers),
-         .angle = model->vessel().angle},
-        pictures);
+        drawing::view_of(drawn_by->scene, *model, course.observers), pictures);
     pictures.window.emplace(model->state());
     return drawn_by->painter.rasterize(frame).image;
   }
@@ -75,13 +70,6 @@ struct Simulation::Impl {
     scene::Scene scene;
     drawing::FramePainter painter;
   };
-
-  const scene::Stage& stage() const { return scene.stages[number]; }
-  record::StageView view() const {
-    return {scene,   stage(),   *model,
-            history, observers, moving,
-            stepped, nullptr,   [](const auto& /*line*/) {}};
-  }
 
   /// Carries out a change; after one that has failed, state and records do not fit together.
   template <class Change>
@@ -98,22 +86,16 @@ struct Simulation::Impl {
     if (end) {
       begin_next_stage();
     }
-    const grains::StepReport report = model->grains().step();
-    history.add_step(report, model->state());
-    moving = report.moved;
-    stepped = grains::present_count(model->state()) + report.removed;
-    observers.after_step(view());
-    history.cycles = observers.find<record::CycleRecord>()->cycles();
-    end = stage_end(stage(), model->state(), history);
+    const grains::StepReport report = course.step();
+    end = stage_end(course.stage(), model->state(), course.history);
     if (end) {
-      history.settled = end == StageEnd::settled || end == StageEnd::stalled;
-      observers.end_stage(view());
+      course.end_stage(*end);
     }
     return report;
   }
 
   void begin_next_stage() {
-    ++number;
+    ++course.reached.stage;
     end.reset();
     begin_stage();
   }
@@ -123,12 +105,10 @@ struct Simulation::Impl {
       model = std::make_shared<model::SceneModel>(scene, model->copied_state(), options);
     }
     model->grains().set_interruption(interruption);
-    history = prepare_stage(*model, scene, number);
-    history.begin(model->state());
-    moving = 0;
-    stepped = 0;
-    observers.begin_stage(view());
-    drawing::begin_stage(pictures, scene, stage(), model->state());
+    course.model = model.get();
+    course.history = prepare_stage(*model, scene, course.reached.stage);
+    course.begin_stage();
+    drawing::begin_stage(pictures, scene, course.stage(), model->state());
     pictures.window.emplace(model->state());
   }
 
@@ -137,11 +117,7 @@ struct Simulation::Impl {
   std::function<void()> interruption;
   std::shared_ptr<model::SceneModel> model;
   scene::Scene observed;
-  record::Observers observers;
-  record::StageHistory history;
-  std::size_t moving = 0;  // particles, in the last step
-  std::size_t stepped = 0;
-  std::size_t number = 0;
+  Course course;
   std::optional<StageEnd> end;
   drawing::PictureHistory pictures;
   std::optional<Drawing> drawn_by;
@@ -163,7 +139,7 @@ const scene::Scene& Simulation::scene() const {
   return impl_->scene;
 }
 std::size_t Simulation::stage() const {
-  return live().number;
+  return live().course.reached.stage;
 }
 std::string Simulation::ended() const {
   const Impl& impl = live();
@@ -202,7 +178,7 @@ std::uint64_t Simulation::hash() const {
   return live().model->hash();
 }
 std::vector<store::NamedMeasure> Simulation::measures(std::optional<scene::Measure> wanted) const {
-  const record::StageView view = live().view();
+  const record::StageView view = live().course.view();
   return wanted ? record::stage_measures(*wanted, view) : record::stage_measures(view);
 }
 image::Image Simulation::picture(const scene::Frames& frames) {

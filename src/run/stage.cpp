@@ -6,6 +6,8 @@
 #include <array>
 
 #include "clca/scene/parse.hpp"
+#include "record/internal/cycle_record.hpp"
+#include "record/internal/meter.hpp"
 
 namespace clca::run {
 
@@ -53,11 +55,6 @@ void insert_walls(model::SceneModel& model, const scene::Scene& scene, const sce
   }
 }
 
-template <class Items>
-bool contains(const Items& items, std::size_t item) {
-  return std::ranges::find(items, item) != items.end();
-}
-
 /// True if some moving wall has not finished, in a settled state.
 bool has_stalled(const grains::State& state) {
   return std::ranges::any_of(state.walls, [](const grains::Wall& wall) {
@@ -83,11 +80,11 @@ record::StageHistory prepare_stage(model::SceneModel& model, const scene::Scene&
     fill(model, scene, stage);
   }
   for (std::size_t source = 0; source < scene.sources.size(); ++source) {
-    model.grains().set_source(source, contains(stage.sources, source));
+    model.grains().set_source(source, std::ranges::count(stage.sources, source) > 0);
   }
   for (std::size_t wall = 0; wall < scene.walls.size(); ++wall) {
     if (scene.walls[wall].motion) {
-      model.grains().set_motion(wall, contains(stage.move, wall));
+      model.grains().set_motion(wall, std::ranges::count(stage.move, wall) > 0);
     }
   }
   model.set_vessel(stage);
@@ -123,6 +120,31 @@ std::optional<StageEnd> stage_end(const scene::Stage& stage, const grains::State
     return has_stalled(state) ? StageEnd::stalled : StageEnd::settled;
   }
   return history.steps >= stage.max_steps ? std::optional(StageEnd::bound) : std::nullopt;
+}
+
+void Course::begin_stage() {
+  history.begin(model->state());
+  present = grains::present_count(model->state());
+  observers.begin_stage(view());
+}
+
+grains::StepReport Course::step() {
+  const record::WallClock clock;
+  const grains::StepReport report = model->grains().step();
+  reached.step_seconds += clock.seconds();
+  history.add_step(report, model->state());
+  reached.moving = report.moved;
+  reached.stepped = present + report.emitted;
+  present = reached.stepped - report.removed;
+  reached.updates += static_cast<double>(reached.stepped);
+  observers.after_step(view());
+  history.cycles = observers.find<record::CycleRecord>()->cycles();
+  return report;
+}
+
+void Course::end_stage(StageEnd end) {
+  history.settled = end == StageEnd::settled || end == StageEnd::stalled;
+  observers.end_stage(view());
 }
 
 std::optional<double> done_share(const scene::Stage& stage, const record::StageHistory& history) {

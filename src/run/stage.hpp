@@ -2,12 +2,14 @@
 // How a run and its stages begin, and when these end.
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 
 #include "clca/scene/scene.hpp"
 #include "model/internal/scene_model.hpp"
 #include "record/internal/observer.hpp"
+#include "run/saved.hpp"
 
 namespace clca::run {
 
@@ -41,6 +43,28 @@ std::string to_text(StageEnd end);
 /// Why the stage ends now; none if it continues.
 std::optional<StageEnd> stage_end(const scene::Stage& stage, const grains::State& state,
                                   const record::StageHistory& history);
+
+/// A scene of grains on its way through its stages, with what observes it.
+struct Course {
+  const scene::Scene& scene;
+  model::SceneModel* model;
+  record::Observers observers;
+  const store::OutputFolder* files = nullptr;  ///< as StageView::files, and likewise
+  std::function<void(const std::string& line)> warn = [](const std::string& /*line*/) {};
+  RunCourse reached = {};
+  record::StageHistory history = {};
+  std::size_t present = 0;  ///< particles in the box
+
+  const scene::Stage& stage() const { return scene.stages[reached.stage]; }
+  record::StageView view() const {
+    return {scene,          stage(),         *model, history, observers,
+            reached.moving, reached.stepped, files,  warn};
+  }
+  /// Of one that is prepared.
+  void begin_stage();
+  grains::StepReport step();
+  void end_stage(StageEnd end);
+};
 
 /// Progress of the stage in [0, 1]; none of one until rest: nobody knows how long that takes.
 std::optional<double> done_share(const scene::Stage& stage, const record::StageHistory& history);

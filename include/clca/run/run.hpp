@@ -113,12 +113,12 @@ void serve(const RunOptions& options);
 /// A run as of its last checkpoint: stopped, killed or finished. Locks its folder while it exists.
 struct SavedRun {
   store::RunFolder folder;
-  scene::AnyScene scene;
-  store::Checkpoint checkpoint;
-  std::optional<store::RunSummary> finished;  ///< summary of a run that needs no continuing
-  double max_bytes = 0;                       ///< memory limit for loading it
-  std::optional<std::string> until;           ///< requested end in place of the scene's
-  std::string warning;  ///< one line if the newest checkpoint could not be used
+  scene::AnyScene scene = {};
+  store::Checkpoint checkpoint = {};
+  std::optional<store::RunSummary> finished = {};  ///< summary of a run that needs no continuing
+  double max_bytes = 0;                            ///< memory limit for loading it
+  std::optional<std::string> until = {};           ///< requested end in place of the scene's
+  std::string warning = {};  ///< one line if the newest checkpoint could not be used
 };
 
 /// Loads the checkpoint in `folder`. Changes nothing there.

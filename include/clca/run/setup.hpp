@@ -27,7 +27,6 @@ double memory_of(const scene::Scene& scene);
 
 /// Throw scene::SceneError when the scene needs more memory than `limit` bytes.
 void check_memory(const scene::Scene& scene, double limit);
-void check_memory(const scene::BoltzmannScene& scene, double limit, int threads);
 void check_memory(const scene::AnyScene& scene, double limit, int threads);
 
 /// Finds what the scene begins with and checks that it fits into `limit` bytes of memory, that of a

@@ -2,6 +2,7 @@
 // Draws states as the scene specifies, during a run or from a trajectory.
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,6 +32,10 @@ struct View {
   std::optional<store::ContactFrame> contact = {};  ///< of the contact model: what is shown
   contact::Angle angle = 0;                         ///< of the vessel
 };
+
+/// Of a run while it is under way, drawn as the scene says.
+View view_of(const scene::Scene& scene, const model::SceneModel& model,
+             const record::Observers& observers);
 
 lattice::Lattice lattice_of(const scene::Scene& scene);
 /// The part of the plane that pictures show.
@@ -91,14 +96,8 @@ class FramePainter {
   /// Memory for pictures of so many particles, of which so many are captured at a time.
   static double bytes(const scene::Scene& scene, double particles, int captures);
 
-  /// One scale for the arrows of all pictures, where their velocities are up to that.
-  void set_typical_velocity(double velocity) {
-    scales_.arrow_velocity = arrow_scale(velocity, scales_);
-  }
-  /// See drawing::typical_velocity().
-  double typical_velocity(const View& view, const PictureHistory& history) const {
-    return drawing::typical_velocity(view, history, scales_);
-  }
+  /// Of all pictures.
+  OverlayScales& scales() { return scales_; }
 
   /// Reads what the picture needs; the state may change afterwards.
   CapturedFrame capture(const View& view, const PictureHistory& history);
@@ -121,5 +120,14 @@ class FramePainter {
   OverlayScales scales_;
   render::Painter painter_;
 };
+
+/// Draws the frames that the scene requests, or the last one alone. Throws scene::SceneError if the
+/// driver cannot draw them.
+std::unique_ptr<record::Observer> pictures_observer(const scene::Scene& scene,
+                                                    const grains::State& state, int threads,
+                                                    bool only_last);
+
+/// Memory that it takes at most, with its share of a checkpoint; 0 for a scene without frames.
+double picture_bytes(const scene::Scene& scene, double particles);
 
 }  // namespace clca::drawing

@@ -1,11 +1,9 @@
 #pragma once
 // Mean forces of the contact model over the last steps.
 
-#include <optional>
 #include <vector>
 
 #include "clca/contact/force.hpp"
-#include "clca/store/trajectory.hpp"
 #include "record/internal/observer.hpp"
 
 namespace clca::record {
@@ -76,10 +74,5 @@ class ContactRecord : public SavedObserver<ContactRecord> {
 
 /// Bytes of a frame of the contact model, with forces or without; 0 for other models.
 double frame_bytes(const scene::Scene& scene, bool has_forces, double particles);
-
-/// What a picture shows of the contact model; none for other models.
-std::optional<store::ContactFrame> shown_contact(const scene::Scene& scene,
-                                                 const model::SceneModel& model,
-                                                 const Observers& observers);
 
 }  // namespace clca::record

@@ -18,20 +18,6 @@ class WallClock {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// Accumulates the time between start() and stop().
-class Stopwatch {
- public:
-  void start() { since_ = Clock::now(); }
-  void stop() { total_ += Clock::now() - since_; }
-  double seconds() const { return std::chrono::duration<double>(total_).count(); }
-
- private:
-  using Clock = std::chrono::steady_clock;
-
-  Clock::time_point since_{};
-  Clock::duration total_{};
-};
-
 /// Timer that is due at most once per `interval`.
 class IntervalTimer {
  public:

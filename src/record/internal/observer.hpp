@@ -165,13 +165,15 @@ class Observers {
   std::vector<RunTable*> tables_;
 };
 
+using Values = std::vector<store::MeasureValue>;
+
 /// Quantities that are taken together at the end of a stage.
 struct QuantityGroup {
   std::optional<scene::Measure> measure;  ///< that asks for it; none: always taken
   std::string_view condition;             ///< Markdown: when there are values; empty: always
   std::vector<Quantity> quantities;
   /// In the order of the quantities; none where the condition does not hold.
-  std::vector<store::MeasureValue> (*values)(const StageView& stage);
+  Values (*values)(const StageView& stage);
   /// The same, or a part of it, of each outlet or species; may be null.
   std::vector<store::NamedMeasure> (*apart)(const StageView& stage) = nullptr;
 };

@@ -51,6 +51,10 @@ std::vector<store::NamedMeasure> stage_measures(scene::Measure wanted, const Sta
 /// that the box has ended the run-out.
 std::vector<std::string> measure_notes(const scene::Scene& scene, const model::SceneModel& model);
 
+/// One line per stalled wall: since when, its travel, its overlaps.
+std::vector<std::string> stall_lines(const scene::Scene& scene, const model::SceneModel& model,
+                                     const std::vector<double>& surface_at_start);
+
 /// `discharged.OUTLET` where there are several outlets, each followed by
 /// `discharged.OUTLET.SPECIES` where there are several species. None if they are so many that
 /// run.json would have too many measures.

@@ -48,6 +48,8 @@ struct ColumnInfo {
   std::vector<std::string_view> endings = {""};  ///< columns KEY + ending: one, or two as below
   std::string_view where = {};                   ///< as ColumnGroup::where
   bool is_there = true;                          ///< in tables of the scene, where one is given
+  /// Not empty: columns KEY.NAME, of each wall or outlet; what NAME is.
+  std::string_view of_each = {};
 
   std::vector<std::string> names() const;
 };
@@ -96,8 +98,6 @@ struct TableInfo {
 
   std::string_view name;
   Kind kind = Kind::growing;
-  /// Of each wall or outlet, KEY.NAME: the quantity, and what NAME is.
-  std::vector<std::pair<Quantity, std::string_view>> of_each = {};
   std::vector<ColumnInfo> columns = {};
 
   const TableInfo& info() const { return *this; }
@@ -114,9 +114,11 @@ struct ColumnGroup {
 /// The same for a scene, with the values of its columns.
 template <class Row>
 struct TableOf : TableInfo {
+  /// `info`: has the columns of each wall or outlet, which come last.
   TableOf(const TableInfo& info, std::vector<Column<Row>> always,
           const std::vector<ColumnGroup<Row>>& sometimes = {})
       : TableInfo(info), values(std::move(always)) {
+    columns.clear();
     for (const ColumnGroup<Row>& group : sometimes) {
       for (Column<Row> column : group.columns) {
         column.where = group.where;
@@ -130,6 +132,7 @@ struct TableOf : TableInfo {
         columns.push_back({.quantity = kTime, .where = kContactModel});
       }
     }
+    columns.insert(columns.end(), info.columns.begin(), info.columns.end());
   }
 
   /// Memory for so many rows as text, most numbers of which have fewer than ten characters.
@@ -190,7 +193,7 @@ class RunTable {
 template <class Row>
 class TableWriter : public RunTable {
  public:
-  /// `more`: names of the columns of_each.
+  /// `more`: names of the columns of each wall or outlet.
   TableWriter(const auto& scene, const TableOf<Row>& table,
               const std::vector<std::string>& more = {})
       : RunTable(table.info(), scene) {
@@ -211,7 +214,7 @@ class TableWriter : public RunTable {
     set_columns(names);
   }
 
-  /// `more`: cells of the columns of_each.
+  /// `more`: their cells.
   void add(const Row& row, const std::vector<store::Cell>& more = {}) {
     std::vector<store::Cell> cells;
     for (const Column<Row>& column : columns_) {
