@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "clca/store/file.hpp"
@@ -25,11 +26,13 @@ inline constexpr int kTimeIsUp = 124;    // as of timeout(1)
 inline constexpr int kSignalBase = 128;  // plus the number of the signal that interrupted the run
 
 /// What the command does; `run` returns the exit code.
-void set_action(CLI::App* command, std::function<int()> run);
-
-/// Runs the command that `arguments` name, or prints help; the first argument is the program.
-/// Returns the exit code. Throws text::InputError.
-int run(CLI::App& program, const std::vector<const char*>& arguments);
+inline void set_action(CLI::App* command, std::function<int()> run) {
+  command->callback([run = std::move(run)] {
+    if (const int code = run(); code != kDone) {
+      throw CLI::RuntimeError(code);
+    }
+  });
+}
 
 /// What may follow on the command line: a line `files` if names of files may, too, else `words`;
 /// then one line for each candidate, with a tab and what it means. The last of `words`, which
@@ -54,8 +57,9 @@ auto as_input(Read&& read) {
 // Each adds commands to the program. `ranks`: that carry one out together, if it is not one process
 // alone.
 
-void add_run_commands(CLI::App& program, tasks::Ranks* ranks);    // run, resume, boltzmann
-void add_sweep_commands(CLI::App& program, tasks::Ranks* ranks);  // sweep, calibrate
+void add_run_commands(CLI::App& program, tasks::Ranks* ranks);  // run, resume, boltzmann
+void add_sweep_command(CLI::App& program, tasks::Ranks* ranks);
+void add_calibrate_command(CLI::App& program);
 void add_check_command(CLI::App& program);
 void add_compare_command(CLI::App& program);
 void add_diff_command(CLI::App& program);

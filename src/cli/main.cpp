@@ -6,6 +6,7 @@
 #include <exception>
 #include <memory>
 #include <new>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -52,6 +53,60 @@ std::vector<const char*> arguments_of(int argc, char** argv) {
   return arguments;
 }
 
+constexpr std::size_t kShownCharacters = 400;  // of a message, which may hold a long argument
+
+/// CLI11 would only say that a subcommand is required.
+void check_command_name(const CLI::App& program, std::string_view given) {
+  if (given.empty() || given.front() == '-') {
+    return;
+  }
+  std::vector<std::string_view> names;
+  for (const CLI::App* command : program.get_subcommands({})) {
+    names.push_back(command->get_name());
+  }
+  if (std::ranges::find(names, given) == names.end()) {
+    throw CLI::ParseError(
+        fmt::format("no command {}{}", text::shown(given), text::suggestion(given, names)),
+        CLI::ExitCodes::InvalidError);
+  }
+}
+
+void parse(CLI::App& program, const std::vector<const char*>& arguments) {
+  check_command_name(program, arguments.size() > 1 ? arguments[1] : "");
+  if (std::ranges::any_of(arguments, [](const char* text) { return *text == '\0'; })) {
+    throw CLI::ParseError("an argument is empty", CLI::ExitCodes::InvalidError);
+  }
+  try {
+    program.parse(static_cast<int>(arguments.size()), arguments.data());
+  } catch (const CLI::RequiredError&) {
+    // CLI11 asks for a command first, even if it has seen an option that it does not know.
+    const std::vector<std::string> unknown = program.remaining();
+    if (program.get_subcommands().empty() && !unknown.empty() && unknown.front() != "--") {
+      throw CLI::ExtrasError(unknown);
+    }
+    throw;
+  }
+}
+
+/// Runs the command that the arguments name, or prints help; the first argument is the program.
+/// Returns the exit code. Throws text::InputError.
+int carry_out(CLI::App& program, const std::vector<const char*>& arguments) {
+  try {
+    parse(program, arguments);
+  } catch (const CLI::RuntimeError& error) {
+    return error.get_exit_code();
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() != 0) {
+      throw text::InputError(
+          fmt::format("{} (see clca --help)", text::shortened(error.what(), kShownCharacters)));
+    }
+    std::ostringstream text;
+    program.exit(error, text, text);
+    write_out(text.str());
+  }
+  return kDone;
+}
+
 int run_program(int argc, char** argv, tasks::Ranks* ranks) {
   CLI::App program(
       "Granular flow on a triangular lattice, by the Connected Lattice Cellular Automaton or by\n"
@@ -64,7 +119,8 @@ int run_program(int argc, char** argv, tasks::Ranks* ranks) {
       "124 (--time-limit), 129, 130 or 143 (SIGHUP, SIGINT, SIGTERM) interrupted; clca resume\n"
       "continues the run.");
   add_run_commands(program, ranks);
-  add_sweep_commands(program, ranks);
+  add_sweep_command(program, ranks);
+  add_calibrate_command(program);
   add_check_command(program);
   add_compare_command(program);
   add_diff_command(program);
@@ -86,7 +142,7 @@ int run_program(int argc, char** argv, tasks::Ranks* ranks) {
     }
     return kDone;
   }
-  return run(program, arguments_of(argc, argv));
+  return carry_out(program, arguments_of(argc, argv));
 }
 
 Ending ending_of(int argc, char** argv, tasks::Ranks* ranks) {

@@ -92,6 +92,20 @@ CLI::Validator check(const std::string& what, const std::string& shown,
   });
 }
 
+/// Takes a number with a unit, which becomes one of the unit 1 within these limits.
+template <class T>
+CLI::Validator with_unit(const std::string& what,
+                         std::optional<double> (*value_of)(std::string_view unit), double least,
+                         double most) {
+  return conversion(what, "", [=](const std::string& text) -> std::optional<std::string> {
+    const auto found = quantity<T>(text);
+    const auto unit = found ? value_of(found->unit) : std::nullopt;
+    const double value = unit ? static_cast<double>(found->number) * *unit : -1;
+    return value >= least && value <= most ? std::optional(fmt::format("{}", static_cast<T>(value)))
+                                           : std::nullopt;
+  });
+}
+
 }  // namespace
 
 CLI::Validator whole_number(std::uint64_t least, std::uint64_t most) {
@@ -144,30 +158,12 @@ CLI::Validator assignment(const std::string& form) {
 }
 
 CLI::Validator time_span() {
-  return conversion("a time up to 1e9 seconds, as in 90, 30min or 2h", "",
-                    [](const std::string& text) -> std::optional<std::string> {
-                      constexpr double kMaxSeconds = 1e9;
-                      const auto found = quantity<double>(text);
-                      const auto unit = found ? time_unit(found->unit) : std::nullopt;
-                      if (!unit || found->number * *unit > kMaxSeconds) {
-                        return std::nullopt;
-                      }
-                      return fmt::format("{}", found->number * *unit);
-                    });
+  return with_unit<double>("a time up to 1e9 seconds, as in 90, 30min or 2h", time_unit, 0, 1e9);
 }
 
 CLI::Validator byte_size() {
-  return conversion("a size from 1 to 4EiB, as in 512MiB or 4GiB", "",
-                    [](const std::string& text) -> std::optional<std::string> {
-                      constexpr double kMaxBytes = 0x1p62;
-                      const auto found = quantity<std::uint64_t>(text);
-                      const auto unit = found ? size_unit(found->unit) : std::nullopt;
-                      const double bytes = unit ? static_cast<double>(found->number) * *unit : 0;
-                      if (bytes < 1 || bytes > kMaxBytes) {
-                        return std::nullopt;
-                      }
-                      return fmt::format("{}", static_cast<std::uint64_t>(bytes));
-                    });
+  return with_unit<std::uint64_t>("a size from 1 to 4EiB, as in 512MiB or 4GiB", size_unit, 1,
+                                  0x1p62);
 }
 
 }  // namespace clca::cli

@@ -17,6 +17,19 @@ namespace {
 
 constexpr std::chrono::seconds kPlainInterval(10);
 
+/// "12 s", "3 min 20 s", "5 h 10 min".
+std::string duration(double seconds) {
+  constexpr double kMaxRate = 1e9;
+  const auto whole = static_cast<long long>(std::ceil(std::min(seconds, kMaxRate)));
+  if (whole < 60) {
+    return fmt::format("{} s", whole);
+  }
+  if (whole < 3600) {
+    return fmt::format("{} min {} s", whole / 60, whole % 60);
+  }
+  return fmt::format("{} h {} min", whole / 3600, whole % 3600 / 60);
+}
+
 std::string left_text(const std::optional<double>& seconds) {
   return seconds ? fmt::format(", about {} left", duration(*seconds)) : "";
 }
@@ -70,18 +83,6 @@ std::string to_text(const sweep::Progress& progress) {
                         100 * run.progress.moving_share);
   }
   return text;
-}
-
-std::string duration(double seconds) {
-  constexpr double kMaxRate = 1e9;
-  const auto whole = static_cast<long long>(std::ceil(std::min(seconds, kMaxRate)));
-  if (whole < 60) {
-    return fmt::format("{} s", whole);
-  }
-  if (whole < 3600) {
-    return fmt::format("{} min {} s", whole / 60, whole % 60);
-  }
-  return fmt::format("{} h {} min", whole / 3600, whole % 3600 / 60);
 }
 
 ProgressLine::ProgressLine()

@@ -35,7 +35,4 @@ std::string to_text(const run::GasProgress& progress);
 std::string to_text(const drawing::RedrawProgress& progress);
 std::string to_text(const sweep::Progress& progress);
 
-/// "12 s", "3 min 20 s", "5 h 10 min".
-std::string duration(double seconds);
-
 }  // namespace clca::cli

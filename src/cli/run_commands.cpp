@@ -22,38 +22,34 @@ namespace {
 
 struct RunCommandOptions {
   SceneOptions scene;
-  std::string folder;
+  run::RunOptions run;
   std::optional<std::string> until;
-  bool keep = false;
-  bool overwrite = false;
   std::optional<int> threads;
-  std::optional<double> time_limit;  ///< seconds
   std::string engine = "fast";
   bool quiet = false;
   bool verbose = false;
   bool json = false;
-  tasks::Ranks* ranks = nullptr;
 
-  bool is_other_rank() const { return ranks != nullptr && ranks->rank() > 0; }
+  bool is_other_rank() const { return run.ranks != nullptr && run.ranks->rank() > 0; }
 };
 
 /// As asked for. Otherwise one for grains, since it depends on the machine whether several are
 /// faster or slower; for a gas all of the machine, or one where ranks share it.
 int threads_of(const RunCommandOptions& options, bool is_gas) {
-  return options.threads.value_or(is_gas && options.ranks == nullptr ? machine_threads() : 1);
+  return options.threads.value_or(is_gas && options.run.ranks == nullptr ? machine_threads() : 1);
 }
 
 /// For a gas: those of all ranks on this machine, which share its memory.
 int threads_here(const RunCommandOptions& options) {
   return threads_of(options, true) *
-         (options.ranks != nullptr ? options.ranks->on_this_machine() : 1);
+         (options.run.ranks != nullptr ? options.run.ranks->on_this_machine() : 1);
 }
 
 /// Advances gases for rank 0, as another rank. Returns the exit code.
 int serve_gases(const RunCommandOptions& options) {
   run::serve({.threads = threads_of(options, true),
               .stop = &catch_stop_signals(),
-              .ranks = options.ranks});
+              .ranks = options.run.ranks});
   return kDone;
 }
 
@@ -75,8 +71,14 @@ std::string totals(const store::RunSummary& summary) {
 /// Calls `run_it(run::RunOptions, run::RunEvents)`, shows progress and results. Returns the exit
 /// code.
 template <class RunIt>
-int show_run(const std::string& folder, const RunCommandOptions& options, int threads,
-             RunIt run_it) {
+int show_run(const RunCommandOptions& options, bool is_gas, RunIt run_it) {
+  run::RunOptions run = options.run;
+  run.threads = threads_of(options, is_gas);
+  run.reference = options.engine != "fast";
+  run.stop = &catch_stop_signals();
+  if (options.scene.frames_every == std::uint64_t{0}) {
+    run.pictures = run::WantedPictures::none;
+  }
   ProgressLine line;
   run::RunEvents events;
   events.warning = [&](const std::string& text) { line.print("warning: " + text); };
@@ -89,15 +91,9 @@ int show_run(const std::string& folder, const RunCommandOptions& options, int th
       events.detail = events.message;
     }
   }
-  std::filesystem::path used = folder;
+  std::filesystem::path used = run.folder;
   events.folder = [&](const std::filesystem::path& path) { used = path; };
-  const store::RunSummary summary = run_it(run::RunOptions{.folder = folder,
-                                                           .threads = threads,
-                                                           .reference = options.engine != "fast",
-                                                           .stop = &catch_stop_signals(),
-                                                           .time_limit = options.time_limit,
-                                                           .ranks = options.ranks},
-                                           events);
+  const store::RunSummary summary = run_it(run, events);
   if (options.json) {
     print_summary(used);
   } else if (!options.quiet) {
@@ -109,26 +105,22 @@ int show_run(const std::string& folder, const RunCommandOptions& options, int th
   if (summary.status == "done") {
     return kDone;
   }
-  const int signal = stop_signal_of(options.ranks);
+  const int signal = stop_signal_of(options.run.ranks);
   return signal != 0 ? kSignalBase + signal : kTimeIsUp;
 }
 
 template <class Scene>
-int run_one(const Scene& scene, const RunCommandOptions& options) {
-  const std::string folder = options.folder.empty() ? "renders/" + scene.name : options.folder;
-  if (!options.keep) {
-    run::check_output(options.scene.file, folder);
+int run_one(const Scene& scene, RunCommandOptions options) {
+  if (options.run.folder.empty()) {
+    options.run.folder = "renders/" + scene.name;
+  }
+  if (!options.run.keep) {
+    run::check_output(options.scene.file, options.run.folder);
   }
   constexpr bool kIsGas = std::is_same_v<Scene, scene::BoltzmannScene>;
-  return show_run(folder, options, threads_of(options, kIsGas),
-                  [&](run::RunOptions run, const run::RunEvents& events) {
-                    run.overwrite = options.overwrite;
-                    run.keep = options.keep;
-                    if (options.scene.frames_every == std::uint64_t{0}) {
-                      run.pictures = run::WantedPictures::none;
-                    }
-                    return run::run(scene, run, events);
-                  });
+  return show_run(options, kIsGas, [&](const run::RunOptions& run, const run::RunEvents& events) {
+    return run::run(scene, run, events);
+  });
 }
 
 int run_scene(const RunCommandOptions& options) {
@@ -157,22 +149,20 @@ int resume_run(const RunCommandOptions& options) {
   }
   const double limit = memory_limit(options.scene);
   run::SavedRun saved =
-      as_input([&] { return run::load_run(options.folder, limit, options.until); });
+      as_input([&] { return run::load_run(options.run.folder, limit, options.until); });
   if (saved.finished) {
     if (options.json) {
-      print_summary(options.folder);
+      print_summary(options.run.folder);
     } else if (!options.quiet) {
-      print_out("the run is done: there is nothing to resume\n{}\n", options.folder);
+      print_out("the run is done: there is nothing to resume\n{}\n", options.run.folder.string());
     }
     return kDone;
   }
   check_memory(saved.scene, limit, threads_here(options));
-  const int threads =
-      threads_of(options, std::holds_alternative<scene::BoltzmannScene>(saved.scene));
-  return show_run(options.folder, options, threads,
-                  [&](const run::RunOptions& run, const run::RunEvents& events) {
-                    return run::resume(std::move(saved), run, events);
-                  });
+  const bool is_gas = std::holds_alternative<scene::BoltzmannScene>(saved.scene);
+  return show_run(options, is_gas, [&](const run::RunOptions& run, const run::RunEvents& events) {
+    return run::resume(std::move(saved), run, events);
+  });
 }
 
 void add_run_options(CLI::App* command, RunCommandOptions& options) {
@@ -182,7 +172,7 @@ void add_run_options(CLI::App* command, RunCommandOptions& options) {
       "one [1 for grains, all for a gas]",
       whole_number(1, 1024));
   add_option(
-      command, "--time-limit", options.time_limit, "TIME",
+      command, "--time-limit", options.run.time_limit, "TIME",
       "Save and stop after this time: 90 (seconds), 30min, 2h; clca resume continues the run",
       time_span());
   add_option(command, "--engine", options.engine, "NAME",
@@ -202,13 +192,15 @@ CLI::App* add_command_with_scene(CLI::App& program, tasks::Ranks* ranks, const c
                                  const char* what, int (*run_it)(const RunCommandOptions&)) {
   CLI::App* command = program.add_subcommand(name, what);
   auto options = std::make_shared<RunCommandOptions>();
-  options->ranks = ranks;
+  options->run.ranks = ranks;
   add_scene_options(command, options->scene);
-  command->add_option("-o,--output", options->folder, "Folder to write to [renders/SCENE-NAME]");
-  CLI::Option* keep = command->add_flag(
-      "--keep", options->keep, "Leave an earlier run in the folder alone: write to FOLDER-2, ...");
+  command->add_option("-o,--output", options->run.folder,
+                      "Folder to write to [renders/SCENE-NAME]");
+  CLI::Option* keep =
+      command->add_flag("--keep", options->run.keep,
+                        "Leave an earlier run in the folder alone: write to FOLDER-2, ...");
   command
-      ->add_flag("--overwrite", options->overwrite,
+      ->add_flag("--overwrite", options->run.overwrite,
                  "Replace an earlier run in the folder even if it could be resumed")
       ->excludes(keep);
   add_run_options(command, *options);
@@ -220,8 +212,8 @@ void add_resume_command(CLI::App& program, tasks::Ranks* ranks) {
   CLI::App* command = program.add_subcommand(
       "resume", "Continue a run that was stopped or killed, or prolong one that is done");
   auto options = std::make_shared<RunCommandOptions>();
-  options->ranks = ranks;
-  command->add_option("DIR", options->folder, "Folder of the run")->required();
+  options->run.ranks = ranks;
+  command->add_option("DIR", options->run.folder, "Folder of the run")->required();
   add_option(command, "--until", options->until, "END",
              "Run to this end instead of the scene's: steps of the last stage, the time "
              "of a gas, or as `until` of a scene: settled, '{cycles: 400}'");

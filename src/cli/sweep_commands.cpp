@@ -31,20 +31,16 @@ struct SweepCommandOptions {
   SceneOptions scene;
   std::string seeds = "1..8";
   std::vector<std::string> variations;
-  std::string folder;
-  std::optional<sweep::Part> part;
-  int jobs = machine_threads();
-  bool collect_only = false;
-  bool all_pictures = false;
+  sweep::Options sweep;
   bool quiet = false;
-  tasks::Ranks* ranks = nullptr;
 };
 
 /// Of this process, in bytes: ranks on one machine share its memory.
 double memory_of_rank(const SweepCommandOptions& options) {
   const double limit = memory_limit(options.scene);
-  const bool is_shared = options.ranks != nullptr && !options.scene.memory_limit;
-  return is_shared ? limit / options.ranks->on_this_machine() : limit;
+  const tasks::Ranks* ranks = options.sweep.ranks;
+  const bool is_shared = ranks != nullptr && !options.scene.memory_limit;
+  return is_shared ? limit / ranks->on_this_machine() : limit;
 }
 
 sweep::Plan plan_of(const SweepCommandOptions& options) {
@@ -110,30 +106,25 @@ sweep::Progress carry_out(const sweep::Plan& plan, const sweep::Options& wanted,
 
 int run_sweep(const SweepCommandOptions& options) {
   const sweep::Plan plan = plan_of(options);
-  const std::string folder = options.folder.empty()
-                                 ? "renders/" + plan.variants.front().scene.name + "-sweep"
-                                 : options.folder;
+  sweep::Options wanted = options.sweep;
+  if (wanted.folder.empty()) {
+    wanted.folder = "renders/" + plan.variants.front().scene.name + "-sweep";
+  }
   const double memory = memory_of_rank(options);
-  const int jobs = sweep::fitting_jobs(plan, options.jobs, memory);
-  const sweep::Options wanted = {.folder = folder,
-                                 .part = options.part,
-                                 .collect_only = options.collect_only,
-                                 .jobs = jobs,
-                                 .all_pictures = options.all_pictures,
-                                 .max_bytes = memory / jobs,
-                                 .ranks = options.ranks,
-                                 .stop = &catch_stop_signals()};
-  if (options.ranks != nullptr && options.ranks->rank() > 0) {
+  wanted.jobs = sweep::fitting_jobs(plan, wanted.jobs, memory);
+  wanted.max_bytes = memory / wanted.jobs;
+  wanted.stop = &catch_stop_signals();
+  if (wanted.ranks != nullptr && wanted.ranks->rank() > 0) {
     sweep::serve(plan, wanted);
     return kDone;
   }
   const auto start = std::chrono::steady_clock::now();
-  const sweep::Progress totals = carry_out(plan, wanted, options.jobs, options.quiet);
+  const sweep::Progress totals = carry_out(plan, wanted, options.sweep.jobs, options.quiet);
   if (!options.quiet) {
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    print_totals(totals, seconds.count(), folder);
+    print_totals(totals, seconds.count(), wanted.folder.string());
   }
-  return end_of(totals, options.ranks);
+  return end_of(totals, wanted.ranks);
 }
 
 /// The program and its arguments, by words.
@@ -152,17 +143,18 @@ std::vector<std::string> launched(const std::string& launcher) {
 
 /// As run_sweep(), by `command`. Throws process::ProcessError where it does not run the sweep.
 int launch(std::vector<std::string> command, const std::string& launcher,
-           const SweepCommandOptions& sweep) {
+           const SweepCommandOptions& options) {
+  const auto& [scene, seeds, variations, sweep, quiet] = options;
   command.insert(command.end(),
-                 {"sweep", sweep.scene.file, "--vary", sweep.variations.front(), "--seeds",
-                  sweep.seeds, "--output", sweep.folder, "--jobs", std::to_string(sweep.jobs)});
-  for (const std::string& text : sweep.scene.overrides) {
+                 {"sweep", scene.file, "--vary", variations.front(), "--seeds", seeds, "--output",
+                  sweep.folder.string(), "--jobs", std::to_string(sweep.jobs)});
+  for (const std::string& text : scene.overrides) {
     command.insert(command.end(), {"--set", text});
   }
-  if (sweep.scene.memory_limit) {
-    command.insert(command.end(), {"--memory-limit", std::to_string(*sweep.scene.memory_limit)});
+  if (scene.memory_limit) {
+    command.insert(command.end(), {"--memory-limit", std::to_string(*scene.memory_limit)});
   }
-  if (sweep.quiet) {
+  if (quiet) {
     command.emplace_back("--quiet");
   }
   constexpr std::chrono::seconds kGrace(10);  // for runs to leave their checkpoints
@@ -175,7 +167,7 @@ int launch(std::vector<std::string> command, const std::string& launcher,
   if (code != kDone) {
     throw process::ProcessError(fmt::format("'{}' ended with exit code {}", launcher, code));
   }
-  if (!std::filesystem::exists(std::filesystem::path(sweep.folder) / "sweep.json")) {
+  if (!std::filesystem::exists(sweep.folder / "sweep.json")) {
     throw process::ProcessError(fmt::format("'{}' has not run the sweep", launcher));
   }
   return kDone;
@@ -183,10 +175,10 @@ int launch(std::vector<std::string> command, const std::string& launcher,
 
 int calibrate(const std::string& study, const std::string& launcher,
               const SweepCommandOptions& options) {
-  const std::string path =
-      options.folder.empty()
-          ? "renders/" + std::filesystem::path(study).stem().string() + "-calibration"
-          : options.folder;
+  std::filesystem::path path = options.sweep.folder;
+  if (path.empty()) {
+    path = "renders/" + std::filesystem::path(study).stem().string() + "-calibration";
+  }
   const std::vector<std::string> command =
       launcher.empty() ? std::vector<std::string>() : launched(launcher);
   const store::OutputFolder folder(path);
@@ -202,7 +194,7 @@ int calibrate(const std::string& study, const std::string& launcher,
                              }
                            });
     if (code == kDone && sweeps.empty()) {
-      print_out("{}\n", path);
+      print_out("{}\n", path.string());
     }
     if (code != kDone || sweeps.empty()) {
       return code;
@@ -214,7 +206,7 @@ int calibrate(const std::string& study, const std::string& launcher,
       wanted.scene.overrides = sweep.at("set");
       wanted.variations = {sweep.at("vary")};
       wanted.seeds = sweep.at("seeds");
-      wanted.folder = sweep.at("folder");
+      wanted.sweep.folder = sweep.at("folder").get<std::string>();
       code = launcher.empty() ? run_sweep(wanted) : launch(command, launcher, wanted);
       if (code != kDone) {
         return code;
@@ -223,18 +215,19 @@ int calibrate(const std::string& study, const std::string& launcher,
   }
 }
 
-void add_jobs(CLI::App* command, int& jobs, const std::string& what) {
-  add_option(command, "--jobs", jobs, "", what, whole_number(1, 1024))->capture_default_str();
+void add_jobs(CLI::App* command, sweep::Options& options, const std::string& what) {
+  options.jobs = options.ranks != nullptr ? 1 : machine_threads();
+  add_option(command, "--jobs", options.jobs, "", what, whole_number(1, 1024))
+      ->capture_default_str();
 }
+
+}  // namespace
 
 void add_sweep_command(CLI::App& program, tasks::Ranks* ranks) {
   CLI::App* command = program.add_subcommand(
       "sweep", "Run a scene for many seeds and values: tables and an overview into a folder");
   auto options = std::make_shared<SweepCommandOptions>();
-  if (ranks != nullptr) {
-    options->ranks = ranks;
-    options->jobs = 1;
-  }
+  options->sweep.ranks = ranks;
   add_scene_and_set(command, options->scene);
   add_option(
       command, "--seeds", options->seeds, "SEEDS",
@@ -246,12 +239,12 @@ void add_sweep_command(CLI::App& program, tasks::Ranks* ranks) {
              "all combinations",
              assignment("KEY=V1,V2,..."))
       ->allow_extra_args(false);
-  command->add_option("-o,--output", options->folder,
+  command->add_option("-o,--output", options->sweep.folder,
                       "Folder to write to, and to continue in [renders/SCENE-NAME-sweep]");
-  add_jobs(command, options->jobs,
+  add_jobs(command, options->sweep,
            "Runs at a time, each with one thread; with mpirun on each rank; the result does "
            "not depend on it");
-  const auto set_part = [part = &options->part](const std::string& text) {
+  const auto set_part = [part = &options->sweep.part](const std::string& text) {
     const std::size_t slash = text.find('/');
     *part = {.number = std::stoul(text.substr(0, slash)), .of = std::stoul(text.substr(slash + 1))};
   };
@@ -264,10 +257,10 @@ void add_sweep_command(CLI::App& program, tasks::Ranks* ranks) {
           ->type_name("K/N")
           ->transform(part_of_whole(100'000));
   command
-      ->add_flag("--collect", options->collect_only,
+      ->add_flag("--collect", options->sweep.collect_only,
                  "Run nothing: tables over the runs that are there, and how many are missing")
       ->excludes(part);
-  command->add_flag("--frames", options->all_pictures,
+  command->add_flag("--frames", options->sweep.all_pictures,
                     "All pictures that the scene asks for, not only the last of each run that the "
                     "overview shows");
   add_memory_limit(command, options->scene);
@@ -285,9 +278,9 @@ void add_calibrate_command(CLI::App& program) {
           "STUDY", *study,
           "File (YAML) with the tests, each a scene with its targets, and the keys to vary")
       ->required();
-  command->add_option("-o,--output", options->folder,
+  command->add_option("-o,--output", options->sweep.folder,
                       "Folder to write to, and to continue in [renders/STUDY-NAME-calibration]");
-  add_jobs(command, options->jobs,
+  add_jobs(command, options->sweep,
            "Runs at a time, each with one thread; with --launcher on each rank, 1 if left out; the "
            "result does not depend on it");
   auto launcher = std::make_shared<std::string>();
@@ -304,17 +297,10 @@ void add_calibrate_command(CLI::App& program) {
   command->add_flag("--quiet", options->quiet, "Print the answer, warnings and errors only");
   set_action(command, [command, options, study, launcher] {
     if (!launcher->empty() && command->count("--jobs") == 0) {
-      options->jobs = 1;
+      options->sweep.jobs = 1;
     }
     return calibrate(*study, *launcher, *options);
   });
-}
-
-}  // namespace
-
-void add_sweep_commands(CLI::App& program, tasks::Ranks* ranks) {
-  add_sweep_command(program, ranks);
-  add_calibrate_command(program);
 }
 
 }  // namespace clca::cli

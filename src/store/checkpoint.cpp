@@ -188,13 +188,6 @@ reflection::Column column_of(std::size_t type, std::index_sequence<kIndex...> /*
   return columns.at(type - 1);
 }
 
-AtomicFile on_the_disk(const OutputFolder& folder, const Checkpoint& checkpoint) {
-  AtomicFile file = folder.create(kCheckpointFile);
-  file.write(checkpoint_bytes(checkpoint));
-  file.flush();
-  return file;
-}
-
 Checkpoint read(const fs::path& file, double max_bytes) {
   const std::vector<std::uint8_t> bytes = read_whole(file, max_bytes);
   try {
@@ -240,15 +233,13 @@ Checkpoint parse_checkpoint(Bytes file, double max_bytes) {
   return checkpoint;
 }
 
-void write_checkpoint(const OutputFolder& folder, const Checkpoint& checkpoint) {
-  AtomicFile file = on_the_disk(folder, checkpoint);
-  folder.rename(kCheckpointFile, kCheckpointBefore);
-  folder.flush();
-  file.finish();
-}
-
-void replace_checkpoint(const OutputFolder& folder, const Checkpoint& checkpoint) {
-  AtomicFile file = on_the_disk(folder, checkpoint);
+void write_checkpoint(const OutputFolder& folder, const Checkpoint& checkpoint, Previous previous) {
+  AtomicFile file = folder.create(kCheckpointFile);
+  file.write(checkpoint_bytes(checkpoint));
+  file.flush();
+  if (previous == Previous::kept) {
+    folder.rename(kCheckpointFile, kCheckpointBefore);
+  }
   folder.flush();
   file.finish();
 }

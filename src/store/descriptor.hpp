@@ -22,10 +22,6 @@ inline constexpr mode_t kReadableByAll = 0666;  // less what the umask takes awa
 [[noreturn]] void fail(std::string_view what, const std::filesystem::path& path,
                        std::string_view reason = std::strerror(errno));
 
-inline std::span<const std::uint8_t> as_bytes(std::string_view text) {
-  return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
-}
-
 /// Closes a file descriptor at the end of a scope.
 class Descriptor {
  public:

@@ -104,10 +104,6 @@ void AtomicFile::write(std::span<const std::uint8_t> bytes) {
   state_->flushed = false;
 }
 
-void AtomicFile::write(std::string_view text) {
-  write(as_bytes(text));
-}
-
 void AtomicFile::flush() {
   if (::fsync(state_->file.number()) != 0) {
     fail("write", state_->path);
@@ -152,10 +148,6 @@ void write_whole(const fs::path& path, std::span<const std::uint8_t> bytes) {
   AtomicFile file(path);
   file.write(bytes);
   file.finish();
-}
-
-void write_whole(const fs::path& path, std::string_view text) {
-  write_whole(path, as_bytes(text));
 }
 
 void make_folder(const fs::path& folder) {

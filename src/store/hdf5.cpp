@@ -7,6 +7,7 @@
 #include <array>
 #include <mutex>
 #include <new>
+#include <span>
 
 #include "clca/store/file.hpp"
 #include "clca/store/trajectory.hpp"
@@ -113,20 +114,20 @@ Handle space_of(hsize_t rows, std::size_t columns) {
   return columns == 1 ? space_of({rows}) : space_of({rows, columns});
 }
 
-Handle make_dataset(const Handle& file, const std::string& path, hid_t type, const Handle& space,
-                    const Handle& creation, const Meaning& meaning) {
+Handle make_dataset(const Handle& file, const Hdf5Dataset& dataset, hid_t type, const Handle& space,
+                    const Handle& creation) {
   check(H5Pset_obj_track_times(creation.id(), false), "times");  // equal content, equal bytes
   const Handle links = properties(H5P_LINK_CREATE);
   check(H5Pset_create_intermediate_group(links.id(), 1), "groups");
   check(H5Pset_char_encoding(links.id(), H5T_CSET_UTF8), "encoding");
-  Handle dataset(
-      H5Dcreate2(file.id(), path.c_str(), type, space.id(), links.id(), creation.id(), H5P_DEFAULT),
-      H5Dclose, "dataset");
-  if (!meaning.text.empty()) {
-    add_text(dataset, "units", std::string(meaning.unit.empty() ? "1" : meaning.unit));
-    add_text(dataset, "description", std::string(meaning.text));
+  Handle made(H5Dcreate2(file.id(), dataset.path.c_str(), type, space.id(), links.id(),
+                         creation.id(), H5P_DEFAULT),
+              H5Dclose, "dataset");
+  if (const auto& [unit, text] = dataset.meaning; !text.empty()) {
+    add_text(made, "units", std::string(unit.empty() ? "1" : unit));
+    add_text(made, "description", std::string(text));
   }
-  return dataset;
+  return made;
 }
 
 std::vector<std::uint8_t> image(const std::filesystem::path& path,
@@ -172,15 +173,15 @@ Handle layout(hsize_t rows, hsize_t columns, std::size_t number_bytes) {
   return creation;
 }
 
-void write_dataset(const Handle& file, const std::string& path, hid_t type, const Handle& space,
-                   const Handle& creation, const void* data, const Meaning& meaning) {
-  const Handle dataset = hdf5::make_dataset(file, path, type, space, creation, meaning);
-  check(H5Dwrite(dataset.id(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data), "write");
+void write_dataset(const Handle& file, const Hdf5Dataset& dataset, hid_t type, const Handle& space,
+                   const Handle& creation, const void* data) {
+  const Handle made = hdf5::make_dataset(file, dataset, type, space, creation);
+  check(H5Dwrite(made.id(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data), "write");
 }
 
 /// All in cells of one length, padded with zeros.
-void write_texts(const Handle& file, const std::string& path, std::span<const std::string> texts,
-                 const Handle& space, const Meaning& meaning) {
+void write_texts(const Handle& file, const Hdf5Dataset& dataset, std::span<const std::string> texts,
+                 const Handle& space) {
   std::size_t longest = 1;
   for (const std::string& text : texts) {
     longest = std::max(longest, text.size());
@@ -194,8 +195,8 @@ void write_texts(const Handle& file, const std::string& path, std::span<const st
   check(H5Tset_size(type.id(), longest), "text size");
   check(H5Tset_cset(type.id(), H5T_CSET_UTF8), "encoding");
   check(H5Tset_strpad(type.id(), H5T_STR_NULLPAD), "padding");
-  write_dataset(file, path, type.id(), space, hdf5::properties(H5P_DATASET_CREATE), cells.data(),
-                meaning);
+  write_dataset(file, dataset, type.id(), space, hdf5::properties(H5P_DATASET_CREATE),
+                cells.data());
 }
 
 /// Number of rows and columns; lists have one column.
@@ -254,6 +255,12 @@ void read(const Handle& dataset, const Extent& extent, double& bytes_left,
   }
 }
 
+void read(const Handle& dataset, const Extent& extent, double& bytes_left, std::string& text) {
+  std::vector<std::string> texts;
+  read(dataset, extent, bytes_left, texts);
+  text = texts.empty() ? "" : texts.front();
+}
+
 void read(const Handle& file, const Hdf5Dataset& wanted, double& bytes_left) {
   std::visit([](auto* values) { values->clear(); }, wanted.values);
   if (H5Lexists(file.id(), wanted.path.c_str(), H5P_DEFAULT) <= 0) {
@@ -273,28 +280,20 @@ void read(const Handle& file, const Hdf5Dataset& wanted, double& bytes_left) {
 
 }  // namespace
 
-void hdf5::add(const Handle& file, const std::string& path, const Values& values,
-               std::size_t columns, const Meaning& meaning) {
-  std::visit(
-      [&]<class T>(const T& list) {
-        if constexpr (std::same_as<T, std::string_view>) {
-          const std::string text(list);
-          write_texts(file, path, {&text, 1}, space_of({}), meaning);
-        } else if constexpr (std::same_as<T, std::span<const std::string>>) {
-          write_texts(file, path, list, space_of({list.size()}), meaning);
-        } else {
-          using Item = typename T::value_type;
-          const hsize_t rows = list.size() / columns;
-          write_dataset(file, path, number_type<Item>(), space_of(rows, columns),
-                        layout(rows, columns, sizeof(Item)), list.data(), meaning);
-        }
-      },
-      values);
-}
-
 void hdf5::add(const Handle& file, const Hdf5Dataset& dataset) {
   std::visit(
-      [&](const auto* list) { add(file, dataset.path, *list, dataset.columns, dataset.meaning); },
+      [&]<class T>(const T* values) {
+        if constexpr (std::same_as<T, std::string>) {
+          write_texts(file, dataset, {values, 1}, space_of({}));
+        } else if constexpr (std::same_as<T, std::vector<std::string>>) {
+          write_texts(file, dataset, *values, space_of({values->size()}));
+        } else {
+          using Item = typename T::value_type;
+          const hsize_t rows = values->size() / dataset.columns;
+          write_dataset(file, dataset, number_type<Item>(), space_of(rows, dataset.columns),
+                        layout(rows, dataset.columns, sizeof(Item)), values->data());
+        }
+      },
       dataset.values);
 }
 

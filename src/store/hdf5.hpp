@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
-#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -32,13 +31,13 @@ struct Meaning {
   std::string_view text;  ///< empty: it says nothing
 };
 
-/// A dataset in memory: rows of `columns` numbers, or texts. It is written from these values, or
-/// read into them.
+/// A dataset in memory: rows of `columns` numbers, a list of texts or a single one. It is written
+/// from these values, or read into them. Its path is relative to the root.
 struct Hdf5Dataset {
-  using Values =
-      std::variant<std::vector<std::uint8_t>*, std::vector<std::uint16_t>*,
-                   std::vector<std::uint32_t>*, std::vector<std::uint64_t>*,
-                   std::vector<std::int32_t>*, std::vector<double>*, std::vector<std::string>*>;
+  using Values = std::variant<std::vector<std::uint8_t>*, std::vector<std::uint16_t>*,
+                              std::vector<std::uint32_t>*, std::vector<std::uint64_t>*,
+                              std::vector<std::int32_t>*, std::vector<double>*,
+                              std::vector<std::string>*, std::string*>;
   std::string path;
   Values values;
   std::size_t columns = 1;
@@ -105,22 +104,12 @@ Handle space_of(const std::vector<hsize_t>& extent);
 /// Of rows of so many numbers: a list of them if it is one.
 Handle space_of(hsize_t rows, std::size_t columns);
 
-/// Adds a dataset, and the groups of its path, with the attributes `units` (of a pure number "1")
-/// and `description`, as UTF-8. `creation`: its properties.
-Handle make_dataset(const Handle& file, const std::string& path, hid_t type, const Handle& space,
-                    const Handle& creation, const Meaning& meaning);
+/// Adds a dataset without its values, and the groups of its path, with the attributes `units` (of a
+/// pure number "1") and `description`, as UTF-8. `creation`: its properties.
+Handle make_dataset(const Handle& file, const Hdf5Dataset& dataset, hid_t type, const Handle& space,
+                    const Handle& creation);
 
-/// A text, a list of texts, or numbers.
-using Values = std::variant<std::string_view, std::span<const std::string>,
-                            std::span<const std::uint8_t>, std::span<const std::uint16_t>,
-                            std::span<const std::uint32_t>, std::span<const std::uint64_t>,
-                            std::span<const std::int32_t>, std::span<const double>>;
-
-/// Adds a dataset to a file. Its path is relative to the root; groups are made as needed. Numbers
-/// are in rows of `columns` (1: a list), chunked and compressed if there are many. Throws as
-/// check().
-void add(const Handle& file, const std::string& path, const Values& values, std::size_t columns = 1,
-         const Meaning& meaning = {});
+/// Adds a dataset to a file. Many numbers are chunked and compressed. Throws as check().
 void add(const Handle& file, const Hdf5Dataset& dataset);
 
 /// The bytes of an HDF5 file that `fill` creates, without a header. Throws StoreError: `cannot

@@ -293,18 +293,6 @@ void OutputFolder::write(const std::string& name, std::span<const std::uint8_t> 
   file.finish();
 }
 
-void OutputFolder::write(const std::string& name, std::string_view text) const {
-  write(name, as_bytes(text));
-}
-
-int OutputFolder::open_to_append(const std::string& name) const {
-  Descriptor file = opened(prepared(name), O_WRONLY | O_APPEND | O_CREAT);
-  if (!file.is_open()) {
-    fail("write", path(name));
-  }
-  return file.release();
-}
-
 bool OutputFolder::truncate(const std::string& name, std::uint64_t bytes) const {
   const Descriptor file = opened(state_->at(prefix_ + name), O_RDWR);
   if (!file.is_open() && errno == ENOENT) {
@@ -369,10 +357,6 @@ void OutputFolder::remove(const std::string& name) const {
   }
 }
 
-void OutputFolder::discard(const std::string& name) const {
-  state_->remove(prefix_ + name);
-}
-
 void OutputFolder::clear(const std::string& first, const std::string& kept) const {
   const std::lock_guard lock(state_->mutex);
   state_->read_manifest();  // another process may have added names
@@ -404,7 +388,7 @@ OutputFolder named_folder(const fs::path& named, const fs::path& run, const std:
 GrowingFile::GrowingFile(OutputFolder folder, std::string name, std::uint64_t kept)
     : folder_(std::move(folder)), name_(std::move(name)), bytes_(kept) {
   if (kept == 0) {
-    folder_.discard(name_);
+    folder_.state_->remove(folder_.prefix_ + name_);
   } else if (!folder_.truncate(name_, kept)) {
     throw UnusableCheckpointError(
         fmt::format("cannot go on with {}: it is shorter than when the checkpoint was made",
@@ -416,7 +400,10 @@ void GrowingFile::append(std::string_view text) {
   if (text.empty()) {
     return;
   }
-  Descriptor file(folder_.open_to_append(name_));
+  Descriptor file = opened(folder_.prepared(name_), O_WRONLY | O_APPEND | O_CREAT);
+  if (!file.is_open()) {
+    fail("write", folder_.path(name_));
+  }
   if (!write_all(file.number(), as_bytes(text)) || !file.close()) {
     const std::string reason = std::strerror(errno);
     folder_.truncate(name_, bytes_);  // no half line

@@ -127,7 +127,7 @@ std::optional<EarlierRun> RunFolder::earlier_run() const {
 
 // run.json first, so that the rest is not mistaken for a complete run.
 void RunFolder::start_over(const Checkpoint& start) const {
-  replace_checkpoint(files_, start);
+  write_checkpoint(files_, start, Previous::replaced);
   files_.clear(kSummaryFile, kCheckpointFile);
 }
 

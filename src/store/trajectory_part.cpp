@@ -38,10 +38,6 @@ std::string units_text(const scene::Scene& scene) {
   return text;
 }
 
-constexpr Meaning kName = {"", "of the scene"};
-constexpr Meaning kUnits = {"", "of all that is in the file, in words"};
-constexpr Meaning kCentre = {"spacings", "of each kind x, y of the centre of mass from its site"};
-
 /// Reads the columns of a use, with what else there is in the file.
 std::vector<Column> read_columns(const std::filesystem::path& path, TrajectoryPart& part,
                                  const Layout& layout, Use use, double max_bytes,
@@ -362,15 +358,6 @@ SceneTables::SceneTables(const scene::Scene& scene, const grains::State& state)
   }
 }
 
-void SceneTables::write(const hdf5::Handle& file) {
-  hdf5::add(file, "scene/name", name, 1, kName);
-  hdf5::add(file, "scene/units", units, 1, kUnits);
-  hdf5::add(file, "scene/kinds/centre", kind_centre, 2, kCentre);
-  for (const Hdf5Dataset& dataset : datasets()) {
-    hdf5::add(file, dataset);
-  }
-}
-
 std::vector<Hdf5Dataset> SceneTables::datasets() {
   return {{"scene/seed", &seed, 1, {"", "of the run"}},
           {"scene/lattice", &lattice, 1, {"", "columns, rows, 1 if periodic"}},
@@ -395,7 +382,15 @@ std::vector<Hdf5Dataset> SceneTables::datasets() {
            1,
            {"", "of each wall the first row in `scene/walls/sites`"}},
           {"scene/walls/size", &wall_sites.size, 1, {"sites", "of each wall"}},
-          {"scene/walls/sites", &wall_sites.sites, 2, {"sites", "column and row at home"}}};
+          {"scene/walls/sites", &wall_sites.sites, 2, {"sites", "column and row at home"}},
+          // For other readers; the program itself compares no more.
+          {"scene/kinds/centre",
+           &kind_centre,
+           2,
+           {"spacings", "of each kind x, y of the centre of mass from its site"},
+           true},
+          {"scene/name", &name, 1, {"", "of the scene"}, true},
+          {"scene/units", &units, 1, {"", "of all that is in the file, in words"}, true}};
 }
 
 void SceneTables::require_same(const SceneTables& read, const std::filesystem::path& path) const {
@@ -439,14 +434,15 @@ std::vector<Dataset> datasets(const scene::Scene& scene, const grains::State& st
   std::vector<Dataset> list;
   const auto add = [&list](const Hdf5Dataset& dataset) {
     std::visit(
-        [&](auto* values) {
-          list.push_back({dataset.path, dataset.columns, std::move(*values)});
+        [&]<class T>(T* values) {
+          if constexpr (!std::same_as<T, std::string>) {
+            list.push_back({dataset.path, dataset.columns, std::move(*values)});
+          }
         },
         dataset.values);
   };
   SceneTables tables(scene, state);
   std::ranges::for_each(tables.datasets(), add);
-  list.push_back({"scene/kinds/centre", 2, std::move(tables.kind_centre)});
   TrajectoryPart part;
   part.add(state, stage, 0, {}, contact);
   std::ranges::for_each(part.columns({.walls = state.walls.size(),
@@ -458,27 +454,20 @@ std::vector<Dataset> datasets(const scene::Scene& scene, const grains::State& st
 
 std::string datasets_table() {
   std::string table = "| dataset | rows | type | unit | what |\n|---|---|---|---|---|\n";
-  const auto add = [&table](const std::string& path, const std::string& rows,
-                            const std::string& type, const Meaning& meaning) {
-    table +=
-        fmt::format("| `{}` | {} | {} | {} | {} |\n", path, rows, type, meaning.unit, meaning.text);
-  };
-  const auto type_of = [](const Hdf5Dataset& dataset) {
-    return std::visit([]<class T>(const std::vector<T>*) { return type_name<T>(); },
-                      dataset.values);
+  const auto add = [&table](const Hdf5Dataset& dataset, const std::string& rows) {
+    const std::string type = std::visit(
+        []<class T>(const T*) { return type_name<typename T::value_type>(); }, dataset.values);
+    const auto& [unit, text] = dataset.meaning;
+    table += fmt::format("| `{}` | {} | {} | {} | {} |\n", dataset.path, rows, type, unit, text);
   };
   TrajectoryPart none;
   for (const Column& column : none.columns({.walls = 1, .velocities = true, .contacts = true})) {
-    add(column.path, shape_text(column), type_of(column), column.meaning);
+    add(column, shape_text(column));
   }
   SceneTables tables;
   for (const Hdf5Dataset& dataset : tables.datasets()) {
-    add(dataset.path, dataset.columns == 1 ? "" : fmt::format("x {}", dataset.columns),
-        type_of(dataset), dataset.meaning);
+    add(dataset, dataset.columns == 1 ? "" : fmt::format("x {}", dataset.columns));
   }
-  add("scene/kinds/centre", "x 2", "f64", kCentre);
-  add("scene/name", "", "text", kName);
-  add("scene/units", "", "text", kUnits);
   return table;
 }
 

@@ -59,9 +59,7 @@ struct SceneTables {
   SceneTables() = default;
   SceneTables(const scene::Scene& scene, const grains::State& state);
 
-  /// Adds all datasets.
-  void write(const hdf5::Handle& file);
-  /// All except name, units and centres. This object must outlive the list.
+  /// This object must outlive the list.
   std::vector<Hdf5Dataset> datasets();
   /// Throws StoreError with the difference unless those read from `path` are of the same scene.
   void require_same(const SceneTables& read, const std::filesystem::path& path) const;

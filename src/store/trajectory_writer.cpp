@@ -46,14 +46,15 @@ void add_dataset(const Handle& file, const Column& column, const std::vector<Ext
   const Handle creation = hdf5::properties(H5P_DATASET_CREATE);
   hid_t type = H5I_INVALID_HID;
   std::visit(
-      [&]<class T>(const std::vector<T>* /*values*/) {
-        if constexpr (Number<T>) {
-          using Numbers = std::numeric_limits<T>;
+      [&]<class T>(const T* /*values*/) {
+        using Item = typename T::value_type;
+        if constexpr (Number<Item>) {
+          using Numbers = std::numeric_limits<Item>;
           // Of unreadable parts, which HDF5 does not report: it must not look like data.
-          const T none = Numbers::has_quiet_NaN ? Numbers::quiet_NaN()
-                         : Numbers::is_signed   ? Numbers::min()
-                                                : Numbers::max();
-          type = hdf5::number_type<T>();
+          const Item none = Numbers::has_quiet_NaN ? Numbers::quiet_NaN()
+                            : Numbers::is_signed   ? Numbers::min()
+                                                   : Numbers::max();
+          type = hdf5::number_type<Item>();
           check(H5Pset_fill_value(creation.id(), type, &none), "fill value");
         }
       },
@@ -75,7 +76,7 @@ void add_dataset(const Handle& file, const Column& column, const std::vector<Ext
           "virtual dataset");
     start.front() += of_part;
   }
-  hdf5::make_dataset(file, column.path, type, whole, creation, column.meaning);
+  hdf5::make_dataset(file, column, type, whole, creation);
 }
 
 /// Writes `trajectory.h5`: virtual datasets over parts with these extents, and a link to group
@@ -149,7 +150,9 @@ class TrajectoryWriter::Impl {
     const OutputFolder folder = run_folder_.subfolder(kTrajectoryFolder);
     const std::string name = part_name(parts_.size());
     const auto add_all = [this](const Handle& file) {
-      tables_.write(file);
+      for (const Hdf5Dataset& dataset : tables_.datasets()) {
+        hdf5::add(file, dataset);
+      }
       for (const Column& column : columns_) {
         hdf5::add(file, column);
       }

@@ -52,13 +52,13 @@ using Position = std::vector<double>;
 /// The rows of one group, by position. Of steps: those since the stage began.
 struct Curve {
   std::vector<Position> positions;
-  std::vector<std::vector<double>> values;  ///< by row, then column
+  std::vector<std::size_t> rows;  ///< of the table
 };
 
 /// A table of one run.
 struct ReadCurves {
-  Names columns = {};              ///< with means
-  std::vector<Names> groups = {};  ///< in their order
+  std::map<std::string, std::vector<double>> columns = {};  ///< with means
+  std::vector<Names> groups = {};                           ///< in their order
   std::map<Names, Curve> curves = {};
 };
 
@@ -76,39 +76,34 @@ std::map<std::string, std::uint64_t> stage_starts(const store::RunSummary& summa
   return starts;
 }
 
-/// Throws store::StoreError.
-ReadCurves read_curves(const Averaged& what, const fs::path& file,
-                       const store::RunSummary& summary) {
+/// Adds the names of the columns with means to `columns`. Throws store::StoreError.
+ReadCurves read_curves(const Averaged& what, const fs::path& file, const store::RunSummary& summary,
+                       Names& columns) {
   const store::ReadTable table = store::read_table(file);
   const bool by_step = what.positions.empty();
   const Names positions = by_step ? Names{"step"} : what.positions;
   ReadCurves result;
-  std::vector<std::vector<double>> values;
   for (const std::string& name : table.names) {
     const bool is_time = by_step && name == "time";
     if (!has_name(what.groups, name) && !has_name(positions, name) &&
         !has_name(what.others, name) && !is_time && !name.ends_with(record::kErrorEnding)) {
-      result.columns.push_back(name);
-      values.push_back(table.numbers(name));
+      result.columns[name] = table.numbers(name);
     }
   }
   std::vector<std::vector<double>> at;
   std::ranges::transform(positions, std::back_inserter(at),
                          [&](const std::string& name) { return table.numbers(name); });
   const auto starts = stage_starts(summary);
-  const auto row_of = [](const std::vector<std::vector<double>>& columns, std::size_t row) {
-    std::vector<double> numbers;
-    std::ranges::transform(columns, std::back_inserter(numbers),
-                           [row](const std::vector<double>& column) { return column[row]; });
-    return numbers;
-  };
   for (std::size_t row = 0; row < table.rows(); ++row) {
     Names group;
     for (const std::string& name : what.groups) {
       const std::vector<std::string>* cells = table.find(name);
       group.push_back(cells != nullptr ? (*cells)[row] : "");
     }
-    Position position = row_of(at, row);
+    Position position;
+    for (const std::vector<double>& numbers : at) {
+      position.push_back(numbers[row]);
+    }
     if (const auto start = by_step ? starts.find(group.front()) : starts.end();
         start != starts.end()) {
       position.front() -= static_cast<double>(start->second);
@@ -123,22 +118,27 @@ ReadCurves read_curves(const Averaged& what, const fs::path& file,
       result.groups.push_back(group);
     }
     curve.positions.push_back(std::move(position));
-    curve.values.push_back(row_of(values, row));
+    curve.rows.push_back(row);
+  }
+  for (const std::string& name : table.names) {
+    if (result.columns.contains(name) && !has_name(columns, name)) {
+      columns.push_back(name);
+    }
   }
   return result;
 }
 
 /// The value of a column at a position; of steps between two rows by a straight line.
-double value_at(const Curve& curve, std::size_t column, const Position& position) {
+double value_at(const std::vector<double>& column, const Curve& curve, const Position& position) {
   const auto after = std::ranges::lower_bound(curve.positions, position);
-  const auto row = static_cast<std::size_t>(after - curve.positions.begin());
-  const double value = curve.values[row][column];
+  const auto at = static_cast<std::size_t>(after - curve.positions.begin());
+  const double value = column[curve.rows[at]];
   if (*after == position) {
     return value;
   }
-  const double before = curve.positions[row - 1].front();
+  const double before = curve.positions[at - 1].front();
   const double share = (position.front() - before) / (after->front() - before);
-  const double value_before = curve.values[row - 1][column];
+  const double value_before = column[curve.rows[at - 1]];
   return value_before + share * (value - value_before);
 }
 
@@ -169,21 +169,23 @@ std::vector<Position> common_positions(const std::vector<const Curve*>& curves) 
 }
 
 struct MeanRow {
+  const Variant* variant;
   Names group;
   Position position;
+  const scene::Conversion* units;  ///< null where steps have no length
   std::uint64_t runs;
   std::vector<std::pair<double, double>> means;  ///< by column, with its standard error
 };
 
-/// Of one combination.
+/// Over all combinations.
 struct Means {
-  const Variant* variant = nullptr;
-  std::optional<scene::Conversion> units = {};
   Names columns = {};
+  bool has_time = false;
   std::vector<MeanRow> rows = {};
 };
 
-void add_rows(Means& means, const Averaged& what, const std::vector<ReadCurves>& runs,
+void add_rows(Means& means, const Averaged& what, const Variant& variant,
+              const scene::Conversion* units, const std::vector<ReadCurves>& runs,
               const Names& group) {
   std::vector<const Curve*> curves;
   for (const ReadCurves& run : runs) {
@@ -193,69 +195,58 @@ void add_rows(Means& means, const Averaged& what, const std::vector<ReadCurves>&
     }
     curves.push_back(&curve->second);
   }
-  const auto& series = means.variant->scene.output.series;
+  const auto& series = variant.scene.output.series;
   const auto every = static_cast<double>(series ? series->every : 1);
   for (const auto& position :
        what.positions.empty() ? common_steps(curves, every) : common_positions(curves)) {
-    MeanRow row = {.group = group, .position = position, .runs = curves.size(), .means = {}};
+    MeanRow& row =
+        means.rows.emplace_back(MeanRow{&variant, group, position, units, curves.size(), {}});
     for (const std::string& column : means.columns) {
       std::vector<double> values;
       for (std::size_t run = 0; run < curves.size(); ++run) {
-        const Names& known = runs[run].columns;
-        const auto at = static_cast<std::size_t>(std::ranges::find(known, column) - known.begin());
-        values.push_back(at < known.size() ? value_at(*curves[run], at, position) : kNoMean);
+        const auto numbers = runs[run].columns.find(column);
+        values.push_back(numbers == runs[run].columns.end()
+                             ? kNoMean
+                             : value_at(numbers->second, *curves[run], position));
       }
       const statistics::Sample found = statistics::sample(values);
       row.means.push_back(found.count == values.size()  // all runs have a number
                               ? std::pair(found.mean, found.standard_error)
                               : std::pair(kNoMean, kNoMean));
     }
-    means.rows.push_back(std::move(row));
   }
-}
-
-void add_new(Names& names, const Names& more) {
-  std::ranges::copy_if(more, std::back_inserter(names),
-                       [&names](const std::string& name) { return !has_name(names, name); });
 }
 
 /// The table; none if a varied number has the name of a column, or there is nothing.
-std::optional<store::Table> mean_table(const Averaged& what, const Names& keys,
-                                       const std::vector<Means>& all) {
-  const bool has_time = what.positions.empty() && std::ranges::any_of(all, [](const Means& means) {
-                          return means.units.has_value();
-                        });
-  Names columns;
-  std::ranges::for_each(all, [&](const Means& means) { add_new(columns, means.columns); });
+std::optional<store::Table> mean_table(const Averaged& what, const Names& keys, Means means) {
+  const bool by_step = what.positions.empty();
   Names position = what.groups;
-  const Names times = has_time ? Names{"step", "time"} : Names{"step"};
-  const Names& positions = what.positions.empty() ? times : what.positions;
+  const Names& positions = by_step ? Names{"step"} : what.positions;
   position.insert(position.end(), positions.begin(), positions.end());
+  if (by_step && means.has_time) {
+    position.emplace_back("time");
+  }
   const Names heads =
-      record::sweep_columns("mean", {{"KEY", keys}, {"ROW", position}, {"COLUMN", columns}});
-  if (columns.empty() || std::set(heads.begin(), heads.end()).size() < heads.size()) {
+      record::sweep_columns("mean", {{"KEY", keys}, {"ROW", position}, {"COLUMN", means.columns}});
+  if (means.columns.empty() || std::set(heads.begin(), heads.end()).size() < heads.size()) {
     return std::nullopt;
   }
   store::Table table(heads);
-  for (const Means& means : all) {
-    for (const MeanRow& row : means.rows) {
-      std::vector<store::Cell> cells = value_cells(means.variant->values);
-      cells.insert(cells.end(), row.group.begin(), row.group.end());
-      cells.insert(cells.end(), row.position.begin(), row.position.end());
-      if (has_time) {
-        const auto step = static_cast<std::uint64_t>(row.position.front());
-        cells.emplace_back(means.units ? means.units->time(step) : kNoMean);
-      }
-      cells.emplace_back(row.runs);
-      for (const std::string& column : columns) {
-        const auto at = static_cast<std::size_t>(std::ranges::find(means.columns, column) -
-                                                 means.columns.begin());
-        const auto [mean, error] =
-            at < row.means.size() ? row.means[at] : std::pair(kNoMean, kNoMean);
-        cells.insert(cells.end(), {mean, error});
-      }
-      table.add_row(std::move(cells));
+  for (MeanRow& row : means.rows) {
+    std::vector<store::Cell> cells = value_cells(row.variant->values);
+    cells.insert(cells.end(), row.group.begin(), row.group.end());
+    cells.insert(cells.end(), row.position.begin(), row.position.end());
+    if (by_step && means.has_time) {
+      const auto step = static_cast<std::uint64_t>(row.position.front());
+      cells.emplace_back(row.units != nullptr ? row.units->time(step) : kNoMean);
     }
+    cells.emplace_back(row.runs);
+    // Columns that only later combinations have.
+    row.means.resize(means.columns.size(), {kNoMean, kNoMean});
+    for (const auto& [mean, error] : row.means) {
+      cells.insert(cells.end(), {mean, error});
+    }
+    table.add_row(std::move(cells));
   }
   return table;
 }
@@ -282,9 +273,10 @@ std::vector<NamedTable> mean_tables(
     const std::function<void(const std::string& line)>& warning) {
   std::vector<NamedTable> tables;
   const std::size_t seeds = plan.request.seeds.size();
-  const auto means_of = [&](const Averaged& what, const std::string& file, std::size_t variant) {
-    Means means = {.variant = &plan.variants[variant]};
+  const auto add_means = [&](Means& means, const Averaged& what, const std::string& file,
+                             std::size_t variant) {
     std::vector<ReadCurves> runs;
+    const scene::Conversion* units = nullptr;
     for (std::size_t run = variant * seeds; run < (variant + 1) * seeds; ++run) {
       const fs::path path = folder_of(run) / store::table_name(file);
       std::error_code error;
@@ -292,27 +284,27 @@ std::vector<NamedTable> mean_tables(
         continue;
       }
       try {
-        runs.push_back(read_curves(what, path, results[run].summary));
-        add_new(means.columns, runs.back().columns);
-        means.units = results[run].summary.units;
+        runs.push_back(read_curves(what, path, results[run].summary, means.columns));
+        const auto& of_run = results[run].summary.units;
+        units = of_run ? &*of_run : nullptr;
       } catch (const store::StoreError& unreadable) {
         warning(unreadable.what());
       }
     }
+    means.has_time = means.has_time || units != nullptr;
     if (!runs.empty()) {
       for (const Names& group : runs.front().groups) {
-        add_rows(means, what, runs, group);
+        add_rows(means, what, plan.variants[variant], units, runs, group);
       }
     }
-    return means;
   };
   for (const Averaged& what : averaged_tables()) {
     for (const std::string& file : tables_of(what, results)) {
-      std::vector<Means> all;
+      Means means;
       for (std::size_t variant = 0; variant < plan.variants.size(); ++variant) {
-        all.push_back(means_of(what, file, variant));
+        add_means(means, what, file, variant);
       }
-      if (auto table = mean_table(what, plan.keys(), all)) {
+      if (auto table = mean_table(what, plan.keys(), std::move(means))) {
         tables.push_back({"mean-" + file, *std::move(table)});
       }
     }

@@ -72,11 +72,10 @@ std::string label(const Plan& plan, std::size_t run, Status status) {
   for (std::size_t i = 0; i < keys.size(); ++i) {
     text += fmt::format("{}={}, ", short_key(keys, keys[i]), plan.variant(run).values[i]);
   }
-  text += fmt::format("seed {}", plan.seed(run));
-  if (status == Status::done) {
-    return text;
-  }
-  return text + (status == Status::failed ? ": failed" : ": not done");
+  const char* ending = status == Status::done     ? ""
+                       : status == Status::failed ? ": failed"
+                                                  : ": not done";
+  return fmt::format("{}seed {}{}", text, plan.seed(run), ending);
 }
 
 }  // namespace
@@ -84,9 +83,8 @@ std::string label(const Plan& plan, std::size_t run, Status status) {
 Selection selection(const Plan& plan) {
   const std::size_t seeds = plan.request.seeds.size();
   const std::size_t columns = std::min(seeds == 1 ? plan.variants.size() : seeds, kMaxColumns);
-  const bool one_variant = plan.variants.size() == 1;
   const std::size_t shown_seeds =
-      one_variant ? std::min(seeds, kMaxPictures) : std::min(seeds, kMaxColumns);
+      std::min(seeds, plan.variants.size() == 1 ? kMaxPictures : kMaxColumns);
   const std::size_t shown_variants = std::min(plan.variants.size(), kMaxPictures / shown_seeds);
   Selection result = {{}, static_cast<int>(columns)};
   for (std::size_t variant = 0; variant < shown_variants; ++variant) {

@@ -33,10 +33,6 @@ bool has_pictures(const fs::path& folder, const scene::Scene& scene, std::uint64
 /// Reads the summary of the run in a folder; none if it is not there, cut off or not to be read.
 std::optional<store::RunSummary> summary_in(const fs::path& folder) {
   store::look_anew(folder);
-  std::error_code unknown;
-  if (!fs::exists(folder / store::kSummaryFile, unknown)) {
-    return std::nullopt;
-  }
   try {
     return store::read_summary(folder / store::kSummaryFile);
   } catch (const store::StoreError&) {
@@ -55,22 +51,16 @@ bool is_same(const fs::path& folder, const store::RunSummary& summary, const sce
   }
 }
 
-/// Whether a run of exactly this scene and program version was stopped or killed, or has failed, in
-/// `folder`.
-bool can_go_on(const fs::path& folder, const scene::Scene& scene) {
-  const std::optional<store::RunSummary> summary = summary_in(folder);
-  std::error_code unknown;
-  // A run fails on a full disk, too.
-  return summary && summary->status != "done" &&
-         fs::exists(folder / store::kCheckpointFile, unknown) && is_same(folder, *summary, scene);
-}
-
-/// The run in a folder, where it was stopped or killed. None if there is no such run, if its
-/// checkpoint cannot be used, or if it has not drawn what is wanted now.
+/// The run of exactly this scene and program version in a folder, where it was stopped or killed or
+/// has failed, which it does on a full disk, too. None if there is no such run, if its checkpoint
+/// cannot be used, or if it has not drawn what is wanted now.
 std::optional<run::SavedRun> saved_run(const scene::Scene& scene, const fs::path& folder,
                                        double max_bytes, run::WantedPictures wanted,
                                        const run::RunEvents& events) {
-  if (!can_go_on(folder, scene)) {
+  const std::optional<store::RunSummary> summary = summary_in(folder);
+  std::error_code unknown;
+  if (!summary || summary->status == "done" ||
+      !fs::exists(folder / store::kCheckpointFile, unknown) || !is_same(folder, *summary, scene)) {
     return std::nullopt;
   }
   try {

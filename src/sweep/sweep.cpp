@@ -4,16 +4,16 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstring>
+#include <cmath>
 #include <map>
 #include <mutex>
 #include <nlohmann/json.hpp>
-#include <numeric>
 
 #include "clca/image/png.hpp"
 #include "clca/record/provenance.hpp"
 #include "clca/record/quantity.hpp"
 #include "clca/render/painter.hpp"
+#include "clca/statistics/sample.hpp"
 #include "clca/store/file.hpp"
 #include "clca/store/output_folder.hpp"
 #include "clca/store/run_folder.hpp"
@@ -25,15 +25,10 @@ namespace clca::sweep {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+using Json = nlohmann::ordered_json;
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-void tell(const std::function<void(const std::string&)>& event, const std::string& text) {
-  if (event) {
-    event(text);
-  }
 }
 
 /// Refuses once, before anything is written, what would fail in every run.
@@ -61,19 +56,6 @@ std::string command(const Plan& plan, const Options& options) {
                                                part.of, options.all_pictures)));
 }
 
-/// A list of runs, from one rank to another.
-tasks::Bytes bytes_of(const std::vector<std::size_t>& runs) {
-  tasks::Bytes bytes(runs.size() * sizeof(std::size_t));
-  std::memcpy(bytes.data(), runs.data(), bytes.size());
-  return bytes;
-}
-
-std::vector<std::size_t> runs_of(const tasks::Bytes& bytes) {
-  std::vector<std::size_t> runs(bytes.size() / sizeof(std::size_t));
-  std::memcpy(runs.data(), bytes.data(), bytes.size());
-  return runs;
-}
-
 /// Which pictures a run draws: those that the overview does not show are not asked for.
 run::WantedPictures pictures_of(const Plan& plan, const Options& options, std::size_t run) {
   const std::vector<std::size_t> shown = selection(plan).runs;
@@ -88,7 +70,6 @@ constexpr const char* kOverview = "overview.png";
 /// The request, with what the columns of the tables are, and the measures that no run has.
 std::string to_json(const Plan& plan, const std::vector<store::TableSummary>& tables,
                     const std::vector<store::ColumnSummary>& measures) {
-  using Json = nlohmann::ordered_json;
   Json variations = Json::array();
   for (const Variation& variation : plan.request.variations) {
     variations.push_back({{"keys", variation.keys}, {"rows", variation.rows}});
@@ -135,32 +116,235 @@ class Sweep {
     }
   }
 
-  Progress execute();
+  Progress execute() {
+    if (ranks_.size() > 1 && !options_.collect_only) {
+      ranks_.begin(command(plan_, options_));
+    }
+    const std::vector<std::size_t> runs = remaining_runs();
+    if (progress_.reused > 0) {
+      events_.message(
+          fmt::format("{} of {} runs are there from before", progress_.reused, progress_.runs));
+    }
+    start_ = Clock::now();
+    if (!options_.collect_only && !runs.empty() && !stop_asked()) {
+      carry_out(runs);
+    }
+    if (!store_error_.empty()) {
+      throw store::StoreError(store_error_);
+    }
+    if (!options_.part) {
+      const auto means = mean_tables(
+          plan_, results_, [this](std::size_t run) { return folder_of(run); }, events_.warning);
+      remove_means_but(means);
+      write_tables(means);
+      write_overview();
+    }
+    return progress_;
+  }
 
  private:
   using Pool = tasks::Pool<FinishedRun>;
-
-  /// The run that was once done; takes over its result if it is whole.
-  std::optional<EarlierRun> take_earlier(std::size_t run);
-  /// Takes over what earlier sweeps have left; returns the runs that remain, the longest first as
-  /// far as earlier runs tell.
-  std::vector<std::size_t> remaining_runs();
-  void carry_out(const std::vector<std::size_t>& runs);
-  FinishedRun carry_out(std::size_t run, const std::atomic<int>& stop);
-  void take(std::size_t run, FinishedRun finished);
-  /// Takes over what other processes have done meanwhile.
-  void look_elsewhere();
-  void tell_shares(const std::vector<std::size_t>& runs) const;
-  void show_progress();
-  void remove_means_but(const std::vector<NamedTable>& means) const;
-  void write_tables(const std::vector<NamedTable>& means = {});
-  void refresh_tables();
-  void write_overview();
 
   std::filesystem::path folder_of(std::size_t run) const {
     return run_folder(files_.path(), plan_.name(run));
   }
   bool stop_asked() const { return options_.stop != nullptr && options_.stop->load() != 0; }
+
+  /// The run that was once done; takes over its result if it is whole.
+  std::optional<EarlierRun> take_earlier(std::size_t run) {
+    auto earlier = earlier_run(folder_of(run), plan_.scene(run), pictures_of(plan_, options_, run));
+    if (earlier && earlier->is_whole) {
+      results_[run] = {Status::done, earlier->summary, {}};
+      ++progress_.done;
+    }
+    return earlier;
+  }
+
+  /// Takes over what earlier sweeps have left; returns the runs that remain, the longest first as
+  /// far as earlier runs tell.
+  std::vector<std::size_t> remaining_runs() {
+    std::vector<std::size_t> remaining;
+    std::vector<double> seconds(plan_.run_count(), std::numeric_limits<double>::infinity());
+    std::vector<std::vector<double>> seconds_of_variants(plan_.variants.size());
+    const auto variant = [&](std::size_t run) { return run / plan_.request.seeds.size(); };
+    for (const std::size_t run : runs_) {
+      const auto earlier = stop_asked() ? std::nullopt : take_earlier(run);
+      if (earlier) {
+        seconds[run] = earlier->summary.wall_seconds;
+        seconds_of_variants[variant(run)].push_back(seconds[run]);
+      }
+      if (!earlier || !earlier->is_whole) {
+        remaining.push_back(run);
+      }
+    }
+    progress_.reused = progress_.done;
+    for (const std::size_t run : remaining) {
+      const double mean = statistics::sample(seconds_of_variants[variant(run)]).mean;
+      seconds[run] = std::fmin(seconds[run], mean);  // of what is known: NaN is not
+    }
+    // Those of which nothing is known may be the longest.
+    std::ranges::stable_sort(remaining,
+                             [&](std::size_t a, std::size_t b) { return seconds[a] > seconds[b]; });
+    return remaining;
+  }
+
+  FinishedRun carry_out(std::size_t run, const std::atomic<int>& stop) {
+    FinishedRun finished =
+        execute_run(plan_.scene(run), folder_of(run), options_, pictures_of(plan_, options_, run),
+                    &stop, [&](const run::Progress& progress) {
+                      const std::lock_guard lock(mutex_);
+                      under_way_[run] = progress;
+                    });
+    const std::lock_guard lock(mutex_);
+    under_way_.erase(run);
+    return finished;
+  }
+
+  void carry_out(const std::vector<std::size_t>& runs) {
+    ranks_.hand_out([&](int /*rank*/) { return Json::to_cbor(runs); });
+    constexpr std::chrono::milliseconds kPause(100);
+    const std::size_t wanted = std::min(runs.size(), static_cast<std::size_t>(options_.jobs));
+    Pool pool(
+        wanted, ranks_, runs,
+        {.carry_out = [this](std::size_t run, const auto& stop) { return carry_out(run, stop); },
+         .result = [](std::size_t /*run*/,
+                      const tasks::Bytes& answer) { return finished_run(answer); }},
+        options_.stop);
+    if (pool.at_a_time() < wanted) {
+      events_.warning(fmt::format("only {} of {} runs at a time, as no more threads can be started",
+                                  pool.at_a_time(), wanted));
+    }
+    while (!pool.finished()) {
+      for (auto& [run, finished] : pool.take_finished(kPause)) {
+        take(run, std::move(finished));
+      }
+      if (!store_error_.empty()) {
+        pool.stop();
+      }
+      if (pool.finished() && !tries_again_) {
+        tries_again_ = true;
+        std::ranges::for_each(in_use_, [&](std::size_t run) { pool.add(run); });
+      }
+      show_progress();
+      refresh_tables();
+    }
+    look_elsewhere();
+    tell_shares(pool.carried_out());
+  }
+
+  void take(std::size_t run, FinishedRun finished) {
+    const std::string name = plan_.name(run);
+    for (const std::string& warning : finished.warnings) {
+      events_.warning(fmt::format("{}: {}", name, warning));
+    }
+    if (!finished.store_error.empty()) {
+      // What one run cannot write the next cannot either: this is an end, not a failed run.
+      store_error_ = store_error_.empty() ? finished.store_error : store_error_;
+    } else if (finished.result.status == Status::failed) {
+      ++progress_.failed;
+      events_.warning(fmt::format("{} failed: {}", name, finished.result.error));
+    } else if (finished.result.status == Status::done) {
+      ++progress_.done;
+    } else if (finished.is_in_use) {
+      (tries_again_ ? elsewhere_ : in_use_).push_back(run);
+      progress_.elsewhere = elsewhere_.size();
+    }
+    results_[run] = std::move(finished.result);
+    tables_stale_ = true;
+  }
+
+  /// Takes over what other processes have done meanwhile.
+  void look_elsewhere() {
+    std::erase_if(elsewhere_, [this](std::size_t run) {
+      const auto earlier = take_earlier(run);
+      return earlier && earlier->is_whole;
+    });
+    progress_.elsewhere = elsewhere_.size();
+  }
+
+  void tell_shares(const std::vector<std::size_t>& runs) const {
+    if (runs.size() > 1) {
+      const auto [least, most] = std::ranges::minmax_element(runs);
+      events_.message(fmt::format("{} ranks, with {} to {} runs each", runs.size(), *least, *most));
+    }
+  }
+
+  void show_progress() {
+    const std::size_t ended = progress_.done + progress_.failed + progress_.elsewhere;
+    const auto executed = static_cast<double>(ended - progress_.reused);
+    if (executed > 0) {
+      progress_.runs_per_second = executed / seconds_since(start_);
+      progress_.seconds_left =
+          static_cast<double>(progress_.runs - ended) / progress_.runs_per_second;
+    }
+    if (events_.progress) {
+      progress_.under_way.clear();
+      {
+        const std::lock_guard lock(mutex_);
+        for (const auto& [run, progress] : under_way_) {
+          progress_.under_way.push_back({plan_.name(run), progress});
+        }
+      }
+      events_.progress(progress_);
+    }
+  }
+
+  void remove_means_but(const std::vector<NamedTable>& means) const {
+    for (const std::string& name : files_.files()) {
+      const bool is_new = std::ranges::any_of(means, [&name](const NamedTable& table) {
+        return store::table_name(table.name) == name;
+      });
+      if (name.starts_with("mean-") && !is_new) {
+        files_.remove(name);
+      }
+    }
+  }
+
+  void write_tables(const std::vector<NamedTable>& means = {}) {
+    const std::vector<NamedTable> tables = {runs_table(plan_, results_),
+                                            measures_table(plan_, results_)};
+    const auto done = std::ranges::find(results_, Status::done, &Result::status);
+    auto known =
+        record::known_quantities(done != results_.end() ? done->summary : store::RunSummary());
+    known.of = record::KnownQuantities::Of::sweep;
+    std::vector<store::TableSummary> summaries;
+    for (const auto* list : {&tables, &means}) {
+      for (const auto& [name, table] : *list) {
+        files_.write(store::table_name(name), table.to_csv());
+        summaries.emplace_back(name, record::sweep_summary(table.columns(), known));
+      }
+    }
+    files_.write(kRequestFile,
+                 to_json(plan_, summaries, record::sweep_summary(record::sweep_measures(), known)));
+  }
+
+  /// Every so often, and never for more than a small part of the time.
+  void refresh_tables() {
+    constexpr std::chrono::seconds kInterval(5);
+    constexpr int kShare = 20;
+    const Clock::time_point now = Clock::now();
+    if (options_.part || !tables_stale_ || now < tables_due_) {
+      return;
+    }
+    write_tables();
+    tables_stale_ = false;
+    tables_due_ =
+        Clock::now() + std::max<Clock::duration>(kInterval, kShare * (Clock::now() - now));
+  }
+
+  void write_overview() {
+    const auto image = overview(plan_, results_, files_.path());
+    if (!image) {
+      return;
+    }
+    files_.write(kOverview, image::encode_png(
+                                *image, {{"Title", plan_.title()},
+                                         {"Software", fmt::format("clca {}", record::version())}}));
+    const std::size_t shown = selection(plan_).runs.size();
+    if (shown < progress_.runs) {
+      events_.message(fmt::format("the overview shows {} of {} runs", shown, progress_.runs));
+    }
+  }
 
   const Plan& plan_;
   const Options& options_;
@@ -183,228 +367,6 @@ class Sweep {
   bool tables_stale_ = true;
 };
 
-Progress Sweep::execute() {
-  if (ranks_.size() > 1 && !options_.collect_only) {
-    ranks_.begin(command(plan_, options_));
-  }
-  const std::vector<std::size_t> runs = remaining_runs();
-  if (progress_.reused > 0) {
-    tell(events_.message,
-         fmt::format("{} of {} runs are there from before", progress_.reused, progress_.runs));
-  }
-  start_ = Clock::now();
-  if (!options_.collect_only && !runs.empty() && !stop_asked()) {
-    carry_out(runs);
-  }
-  if (!store_error_.empty()) {
-    throw store::StoreError(store_error_);
-  }
-  if (!options_.part) {
-    const auto means = mean_tables(
-        plan_, results_, [this](std::size_t run) { return folder_of(run); },
-        [this](const std::string& line) { tell(events_.warning, line); });
-    remove_means_but(means);
-    write_tables(means);
-    write_overview();
-  }
-  return progress_;
-}
-
-std::optional<EarlierRun> Sweep::take_earlier(std::size_t run) {
-  auto earlier = earlier_run(folder_of(run), plan_.scene(run), pictures_of(plan_, options_, run));
-  if (earlier && earlier->is_whole) {
-    results_[run] = {Status::done, earlier->summary, {}};
-    ++progress_.done;
-  }
-  return earlier;
-}
-
-std::vector<std::size_t> Sweep::remaining_runs() {
-  std::vector<std::size_t> remaining;
-  std::vector<double> seconds(plan_.run_count(), std::numeric_limits<double>::infinity());
-  std::vector<std::vector<double>> seconds_of_variants(plan_.variants.size());
-  const auto variant = [&](std::size_t run) { return run / plan_.request.seeds.size(); };
-  for (const std::size_t run : runs_) {
-    const auto earlier = stop_asked() ? std::nullopt : take_earlier(run);
-    if (earlier) {
-      seconds[run] = earlier->summary.wall_seconds;
-      seconds_of_variants[variant(run)].push_back(seconds[run]);
-    }
-    if (!earlier || !earlier->is_whole) {
-      remaining.push_back(run);
-    }
-  }
-  progress_.reused = progress_.done;
-  for (const std::size_t run : remaining) {
-    const std::vector<double>& known = seconds_of_variants[variant(run)];
-    if (!known.empty()) {
-      seconds[run] = std::min(seconds[run], std::accumulate(known.begin(), known.end(), 0.0) /
-                                                static_cast<double>(known.size()));
-    }
-  }
-  // Those of which nothing is known may be the longest.
-  std::ranges::stable_sort(remaining,
-                           [&](std::size_t a, std::size_t b) { return seconds[a] > seconds[b]; });
-  return remaining;
-}
-
-FinishedRun Sweep::carry_out(std::size_t run, const std::atomic<int>& stop) {
-  FinishedRun finished =
-      execute_run(plan_.scene(run), folder_of(run), options_, pictures_of(plan_, options_, run),
-                  &stop, [&](const run::Progress& progress) {
-                    const std::lock_guard lock(mutex_);
-                    under_way_[run] = progress;
-                  });
-  const std::lock_guard lock(mutex_);
-  under_way_.erase(run);
-  return finished;
-}
-
-void Sweep::carry_out(const std::vector<std::size_t>& runs) {
-  ranks_.hand_out([&](int /*rank*/) { return bytes_of(runs); });
-  constexpr std::chrono::milliseconds kPause(100);
-  const std::size_t wanted = std::min(runs.size(), static_cast<std::size_t>(options_.jobs));
-  Pool pool(
-      wanted, ranks_, runs,
-      {.carry_out = [this](std::size_t run, const auto& stop) { return carry_out(run, stop); },
-       .result = [](std::size_t /*run*/,
-                    const tasks::Bytes& answer) { return finished_run(answer); }},
-      options_.stop);
-  if (pool.at_a_time() < wanted) {
-    tell(events_.warning, fmt::format("only {} of {} runs at a time, as no more threads can be "
-                                      "started",
-                                      pool.at_a_time(), wanted));
-  }
-  while (!pool.finished()) {
-    for (auto& [run, finished] : pool.take_finished(kPause)) {
-      take(run, std::move(finished));
-    }
-    if (!store_error_.empty()) {
-      pool.stop();
-    }
-    if (pool.finished() && !tries_again_) {
-      tries_again_ = true;
-      std::ranges::for_each(in_use_, [&](std::size_t run) { pool.add(run); });
-    }
-    show_progress();
-    refresh_tables();
-  }
-  look_elsewhere();
-  tell_shares(pool.carried_out());
-}
-
-void Sweep::take(std::size_t run, FinishedRun finished) {
-  const std::string name = plan_.name(run);
-  for (const std::string& warning : finished.warnings) {
-    tell(events_.warning, fmt::format("{}: {}", name, warning));
-  }
-  if (!finished.store_error.empty()) {
-    // What one run cannot write the next cannot either: this is an end, not a failed run.
-    store_error_ = store_error_.empty() ? finished.store_error : store_error_;
-  } else if (finished.result.status == Status::failed) {
-    ++progress_.failed;
-    tell(events_.warning, fmt::format("{} failed: {}", name, finished.result.error));
-  } else if (finished.result.status == Status::done) {
-    ++progress_.done;
-  } else if (finished.is_in_use) {
-    (tries_again_ ? elsewhere_ : in_use_).push_back(run);
-    progress_.elsewhere = elsewhere_.size();
-  }
-  results_[run] = std::move(finished.result);
-  tables_stale_ = true;
-}
-
-void Sweep::look_elsewhere() {
-  std::erase_if(elsewhere_, [this](std::size_t run) {
-    const auto earlier = take_earlier(run);
-    return earlier && earlier->is_whole;
-  });
-  progress_.elsewhere = elsewhere_.size();
-}
-
-void Sweep::tell_shares(const std::vector<std::size_t>& runs) const {
-  if (runs.size() > 1) {
-    const auto [least, most] = std::ranges::minmax_element(runs);
-    tell(events_.message,
-         fmt::format("{} ranks, with {} to {} runs each", runs.size(), *least, *most));
-  }
-}
-
-void Sweep::show_progress() {
-  const std::size_t ended = progress_.done + progress_.failed + progress_.elsewhere;
-  const auto executed = static_cast<double>(ended - progress_.reused);
-  if (executed > 0) {
-    progress_.runs_per_second = executed / seconds_since(start_);
-    progress_.seconds_left =
-        static_cast<double>(progress_.runs - ended) / progress_.runs_per_second;
-  }
-  if (events_.progress) {
-    progress_.under_way.clear();
-    {
-      const std::lock_guard lock(mutex_);
-      for (const auto& [run, progress] : under_way_) {
-        progress_.under_way.push_back({plan_.name(run), progress});
-      }
-    }
-    events_.progress(progress_);
-  }
-}
-
-void Sweep::remove_means_but(const std::vector<NamedTable>& means) const {
-  for (const std::string& name : files_.files()) {
-    const bool is_new = std::ranges::any_of(
-        means, [&name](const NamedTable& table) { return store::table_name(table.name) == name; });
-    if (name.starts_with("mean-") && !is_new) {
-      files_.remove(name);
-    }
-  }
-}
-
-void Sweep::write_tables(const std::vector<NamedTable>& means) {
-  const std::vector<NamedTable> tables = {runs_table(plan_, results_),
-                                          measures_table(plan_, results_)};
-  const auto done = std::ranges::find(results_, Status::done, &Result::status);
-  auto known =
-      record::known_quantities(done != results_.end() ? done->summary : store::RunSummary());
-  known.of = record::KnownQuantities::Of::sweep;
-  std::vector<store::TableSummary> summaries;
-  for (const auto* list : {&tables, &means}) {
-    for (const auto& [name, table] : *list) {
-      files_.write(store::table_name(name), table.to_csv());
-      summaries.emplace_back(name, record::sweep_summary(table.columns(), known));
-    }
-  }
-  files_.write(kRequestFile,
-               to_json(plan_, summaries, record::sweep_summary(record::sweep_measures(), known)));
-}
-
-/// Every so often, and never for more than a small part of the time.
-void Sweep::refresh_tables() {
-  constexpr std::chrono::seconds kInterval(5);
-  constexpr int kShare = 20;
-  const Clock::time_point now = Clock::now();
-  if (options_.part || !tables_stale_ || now < tables_due_) {
-    return;
-  }
-  write_tables();
-  tables_stale_ = false;
-  tables_due_ = Clock::now() + std::max<Clock::duration>(kInterval, kShare * (Clock::now() - now));
-}
-
-void Sweep::write_overview() {
-  const auto image = overview(plan_, results_, files_.path());
-  if (!image) {
-    return;
-  }
-  files_.write(kOverview, image::encode_png(
-                              *image, {{"Title", plan_.title()},
-                                       {"Software", fmt::format("clca {}", record::version())}}));
-  const std::size_t shown = selection(plan_).runs.size();
-  if (shown < progress_.runs) {
-    tell(events_.message, fmt::format("the overview shows {} of {} runs", shown, progress_.runs));
-  }
-}
-
 }  // namespace
 
 Progress execute(const Plan& plan, const Options& options, const Events& events) {
@@ -416,7 +378,7 @@ void serve(const Plan& plan, const Options& options) {
   prepare_drawing(plan);
   options.ranks->begin(command(plan, options));
   while (const auto work = options.ranks->wait_for_work(options.stop)) {
-    const std::vector<std::size_t> runs = runs_of(*work);
+    const auto runs = Json::from_cbor(*work).get<std::vector<std::size_t>>();
     const std::size_t jobs = std::min(runs.size(), static_cast<std::size_t>(options.jobs));
     const auto execute_one = [&](std::size_t run, const std::atomic<int>& stop) {
       return to_bytes(execute_run(plan.scene(run), run_folder(options.folder, plan.name(run)),

@@ -35,37 +35,29 @@ double number(const store::MeasureValue& value) {
   return answer != nullptr ? static_cast<double>(*answer) : kNone;
 }
 
-/// The measures of a run, the number of steps of a stage among them; none unless it is done.
-/// Appends to `order` those that are not in `known` yet.
-Measures measures_of(const Result& result, std::vector<Key>& order, std::set<Key>& known) {
-  Measures measures;
-  if (result.status != Status::done) {
-    return measures;
-  }
-  const auto add = [&](const Key& key, const store::MeasureValue& value) {
-    measures[key] = value;
-    if (known.insert(key).second) {
-      order.push_back(key);
-    }
-  };
-  for (const store::StageSummary& stage : result.summary.stages) {
-    add(Key(stage.name, "steps"), static_cast<double>(stage.steps));
-    if (const auto& units = result.summary.units) {
-      add(Key(stage.name, "time"), units->time(stage.steps));
-    }
-    for (const auto& [name, value] : stage.measures) {
-      add(Key(stage.name, name), value);
-    }
-  }
-  return measures;
-}
-
-/// Of several runs.
+/// Of several runs, the number of steps of a stage among them; none of a run that is not done.
 struct AllMeasures {
-  explicit AllMeasures(std::span<const Result> results) {
+  explicit AllMeasures(std::span<const Result> results) : of_runs(results.size()) {
     std::set<Key> known;
-    for (const Result& result : results) {
-      of_runs.push_back(measures_of(result, keys, known));
+    for (std::size_t run = 0; run < results.size(); ++run) {
+      if (results[run].status != Status::done) {
+        continue;
+      }
+      const auto add = [&](const Key& key, const store::MeasureValue& value) {
+        of_runs[run][key] = value;
+        if (known.insert(key).second) {
+          keys.push_back(key);
+        }
+      };
+      for (const store::StageSummary& stage : results[run].summary.stages) {
+        add(Key(stage.name, "steps"), static_cast<double>(stage.steps));
+        if (const auto& units = results[run].summary.units) {
+          add(Key(stage.name, "time"), units->time(stage.steps));
+        }
+        for (const auto& [name, value] : stage.measures) {
+          add(Key(stage.name, name), value);
+        }
+      }
     }
   }
 

@@ -100,12 +100,11 @@ Bytes file_of(const std::vector<Item>& items) {
   const auto add_all = [&](const store::hdf5::Handle& file) {
     for (const Item& item : items) {
       std::visit(
-          [&]<class Some>(const Some& content) {
+          [&]<class Some>(Some content) {
             if constexpr (std::same_as<Some, Texts>) {
-              store::hdf5::add(file, item.path, content);
+              store::hdf5::add(file, {item.path, &content});
             } else {
-              store::hdf5::add(file, item.path, std::span(std::as_const(content.values)),
-                               content.columns);
+              store::hdf5::add(file, {item.path, &content.values, content.columns});
             }
           },
           item.content);

@@ -119,8 +119,8 @@ Omitted change(store::TrajectoryPart& part, const store::Extents& before, fuzz::
     }
     const store::Column& column = columns[number];
     std::visit(
-        [&]<class T>(std::vector<T>* values) {
-          if constexpr (store::Number<T>) {
+        [&]<class T>(T* values) {
+          if constexpr (store::Number<typename T::value_type>) {
             change_values(column, *values, choices);
           }
         },
@@ -135,7 +135,9 @@ Omitted change(store::TrajectoryPart& part, const store::Extents& before, fuzz::
 std::vector<std::uint8_t> file_of(store::TrajectoryPart& part, Omitted omitted) {
   static store::SceneTables tables(fuzz::small_scene(), model::initial_state(fuzz::small_scene()));
   const auto add_all = [&](const store::hdf5::Handle& file) {
-    tables.write(file);
+    for (const store::Hdf5Dataset& dataset : tables.datasets()) {
+      store::hdf5::add(file, dataset);
+    }
     const std::vector<store::Column> columns = part.columns(kLayout);
     for (std::size_t at = 0; at < columns.size(); ++at) {
       if (at != omitted) {

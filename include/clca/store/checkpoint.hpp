@@ -49,11 +49,13 @@ Checkpoint parse_checkpoint(std::span<const std::uint8_t> file, double max_bytes
 inline constexpr const char* kCheckpointFile = "checkpoint.clca";
 inline constexpr const char* kCheckpointBefore = "checkpoint-previous.clca";
 
-/// Writes a checkpoint, after all that was written before it is on the disk; the previous one is
+/// What becomes of the newest checkpoint before another one is written.
+enum class Previous : std::uint8_t { kept, replaced };
+
+/// Writes a checkpoint, after all that was written before it is on the disk; one that is kept is
 /// renamed to kCheckpointBefore. One complete checkpoint exists at any moment. Throws StoreError.
-void write_checkpoint(const OutputFolder& folder, const Checkpoint& checkpoint);
-/// The same, replacing the newest one.
-void replace_checkpoint(const OutputFolder& folder, const Checkpoint& checkpoint);
+void write_checkpoint(const OutputFolder& folder, const Checkpoint& checkpoint,
+                      Previous previous = Previous::kept);
 /// Removes both, the older first. Throws StoreError.
 void remove_checkpoints(const OutputFolder& folder);
 

@@ -18,6 +18,10 @@ class StoreError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+inline std::span<const std::uint8_t> as_bytes(std::string_view text) {
+  return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
+}
+
 /// Writes to a temporary file beside the target until finish(); without finish() that is removed
 /// and the old file stays. All functions throw StoreError; nothing can be written after that.
 /// Copies share the file.
@@ -30,7 +34,7 @@ class AtomicFile {
   std::filesystem::path temporary_path() const;
   /// Appends.
   void write(std::span<const std::uint8_t> bytes);
-  void write(std::string_view text);
+  void write(std::string_view text) { write(as_bytes(text)); }
   std::uint64_t size() const;  ///< bytes written at the end
   /// To the disk, now.
   void flush();
@@ -52,7 +56,9 @@ void remove_abandoned_files(const std::filesystem::path& folder);
 /// Writes a file named by the user, replacing any regular file. It appears complete; on StoreError
 /// `path` is unchanged.
 void write_whole(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
-void write_whole(const std::filesystem::path& path, std::string_view text);
+inline void write_whole(const std::filesystem::path& path, std::string_view text) {
+  write_whole(path, as_bytes(text));
+}
 
 /// Makes a folder and its parents, if needed. Throws StoreError.
 void make_folder(const std::filesystem::path& folder);

@@ -43,15 +43,9 @@ class OutputFolder {
   /// A file that appears when it is finished.
   AtomicFile create(const std::string& name) const;
   void write(const std::string& name, std::span<const std::uint8_t> bytes) const;
-  void write(const std::string& name, std::string_view text) const;
-  /// A file descriptor for appending; makes the file if needed. Call flush_later() when done.
-  int open_to_append(const std::string& name) const;
-  /// Truncates the file to `bytes`. Returns false if it has fewer. A missing file has no bytes.
-  bool truncate(const std::string& name, std::uint64_t bytes) const;
+  void write(const std::string& name, std::string_view text) const { write(name, as_bytes(text)); }
   /// From now on files get their names before they are on the disk, which flush() sees to.
   void delay_flushing() const;
-  /// Flushes this file, if it exists, with the next flush().
-  void flush_later(const std::string& name) const;
   /// Flushes all that was written since the last call to the disk.
   void flush() const;
 
@@ -59,15 +53,18 @@ class OutputFolder {
   void rename(const std::string& from, const std::string& to) const;
   /// Removes a file of the manifest, if it exists.
   void remove(const std::string& name) const;
-  /// Removes a regular file, whoever has put it there. For one that no other process writes.
-  void discard(const std::string& name) const;
   /// Removes all files of the manifest except `kept`, with `first` first, then empty folders.
   void clear(const std::string& first, const std::string& kept) const;
 
  private:
+  friend class GrowingFile;
   struct State;
   /// The path of a file that is listed, and whose folders are there.
   std::filesystem::path prepared(const std::string& name) const;
+  /// Truncates the file to `bytes`. Returns false if it has fewer. A missing file has no bytes.
+  bool truncate(const std::string& name, std::uint64_t bytes) const;
+  /// Flushes this file, if it exists, with the next flush().
+  void flush_later(const std::string& name) const;
 
   std::shared_ptr<State> state_;
   std::string prefix_;  // empty or ends in a slash
@@ -78,12 +75,12 @@ class OutputFolder {
 OutputFolder named_folder(const std::filesystem::path& named, const std::filesystem::path& run,
                           const std::string& below);
 
-/// A file that text is appended to. When a run resumes, text written after its checkpoint is cut
-/// off.
+/// A file that text is appended to, and that no other process writes. When a run resumes, text
+/// written after its checkpoint is cut off.
 class GrowingFile {
  public:
-  /// Keeps the first `kept` bytes of the file, which is made with the first append. Throws
-  /// StoreError if it has fewer.
+  /// Keeps the first `kept` bytes of the file, whoever has put it there; it is made with the first
+  /// append. Throws StoreError if it has fewer.
   GrowingFile(OutputFolder folder, std::string name, std::uint64_t kept);
 
   /// Is on the disk after OutputFolder::flush(). Throws StoreError.

@@ -66,8 +66,9 @@ struct Progress {
 /// All optional; called from the thread that called execute().
 struct Events {
   std::function<void(const Progress&)> progress = {};  ///< some ten times a second
-  std::function<void(const std::string&)> message = {};
-  std::function<void(const std::string&)> warning = {};  ///< failed runs among them
+  std::function<void(const std::string&)> message = [](const std::string&) {};
+  /// Failed runs among them.
+  std::function<void(const std::string&)> warning = [](const std::string&) {};
 };
 
 /// Returns the final Progress: runs neither done nor failed are elsewhere, or were interrupted or

@@ -21,15 +21,20 @@ using Bytes = std::vector<std::uint8_t>;
 constexpr FileKind kKind = {"thing", 2};
 constexpr double kMuch = 1e8;
 
+template <class Values>
+void add(const hdf5::Handle& file, const char* path, Values values, std::size_t columns = 1) {
+  hdf5::add(file, {path, &values, columns});
+}
+
 Bytes example(const FileKind& kind = kKind) {
   return with_header(
       kind, hdf5::image("file.h5", [](const hdf5::Handle& file) {
-        hdf5::add(file, "group/inner/numbers", std::vector<std::int32_t>{1, -2, 3, 4, 5, -6}, 3);
-        hdf5::add(file, "reals", std::vector<double>(5000, 0.1));
-        hdf5::add(file, "nothing", Bytes());
-        hdf5::add(file, "text", "zwei\nZeilen");
-        hdf5::add(file, "no_text", "");
-        hdf5::add(file, "names", std::vector<std::string>{"a", "", "long"});
+        add(file, "group/inner/numbers", std::vector<std::int32_t>{1, -2, 3, 4, 5, -6}, 3);
+        add(file, "reals", std::vector<double>(5000, 0.1));
+        add(file, "nothing", Bytes());
+        add(file, "text", std::string("zwei\nZeilen"));
+        add(file, "no_text", std::string());
+        add(file, "names", std::vector<std::string>{"a", "", "long"});
       }));
 }
 
@@ -67,6 +72,9 @@ TEST_F(Hdf5FileTest, WhatIsAddedIsRead) {
   EXPECT_EQ(read<double>("reals"), std::vector<double>(5000, 0.1));
   EXPECT_TRUE(read<std::uint8_t>("nothing").empty());
   EXPECT_THAT(read<std::string>("text"), ElementsAre("zwei\nZeilen"));
+  std::string text = "before";
+  read_hdf5(folder_.path() / "file.h5", kKind, {{"text", &text}}, kMuch);
+  EXPECT_EQ(text, "zwei\nZeilen");
   EXPECT_THAT(read<std::string>("no_text"), ElementsAre(""));
   EXPECT_THAT(read<std::string>("names"), ElementsAre("a", "", "long"));
 }
@@ -145,8 +153,8 @@ Bytes file_with_rows(hsize_t rows, const std::function<void(const hdf5::Handle& 
                        const hsize_t chunk = 1000;
                        hdf5::check(H5Pset_chunk(creation.id(), 1, &chunk), "chunk");
                        hdf5::check(H5Pset_deflate(creation.id(), 1), "compression");
-                       fill(hdf5::make_dataset(file, "rows", H5T_NATIVE_UINT8,
-                                               hdf5::space_of({rows}), creation, {}));
+                       fill(hdf5::make_dataset(file, {"rows", {}}, H5T_NATIVE_UINT8,
+                                               hdf5::space_of({rows}), creation));
                      }));
 }
 
@@ -188,8 +196,8 @@ TEST_F(Hdf5FileTest, WhatGoesWrongWhileItIsMadeIsOneLine) {
     return std::string();
   };
   EXPECT_EQ(why([](const hdf5::Handle& file) {
-              hdf5::add(file, "text", "");
-              hdf5::add(file, "text", "");
+              add(file, "text", std::string());
+              add(file, "text", std::string());
             }),
             "cannot write file.h5: the HDF5 library: dataset");
   EXPECT_THROW(why([](const hdf5::Handle&) { throw std::bad_alloc(); }), std::bad_alloc);

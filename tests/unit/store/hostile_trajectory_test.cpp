@@ -57,7 +57,9 @@ void rewrite(const std::filesystem::path& path, const std::function<void(Traject
   read_hdf5(path, kTrajectoryKind, datasets, kMuch);
   change(part);
   write_whole(path, with_header(kTrajectoryKind, hdf5::image(path, [&](const hdf5::Handle& file) {
-                                  tables.write(file);
+                                  for (const Hdf5Dataset& dataset : tables.datasets()) {
+                                    hdf5::add(file, dataset);
+                                  }
                                   for (const Column& column : columns) {
                                     if (!column.may_be_missing || !part.rows.spin.empty()) {
                                       hdf5::add(file, column);

@@ -129,8 +129,8 @@ TEST_F(OutputFolderTest, SymbolicLinksAreNeverFollowed) {
               ThrowsMessage<StoreError>(HasSubstr("link")));
   EXPECT_THAT([&] { out.write("table.csv", "y"); },
               ThrowsMessage<StoreError>(EndsWith("it is not a regular file")));
-  EXPECT_THROW(out.open_to_append("table.csv"), StoreError);
-  EXPECT_THROW(out.truncate("table.csv", 0), StoreError);
+  EXPECT_THROW(GrowingFile(out, "table.csv", 0).append("y"), StoreError);
+  EXPECT_THROW(GrowingFile(out, "table.csv", 1), StoreError);
   out.write("kept.csv", "x");
   EXPECT_THAT([&] { out.clear("", ""); }, ThrowsMessage<StoreError>(HasSubstr("link")));
   EXPECT_EQ(text("out/kept.csv"), "x") << "nothing is lost where the next run cannot write";
@@ -285,7 +285,7 @@ TEST_F(OutputFolderTest, SeveralThatBeginAFileAtOnceLeaveItListed) {
         if ((round + i) % 2 == 0) {
           EXPECT_NO_THROW(out.write(name, "x"));
         } else {
-          EXPECT_NO_THROW(::close(out.open_to_append(name)));
+          EXPECT_NO_THROW(GrowingFile(out, name, 0).append("x"));
         }
       });
     }
