@@ -32,6 +32,7 @@ namespace clca::render {
 
 namespace {
 
+using lattice::Axial;
 using Address = decltype(eglGetProcAddress);
 
 /// Of libEGL, which is loaded to the end of the process.
@@ -121,7 +122,7 @@ struct Vertex {
 
 /// A corner of a triangle.
 struct Corner {
-  GridPoint point;                                  ///< from the reference site
+  Axial point;                                      ///< from the reference site
   Eigen::Vector2d inward{Eigen::Vector2d::Zero()};  ///< in widths of the outline
   bool outlined = false;
 };
@@ -129,14 +130,14 @@ using Triangles = std::vector<Corner>;  ///< three corners each
 
 void add_fill(Triangles& triangles, const lattice::Shape& shape) {
   for (const Trapezoid& piece : trapezoids(shape)) {
-    for (const GridPoint point : {piece.left_low, piece.right_low, piece.right_high, piece.left_low,
-                                  piece.right_high, piece.left_high}) {
+    for (const Axial point : {piece.left_low, piece.right_low, piece.right_high, piece.left_low,
+                              piece.right_high, piece.left_high}) {
       triangles.push_back({.point = point});
     }
   }
 }
 
-Eigen::Vector2d inward_normal(GridPoint from, GridPoint to) {
+Eigen::Vector2d inward_normal(Axial from, Axial to) {
   const Eigen::Vector2d along = (position(to) - position(from)).normalized();
   return {-along.y(), along.x()};
 }
@@ -238,8 +239,8 @@ class Canvas {
     const Rgb outline = outline_color(body.fill, projection_.outline_strength);
     for (const Corner& corner : triangles_[body.kind]) {
       // Exact whole numbers, so bodies that share a corner agree on it to the last bit.
-      const GridPoint point = {body.place.u + corner.point.u, body.place.v + corner.point.v};
-      const Eigen::Vector2d place = position(point) + projection_.outline_width * corner.inward;
+      const Eigen::Vector2d place = lattice::position(body.place + corner.point) / 2 +
+                                    projection_.outline_width * corner.inward;
       const Eigen::Array2d sample = projection_.scale * (place - projection_.corner).array();
       const Eigen::Array2f clip = (2 * sample / size - 1).cast<float>();
       const Rgb color = corner.outlined ? outline : body.fill;

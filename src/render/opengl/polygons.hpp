@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "clca/grains/state.hpp"
-#include "render/projection.hpp"
+#include "render/layout.hpp"
 #include "render/samples.hpp"
 
 namespace clca::render {
