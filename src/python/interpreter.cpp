@@ -29,17 +29,6 @@ int& works() {
   return count;
 }
 
-/// For ever, where Python comes to its end in another thread.
-void wait_at_end() {
-  End& end = End::get();
-  if (end.is_near && end.thread.load() != std::this_thread::get_id()) {
-    end.at_work -= works() > 0 ? 1 : 0;
-    for (;;) {
-      ::pause();
-    }
-  }
-}
-
 /// Those at work look for signals now and then, and so get here. What they use, such as the HDF5
 /// library, must not end before.
 void come_to_end() {
@@ -61,6 +50,16 @@ void forked() {
 
 }  // namespace
 
+void wait_at_end() {
+  End& end = End::get();
+  if (end.is_near && end.thread.load() != std::this_thread::get_id()) {
+    end.at_work -= works() > 0 ? 1 : 0;
+    for (;;) {
+      ::pause();
+    }
+  }
+}
+
 Released::Released() : state_(PyEval_SaveThread()) {
   ++works();
   ++End::get().at_work;
@@ -72,12 +71,6 @@ Released::~Released() {
   PyEval_RestoreThread(state_);
   --works();
   --End::get().at_work;
-}
-
-Acquired::Acquired() : state_((wait_at_end(), PyGILState_Ensure())) {}
-
-Acquired::~Acquired() {
-  PyGILState_Release(state_);
 }
 
 void watch_end() {

@@ -28,17 +28,8 @@ class Released {
   PyThreadState* state_;
 };
 
-/// With the interpreter, as pybind11::gil_scoped_acquire; likewise.
-class Acquired {
- public:
-  Acquired();
-  ~Acquired();
-  Acquired(const Acquired&) = delete;
-  Acquired& operator=(const Acquired&) = delete;
-
- private:
-  PyGILState_STATE state_;
-};
+/// For ever, where Python comes to its end in another thread: before the interpreter is taken.
+void wait_at_end();
 
 /// Python tells when it comes to its end.
 void watch_end();
@@ -54,7 +45,8 @@ class Interrupt {
   /// Also calls `report`, with the interpreter; what it raises ends the work likewise.
   template <class Report>
   void look(Report report) {
-    const Acquired interpreter;
+    wait_at_end();
+    const pybind11::gil_scoped_acquire interpreter;
     if (raised_) {
       return;
     }

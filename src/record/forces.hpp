@@ -6,7 +6,6 @@
 
 #include "clca/contact/force.hpp"
 #include "clca/measure/force.hpp"
-#include "clca/measure/force.hpp"
 #include "record/internal/observer.hpp"
 
 namespace clca::record {

@@ -57,24 +57,19 @@ std::vector<SmallTriangle> small_triangles(std::span<const Axial> sites) {
   return triangles;
 }
 
-GridPoint grid_point_of(Axial point) {
-  return {point.x, 2 * point.q + point.x};
-}
-
 /// The contiguous triangles from `first` to `last`, one above the other.
 Trapezoid column_piece(const SmallTriangle& first, const SmallTriangle& last) {
-  const int left = first.cell.x;
-  const int low = grid_point_of(first.cell).v;
-  const int high = grid_point_of(last.cell).v + 2;
-  return {.left_low = {left, first.upper ? low + 2 : low},
-          .left_high = {left, high},
-          .right_low = {left + 1, low + 1},
-          .right_high = {left + 1, last.upper ? high + 1 : high - 1}};
+  constexpr Axial kRight = {1, 0};
+  constexpr Axial kAbove = {0, 1};
+  return {.left_low = first.upper ? first.cell + kAbove : first.cell,
+          .left_high = last.cell + kAbove,
+          .right_low = first.cell + kRight,
+          .right_high = last.upper ? last.cell + kRight + kAbove : last.cell + kRight};
 }
 
 /// Whether `a`, `b`, `c` are collinear in this order.
-bool straight(GridPoint a, GridPoint b, GridPoint c) {
-  return (b.v - a.v) * (c.u - b.u) == (c.v - b.v) * (b.u - a.u);
+bool straight(Axial a, Axial b, Axial c) {
+  return (b.q - a.q) * (c.x - b.x) == (c.q - b.q) * (b.x - a.x);
 }
 
 bool continues(const Trapezoid& left, const Trapezoid& right) {
@@ -104,7 +99,7 @@ Outline outline(const lattice::Shape& shape) {
   for (std::size_t i = 0; i < next.size(); ++i) {
     const Axial here = next.at(before);
     if (here - before != next.at(here) - here) {
-      corners.push_back(grid_point_of(here));
+      corners.push_back(here);
     }
     before = here;
   }
@@ -118,7 +113,7 @@ std::vector<Trapezoid> trapezoids(const lattice::Shape& shape) {
                        : upper == SmallTriangle{lower.cell, true};
   };
   std::vector<Trapezoid> result;
-  std::map<std::pair<GridPoint, GridPoint>, std::size_t> by_right_side;
+  std::map<std::pair<Axial, Axial>, std::size_t> by_right_side;
   std::size_t first = 0;
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     if (i + 1 < triangles.size() && follows(triangles[i], triangles[i + 1])) {

@@ -73,8 +73,8 @@ std::vector<Legend::Patch> species_icons(std::span<const grains::Kind> kinds,
     const auto first = std::ranges::find_if(
         kinds, [&](const grains::Kind& kind) { return kind.species == number; });
     if (first != kinds.end()) {
-      for (const GridPoint corner : outline(first->shape)) {
-        icon.outline.push_back(position(corner));
+      for (const lattice::Axial corner : outline(first->shape)) {
+        icon.outline.push_back(lattice::position(corner) / 2);
       }
       icon.size = first->shape.diameter();
       largest = std::max(largest, icon.size);

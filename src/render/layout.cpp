@@ -2,9 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-
 namespace clca::render {
 
 namespace {
@@ -27,8 +24,8 @@ double top_strip(Annotations annotations) {
 
 }  // namespace
 
-PictureSize picture_size(int width, int height, const lattice::Rectangle& view,
-                         Annotations annotations) {
+PixelBox picture_size(int width, int height, const lattice::Rectangle& view,
+                      Annotations annotations) {
   constexpr double kArea = 1280.0 * 720.0;
   constexpr double kMinAspect = 0.4;  // width over height
   constexpr double kMaxAspect = 4;
@@ -48,10 +45,10 @@ PictureSize picture_size(int width, int height, const lattice::Rectangle& view,
     return std::max(2, 2 * static_cast<int>(std::lround(pixels / 2)));
   };
   if (width > 0) {
-    return {width, height > 0 ? height : even(width / aspect)};
+    return {.width = width, .height = height > 0 ? height : even(width / aspect)};
   }
-  return height > 0 ? PictureSize{even(height * aspect), height}
-                    : PictureSize{even(std::sqrt(kArea * aspect)), even(std::sqrt(kArea / aspect))};
+  return {.width = even(height > 0 ? height * aspect : std::sqrt(kArea * aspect)),
+          .height = height > 0 ? height : even(std::sqrt(kArea / aspect))};
 }
 
 Layout arrange(int width, int height, const lattice::Rectangle& view, Annotations annotations) {
@@ -108,7 +105,7 @@ Style completed(Style style, const lattice::Lattice& lattice) {
   if (style.annotations != Annotations::none && !font_problem().empty()) {
     style.annotations = Annotations::none;
   }
-  const PictureSize size = picture_size(style.width, style.height, style.view, style.annotations);
+  const PixelBox size = picture_size(style.width, style.height, style.view, style.annotations);
   if (std::max(size.width, size.height) > kMaxSize) {
     throw RenderError(fmt::format("a picture of {} x {} pixels is too large: {} x {} at most",
                                   size.width, size.height, kMaxSize, kMaxSize));

@@ -1,9 +1,13 @@
 #pragma once
-// Layout of view and annotations in a picture, and the part of the plane that the view shows.
+// Layout of view and annotations in a picture, the part of the plane that the view shows, and from
+// there to the samples of the canvas.
+
+#include <algorithm>
+#include <cmath>
 
 #include "clca/lattice/region.hpp"
+#include "clca/render/body.hpp"
 #include "clca/render/painter.hpp"
-#include "render/projection.hpp"
 
 namespace clca::render {
 
@@ -17,15 +21,10 @@ struct Layout {
   bool scale_bar = true;
 };
 
-struct PictureSize {
-  int width = 0;  ///< pixels
-  int height = 0;
-};
-
 /// A size in which the view fills the picture, with space for annotations if requested: even
 /// numbers, an area of about 1280 x 720. What is given (not 0) is kept, the other follows.
-PictureSize picture_size(int width, int height, const lattice::Rectangle& view,
-                         Annotations annotations);
+PixelBox picture_size(int width, int height, const lattice::Rectangle& view,
+                      Annotations annotations);
 
 /// Fits `view` into a picture of width x height pixels, with space for annotations if requested.
 Layout arrange(int width, int height, const lattice::Rectangle& view, Annotations annotations);
@@ -33,6 +32,40 @@ Layout arrange(int width, int height, const lattice::Rectangle& view, Annotation
 /// `style` with its view, or the whole box if it has none, and its size. Throws RenderError for an
 /// invalid style.
 Style completed(Style style, const lattice::Lattice& lattice);
+
+/// A particle in view.
+struct Body {
+  std::uint16_t kind = 0;
+  lattice::Axial place;  ///< of the reference site, in half spacings
+  Rgb fill;
+};
+
+struct Projection {
+  int width = 0;  ///< samples
+  int height = 0;
+  double scale = 1;             ///< samples a lattice spacing
+  Eigen::Vector2d corner;       ///< of the canvas, lower left, in lattice spacings
+  double outline_width = 0;     ///< lattice spacings
+  double outline_strength = 0;  ///< 0 draws no outline, 1 the darkest one
+
+  /// The part of the plane that the canvas shows.
+  lattice::Rectangle view() const {
+    return {corner.x(), corner.y(), corner.x() + width / scale, corner.y() + height / scale};
+  }
+
+  /// The samples whose centre lies in `rectangle`, the lower left one first.
+  PixelBox samples_in(const lattice::Rectangle& rectangle) const {
+    const auto first = [](double coordinate, int count) {
+      return static_cast<int>(
+          std::clamp(std::ceil(coordinate - 0.5), 0.0, static_cast<double>(count)));
+    };
+    const int left = first((rectangle.left - corner.x()) * scale, width);
+    const int right = first((rectangle.right - corner.x()) * scale, width);
+    const int bottom = first((rectangle.bottom - corner.y()) * scale, height);
+    const int top = first((rectangle.top - corner.y()) * scale, height);
+    return {left, bottom, std::max(0, right - left), std::max(0, top - bottom)};
+  }
+};
 
 /// Projection from the plane to `samples` samples per pixel along each axis.
 Projection projection_of(const lattice::Rectangle& view, const Layout& layout, int samples,

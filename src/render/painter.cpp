@@ -12,7 +12,6 @@
 #include "render/graphics.hpp"
 #include "render/layout.hpp"
 #include "render/opengl/polygons.hpp"
-#include "render/projection.hpp"
 #include "render/samples.hpp"
 #include "render/site_lookup.hpp"
 
@@ -48,6 +47,7 @@ std::vector<Body> bodies_in_view(const Projection& projection, const grains::Sta
       continue;
     }
     const lattice::Site home = {state.lattice.wrapped(particle.column), particle.row};
+    const lattice::Axial from_corner = home - lattice::Site{0, 0};
     const Eigen::Vector2d at = lattice::position(home);
     const double reach = state.shape(particle).diameter() + 1;
     // At a periodic boundary a particle appears at both sides.
@@ -57,8 +57,9 @@ std::vector<Body> bodies_in_view(const Projection& projection, const grains::Sta
       const bool in_box = images == 0 || (x + reach > -1 && x - reach < width);
       if (in_box && x + reach > view.left && x - reach < view.right &&
           at.y() + reach > view.bottom && at.y() - reach < view.top) {
-        GridPoint place = grid_point(home);
-        place.u += 2 * state.lattice.columns() * image;
+        const int columns = image * state.lattice.columns();  // to there, at the same height
+        const lattice::Axial place =
+            from_corner + from_corner + lattice::Axial{2 * columns, -columns};
         bodies.push_back({particle.kind, place, coloring.palette[coloring.shades[id]]});
       }
     }
@@ -140,9 +141,8 @@ struct Painter::Parts {
       std::vector<Eigen::Vector2d> corners;
       for (const Body& body : captured.bodies) {
         corners.clear();
-        for (const GridPoint corner : outlines[body.kind]) {
-          corners.push_back(
-              pixel(position(GridPoint{body.place.u + corner.u, body.place.v + corner.v})));
+        for (const lattice::Axial corner : outlines[body.kind]) {
+          corners.push_back(pixel(lattice::position(body.place + corner) / 2));
         }
         graphics.fill_polygon(corners, body.fill, projection.outline_width * layout.scale,
                               outline_color(body.fill, projection.outline_strength));
@@ -227,7 +227,7 @@ std::vector<std::uint8_t> Painter::pdf(const Capture& captured, const Caption& c
 }
 
 double Painter::bytes_for(const Style& style, double particles, int captures) {
-  const PictureSize size = picture_size(style.width, style.height, style.view, style.annotations);
+  const PixelBox size = picture_size(style.width, style.height, style.view, style.annotations);
   const double pixels = static_cast<double>(size.width) * size.height;
   // In Cairo, of the view in captures and lookup, of the picture; what the lookup remembers.
   double bytes = pixels * (4 + (captures + 2.0) * sizeof(Rgb) + sizeof(grains::Owner)) +

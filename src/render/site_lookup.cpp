@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "clca/parallel/team.hpp"
-#include "clca/render/painter.hpp"
 #include "render/colors.hpp"
 
 namespace clca::render {

@@ -10,7 +10,7 @@
 #include "clca/grains/occupancy.hpp"
 #include "clca/grains/state.hpp"
 #include "clca/render/coloring.hpp"
-#include "render/projection.hpp"
+#include "render/layout.hpp"
 #include "render/samples.hpp"
 
 namespace clca::render {

@@ -219,7 +219,7 @@ TEST(PictureSize, FollowsTheViewUnlessItIsGiven) {
        {render::Annotations::none, render::Annotations::legend, render::Annotations::all}) {
     for (const double aspect : {0.5, 0.8, 1.0, 1.5, 2.5}) {
       const lattice::Rectangle view = {0, 0, 100 * aspect, 100};
-      const PictureSize size = picture_size(0, 0, view, annotations);
+      const PixelBox size = picture_size(0, 0, view, annotations);
       EXPECT_NEAR(size.width * size.height, 1280 * 720, 0.02 * 1280 * 720);
       EXPECT_EQ(size.width % 2 + size.height % 2, 0);
       const Layout layout = arrange(size.width, size.height, view, annotations);

@@ -13,10 +13,10 @@ namespace {
 using lattice::Axial;
 using lattice::Shape;
 
-/// Areas in small triangles: one is a unit of u times a unit of v.
+/// Areas in small triangles.
 int area_of(const Trapezoid& piece) {
-  const int heights = piece.left_high.v - piece.left_low.v + piece.right_high.v - piece.right_low.v;
-  return heights * (piece.right_low.u - piece.left_low.u) / 2;
+  const int heights = piece.left_high.q - piece.left_low.q + piece.right_high.q - piece.right_low.q;
+  return heights * (piece.right_low.x - piece.left_low.x);
 }
 
 int area_of(const std::vector<Trapezoid>& pieces) {
@@ -28,13 +28,13 @@ int area_of(const std::vector<Trapezoid>& pieces) {
 }
 
 int area_of(const Outline& outline) {
-  int doubled = 0;
+  int area = 0;
   for (std::size_t i = 0; i < outline.size(); ++i) {
-    const GridPoint a = outline[i];
-    const GridPoint b = outline[(i + 1) % outline.size()];
-    doubled += a.u * b.v - b.u * a.v;
+    const Axial a = outline[i];
+    const Axial b = outline[(i + 1) % outline.size()];
+    area += a.x * b.q - b.x * a.q;
   }
-  return doubled / 2;
+  return area;
 }
 
 /// Weight of the particle at a point in axial coordinates, as the lookup shader counts it.
@@ -120,8 +120,8 @@ TEST(Body, OfAHexagonIsAHexagonHalfASpacingLarger) {
     const Shape shape = Shape::hexagon(radius);
     const Outline line = outline(shape);
     EXPECT_EQ(line.size(), 6U);
-    for (const GridPoint corner : line) {
-      EXPECT_NEAR(position(corner).norm(), radius + 0.5, 1e-12);
+    for (const Axial corner : line) {
+      EXPECT_NEAR(position(corner).norm() / 2, radius + 0.5, 1e-12);
     }
     EXPECT_EQ(trapezoids(shape).size(), 2U);
     EXPECT_EQ(area_of(line), 6 * (2 * radius + 1) * (2 * radius + 1));
