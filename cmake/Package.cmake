@@ -37,8 +37,8 @@ set(about "Grains made of sites of a triangular lattice fall, flow and come to r
 rules or by contact dynamics; a gas of inelastic, rough spheres follows the
 Boltzmann equation. The same scene and seed always give the same bits.")
 set(same "clca (= ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})")
-# EGL, what draws behind it, and the font are found at run time.
-clca_package(program clca science "simulator of granular flow in two dimensions" "libegl1, libgl1-mesa-dri, fonts-dejavu-core"
+# OSMesa or EGL and the font are found at run time.
+clca_package(program clca science "simulator of granular flow in two dimensions" "libosmesa6 | libegl-mesa0, fonts-dejavu-core"
              "python3, python3-gsd, python3-h5py, python3-jinja2, python3-matplotlib, python3-numpy, \
 python3-sklearn, python3-yaml, ffmpeg")
 clca_package(development libclca-dev libdevel "simulator of granular flow (static libraries and headers)"

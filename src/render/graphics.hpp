@@ -21,8 +21,8 @@ struct _cairo;  // NOLINT(bugprone-reserved-identifier)
 
 namespace clca::render {
 
-/// Throws std::bad_alloc unless so much address space is free: Mesa, GLib and fontconfig end the
-/// program where they get no memory.
+/// Throws std::bad_alloc unless so much address space is free: OSMesa, GLib and fontconfig end
+/// the program where they get no memory.
 void require_memory(std::size_t bytes = std::size_t{128} << 20U);
 
 class Graphics {

@@ -117,14 +117,31 @@ TEST_F(CliTest, ARunBeginsWithTheEndOfAnother) {
 TEST_F(CliTest, OpenGlIsLoadedForPolygonsOnly) {
   write("small.yaml", kScene);
   fs::create_directory(folder_.path() / "lib");
+  write("lib/libOSMesa.so.8", "no library");
   write("lib/libEGL.so.1", "no library");
   const testing::ProgramSetting broken = {
       .environment = {{"LD_LIBRARY_PATH", (folder_.path() / "lib").string()}}};
   expect_refused(run({"run", "small.yaml", "--set", "output.frames.drawing=polygons"}, broken), 2,
                  AllOf(StartsWith("small.yaml:14:11: error: nothing here draws polygons: "),
-                       HasSubstr("libEGL.so.1")));
+                       HasSubstr("libOSMesa.so.8"), HasSubstr("libEGL.so.1")));
   const auto looked_up = run({"run", "small.yaml", "-o", "out"}, broken);
   EXPECT_EQ(looked_up.code, 0) << looked_up.err;
+}
+
+TEST_F(CliTest, PolygonsAreDrawnByEglWhereThereIsNoOsMesa) {
+  write("small.yaml", kScene);
+  fs::create_directory(folder_.path() / "lib");
+  write("lib/libOSMesa.so.8", "no library");
+  const testing::ProgramSetting broken = {
+      .environment = {{"LD_LIBRARY_PATH", (folder_.path() / "lib").string()}}};
+  const std::string polygons = "output.frames.drawing=polygons";
+  EXPECT_EQ(run({"run", "small.yaml", "-o", "osmesa", "--set", polygons}).code, 0);
+  const auto result = run({"run", "small.yaml", "-o", "egl", "--set", polygons}, broken);
+  EXPECT_EQ(result.code, 0) << result.err;
+  for (const auto& frame : fs::directory_iterator(folder_.path() / "osmesa" / "frames")) {
+    EXPECT_EQ(testing::bytes_of(folder_.path() / "egl" / "frames" / frame.path().filename()),
+              testing::bytes_of(frame.path()));
+  }
 }
 
 TEST_F(CliTest, HelpNamesTheCommandsAndTheExitCodes) {

@@ -12,7 +12,7 @@ PolygonPainter polygon_painter(const Projection& /*projection*/, int /*samples*/
 }
 
 void prepare_polygons() {
-  throw RenderError("this build draws no polygons: it was made without OpenGL and EGL");
+  throw RenderError("this build draws no polygons: it was made without OSMesa and EGL");
 }
 
 }  // namespace clca::render

@@ -1,23 +1,17 @@
 #include "render/opengl/polygons.hpp"
 
-#define EGL_NO_X11
 #define GL_GLEXT_PROTOTYPES  // types of functions; no library is linked
-#include <EGL/egl.h>
-#include <EGL/eglext.h>
 #include <GL/gl.h>
 #include <GL/glext.h>
-#include <dlfcn.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <memory>
-#include <mutex>
-#include <string_view>
+#include <optional>
 
 #include "clca/render/painter.hpp"
 #include "render/colors.hpp"
-#include "render/graphics.hpp"
+#include "render/opengl/context.hpp"
 
 // The OpenGL functions used here, without "gl".
 // clang-format off
@@ -33,82 +27,12 @@ namespace clca::render {
 namespace {
 
 using lattice::Axial;
-using Address = decltype(eglGetProcAddress);
 
-/// Of libEGL, which is loaded to the end of the process.
-Address* loaded_address() {
-  require_memory(std::size_t{384} << 20U);
-  void* const library = ::dlopen("libEGL.so.1", RTLD_NOW | RTLD_LOCAL);
-  void* const address = library == nullptr ? nullptr : ::dlsym(library, "eglGetProcAddress");
-  if (address == nullptr) {
-    throw RenderError(fmt::format("nothing here draws polygons: {}", ::dlerror()));
-  }
-  return reinterpret_cast<Address*>(address);
-}
-
-/// A function of EGL or OpenGL. Throws RenderError when there is none of that name.
-template <class Function>
-Function* function(const char* name) {
-  static Address* const kAddress = loaded_address();
-  const auto found = kAddress(name);
-  return found != nullptr ? reinterpret_cast<Function*>(found)
-                          : throw RenderError(fmt::format("OpenGL has no {}", name));
-}
-
-/// EGL without a surface, to the end of the process. Loaded before the first context: it brings
-/// LLVM, which takes longer to load than many a run takes.
-struct Egl {
-  decltype(eglBindAPI)* bind = function<decltype(eglBindAPI)>("eglBindAPI");
-  decltype(eglCreateContext)* create = function<decltype(eglCreateContext)>("eglCreateContext");
-  decltype(eglDestroyContext)* destroy = function<decltype(eglDestroyContext)>("eglDestroyContext");
-  decltype(eglMakeCurrent)* use = function<decltype(eglMakeCurrent)>("eglMakeCurrent");
-  EGLDisplay display = function<decltype(eglGetPlatformDisplay)>("eglGetPlatformDisplay")(
-      EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr);
-
-  Egl() {
-    if (function<decltype(eglInitialize)>("eglInitialize")(display, nullptr, nullptr) ==
-        EGL_FALSE) {
-      throw RenderError("nothing here draws polygons: EGL draws nothing without a surface");
-    }
-  }
-
-  static const Egl& get() {
-    static const Egl kEgl;
-    return kEgl;
-  }
-};
-
-/// Throws RenderError, std::bad_alloc.
-std::shared_ptr<void> new_context() {
-  prepare_polygons();
-  require_memory();
-  const Egl& egl = Egl::get();
-  egl.bind(EGL_OPENGL_API);
-  void* const context = egl.create(egl.display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, nullptr);
-  if (context == nullptr) {
-    throw RenderError("there is no OpenGL context");
-  }
-  return {context, [&egl](void* made) { egl.destroy(egl.display, made); }};
-}
-
-/// Makes it current for this thread, as long as there is what is returned.
-std::shared_ptr<void> current(void* context) {
-  require_memory();
-  const auto use = [](void* wanted) {
-    const Egl& egl = Egl::get();
-    egl.bind(EGL_OPENGL_API);  // for this thread
-    return egl.use(egl.display, EGL_NO_SURFACE, EGL_NO_SURFACE, wanted) != EGL_FALSE;
-  };
-  if (!use(context)) {
-    throw RenderError("the OpenGL context cannot be used");
-  }
-  return {context, [use](void* /*context*/) { use(nullptr); }};
-}
-
-/// Objects of OpenGL live as long as their context.
+/// Of the current context, where all objects live as long as it does.
 struct Gl {
 // NOLINTBEGIN(bugprone-macro-parentheses): a name that is declared has none
-#define CLCA_GL(name) decltype(&gl##name) name = function<decltype(gl##name)>("gl" #name);
+#define CLCA_GL(name) \
+  decltype(&gl##name) name = reinterpret_cast<decltype(name)>(Context::function("gl" #name));
   // NOLINTEND(bugprone-macro-parentheses)
   CLCA_GL_FUNCTIONS(CLCA_GL)
 #undef CLCA_GL
@@ -169,35 +93,36 @@ class Canvas {
         add_line(triangles_[kind], outline(kinds[kind].shape));
       }
     }
-    const auto drawing = current(context_.get());
+    const auto current = context_.current();
+    gl_.emplace();
     add_target();
-    gl_.Viewport(0, 0, projection.width, projection.height);
-    gl_.Scissor(box.x, box.y, box.width, box.height);
-    gl_.EnableClientState(GL_VERTEX_ARRAY);
-    gl_.EnableClientState(GL_COLOR_ARRAY);
+    gl_->Viewport(0, 0, projection.width, projection.height);
+    gl_->Scissor(box.x, box.y, box.width, box.height);
+    gl_->EnableClientState(GL_VERTEX_ARRAY);
+    gl_->EnableClientState(GL_COLOR_ARRAY);
     check();
   }
 
   std::vector<Sample> drawn(std::span<const Body> bodies) const {
     constexpr std::size_t kMaxVertices = std::size_t{3} << 16U;  // at a time: 2.4 MB
-    const auto drawing = current(context_.get());
-    gl_.Disable(GL_SCISSOR_TEST);
-    gl_.Clear(GL_COLOR_BUFFER_BIT);
-    gl_.Enable(GL_SCISSOR_TEST);
+    const auto current = context_.current();
+    gl_->Disable(GL_SCISSOR_TEST);
+    gl_->Clear(GL_COLOR_BUFFER_BIT);
+    gl_->Enable(GL_SCISSOR_TEST);
     std::vector<Vertex> vertices;
     for (const Body& body : bodies) {
       add(body, vertices);
       if (vertices.size() > kMaxVertices || &body == &bodies.back()) {
-        gl_.VertexPointer(2, GL_FLOAT, sizeof(Vertex), &vertices.front().x);
-        gl_.ColorPointer(4, GL_UNSIGNED_BYTE, sizeof(Vertex), &vertices.front().red);
-        gl_.DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(vertices.size()));
+        gl_->VertexPointer(2, GL_FLOAT, sizeof(Vertex), &vertices.front().x);
+        gl_->ColorPointer(4, GL_UNSIGNED_BYTE, sizeof(Vertex), &vertices.front().red);
+        gl_->DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(vertices.size()));
         vertices.clear();
       }
     }
     std::vector<Sample> samples(static_cast<std::size_t>(projection_.width) *
                                 static_cast<std::size_t>(projection_.height));
-    gl_.ReadPixels(0, 0, projection_.width, projection_.height, GL_BGRA,
-                   GL_UNSIGNED_INT_8_8_8_8_REV, samples.data());
+    gl_->ReadPixels(0, 0, projection_.width, projection_.height, GL_BGRA,
+                    GL_UNSIGNED_INT_8_8_8_8_REV, samples.data());
     check();
     return samples;
   }
@@ -205,7 +130,7 @@ class Canvas {
  private:
   void add_target() const {
     GLint limit = 0;
-    gl_.GetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &limit);
+    gl_->GetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &limit);
     if (std::max(projection_.width, projection_.height) > limit) {
       throw RenderError(fmt::format(
           "polygons in {} x {} pixels with supersampling {} are too large: {} samples at most",
@@ -213,21 +138,21 @@ class Canvas {
     }
     GLuint framebuffer = 0;
     GLuint renderbuffer = 0;
-    gl_.GenFramebuffers(1, &framebuffer);
-    gl_.GenRenderbuffers(1, &renderbuffer);
-    gl_.BindRenderbuffer(GL_RENDERBUFFER, renderbuffer);
-    gl_.RenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, projection_.width, projection_.height);
-    gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
-                                renderbuffer);
+    gl_->GenFramebuffers(1, &framebuffer);
+    gl_->GenRenderbuffers(1, &renderbuffer);
+    gl_->BindRenderbuffer(GL_RENDERBUFFER, renderbuffer);
+    gl_->RenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, projection_.width, projection_.height);
+    gl_->BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    gl_->FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
+                                 renderbuffer);
     check();
-    if (gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
+    if (gl_->CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
       throw RenderError("the OpenGL driver cannot draw off screen");
     }
   }
 
   void check() const {
-    const GLenum error = gl_.GetError();
+    const GLenum error = gl_->GetError();
     if (error != GL_NO_ERROR) {
       throw RenderError(error == GL_OUT_OF_MEMORY ? "no memory to draw polygons"
                                                   : fmt::format("OpenGL error {:#06x}", error));
@@ -251,37 +176,11 @@ class Canvas {
   Projection projection_;
   int samples_;
   std::vector<Triangles> triangles_;  // by kind
-  std::shared_ptr<void> context_ = new_context();
-  Gl gl_;
+  Context context_;
+  std::optional<Gl> gl_;
 };
 
 }  // namespace
-
-std::string environment_problem(const char* driver, const char* vector_width) {
-  const std::string_view name = driver == nullptr ? "" : driver;
-  if (!name.empty() && name != "llvmpipe" && name != "softpipe") {
-    return fmt::format(
-        "GALLIUM_DRIVER is \"{}\"; polygons are drawn with llvmpipe or softpipe: unset it", name);
-  }
-  const std::string_view width = vector_width == nullptr ? "128" : vector_width;
-  if (width != "128" && width != "256") {
-    return fmt::format("LP_NATIVE_VECTOR_WIDTH is \"{}\"; 128 and 256 work: unset it", width);
-  }
-  return {};
-}
-
-void prepare_polygons() {
-  static std::mutex mutex;  // setenv races with itself
-  const std::lock_guard lock(mutex);
-  const std::string problem =
-      environment_problem(std::getenv("GALLIUM_DRIVER"), std::getenv("LP_NATIVE_VECTOR_WIDTH"));
-  if (!problem.empty()) {
-    throw RenderError(problem);
-  }
-  setenv("LP_NUM_THREADS", "0", 0);
-  setenv("LIBGL_ALWAYS_SOFTWARE", "1", 0);  // about the same picture on any machine
-  Egl::get();
-}
 
 PolygonPainter polygon_painter(const Projection& projection, int samples, const PixelBox& box,
                                std::span<const grains::Kind> kinds) {
