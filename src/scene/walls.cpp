@@ -99,11 +99,11 @@ bool any_swept_site(const lattice::Lattice& lattice, const Wall& wall,
 std::vector<bool> walls_present_at_start(const Scene& scene) {
   std::vector<bool> there(scene.walls.size(), true);
   // From the last stage on: the first one that names a wall decides.
-  for (auto stage = scene.stages.rbegin(); stage != scene.stages.rend(); ++stage) {
-    for (const std::size_t wall : stage->remove) {
+  for (std::size_t i = scene.stages.size(); i > 0; --i) {
+    for (const std::size_t wall : scene.stages[i - 1].remove) {
       there[wall] = true;
     }
-    for (const std::size_t wall : stage->insert) {
+    for (const std::size_t wall : scene.stages[i - 1].insert) {
       there[wall] = false;
     }
   }

@@ -1,6 +1,6 @@
-#include "clca/document/document.hpp"
-
 #include <gtest/gtest.h>
+
+#include "clca/document/document.hpp"
 
 namespace clca::document::expression_test {
 
