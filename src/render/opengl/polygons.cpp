@@ -35,22 +35,26 @@ namespace {
 using lattice::Axial;
 using Address = decltype(eglGetProcAddress);
 
-/// Of libEGL, which is loaded to the end of the process.
-Address* loaded_address() {
+/// Loaded to the end of the process.
+struct Library {
+  Address* address = nullptr;
+};
+
+Library libegl() {
   require_memory(std::size_t{384} << 20U);
   void* const library = ::dlopen("libEGL.so.1", RTLD_NOW | RTLD_LOCAL);
   void* const address = library == nullptr ? nullptr : ::dlsym(library, "eglGetProcAddress");
   if (address == nullptr) {
     throw RenderError(fmt::format("nothing here draws polygons: {}", ::dlerror()));
   }
-  return reinterpret_cast<Address*>(address);
+  return {reinterpret_cast<Address*>(address)};
 }
 
 /// A function of EGL or OpenGL. Throws RenderError when there is none of that name.
 template <class Function>
 Function* function(const char* name) {
-  static Address* const kAddress = loaded_address();
-  const auto found = kAddress(name);
+  static const Library kLibrary = libegl();
+  const auto found = kLibrary.address(name);
   return found != nullptr ? reinterpret_cast<Function*>(found)
                           : throw RenderError(fmt::format("OpenGL has no {}", name));
 }
