@@ -2,7 +2,7 @@
 
 import json
 import sys
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from typing import Any
 
 from ._error import Error, printable
@@ -12,15 +12,15 @@ def _head(**values: Any) -> None:
     sys.stdout.buffer.write(json.dumps(values).encode() + b"\n")
 
 
-def parts(name: str, content: Sequence[Any]) -> None:
+def parts(name: str, size: int, content: Iterable[Any]) -> None:
     """A file that the program writes, relative to the folder of the command: its bytes, part by part."""
-    _head(file=name, bytes=sum(memoryview(part).nbytes for part in content))
+    _head(file=name, bytes=size)
     sys.stdout.buffer.writelines(content)
     sys.stdout.buffer.flush()
 
 
 def file(name: str, content: bytes) -> None:
-    parts(name, [content])
+    parts(name, len(content), [content])
 
 
 def files(contents: Iterable[tuple[str, bytes]], lines: Iterable[str]) -> None:

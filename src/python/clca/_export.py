@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import io
 import json
+import math
 import os
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator
 from importlib.metadata import version
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -29,7 +30,27 @@ VTK_TYPES = {"<f4": "Float32", "<i4": "Int32", "<u2": "UInt16", "<u4": "UInt32"}
 class Target(NamedTuple):
     path: Path  #: to write to
     file: Path  #: what it is going to be, as the user knows it
-    add: Callable[[str, Sequence[Any]], None]  #: a file beside it: its name and the parts of its content
+    add: Callable[[str, int, Iterable[Any]], None]  #: a file beside it: its name, its size and the parts of its content
+
+
+class Array(NamedTuple):
+    """Made block by block when it is written."""
+
+    name: str
+    kind: str  #: of its numbers, as of VTK_TYPES
+    shape: tuple[int, ...]
+    blocks: Iterable[NDArray[Any]]
+
+    @property
+    def size(self) -> int:
+        return numpy.dtype(self.kind).itemsize * math.prod(self.shape)
+
+    def whole(self) -> NDArray[Any]:
+        return numpy.concatenate(list(self.blocks))
+
+
+def array(name: str, values: NDArray[Any]) -> Array:
+    return Array(name, values.dtype.str, values.shape, [values])
 
 
 class Source:
@@ -76,23 +97,26 @@ class Source:
             return 1
         return float(self.site_weight * self.trajectory.sizes[frame.kinds].mean())
 
-    def column(self, name: str, frame: Frame) -> NDArray[Any]:
-        """Of the particles of a frame: N, or N x 3."""
+    def column(self, name: str, frame: Frame, rows: slice = slice(None)) -> NDArray[Any]:
+        """Of particles of a frame: N, or N x 3."""
+        some = frame.particles[rows]
         if name in VECTORS:
-            vectors = numpy.zeros((len(frame.ids), 3))
-            vectors.T[: 1 if name == "image" else 2] = frame.particles[name].T
+            vectors = numpy.zeros((len(some), 3))
+            vectors.T[: 1 if name == "image" else 2] = some[name].T
             return vectors * self.spacing if name in ("position", "displacement") else vectors
         if name in ("mass", "diameter"):
             sizes = self.trajectory.sizes
             of_kinds = self.site_mass * sizes if name == "mass" else 2 * self.spacing * self.trajectory.radii
-            return numpy.asarray(of_kinds[frame.kinds])
-        cells = frame.particles[name]
-        return numpy.asarray(self.force(frame) * cells if name == "force" else cells)
+            return numpy.asarray(of_kinds[some["kind"]])
+        # A copy, which does not keep the frame.
+        return numpy.array(self.force(frame) * some["force"] if name == "force" else some[name])
 
-    def narrow(self, name: str, frame: Frame, origin: Any = 0) -> NDArray[Any]:
-        """The same in 32 bits, places from an origin."""
-        cells: NDArray[Any] = self.column(name, frame) - (origin if name == "position" else 0)
-        return cells.astype("u4" if name == "id" else "f4")
+    def narrow(self, name: str, frame: Frame, origin: Any = 0) -> Array:
+        """The same of all particles in 32 bits, places from an origin."""
+        kind, start = "<u4" if name == "id" else "<f4", origin if name == "position" else 0
+        shape = (len(frame.ids), 3) if name in VECTORS else (len(frame.ids),)
+        blocks = ((self.column(name, frame, rows) - start).astype(kind) for rows in slices(len(frame.ids)))
+        return Array(name, kind, shape, blocks)
 
 
 def chosen(frames: list[tuple[int, str]], first: int | None, last: int | None, every: int) -> list[int]:
@@ -110,12 +134,19 @@ def chosen(frames: list[tuple[int, str]], first: int | None, last: int | None, e
     return result
 
 
-def contact_forces(source: Source, frame: Frame, those: NDArray[numpy.void]) -> dict[str, NDArray[Any]]:
+def contact_arrays(source: Source, frame: Frame, count: int, pairs: bool = False) -> list[Array]:
     """Of contacts the force on the upper one: as a vector, along the normal and along the normal turned anticlockwise."""
-    (x, y), (along, across) = those["normal"].T, source.force(frame) * those["force"].T
-    vector = numpy.stack([along * x - across * y, along * y + across * x, numpy.zeros_like(x)], 1)
-    forces = {"force": vector, "normal_force": along, "tangential_force": across}
-    return {name: force.astype("f4") for name, force in forces.items()}
+    unit = source.force(frame)
+
+    def blocks(name: str) -> Iterator[NDArray[Any]]:
+        for some in frame._contact_blocks("other", "normal", "force"):
+            some = some[some["other"] >= 0] if pairs else some
+            (x, y), (along, across) = some["normal"].T, unit * some["force"].T
+            vector = numpy.stack([along * x - across * y, along * y + across * x, numpy.zeros_like(x)], 1)
+            yield {"force": vector, "normal_force": along, "tangential_force": across}[name].astype("f4")
+
+    shapes: dict[str, tuple[int, ...]] = {"force": (count, 3), "normal_force": (count,), "tangential_force": (count,)}
+    return [Array(name, "<f4", shape, blocks(name)) for name, shape in shapes.items()]
 
 
 def xyz(source: Source, target: Target) -> None:
@@ -132,19 +163,19 @@ def xyz(source: Source, target: Target) -> None:
         for frame in source.frames():
             time = f"Time={frame.time!r} Step={frame.step}"
             file.write(f'{len(frame.ids)}\n{box} {time} pbc="{"FT"[source.periodic]} F F"\n')
-            columns = [source.column(name, frame) for name in names]
-            columns[6] = columns[6] / 2  # of the diameter
-            cells = [species[frame.kinds]]
-            cells += [cell for column in columns for cell in (column.T[:2] if column.ndim > 1 else column[None])]
             for rows in slices(len(frame.ids), MANY):
-                file.writelines(map(line.__mod__, zip(*(cell[rows].tolist() for cell in cells))))
+                columns = [source.column(name, frame, rows) for name in names]
+                columns[6] = columns[6] / 2  # of the diameter
+                cells = [column.T[:2] if column.ndim > 1 else column[None] for column in columns]
+                texts = (species[frame.kinds[rows]], *(row for cell in cells for row in cell))
+                file.writelines(map(line.__mod__, zip(*(text.tolist() for text in texts))))
 
 
 def gsd(source: Source, target: Target) -> None:
     """GSD with the schema of HOOMD (gsd.readthedocs.io); contacts of two particles are bonds."""
     import gsd.fl  # type: ignore[import]
 
-    def put(name: str, values: Any, dtype: Any) -> None:
+    def put(name: str, values: Any, dtype: str) -> None:
         file.write_chunk(name, numpy.ascontiguousarray(values, dtype))
 
     def put_texts(name: str, values: list[str]) -> None:
@@ -170,16 +201,18 @@ def gsd(source: Source, target: Target) -> None:
                 column = source.narrow(name, frame, middle)
                 in_schema = name in ("position", "velocity", "mass", "diameter", "image")
                 path = f"particles/{name}" if in_schema else f"log/particles/{name}"
-                put(path, column, "i4" if name == "image" else column.dtype)
+                put(path, column.whole(), "i4" if name == "image" else column.kind)
             if source.trajectory.has_contacts:
-                those = frame.contacts[frame.contacts["other"] >= 0]
-                both = numpy.stack([those["upper"], those["other"]], 1).astype("u4")
+                blocks = (some[some["other"] >= 0] for some in frame._contact_blocks("upper", "other"))
+                ids = [numpy.stack([some["upper"], some["other"]], 1).astype("u4") for some in blocks]
+                both = numpy.concatenate(ids)
+                places = [numpy.searchsorted(frame.ids, both[some]).astype("u4") for some in slices(len(both))]
                 put("bonds/N", [len(both)], "u4")
                 put("bonds/typeid", numpy.zeros(len(both)), "u4")
-                put("bonds/group", numpy.searchsorted(frame.ids, both), "u4")
+                put("bonds/group", numpy.concatenate(places), "u4")
                 put("log/bonds/id", both, "u4")
-                for name, force in contact_forces(source, frame, those).items():
-                    put(f"log/bonds/{name}", force, "f4")
+                for force in contact_arrays(source, frame, len(both), pairs=True):
+                    put(f"log/bonds/{force.name}", force.whole(), "f4")
             file.end_frame()
 
 
@@ -253,7 +286,8 @@ def h5md(source: Source, target: Target) -> None:
                     values[frame.ids] = source.column(name, frame)
                 for name, element in elements.items():
                     row = numpy.full(element.shape[1:], element.fillvalue, element.dtype)
-                    row[frame.ids] = source.column(name, frame)
+                    for rows_of in slices(len(frame.ids)):
+                        row[frame.ids[rows_of]] = source.column(name, frame, rows_of)
                     element[number] = row
                 disk.check()
             for name, values in lasting.items():
@@ -264,19 +298,28 @@ def h5md(source: Source, target: Target) -> None:
 
 
 def poly_data(
-    time: float, names: tuple[str, list[str]], kind: str, points: NDArray[Any], counts: NDArray[Any],
-    cells: dict[str, NDArray[Any]]
-) -> list[Any]:
-    """The parts of a file of VTK ("PolyData", raw data appended). `kind`: Polys or Lines, of `counts` points each."""
-    data: list[Any] = []
+    time: float, names: tuple[str, list[str]], kind: str, points: Array, counts: NDArray[Any], cells: list[Array]
+) -> tuple[int, Iterator[Any]]:
+    """A file of VTK ("PolyData", raw data appended): size and parts. `kind`: Polys or Lines, of `counts` points each."""
+    arrays: list[Array] = []
 
-    def declared(name: str, values: NDArray[Any]) -> str:
-        text = f'<DataArray Name="{name}" type="{VTK_TYPES[values.dtype.str]}" NumberOfComponents="{(*values.shape, 1)[1]}" '
-        text += f'format="appended" offset="{sum(part.nbytes for part in data)}"/>\n'
-        data.extend([numpy.uint64(values.nbytes), numpy.ascontiguousarray(values)])
+    def declared(one: Array) -> str:
+        text = f'<DataArray Name="{one.name}" type="{VTK_TYPES[one.kind]}" NumberOfComponents="{(*one.shape, 1)[1]}" '
+        text += f'format="appended" offset="{sum(8 + before.size for before in arrays)}"/>\n'
+        arrays.append(one)
         return text
 
-    connectivity, offsets = numpy.arange(len(points), dtype="i4"), numpy.cumsum(counts, dtype="i4")
+    def parts() -> Iterator[Any]:
+        yield head.encode()
+        for one in arrays:
+            yield numpy.uint64(one.size).tobytes()
+            yield from map(numpy.ascontiguousarray, one.blocks)
+        yield tail
+
+    count = points.shape[0]
+    numbers = (numpy.arange(rows.start, rows.stop, dtype="i4") for rows in slices(count))
+    connectivity = Array("connectivity", "<i4", (count,), numbers)
+    offsets = array("offsets", numpy.cumsum(counts, dtype="i4"))
     letters = " ".join(str(byte) for name in names[1] for byte in name.encode() + b"\0")
     head = f"""<?xml version="1.0"?>
 <VTKFile type="PolyData" version="1.0" byte_order="LittleEndian" header_type="UInt64">
@@ -285,33 +328,39 @@ def poly_data(
 <DataArray Name="TimeValue" type="Float64" NumberOfTuples="1" format="ascii">{time!r}</DataArray>
 <DataArray Name="{names[0]}" type="String" NumberOfTuples="{len(names[1])}" format="ascii">{letters}</DataArray>
 </FieldData>
-<Piece NumberOfPoints="{len(points)}" NumberOf{kind}="{len(counts)}">
-<Points>{declared("Points", points)}</Points>
-<{kind}>{declared("connectivity", connectivity)}{declared("offsets", offsets)}</{kind}>
-<CellData>{"".join(declared(*cell) for cell in cells.items())}</CellData>
+<Piece NumberOfPoints="{count}" NumberOf{kind}="{len(counts)}">
+<Points>{declared(points)}</Points>
+<{kind}>{declared(connectivity)}{declared(offsets)}</{kind}>
+<CellData>{"".join(map(declared, cells))}</CellData>
 </Piece>
 </PolyData>
 <AppendedData encoding="raw">
 _"""
-    return [head.encode(), *data, b"\n</AppendedData>\n</VTKFile>\n"]
+    tail = b"\n</AppendedData>\n</VTKFile>\n"
+    return len(head.encode()) + sum(8 + one.size for one in arrays) + len(tail), parts()
 
 
-def bodies(source: Source, frame: Frame) -> list[Any]:
+def bodies(source: Source, frame: Frame) -> tuple[int, Iterator[Any]]:
     """A polygon for each particle."""
     counts = numpy.array([len(outline) for outline in source.outlines], "i4")[frame.kinds]
-    ends, points = numpy.cumsum(counts), numpy.zeros((counts.sum(), 3), "f4")
-    for rows in slices(len(frame.ids), MANY):
-        kinds, places = frame.kinds[rows], frame.positions[rows]
-        for kind in numpy.unique(kinds):
-            those, outline = numpy.flatnonzero(kinds == kind)[:, None], source.outlines[kind]
-            corners = ends[rows][those] - len(outline) + numpy.arange(len(outline))
-            points[corners, :2] = source.spacing * places[those] + outline
-    cells = {"species": source.species[frame.kinds]}
-    cells |= {name: source.narrow(name, frame) for name in source.columns if name not in ("position", "image")}
+
+    def blocks() -> Iterator[NDArray[Any]]:
+        for rows in slices(len(frame.ids), MANY):
+            kinds, places, ends = frame.kinds[rows], frame.positions[rows], numpy.cumsum(counts[rows])
+            points = numpy.zeros((counts[rows].sum(), 3), "f4")
+            for kind in numpy.unique(kinds):
+                those, outline = numpy.flatnonzero(kinds == kind)[:, None], source.outlines[kind]
+                corners = ends[those] - len(outline) + numpy.arange(len(outline))
+                points[corners, :2] = source.spacing * places[those] + outline
+            yield points
+
+    points = Array("Points", "<f4", (int(counts.sum()), 3), blocks())
+    cells = [array("species", source.species[frame.kinds])]
+    cells += [source.narrow(name, frame) for name in source.columns if name not in ("position", "image")]
     return poly_data(frame.time, ("species_names", source.trajectory.species), "Polys", points, counts, cells)
 
 
-def walls(source: Source, frame: Frame) -> list[Any]:
+def walls(source: Source, frame: Frame) -> tuple[int, Iterator[Any]]:
     """The walls that are there, cut into trapezoids."""
     corners, counts, numbers = [numpy.empty((0, 2))], [numpy.empty(0, "i4")], [numpy.empty(0, "u4")]
     for number, sites in source.trajectory.walls_in_box(frame._data[1]):
@@ -319,21 +368,28 @@ def walls(source: Source, frame: Frame) -> list[Any]:
         corners.append(source.spacing * points)
         counts.append(of_each.astype("i4"))
         numbers.append(numpy.full(len(of_each), number, "u4"))
-    flat = numpy.pad(numpy.concatenate(corners), ((0, 0), (0, 1))).astype("f4")
+    flat = array("Points", numpy.pad(numpy.concatenate(corners), ((0, 0), (0, 1))).astype("f4"))
     names = ("wall_names", list(source.trajectory.look.walls))
-    cells = {"wall": numpy.concatenate(numbers)}
+    cells = [array("wall", numpy.concatenate(numbers))]
     return poly_data(frame.time, names, "Polys", flat, numpy.concatenate(counts), cells)
 
 
-def contacts(source: Source, frame: Frame) -> list[Any]:
+def contacts(source: Source, frame: Frame) -> tuple[int, Iterator[Any]]:
     """A line for each contact, from the other centre, or from what is no particle, to the upper one."""
-    those = frame.contacts
-    centres = frame.positions[numpy.searchsorted(frame.ids, those["upper"])]
-    ends = source.spacing * numpy.stack([centres - those["branch"], centres], 1).reshape(-1, 2)
-    points = numpy.pad(ends, ((0, 0), (0, 1))).astype("f4")
-    cells = {"upper": those["upper"], "other": those["other"], **contact_forces(source, frame, those)}
+    upper = numpy.concatenate([some["upper"] for some in frame._contact_blocks("upper")])
+    other = Array("other", "<i4", upper.shape, (some["other"] for some in frame._contact_blocks("other")))
+
+    def blocks() -> Iterator[NDArray[Any]]:
+        for some in frame._contact_blocks("upper", "branch"):
+            points = numpy.zeros((len(some), 2, 3), "f4")
+            centres = frame.positions[numpy.searchsorted(frame.ids, some["upper"])]
+            points[:, 0, :2], points[:, 1, :2] = source.spacing * (centres - some["branch"]), source.spacing * centres
+            yield points
+
+    points = Array("Points", "<f4", (2 * len(upper), 3), blocks())
+    cells = [array("upper", upper), other, *contact_arrays(source, frame, len(upper))]
     names = ("wall_names", list(source.trajectory.look.walls))
-    return poly_data(frame.time, names, "Lines", points, numpy.full(len(those), 2), cells)
+    return poly_data(frame.time, names, "Lines", points, numpy.full(len(upper), 2, "i1"), cells)
 
 
 def vtp(source: Source, target: Target) -> None:
@@ -343,9 +399,9 @@ def vtp(source: Source, target: Target) -> None:
     stood: Any = None
     wall_file = ""
 
-    def add(part: str, frame: Frame, content: list[Any]) -> str:
+    def add(part: str, frame: Frame, content: tuple[int, Iterator[Any]]) -> str:
         name = f"{stem}{part}-{frame.step:0{digits}}.vtp"
-        target.add(name, content)
+        target.add(name, *content)
         return name
 
     def put(collection: str, frame: Frame, number: int, block: str, file: str) -> None:
@@ -366,7 +422,7 @@ def vtp(source: Source, target: Target) -> None:
         if not collection:
             target.path.write_text(text)
         elif entries:
-            target.add(f"{stem}{collection}.pvd", [text.encode()])
+            target.add(f"{stem}{collection}.pvd", len(text.encode()), [text.encode()])
 
 
 FORMATS: dict[str, tuple[Callable[[Source, Target], None], str]] = {
@@ -395,7 +451,7 @@ def export(run: Run, form: str, path: Path | None, first: int | None, last: int 
     try:
         with TemporaryDirectory(prefix=".clca-", dir=file.parent) as folder:
 
-            def add(name: str, parts: Sequence[Any]) -> None:
+            def add(name: str, _: int, parts: Iterable[Any]) -> None:
                 with (Path(folder) / name).open("wb") as beside:
                     beside.writelines(parts)
 

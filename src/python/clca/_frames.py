@@ -9,6 +9,7 @@ import threading
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import AbstractContextManager, contextmanager
 from functools import cached_property, lru_cache, partial
+from itertools import count
 from pathlib import Path
 from typing import Any, NamedTuple, overload
 
@@ -151,7 +152,15 @@ class Frame:
         `normal` (to the upper particle) and `branch` (from the other centre to the upper one) are x and y; `force` is
         along the normal and along the normal turned anticlockwise, in weights of a grain of mean mass.
         """
-        return read_only(self._source.contacts(self._number))
+        return read_only(self._source.contacts(self._number, slice(None), CONTACT.names or ()))
+
+    def _contact_blocks(self, *columns: str) -> Iterator[NDArray[numpy.void]]:
+        """Some of their columns, some rows at a time."""
+        for start in count(0, MANY):
+            block = self._source.contacts(self._number, slice(start, start + MANY), columns)
+            yield block
+            if len(block) < MANY:
+                return
 
     @property
     def contact_names(self) -> NDArray[numpy.str_]:
@@ -380,28 +389,31 @@ class Trajectory:
             if self._frames["pushes"][frame] and len(bodies):
                 sites = axial(self._rows(part, frame, "particles", ["site"])[0])
                 bodies["force"] = self._shared_sites(bodies["kind"], sites, there)
-            if self.has_contacts and self._frames["contacts"][frame]:
-                bodies["force"] = self._loads(part, frame)[bodies["id"]]
+        if self.has_contacts and self._frames["contacts"][frame]:
+            bodies["force"] = self._loads(number)[bodies["id"]]
         return read_only(bodies), there
 
-    def contacts(self, number: int) -> NDArray[numpy.void]:
+    def contacts(self, number: int, rows: slice, columns: Sequence[str]) -> NDArray[numpy.void]:
         """Of a frame. Throws Error."""
         frame = int(self._numbers[number])
+        kind = [(name, CONTACT[name]) for name in columns]
         if not self.has_contacts:
-            return numpy.empty(0, CONTACT)
+            return numpy.empty(0, kind)
         with self._parts[self._frames["part"][frame]]() as part:
-            columns = dict(zip(CONTACT.names or (), self._rows(part, frame, "contacts", CONTACT.names or ())))
-        found = numpy.empty(len(columns["upper"]), CONTACT)
-        for name, values in columns.items():
+            cells = self._rows(part, frame, "contacts", columns, rows)
+        found = numpy.empty(len(cells[0]), kind)
+        for name, values in zip(columns, cells):
             found[name] = values
         return found
 
-    def _loads(self, part: Any, frame: int) -> NDArray[numpy.float64]:
+    def _loads(self, number: int) -> NDArray[numpy.float64]:
         """By id, the sum of the normal forces."""
         loads = numpy.zeros(self.entered)
-        upper, other, force = self._rows(part, frame, "contacts", ["upper", "other", "force"])
-        for ids in (upper, other):
-            numpy.add.at(loads, ids[ids >= 0], force[ids >= 0, 0])
+        for of in ("upper", "other"):
+            for rows in slices(int(self._frames["contacts"][self._numbers[number]])):
+                some = self.contacts(number, rows, [of, "force"])
+                some = some[some[of] >= 0]
+                numpy.add.at(loads, some[of], some["force"][:, 0])
         return loads
 
     def _bodies(self, part: Any, frame: int, origins: NDArray[Any]) -> NDArray[numpy.void]:
