@@ -233,7 +233,7 @@ void add_explain_command(CLI::App& program) {
   add_option(command, "--scene", options->scene, "",
              "A scene in whose units quantities are, and whose derived measures may be among the "
              "names; without KEY all of these",
-             scene_names());
+             scene_name_validator());
   add_option(command, "--format", options->format, "FORMAT",
              "text, markdown (a table), schema (JSON Schema), quantities (a table of the "
              "measures), or columns (of a table of a run: KEY is its name, such as series, "

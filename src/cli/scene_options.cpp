@@ -65,7 +65,7 @@ std::vector<Candidate> scenes_of_program() {
   return scenes;
 }
 
-CLI::Validator scene_names() {
+CLI::Validator scene_name_validator() {
   return {[](std::string& name) {
             name = run::scene_file(name);
             return std::string();
@@ -86,7 +86,7 @@ void add_memory_limit(CLI::App* command, SceneOptions& options, const std::strin
 void add_scene_and_set(CLI::App* command, SceneOptions& options) {
   add_option(command, "SCENE", options.file, "",
              "Scene file (YAML), - for standard input, or the name of a scene of this program",
-             scene_names())
+             scene_name_validator())
       ->required();
   add_set(command, options,
           "Set KEY of the scene to VALUE (YAML), such as rules.inertia=0 or "

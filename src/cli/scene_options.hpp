@@ -35,7 +35,7 @@ struct Candidate {
 std::vector<Candidate> scenes_of_program();
 
 /// A file, or the name of one of them in place of its file.
-CLI::Validator scene_names();
+CLI::Validator scene_name_validator();
 
 void add_scene_options(CLI::App* command, SceneOptions& options);
 /// SCENE, --set and --begin only.

@@ -157,7 +157,7 @@ void ContactModel::set_vessel(const Vessel& vessel) {
   steps(mechanics()).set_vessel(vessel);
 }
 
-// The sum over all grains of energy_of() in rule/step.cpp, faster: runs ask for it in each step.
+// The sum over all grains of energy_of() in rule/energy.cpp, faster: runs ask for it in each step.
 Energy energy(const State& state, double gravity) {
   struct KindBody {
     double mass = 0;

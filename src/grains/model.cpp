@@ -192,7 +192,7 @@ void Model::check_whole() const {
 
 /// Carries out a change; nothing more is changed after one that has failed halfway.
 template <class Change>
-auto Model::whole(Change change) {
+auto Model::carry_out(Change change) {
   check_whole();
   half_changed_ = true;
   auto result = change();
@@ -202,8 +202,8 @@ auto Model::whole(Change change) {
 
 /// Carries out a change of particles or walls in between steps.
 template <class Change>
-auto Model::changed(Change change) {
-  return whole([&] {
+auto Model::change_between_steps(Change change) {
+  return carry_out([&] {
     auto result = change(mechanics_->box());
     mechanics_->reloaded();
     remove_at_outlets(*mechanics_, ids_from(0, grains()));
@@ -221,7 +221,7 @@ lattice::Direction Model::down() const {
   return mechanics_->down();
 }
 StepReport Model::step() {
-  return whole([&] { return grains::step(*mechanics_); });
+  return carry_out([&] { return grains::step(*mechanics_); });
 }
 
 void Model::set_interruption(std::function<void()> check) {
@@ -231,14 +231,14 @@ void Model::set_interruption(std::function<void()> check) {
 FillResult Model::fill(const lattice::Rectangle& region, std::span<const std::size_t> counts) {
   check_counts(grains(), counts);
   lattice::check(region);
-  return changed([&](Box& box) { return fill_region(box, region, counts); });
+  return change_between_steps([&](Box& box) { return fill_region(box, region, counts); });
 }
 
 FillResult Model::deposit(const lattice::Rectangle& region, std::span<const std::size_t> counts) {
   check_counts(grains(), counts);
   lattice::check(region);
   check_deposits();
-  return changed([&](Box& box) { return deposit_in(box, region, counts); });
+  return change_between_steps([&](Box& box) { return deposit_in(box, region, counts); });
 }
 
 FillResult Model::fill(const lattice::Rectangle& region, const Mixture& mixture) {
@@ -247,7 +247,7 @@ FillResult Model::fill(const lattice::Rectangle& region, const Mixture& mixture)
   if (mixture.deposited) {
     check_deposits();
   }
-  return changed([&](Box& box) { return fill_with(box, region, mixture); });
+  return change_between_steps([&](Box& box) { return fill_with(box, region, mixture); });
 }
 
 void Model::check_deposits() const {
@@ -257,7 +257,7 @@ void Model::check_deposits() const {
 void Model::remove_wall(std::size_t wall) {
   check_whole();
   if (grains().walls.at(wall).present) {
-    changed([&](Box& box) {
+    change_between_steps([&](Box& box) {
       grains::remove_wall(box, wall);
       return true;
     });
@@ -272,7 +272,7 @@ bool Model::insert_wall(std::size_t wall) {
   if (!can_insert_wall(mechanics_->box(), wall)) {
     return false;
   }
-  return changed([&](Box& box) {
+  return change_between_steps([&](Box& box) {
     grains::insert_wall(box, wall);
     return true;
   });
@@ -281,7 +281,7 @@ bool Model::insert_wall(std::size_t wall) {
 void Model::set_motion(std::size_t wall, bool active) {
   Wall& moving = mechanics_->box().state.walls.at(wall);
   require(moving.motion.has_value(), "a wall without motion cannot be set in motion");
-  whole([&] {
+  carry_out([&] {
     moving.travel.active = active;
     mechanics_->motion_set();
     return true;

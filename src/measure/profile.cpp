@@ -34,13 +34,14 @@ std::vector<RowBounds> row_bounds_by_column(const grains::State& state) {
   return bounds;
 }
 
-struct Flank {
+/// Of one side of a heap.
+struct FlankSlope {
   std::optional<double> degrees;
   bool uneven = false;
 };
 
 /// The least-squares line through the points; none if it does not fall.
-Flank falling_slope(const std::vector<double>& x, const std::vector<double>& height) {
+FlankSlope falling_slope(const std::vector<double>& x, const std::vector<double>& height) {
   const auto rows = static_cast<Eigen::Index>(x.size());
   Eigen::MatrixX2d design(rows, 2);
   design.col(0).setOnes();
@@ -61,7 +62,7 @@ Flank falling_slope(const std::vector<double>& x, const std::vector<double>& hei
 
 /// The flank that falls towards the end of `profile`: a line through the
 /// columns beyond the middle of the top with heights between the bounds.
-Flank falling_flank(const std::vector<double>& profile) {
+FlankSlope falling_flank(const std::vector<double>& profile) {
   if (profile.empty()) {
     return {};
   }
@@ -85,7 +86,7 @@ Flank falling_flank(const std::vector<double>& profile) {
       height.push_back(profile[column]);
     }
   }
-  return x.size() >= kFlankColumns ? falling_slope(x, height) : Flank();
+  return x.size() >= kFlankColumns ? falling_slope(x, height) : FlankSlope();
 }
 
 }  // namespace
@@ -145,8 +146,8 @@ std::optional<double> ReposeAngle::mean() const {
 
 ReposeAngle repose_angle(const std::vector<double>& profile) {
   const std::vector<double> mirrored(profile.rbegin(), profile.rend());
-  const Flank left = falling_flank(mirrored);
-  const Flank right = falling_flank(profile);
+  const FlankSlope left = falling_flank(mirrored);
+  const FlankSlope right = falling_flank(profile);
   return {.left = left.degrees,
           .right = right.degrees,
           .left_uneven = left.uneven,

@@ -141,7 +141,7 @@ std::vector<std::size_t> present_ids(const grains::State& state) {
 }
 
 /// Of the grain that comes next, as if it were deposited.
-std::uint16_t drawn_axis(const grains::State& state) {
+std::uint16_t random_axis(const grains::State& state) {
   const auto id = static_cast<std::uint32_t>(state.particles.size());
   return static_cast<std::uint16_t>(
       random::below(random::draw(state.seed, 0, id, random::Purpose::deposit_kind), baxter::kAxes));
@@ -171,7 +171,7 @@ void take_grains(const scene::Scene& scene, const OtherRun& other,
     if (scene.model == scene::Model::baxter) {
       const std::uint16_t axis = other.scene.model == scene.model
                                      ? baxter::axis_of(there.particles[id])
-                                     : drawn_axis(state);
+                                     : random_axis(state);
       particle.kind = static_cast<std::uint16_t>(same->kind + axis);
     }
     if (scene.model != other.scene.model) {
@@ -193,7 +193,7 @@ void take_grains(const scene::Scene& scene, const OtherRun& other,
 }
 
 /// Those in an outlet leave at once.
-void empty_outlets(grains::State& state) {
+void remove_at_outlets(grains::State& state) {
   for (std::uint32_t id = 0; id < state.particles.size(); ++id) {
     if (grains::count_at_outlet(state, id)) {
       state.particles[id].present = false;
@@ -295,7 +295,7 @@ model::ModelState first_state(const scene::Scene& scene) {
   const OtherRun other = other_run(*scene.begin, std::numeric_limits<double>::infinity());
   const std::vector<std::size_t> ids = present_ids(model::grains_of(other.state));
   take_grains(scene, other, ids, model::grains_of(state));
-  empty_outlets(model::grains_of(state));
+  remove_at_outlets(model::grains_of(state));
   if (auto* contact = std::get_if<contact::State>(&state)) {
     take_motion(scene, other, ids, *contact);
   }

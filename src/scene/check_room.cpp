@@ -48,7 +48,7 @@ std::vector<bool> companions(const Scene& scene, const std::vector<std::vector<b
 }
 
 /// One bit per site index.
-std::vector<bool> way_of(const lattice::Lattice& lattice, const Wall& wall) {
+std::vector<bool> swept_sites(const lattice::Lattice& lattice, const Wall& wall) {
   std::vector<bool> way(lattice.index_count(), false);
   any_swept_site(lattice, wall, [&](lattice::Site site) {
     way[lattice.index(site)] = true;
@@ -158,7 +158,7 @@ void check_walls(const Scene& scene) {
     if (!mover.motion) {
       continue;
     }
-    const std::vector<bool> way = way_of(lattice, mover);
+    const std::vector<bool> way = swept_sites(lattice, mover);
     if (std::ranges::find(way, true) == way.end()) {
       fail(mover, "no site of the box, {} wide and {} high, lies on its way", scene.box.width,
            scene.box.height);

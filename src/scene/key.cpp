@@ -39,7 +39,7 @@ std::optional<Value> key_text(const AnyKey& key, const void* owner, const Scene&
     return key.text(owner, scene);
   }
   // Of an owner that is not changed.
-  const void* value = key.way ? key.way(const_cast<void*>(owner), false) : nullptr;
+  const void* value = key.access ? key.access(const_cast<void*>(owner), false) : nullptr;
   return value != nullptr ? std::optional(key.type->text_of(value, scene)) : std::nullopt;
 }
 
@@ -58,11 +58,11 @@ void read_key(const AnyKey& key, const Place& fields, void* owner) {
   if (key.before) {
     key.before(fields, owner);
   }
-  if (!key.way || (value == nullptr && !key.required)) {
+  if (!key.access || (value == nullptr && !key.required)) {
     return;
   }
   const Place place = fields.at(key.name);
-  if (void* result = key.way(owner, true)) {
+  if (void* result = key.access(owner, true)) {
     key.type->read_into(place, result);
   }
 }
@@ -257,12 +257,12 @@ std::string without_markup(std::string text) {
   return text;
 }
 
-AnyKey any_key(std::string_view name, const Way& way, const AnyType& type, std::string_view about,
-               const void* otherwise) {
+AnyKey any_key(std::string_view name, const Access& access, const AnyType& type,
+               std::string_view about, const void* otherwise) {
   AnyKey key = {.name = std::string(name),
                 .about = std::string(about),
                 .type = std::make_shared<const AnyType>(type),
-                .way = way};
+                .access = access};
   if (otherwise != nullptr) {
     key.default_value = type.text_of(otherwise, Scene());
     key.otherwise = fmt::format("`{}`", flow_text(*key.default_value));
@@ -270,7 +270,7 @@ AnyKey any_key(std::string_view name, const Way& way, const AnyType& type, std::
   return key;
 }
 
-Way joined(const Way& first, const Way& second) {
+Access joined(const Access& first, const Access& second) {
   return [=](void* object, bool make) {
     void* between = first(object, make);
     return between != nullptr ? second(between, make) : nullptr;

@@ -124,14 +124,14 @@ AnyAction any_action(Action<Owner> action) {
 
 /// From an object to a part of it; `make` puts a default one there first, if there is none. Null
 /// where it is not, or cannot be.
-using Way = std::function<void*(void* object, bool make)>;
+using Access = std::function<void*(void* object, bool make)>;
 
 /// A key of a map that is read into an owner. Texts are Markdown.
 struct AnyKey {
   std::string name;
   std::string about;                         ///< one phrase
   std::shared_ptr<const AnyType> type = {};  ///< of the value
-  Way way = {};                ///< from the owner to the value; null: it is not read or written
+  Access access = {};          ///< from the owner to the value; null: it is not read or written
   std::string otherwise = {};  ///< what holds if it is left out, or a condition
   bool is_condition = false;   ///< `otherwise` says when the key is given
   std::optional<Value> default_value = {};  ///< the same, if it is a value
@@ -178,8 +178,8 @@ struct Key : AnyKey {
   }
   /// Left out of the resolved scene where this does not hold.
   Key& written_if(bool (*holds)(const Owner& owner)) {
-    way = [way = way, holds](void* owner, bool make) {
-      return make || holds(*static_cast<const Owner*>(owner)) ? way(owner, make) : nullptr;
+    access = [access = access, holds](void* owner, bool make) {
+      return make || holds(*static_cast<const Owner*>(owner)) ? access(owner, make) : nullptr;
     };
     return *this;
   }
@@ -230,19 +230,19 @@ std::string without_markup(std::string text);
 std::string meaning(const AnyKey& key);
 
 /// `otherwise`: its default, if that is a value.
-AnyKey any_key(std::string_view name, const Way& way, const AnyType& type, std::string_view about,
-               const void* otherwise = nullptr);
+AnyKey any_key(std::string_view name, const Access& access, const AnyType& type,
+               std::string_view about, const void* otherwise = nullptr);
 
-/// To what the second way leads to from where the first one ends.
-Way joined(const Way& first, const Way& second);
+/// To what the second access leads to from where the first one ends.
+Access joined(const Access& first, const Access& second);
 template <class Owner, class T>
-Way to_member(T Owner::*member) {
+Access to_member(T Owner::*member) {
   return [member](void* owner, bool /*make*/) -> void* {
     return &(static_cast<Owner*>(owner)->*member);
   };
 }
 template <class T>
-Way to_optional() {
+Access to_optional() {
   return [](void* object, bool make) -> void* {
     auto& value = *static_cast<std::optional<T>*>(object);
     if (make) {
@@ -253,7 +253,7 @@ Way to_optional() {
 }
 /// To `T` of the variant; if it `stays`, only where that is what the variant has.
 template <class Variant, class T>
-Way to_alternative(bool stays = false) {
+Access to_alternative(bool stays = false) {
   return [stays](void* object, bool make) -> void* {
     auto& variant = *static_cast<Variant*>(object);
     if (make && !stays) {
@@ -289,11 +289,11 @@ Key<Owner> key(std::string_view name, std::optional<T> Owner::*member, const Typ
 template <class Owner, class T>
 Key<Owner> list_key(std::string_view name, std::vector<T> Owner::*member,
                     const Type<std::vector<T>>& type, std::string_view about) {
-  const Way way = [member](void* owner, bool make) -> void* {
+  const Access access = [member](void* owner, bool make) -> void* {
     std::vector<T>& list = static_cast<Owner*>(owner)->*member;
     return make || !list.empty() ? &list : nullptr;
   };
-  return Key<Owner>(any_key(name, way, type, about)).defaults_to("none");
+  return Key<Owner>(any_key(name, access, type, about)).defaults_to("none");
 }
 
 /// One of several keys of which exactly one is given: `T` of the variant.
@@ -306,15 +306,15 @@ Key<Variant> alternative(std::string_view name, const Type<T>& type, std::string
 template <class Owner, class Variant, class T>
 Key<Owner> alternative(std::string_view name, Variant Owner::*member, const Type<T>& type,
                        std::string_view about) {
-  const Way way = joined(to_member(member), to_alternative<Variant, T>());
-  return Key<Owner>(any_key(name, way, type, about));
+  const Access access = joined(to_member(member), to_alternative<Variant, T>());
+  return Key<Owner>(any_key(name, access, type, about));
 }
 
-/// Keys of what the way leads to as keys of the Owner itself.
+/// Keys of what the access leads to as keys of the Owner itself.
 template <class Owner>
-Keys<Owner> inlined(const Way& way, std::vector<AnyKey> keys) {
+Keys<Owner> inlined(const Access& access, std::vector<AnyKey> keys) {
   for (AnyKey& key : keys) {
-    key.way = joined(way, key.way);
+    key.access = joined(access, key.access);
   }
   return Keys<Owner>(std::move(keys));
 }
@@ -323,8 +323,8 @@ Keys<Owner> inlined(const Way& way, std::vector<AnyKey> keys) {
 /// another one.
 template <class Owner, class Variant, class Part>
 Key<Owner> inlined_alternative(Variant Owner::*member, const Key<Part>& part) {
-  const Way way = joined(to_member(member), to_alternative<Variant, Part>(true));
-  return Key<Owner>(inlined<Owner>(way, {part}).front());
+  const Access access = joined(to_member(member), to_alternative<Variant, Part>(true));
+  return Key<Owner>(inlined<Owner>(access, {part}).front());
 }
 
 /// A key with a function of its own, if any, that reads it. Not written unless `written_as`.
@@ -345,7 +345,7 @@ Type<Owner> type_of(const Map<Owner>& map) {
 
 /// A map of which all that is left out is as in a member of the scene.
 template <class Owner>
-Type<Owner> changed(Owner Scene::*member, Keys<Owner> keys) {
+Type<Owner> with_defaults_of(Owner Scene::*member, Keys<Owner> keys) {
   for (AnyKey& key : keys) {
     key.describe_default("as in the scene");
   }

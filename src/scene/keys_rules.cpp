@@ -77,7 +77,7 @@ Type<double> fall_height() {
 }
 
 /// What may differ from stage to stage.
-Keys<contact::Parameters> friction_keys() {
+Keys<contact::Parameters> stage_contact_keys() {
   using P = contact::Parameters;
   const Type<double> friction = number(0, contact::kMaxFriction);
   return {key("friction", &P::friction, friction,
@@ -92,7 +92,7 @@ Keys<contact::Parameters> friction_keys() {
 
 Type<contact::Parameters> contact_type() {
   using P = contact::Parameters;
-  Keys<P> keys = friction_keys();
+  Keys<P> keys = stage_contact_keys();
   keys.insert(keys.begin() + 2,
               key("rolling", &P::rolling, choice(kRollingNames),
                   "how particles turn: not at all, against a moment that resists rolling, or "
@@ -130,7 +130,7 @@ Type<baxter::Rules> baxter_type() {
 }  // namespace
 
 Type<automaton::Rules> stage_rules_type() {
-  return changed(&Scene::rules, rules_keys());
+  return with_defaults_of(&Scene::rules, rules_keys());
 }
 
 Type<Units> units_type() {
@@ -144,7 +144,7 @@ Type<Units> units_type() {
 }
 
 Type<contact::Parameters> stage_contact_type() {
-  return changed(&Scene::contact, friction_keys());
+  return with_defaults_of(&Scene::contact, stage_contact_keys());
 }
 
 Keys<Scene> model_blocks() {

@@ -47,8 +47,9 @@ bool is_of_run(const OutputFolder& files) {
 
 }  // namespace
 
-RunFolder::RunFolder(const fs::path& path, FolderLock lock) : lock_(std::move(lock)), files_(path) {
-  files_.delay_flushing();
+RunFolder::RunFolder(const fs::path& path, FolderLock lock)
+    : lock_(std::move(lock)), folder_(path) {
+  folder_.delay_flushing();
 }
 
 RunFolder RunFolder::for_new_run(const fs::path& path) {
@@ -84,7 +85,7 @@ RunFolder RunFolder::for_resumed_run(const fs::path& path) {
 }
 
 std::optional<EarlierRun> RunFolder::earlier_run() const {
-  if (files_.files().empty()) {
+  if (folder_.files().empty()) {
     return std::nullopt;
   }
   const fs::path summary = path() / kSummaryFile;
@@ -127,14 +128,14 @@ std::optional<EarlierRun> RunFolder::earlier_run() const {
 
 // run.json first, so that the rest is not mistaken for a complete run.
 void RunFolder::start_over(const Checkpoint& start) const {
-  write_checkpoint(files_, start, Previous::replaced);
-  files_.clear(kSummaryFile, kCheckpointFile);
+  write_checkpoint(folder_, start, Previous::replaced);
+  folder_.clear(kSummaryFile, kCheckpointFile);
 }
 
 void RunFolder::remove_frames_after(std::optional<std::uint64_t> last_step) const {
-  for (const std::string& name : files_.files()) {
+  for (const std::string& name : folder_.files()) {
     if (const auto step = step_of(name); step && (!last_step || *step > *last_step)) {
-      files_.remove(name);
+      folder_.remove(name);
     }
   }
 }

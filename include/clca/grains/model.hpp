@@ -139,9 +139,9 @@ class Model {
 
  private:
   template <class Change>
-  auto whole(Change change);
+  auto carry_out(Change change);
   template <class Change>
-  auto changed(Change change);
+  auto change_between_steps(Change change);
   void check_deposits() const;
 
   std::unique_ptr<Mechanics> mechanics_;

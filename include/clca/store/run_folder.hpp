@@ -49,8 +49,8 @@ class RunFolder {
   /// For a resumed run. Throws StoreError, also if no run has started there.
   static RunFolder for_resumed_run(const std::filesystem::path& path);
 
-  std::filesystem::path path() const { return files_.path(); }
-  const OutputFolder& files() const { return files_; }
+  std::filesystem::path path() const { return folder_.path(); }
+  const OutputFolder& files() const { return folder_; }
 
   /// None if clca has written nothing there. Throws StoreError if neither run.json nor a checkpoint
   /// can be read.
@@ -66,7 +66,7 @@ class RunFolder {
   RunFolder(const std::filesystem::path& path, FolderLock lock);
 
   FolderLock lock_;
-  OutputFolder files_;
+  OutputFolder folder_;
 };
 
 }  // namespace clca::store

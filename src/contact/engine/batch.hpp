@@ -33,7 +33,7 @@ struct alignas(32) Batch {
 };
 
 /// The velocity of a grain where it is loaded and stored at once.
-struct alignas(16) BodyVelocity {
+struct alignas(16) AlignedVelocity {
   Velocity<> velocity;
 };
 
@@ -45,7 +45,7 @@ enum class Pass : std::uint8_t {
 };
 
 /// Carries out a pass. `pairs`: PairCoefficients::pairs().
-using BatchFunction = void (*)(Pass pass, std::span<Batch> batches, BodyVelocity* bodies,
+using BatchFunction = void (*)(Pass pass, std::span<Batch> batches, AlignedVelocity* bodies,
                                const Pair* pairs, const LawConstants& law);
 /// One contact after the other.
 BatchFunction plain_function();
@@ -55,7 +55,7 @@ BatchFunction fastest_function();
 /// A BatchFunction that computes with as many contacts at once as Lanes::Int has numbers. `Lanes`
 /// says how to load and store them.
 template <class Lanes>
-void carry_out(Pass pass, std::span<Batch> batches, BodyVelocity* bodies, const Pair* pairs,
+void carry_out(Pass pass, std::span<Batch> batches, AlignedVelocity* bodies, const Pair* pairs,
                const LawConstants& law) {
   using Int = typename Lanes::Int;
   for (std::size_t i = 0; i < batches.size(); ++i) {
@@ -65,22 +65,22 @@ void carry_out(Pass pass, std::span<Batch> batches, BodyVelocity* bodies, const 
       Impulse<Int> impulse = {Lanes::load(&impulses.normal[lane]),
                               Lanes::load(&impulses.shear[lane]),
                               Lanes::load(&impulses.rolling[lane])};
-      ContactKinematics<Int> touching = {.upper = Lanes::velocities(bodies, &batch.upper[lane]),
-                                         .other = Lanes::velocities(bodies, &batch.other[lane]),
-                                         .normal_x = Lanes::load(&batch.normal_x[lane]),
-                                         .normal_y = Lanes::load(&batch.normal_y[lane]),
-                                         .pair = Lanes::coefficients(pairs, &batch.pair[lane])};
+      ContactBodies<Int> now = {.upper = Lanes::velocities(bodies, &batch.upper[lane]),
+                                .other = Lanes::velocities(bodies, &batch.other[lane]),
+                                .normal_x = Lanes::load(&batch.normal_x[lane]),
+                                .normal_y = Lanes::load(&batch.normal_y[lane]),
+                                .pair = Lanes::coefficients(pairs, &batch.pair[lane])};
       if (pass == Pass::warm_start) {
-        apply(touching, impulse, law.rotates);
+        apply(now, impulse, law.rotates);
       } else {
-        solve(impulse, touching, Lanes::load(&batch.bounce[lane]),
-              Lanes::load(&batch.friction[lane]), law);
+        solve(impulse, now, Lanes::load(&batch.bounce[lane]), Lanes::load(&batch.friction[lane]),
+              law);
         Lanes::store(impulse.normal, &impulses.normal[lane]);
         Lanes::store(impulse.shear, &impulses.shear[lane]);
         Lanes::store(impulse.rolling, &impulses.rolling[lane]);
       }
-      Lanes::set_velocities(bodies, &batch.upper[lane], touching.upper);
-      Lanes::set_velocities(bodies, &batch.other[lane], touching.other);
+      Lanes::set_velocities(bodies, &batch.upper[lane], now.upper);
+      Lanes::set_velocities(bodies, &batch.other[lane], now.other);
     }
   }
 }

@@ -102,7 +102,7 @@ template <class Row>
 struct EightLanes {
   using Int = Ints;
   static constexpr std::size_t kWidth = kLanes;
-  static_assert(sizeof(BodyVelocity) == sizeof(__m128i));
+  static_assert(sizeof(AlignedVelocity) == sizeof(__m128i));
 
   static Int load(const std::int32_t* from) {
     return {_mm256_load_si256(reinterpret_cast<const __m256i*>(from))};
@@ -128,13 +128,13 @@ struct EightLanes {
             upper_turning,
             other_turning};
   }
-  static Velocity<Int> velocities(const BodyVelocity* bodies, const std::int32_t* at) {
+  static Velocity<Int> velocities(const AlignedVelocity* bodies, const std::int32_t* at) {
     const auto [x, y, spin, unused] = columns([&](std::size_t lane) {
       return _mm_load_si128(reinterpret_cast<const __m128i*>(&bodies[at[lane]]));
     });
     return {x, y, spin};
   }
-  static void set_velocities(BodyVelocity* bodies, const std::int32_t* at,
+  static void set_velocities(AlignedVelocity* bodies, const std::int32_t* at,
                              const Velocity<Int>& velocity) {
     const __m256i zero = _mm256_setzero_si256();
     const __m256i xy_low = _mm256_unpacklo_epi32(velocity.x.values, velocity.y.values);

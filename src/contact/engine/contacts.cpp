@@ -17,10 +17,10 @@ struct OneLane {
   static Int load(const std::int32_t* from) { return *from; }
   static void store(Int value, std::int32_t* to) { *to = value; }
   static Pair coefficients(const Pair* pairs, const std::int32_t* at) { return pairs[*at]; }
-  static Velocity<> velocities(const BodyVelocity* bodies, const std::int32_t* at) {
+  static Velocity<> velocities(const AlignedVelocity* bodies, const std::int32_t* at) {
     return bodies[*at].velocity;
   }
-  static void set_velocities(BodyVelocity* bodies, const std::int32_t* at,
+  static void set_velocities(AlignedVelocity* bodies, const std::int32_t* at,
                              const Velocity<>& velocity) {
     bodies[*at].velocity = velocity;
   }
@@ -109,15 +109,15 @@ Contact ContactSlots::contact(std::int32_t at) const {
 }
 
 std::int32_t ContactSlots::separation_velocity(std::int32_t at,
-                                               const std::vector<BodyVelocity>& bodies) const {
+                                               const std::vector<AlignedVelocity>& bodies) const {
   const Batch& batch = this->batch(at);
   const std::size_t i = in_batch(at);
   return contact::separation_velocity(
-      ContactKinematics<>{.upper = bodies[static_cast<std::size_t>(batch.upper[i])].velocity,
-                          .other = bodies[static_cast<std::size_t>(batch.other[i])].velocity,
-                          .normal_x = batch.normal_x[i],
-                          .normal_y = batch.normal_y[i],
-                          .pair = {}});
+      ContactBodies<>{.upper = bodies[static_cast<std::size_t>(batch.upper[i])].velocity,
+                      .other = bodies[static_cast<std::size_t>(batch.other[i])].velocity,
+                      .normal_x = batch.normal_x[i],
+                      .normal_y = batch.normal_y[i],
+                      .pair = {}});
 }
 
 /// The first of a batch that is not full, behind all batches of the contacts of both grains.

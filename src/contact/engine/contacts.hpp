@@ -66,7 +66,8 @@ class ContactSlots {
   /// Velocity with which the contact is to part.
   std::int32_t& bounce(std::int32_t at) { return batch(at).bounce[in_batch(at)]; }
   /// With which its bodies, which have these velocities, part now.
-  std::int32_t separation_velocity(std::int32_t at, const std::vector<BodyVelocity>& bodies) const;
+  std::int32_t separation_velocity(std::int32_t at,
+                                   const std::vector<AlignedVelocity>& bodies) const;
 
   /// Calls `visit` with the number of each slot of a grain, which it may change or empty.
   template <class Visit>

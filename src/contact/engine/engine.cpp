@@ -189,7 +189,8 @@ void Engine::write_back() {
 
 void Engine::write_back_velocities() {
   std::transform(bodies_.begin() + static_cast<std::ptrdiff_t>(first_grain_), bodies_.end(),
-                 state_.velocities.begin(), [](const BodyVelocity& body) { return body.velocity; });
+                 state_.velocities.begin(),
+                 [](const AlignedVelocity& body) { return body.velocity; });
 }
 
 /// In order; only those with walls and sides unless also those `with_grains`.

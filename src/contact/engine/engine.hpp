@@ -85,7 +85,7 @@ class Engine final : public Steps {
   static constexpr double kGrainBytes =
       sizeof(Velocity<>) + sizeof(Vector) + sizeof(lattice::Axial) + ContactSlots::kGrainBytes +
       ContactFinder::kGrainBytes + SmallGroups::kGrainBytes + Mover::kGrainBytes +
-      sizeof(BodyVelocity) +
+      sizeof(AlignedVelocity) +
       grains::kListRoom * (3 * sizeof(std::uint32_t) +
                            kContactsPerGrain * (sizeof(Contact) + sizeof(std::int32_t)));
 
@@ -120,7 +120,7 @@ class Engine final : public Steps {
   SmallGroups groups_;
   Mover mover_;
   std::size_t first_grain_;  // its body
-  std::vector<BodyVelocity> bodies_;
+  std::vector<AlignedVelocity> bodies_;
   BodyVelocities body_velocities_;             // of these
   std::vector<std::int32_t> bouncing_;         // slots of contacts that bounce in this step
   std::map<std::int32_t, Impulse<>> impacts_;  // of this step, by slot

@@ -17,14 +17,15 @@ namespace clca::contact {
 /// (see mass_unit), inverse masses in 2^-26; inverse masses of a wall are 0.
 template <class Int>
 struct Coefficients {
-  Int mass;        ///< reduced: of a change of relative velocity along the normal
-  Int shear_mass;  ///< the same across it
+  Int mass;        ///< reduced: impulse along the normal over the change of velocity it makes
+  Int shear_mass;  ///< of the impulse along the tangent: 2/7 of the reduced mass
   Int upper_inverse_mass;
   Int other_inverse_mass;
-  // For moments divided by the reduced radius: the mass that stops a spin, and the change of spins.
+  // For moments divided by the reduced radius: 0.3 of what would stop a spin, and the change of
+  // spins.
   Int upper_rolling_mass;
   Int other_rolling_mass;
-  Int upper_turning;  ///< half of it: a single site at a wall would need 2
+  Int upper_turning;  ///< half of the change: a single site at a wall would need 2
   Int other_turning;
 };
 using Pair = Coefficients<std::int32_t>;
@@ -39,7 +40,7 @@ struct LawConstants {
 /// Velocities of the two bodies of a contact, normal and coefficients. A wall has inverse mass 0,
 /// so its velocity does not change.
 template <class Int = std::int32_t>
-struct ContactKinematics {
+struct ContactBodies {
   Velocity<Int> upper;
   Velocity<Int> other;
   Int normal_x;  ///< towards the upper body, in 2^-30
@@ -49,7 +50,7 @@ struct ContactKinematics {
 
 /// Normal velocity of the upper body relative to the other; positive if they separate.
 template <class Int>
-[[gnu::always_inline]] inline Int separation_velocity(const ContactKinematics<Int>& at) {
+[[gnu::always_inline]] inline Int separation_velocity(const ContactBodies<Int>& at) {
   return rounded(
       product(at.upper.x - at.other.x, at.normal_x) + product(at.upper.y - at.other.y, at.normal_y),
       kUnitBits);
@@ -57,7 +58,7 @@ template <class Int>
 
 /// Tangential velocity at the contact, along the normal turned anticlockwise.
 template <class Int>
-[[gnu::always_inline]] inline Int slip_velocity(const ContactKinematics<Int>& at) {
+[[gnu::always_inline]] inline Int slip_velocity(const ContactBodies<Int>& at) {
   return rounded(product(at.upper.y - at.other.y, at.normal_x) -
                      product(at.upper.x - at.other.x, at.normal_y),
                  kUnitBits) -
@@ -65,7 +66,7 @@ template <class Int>
 }
 
 /// Angular velocity of the upper body relative to the other, times the reduced radius.
-inline std::int32_t rolling_velocity(const ContactKinematics<>& at) {
+inline std::int32_t rolling_velocity(const ContactBodies<>& at) {
   const auto part = [](std::int32_t spin, std::int32_t turning, std::int32_t inverse_mass) {
     return inverse_mass == 0 ? 0 : product(spin, turning) / inverse_mass;  // a wall does not turn
   };
@@ -76,7 +77,7 @@ inline std::int32_t rolling_velocity(const ContactKinematics<>& at) {
 
 /// Applies impulses to the velocities of both bodies.
 template <class Int>
-[[gnu::always_inline]] inline void apply(ContactKinematics<Int>& at, const Impulse<Int>& by,
+[[gnu::always_inline]] inline void apply(ContactBodies<Int>& at, const Impulse<Int>& by,
                                          bool rotates) {
   const Int x =
       rounded(product(by.normal, at.normal_x) - product(by.shear, at.normal_y), kUnitBits);
@@ -95,23 +96,23 @@ template <class Int>
   if (rotates) {
     // A tangential force turns both bodies the same way, a moment in opposite ways. Discs: inertia
     // = mass radius^2 / 2.
-    constexpr int kHalvedMassBits = kInverseMassBits - 1;
+    constexpr int kDoubledInverseMassBits = kInverseMassBits - 1;
     at.upper.spin = changed(
         at.upper.spin,
         product(by.rolling, at.pair.upper_turning) - product(by.shear, at.pair.upper_inverse_mass),
-        kHalvedMassBits);
+        kDoubledInverseMassBits);
     at.other.spin = changed(
         at.other.spin,
         product(-by.rolling, at.pair.other_turning) - product(by.shear, at.pair.other_inverse_mass),
-        kHalvedMassBits);
+        kDoubledInverseMassBits);
   }
 }
 
-/// Updates the impulses so that the bodies separate with the velocity `bounce` and neither slide
-/// nor roll, within the limits of friction. `friction` in 2^-16.
+/// Updates the impulses: the bodies separate with the velocity `bounce`, and slide and roll less,
+/// within the limits of friction. `friction` in 2^-16.
 template <class Int>
-[[gnu::always_inline]] inline void solve(Impulse<Int>& impulse, ContactKinematics<Int>& at,
-                                         Int bounce, Int friction, const LawConstants& law) {
+[[gnu::always_inline]] inline void solve(Impulse<Int>& impulse, ContactBodies<Int>& at, Int bounce,
+                                         Int friction, const LawConstants& law) {
   const Impulse<Int> before = impulse;
   const auto change = [](const auto& stopped) {
     return limited(stopped, kMassBits, 2 * kMaxImpulse);
@@ -210,16 +211,16 @@ struct BodyVelocities {
   void at(const Contact& contact, Visit visit) const {
     Velocity<>& upper = velocity(grains::as_owner(contact.upper));
     Velocity<>& other = velocity(contact.other);
-    ContactKinematics<> touching = {
+    ContactBodies<> now = {
         .upper = upper,
         .other = other,
         .normal_x = contact.normal.x,
         .normal_y = contact.normal.y,
         .pair = rule.coefficients.pairs()[static_cast<std::size_t>(
             rule.coefficients.pair_number(grains, contact.upper, contact.other))]};
-    visit(touching);
-    upper = touching.upper;
-    other = touching.other;
+    visit(now);
+    upper = now.upper;
+    other = now.other;
   }
 };
 

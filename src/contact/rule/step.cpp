@@ -1,7 +1,6 @@
 #include "contact/rule/step.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 #include "clca/random/draw.hpp"
@@ -14,8 +13,8 @@ namespace {
 void bounce_loose(std::vector<StepContact>& contacts, const BodyVelocities& bodies) {
   for (StepContact& touch : contacts) {
     if (touch.contact.impulse.normal == 0) {
-      bodies.at(touch.contact, [&](const auto& touching) {
-        touch.bounce = bounce(-separation_velocity(touching), bodies.rule.restitution);
+      bodies.at(touch.contact, [&](const auto& at) {
+        touch.bounce = bounce(-separation_velocity(at), bodies.rule.restitution);
       });
     }
   }
@@ -23,9 +22,8 @@ void bounce_loose(std::vector<StepContact>& contacts, const BodyVelocities& bodi
 
 void apply_all(const std::vector<StepContact>& contacts, const BodyVelocities& bodies) {
   for (const StepContact& touch : contacts) {
-    bodies.at(touch.contact, [&](auto& touching) {
-      apply(touching, touch.contact.impulse, bodies.rule.law.rotates);
-    });
+    bodies.at(touch.contact,
+              [&](auto& at) { apply(at, touch.contact.impulse, bodies.rule.law.rotates); });
   }
 }
 
@@ -36,8 +34,8 @@ void sweep(std::vector<StepContact>& contacts, const BodyVelocities& bodies) {
     for (std::size_t k = 0; k < contacts.size(); ++k) {
       StepContact& touch = contacts[i % 2 == 0 ? k : contacts.size() - 1 - k];
       Contact& contact = touch.contact;
-      bodies.at(contact, [&](auto& touching) {
-        solve(contact.impulse, touching, touch.bounce, rule.friction_with(contact.other), rule.law);
+      bodies.at(contact, [&](auto& at) {
+        solve(contact.impulse, at, touch.bounce, rule.friction_with(contact.other), rule.law);
       });
     }
   }
@@ -78,96 +76,6 @@ double gravity_in(const lattice::Lattice& box, Parameters parameters) {
     parameters.fall_height = default_fall_height(box.size().y());
   }
   return contact::gravity(parameters);
-}
-
-Eigen::Vector2d in_spacings(std::int32_t x, std::int32_t y) {
-  return std::ldexp(1, -kFractionBits) * Eigen::Vector2d(x, y);
-}
-
-Eigen::Vector2d in_spacings(const Vector& vector) {
-  return in_spacings(vector.x, vector.y);
-}
-
-double mass_of(const State& state, std::size_t id) {
-  return static_cast<double>(state.grains.shape(state.grains.particles[id]).size());
-}
-
-/// Centre of mass.
-Eigen::Vector2d position_of(const State& state, std::size_t id) {
-  return grains::centre(state.grains, state.grains.particles[id]) +
-         in_spacings(state.remainders[id]);
-}
-
-/// Of a present grain, in units of Energy; `gravity` in lattice spacings per step squared.
-Energy energy_of(const State& state, std::size_t id, double gravity) {
-  const Velocity<>& velocity = state.velocities[id];
-  const double mass = mass_of(state, id);
-  const double spin = static_cast<double>(velocity.spin) / kSpacing;
-  return {.kinetic = mass * (in_spacings(velocity.x, velocity.y).squaredNorm() + spin * spin / 2) /
-                     2 / gravity,
-          .potential = -mass * gravity_direction(state.vessel).dot(position_of(state, id))};
-}
-
-/// Positions of the walls along their motions, in lattice spacings: a wall that follows its motion
-/// is where that is, one that lags by more than a spacing moves by sites.
-std::vector<double> wall_positions(const State& state) {
-  std::vector<double> result;
-  for (std::size_t wall = 0; wall < state.wall_remainders.size(); ++wall) {
-    const double ahead = static_cast<double>(state.wall_remainders[wall]) /
-                         static_cast<double>(grains::kMotionSpacing);
-    result.push_back(state.grains.walls[wall].travel.offset + std::clamp(ahead, -1.0, 1.0));
-  }
-  return result;
-}
-
-/// Work of walls in the step that led to `state`: impulses times displacements. `contacts`: those
-/// with walls, others do not count; `before`: wall_positions.
-double wall_work(const State& state, std::span<const Contact> contacts,
-                 const std::vector<double>& before, double gravity) {
-  const std::vector<double> now = wall_positions(state);
-  double sum = 0;
-  for (const Contact& contact : contacts) {
-    if (grains::is_particle(contact.other) || is_side(contact.other)) {
-      continue;
-    }
-    const std::size_t wall = grains::wall_number(contact.other);
-    if (const auto& motion = state.grains.walls[wall].motion) {
-      const Eigen::Vector2d normal = as_double(contact.normal);
-      const Eigen::Vector2d tangent(-normal.y(), normal.x());
-      const Eigen::Vector2d impulse = ((contact.impulse.normal + contact.impact.normal) * normal +
-                                       (contact.impulse.shear + contact.impact.shear) * tangent) /
-                                      kSpacing;
-      sum += (now[wall] - before[wall]) *
-             impulse.dot(lattice::position(lattice::unit(motion->direction)));
-    }
-  }
-  return sum * mass_unit(state.grains.kinds) / gravity;
-}
-
-/// Work of the vessel in the step that led to `state`; `before`: the vessel as it began.
-double vessel_work(const State& state, const Vessel& before, double gravity) {
-  const bool periodic = state.grains.lattice.periodic();
-  const auto integer_gravity = static_cast<std::int32_t>(gravity * kSpacing);
-  const Acceleration by = acceleration(before, integer_gravity, periodic);
-  const Vector still = acceleration(at_rest(before), integer_gravity, periodic).gravity;
-  const Eigen::Vector2d shaking = in_spacings(by.gravity) - in_spacings(still);
-  const double squared_rate = std::ldexp(static_cast<double>(by.squared_rate), -kCentrifugalBits);
-  const Eigen::Vector2d centre =
-      std::ldexp(1, -kCentreBits) * Eigen::Vector2d(by.centre_x, by.centre_y);
-  const Eigen::Vector2d turn = gravity_direction(state.vessel) - gravity_direction(before);
-  Eigen::Vector2d momentum = Eigen::Vector2d::Zero();
-  Eigen::Vector2d moment = Eigen::Vector2d::Zero();  // mass times position
-  double outwards = 0;                               // mass times velocity from the centre
-  for (std::size_t id = 0; id < state.velocities.size(); ++id) {
-    if (const grains::Particle& grain = state.grains.particles[id]; grain.present) {
-      const Eigen::Vector2d impulse =
-          mass_of(state, id) * in_spacings(state.velocities[id].x, state.velocities[id].y);
-      momentum += impulse;
-      moment += mass_of(state, id) * position_of(state, id);
-      outwards += impulse.dot(lattice::position(grain.site()) - centre);
-    }
-  }
-  return (shaking.dot(momentum) + squared_rate * outwards) / gravity - turn.dot(moment);
 }
 
 }  // namespace
@@ -301,18 +209,18 @@ void Reference::move_grains() {
     converge_group(group, bodies);
   }
   state_.contacts.clear();
-  std::vector<bool> touching(grains, false);
+  std::vector<bool> has_contact(grains, false);
   for (const StepContact& touch : contacts) {
     state_.contacts.push_back(touch.contact);
-    touching[touch.contact.upper] = true;
+    has_contact[touch.contact.upper] = true;
     if (grains::is_particle(touch.contact.other)) {
-      touching[grains::particle_id(touch.contact.other)] = true;
+      has_contact[grains::particle_id(touch.contact.other)] = true;
     }
   }
 
   // 6. Remainders of grains, 7. and of walls.
   const bool at_rest = advance_all(state_, rule_.slow_speed(), velocity,
-                                   [&](std::uint32_t id) { return touching[id]; });
+                                   [&](std::uint32_t id) { return has_contact[id]; });
   std::vector<WallMove> wall_moves = advance_walls(state_);
 
   // 8. Grains and walls whose remainder is large enough move by a site, if there is room.

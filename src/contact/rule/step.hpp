@@ -1,6 +1,7 @@
 #pragma once
 // One step of lattice contact dynamics: the definition of the model.
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <utility>
@@ -14,26 +15,6 @@
 #include "grains/internal/mechanics.hpp"
 
 namespace clca::contact {
-
-/// A group of grains that contacts connect is small if it has at most so many; walls connect none.
-inline constexpr std::size_t kMostGrains = 8;
-
-/// The contacts of each small group with one that carries or bounces, in their order.
-std::vector<std::vector<StepContact*>> active_groups(std::span<StepContact> contacts,
-                                                     std::size_t grains);
-
-/// Where a contact of a small group bounces, sets `impact` of all of them and changes the
-/// velocities. First the bodies are stopped, by
-/// sweeps until the impulses hardly change any more; then the same impulses act again, times the
-/// restitution (Poisson's hypothesis with one ratio for the whole impact), or less, so that the
-/// kinetic energy does not rise. The contacts do not bounce once more. `contacts`: all of their
-/// grains.
-void solve_impact(std::span<StepContact* const> contacts, const BodyVelocities& bodies);
-
-/// Goes on sweeping a small group until its impulses hardly change any more. What the sweeps of the
-/// step have left is added to `impact`: the next step begins with the impulses of these sweeps
-/// alone, which stay soft where the group becomes part of a bed.
-void converge_group(std::span<StepContact* const> contacts, const BodyVelocities& bodies);
 
 /// Ends a step: updates walls and vessel. `at_rest`: no grain is faster than the rest limit.
 void end_step(State& state, std::span<const WallMove> walls, const SiteMoves& moves, bool at_rest);
@@ -107,5 +88,43 @@ class Reference final : public Steps {
 
   NormalTable normals_;
 };
+
+// Impacts, in impacts.cpp.
+
+/// A group of grains that contacts connect is small if it has at most so many; walls connect none.
+inline constexpr std::size_t kMostGrains = 8;
+
+/// The contacts of each small group with one that carries or bounces, in their order.
+std::vector<std::vector<StepContact*>> active_groups(std::span<StepContact> contacts,
+                                                     std::size_t grains);
+
+/// Where a contact of a small group bounces, sets `impact` of all of them and changes the
+/// velocities. First the bodies are stopped, by sweeps until the impulses hardly change any more;
+/// then the same impulses act again, times the restitution (Poisson's hypothesis with one ratio for
+/// the whole impact), or less, so that the kinetic energy does not rise. The contacts do not bounce
+/// once more. `contacts`: all of their grains.
+void solve_impact(std::span<StepContact* const> contacts, const BodyVelocities& bodies);
+
+/// Goes on sweeping a small group until its impulses hardly change any more. What the sweeps of the
+/// step have left is added to `impact`: the next step begins with the impulses of these sweeps
+/// alone, which stay soft where the group becomes part of a bed.
+void converge_group(std::span<StepContact* const> contacts, const BodyVelocities& bodies);
+
+// Energy, in energy.cpp.
+
+/// Of a present grain, in units of Energy; `gravity` in lattice spacings per step squared.
+Energy energy_of(const State& state, std::size_t id, double gravity);
+
+/// Positions of the walls along their motions, in lattice spacings: a wall that follows its motion
+/// is where that is, one that lags by more than a spacing moves by sites.
+std::vector<double> wall_positions(const State& state);
+
+/// Work of walls in the step that led to `state`: impulses times displacements. `contacts`: those
+/// with walls, others do not count; `before`: wall_positions.
+double wall_work(const State& state, std::span<const Contact> contacts,
+                 const std::vector<double>& before, double gravity);
+
+/// Work of the vessel in the step that led to `state`; `before`: the vessel as it began.
+double vessel_work(const State& state, const Vessel& before, double gravity);
 
 }  // namespace clca::contact

@@ -46,6 +46,7 @@ double rotational_unit(double translational, double rotational);
 struct GasObservation {
   boltzmann::Moments moments;
   double collisions = 0;  ///< per particle
+  /// Hellinger distances of the shares from those of Maxwell-Boltzmann.
   double dh_translational = 0;
   double dh_rotational = 0;
   boltzmann::EnergyShares shares;  ///< empty where no histogram is asked for

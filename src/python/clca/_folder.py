@@ -107,7 +107,7 @@ def make_own(folder: Path) -> None:
         raise WriteError(f"cannot write to {folder}: {error.strerror}") from None
 
 
-def check_free(file: Path) -> None:
+def refuse_files_of_clca(file: Path) -> None:
     """Throws Error for a file that somebody names but clca writes into its folders."""
     file = file.absolute().parent.resolve() / file.name
     for folder in list(file.parents)[:2]:

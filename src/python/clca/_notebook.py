@@ -30,9 +30,9 @@ class Picture(numpy.ndarray[Any, numpy.dtype[numpy.uint8]]):
 
     def save(self, file: str | os.PathLike[str]) -> None:
         """Writes a PNG."""
-        from ._folder import check_free, write_file
+        from ._folder import refuse_files_of_clca, write_file
 
-        check_free(absolute(file))
+        refuse_files_of_clca(absolute(file))
         write_file(absolute(file), png(self), is_listed=False)
 
 

@@ -24,7 +24,7 @@ from . import _answer
 from ._chart import Look, rendered
 from ._error import Error
 from ._figures import charts
-from ._folder import Run, Sweep, check_free, open, write_file
+from ._folder import Run, Sweep, refuse_files_of_clca, open, write_file
 from ._notebook import MEDIA, png
 from ._sweep_figures import VESSEL_ANGLE
 from ._table import Quantity, Table, check_regular, quantities, rows_of
@@ -423,7 +423,7 @@ def report(folder: Run | Sweep, max_frames: int | None = None) -> tuple[bytes, l
 def write(folder: Run | Sweep, path: Path | None, max_frames: int | None) -> Path:
     """Throws Error."""
     if path is not None:
-        check_free(path)
+        refuse_files_of_clca(path)
     page, left_out = report(folder, max_frames)
     for text in left_out:
         warnings.warn(f"{folder.folder}: {text}", stacklevel=3)
@@ -434,7 +434,7 @@ def write(folder: Run | Sweep, path: Path | None, max_frames: int | None) -> Pat
 
 def command(options: dict[str, Any], folder_name: str) -> None:
     if "output" in options:
-        check_free(Path(options["output"]))
+        refuse_files_of_clca(Path(options["output"]))
     page, left_out = report(open(folder_name), int(options["max-frames"]) if "max-frames" in options else None)
     for text in left_out:
         _answer.warning(text)

@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t kGrains = 40;
 
 struct Workload {
-  std::vector<BodyVelocity> bodies = std::vector<BodyVelocity>(kGrains + 1);
+  std::vector<AlignedVelocity> bodies = std::vector<AlignedVelocity>(kGrains + 1);
   std::vector<Batch> batches;
 };
 
@@ -153,7 +153,7 @@ TEST(ContactSlots, HaveNothingInALaneThatIsEmptied) {
   slots.add(contact, {});
   EXPECT_EQ(slots.contact(0), contact);
   slots.remove(0);
-  std::vector<BodyVelocity> bodies(4, {{7, 8, 9}});
+  std::vector<AlignedVelocity> bodies(4, {{7, 8, 9}});
   bodies[kRestingBody] = {};
   const Pair* pairs = bed.rule.coefficients.pairs().data();
   for (const BatchFunction carry_out : {plain_function(), fastest_function()}) {

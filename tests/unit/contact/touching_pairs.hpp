@@ -10,7 +10,7 @@
 namespace clca::contact {
 
 using Number = std::int32_t;
-using Pairing = ContactKinematics<Number>;
+using Pairing = ContactBodies<Number>;
 
 inline Number length(double spacings) {
   return static_cast<Number>(std::lround(spacings * kSpacing));
