@@ -118,8 +118,8 @@ std::vector<double> pressures(const View& view, const OverlayScales& scales) {
 
 }  // namespace
 
-View view_of(const scene::Scene& scene, const model::SceneModel& model,
-             const record::Observers& observers) {
+View present_view(const scene::Scene& scene, const model::SceneModel& model,
+                  const record::Observers& observers) {
   View view = {.state = model.state(),
                .occupancy = model.grains().occupancy(),
                .cycles = observers.find<record::CycleRecord>(),

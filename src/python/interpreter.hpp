@@ -28,7 +28,8 @@ class Released {
   PyThreadState* state_;
 };
 
-/// For ever, where Python comes to its end in another thread: before the interpreter is taken.
+/// Waits for ever if Python comes to its end in another thread. To be called before the interpreter
+/// is taken back, for which CPython would end the thread.
 void wait_at_end();
 
 /// Python tells when it comes to its end.

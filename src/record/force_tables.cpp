@@ -1,9 +1,11 @@
 // Tables of contacts at the end of a stage. Those of the contact model are in weights of a grain of
 // mean mass, those with walls that overlap particles in sites.
 
-#include <algorithm>
+#include <cmath>
 #include <map>
 #include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "clca/measure/field_grid.hpp"

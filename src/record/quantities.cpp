@@ -110,7 +110,8 @@ const Quantity* find_quantity(std::string_view key) {
       return found;
     }
   }
-  for (const bool is_of_each : {whole != key, whole == key}) {
+  const bool has_name = whole != key;  // KEY.NAME: those of each wall or outlet first
+  for (const bool is_of_each : {has_name, !has_name}) {
     if (const Quantity* found = find_column(all_tables(), whole, is_of_each)) {
       return found;
     }

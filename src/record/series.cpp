@@ -34,9 +34,17 @@ Eigen::Vector2d middle(const lattice::Lattice& box) {
 
 /// Of a side of the box.
 Eigen::Vector2d middle(const lattice::Lattice& box, grains::Owner side) {
-  const double x = side == contact::kRightSide ? 1 : side == contact::kLeftSide ? -1 : 0;
-  const double y = side == contact::kCeiling ? 1 : side == contact::kFloor ? -1 : 0;
-  return middle(box) + box.size().cwiseProduct(Eigen::Vector2d(x, y)) / 2;
+  const Eigen::Vector2d half = box.size() / 2;
+  switch (side) {
+    case contact::kFloor:
+      return middle(box) - Eigen::Vector2d(0, half.y());
+    case contact::kCeiling:
+      return middle(box) + Eigen::Vector2d(0, half.y());
+    case contact::kLeftSide:
+      return middle(box) - Eigen::Vector2d(half.x(), 0);
+    default:
+      return middle(box) + Eigen::Vector2d(half.x(), 0);
+  }
 }
 
 /// From one point to another; in a periodic box to its nearest image.

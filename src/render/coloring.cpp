@@ -74,7 +74,7 @@ std::vector<Legend::Patch> species_icons(std::span<const grains::Kind> kinds,
         kinds, [&](const grains::Kind& kind) { return kind.species == number; });
     if (first != kinds.end()) {
       for (const lattice::Axial corner : outline(first->shape)) {
-        icon.outline.push_back(lattice::position(corner) / 2);
+        icon.outline.push_back(place_of(corner));
       }
       icon.size = first->shape.diameter();
       largest = std::max(largest, icon.size);

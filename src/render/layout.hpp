@@ -1,6 +1,6 @@
 #pragma once
-// Layout of view and annotations in a picture, the part of the plane that the view shows, and from
-// there to the samples of the canvas.
+// Layout of view and annotations in a picture; the part of the plane that the view shows, and its
+// projection to the samples of the canvas.
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +22,8 @@ struct Layout {
 };
 
 /// A size in which the view fills the picture, with space for annotations if requested: even
-/// numbers, an area of about 1280 x 720. What is given (not 0) is kept, the other follows.
+/// numbers, an area of about 1280 x 720. What is given (not 0) is kept, the other follows. The box
+/// is at 0, 0.
 PixelBox picture_size(int width, int height, const lattice::Rectangle& view,
                       Annotations annotations);
 

@@ -142,7 +142,7 @@ struct Painter::Parts {
       for (const Body& body : captured.bodies) {
         corners.clear();
         for (const lattice::Axial corner : outlines[body.kind]) {
-          corners.push_back(pixel(lattice::position(body.place + corner) / 2));
+          corners.push_back(pixel(place_of(body.place + corner)));
         }
         graphics.fill_polygon(corners, body.fill, projection.outline_width * layout.scale,
                               outline_color(body.fill, projection.outline_strength));

@@ -67,10 +67,10 @@ std::string case_name(double restitution) {
   return fmt::format("restitution-{}", restitution);
 }
 
-/// How far a gas is that this process advances.
+/// How far a gas of the case is.
 struct GasProgress {
-  std::atomic<double> time = 0;
-  std::atomic<std::uint64_t> participations = 0;
+  std::atomic<double> time = 0;                   ///< while this process advances it, else 0
+  std::atomic<std::uint64_t> participations = 0;  ///< so far, of any process
 };
 
 class GasRun : public RunBase {
@@ -120,13 +120,14 @@ class GasRun : public RunBase {
   }
   /// How often a particle has collided so far, summed over all gases.
   std::uint64_t participations() const {
-    return std::transform_reduce(progress_.begin(), progress_.end(), participations_, std::plus(),
+    return std::transform_reduce(progress_.begin(), progress_.end(), participations_before_,
+                                 std::plus(),
                                  [](const GasProgress& gas) { return gas.participations.load(); });
   }
-  /// Of pairs.
+  /// One of the literal scheme changes one particle, others change both.
   double collisions() const {
-    const double particles = std::holds_alternative<boltzmann::Majorant>(scene_.scheme) ? 2 : 1;
-    return static_cast<double>(participations()) / particles;
+    const double changed = std::holds_alternative<boltzmann::Majorant>(scene_.scheme) ? 2 : 1;
+    return static_cast<double>(participations()) / changed;
   }
 
   const scene::BoltzmannScene& scene_;
@@ -135,8 +136,8 @@ class GasRun : public RunBase {
   GasThreads threads_;
   model::GasIntegrator integrator_;
   GasCourse course_;
-  std::uint64_t cases_logged_;        // by the lines of log.txt that were there
-  std::uint64_t participations_ = 0;  // of the cases before
+  std::uint64_t cases_logged_;               // by the lines of log.txt that were there
+  std::uint64_t participations_before_ = 0;  // of the cases before
   std::uint64_t gases_done_ = 0;
   std::vector<GasProgress> progress_;       // one for each member of a case
   std::mutex checkpoint_mutex_;             // of checkpoint_due_by_clock()
@@ -200,7 +201,7 @@ void GasRun::run_case(record::GasCase& gas_case) {
   gases_done_ = 0;
   tell(fmt::format("restitution {}: {} gases of {} particles", gas_case.restitution,
                    gas_case.members.size(), scene_.particles));
-  participations_ = participations();
+  participations_before_ = participations();
   progress_ = std::vector<GasProgress>(gas_case.members.size());
   for (std::size_t number = 0; number < gas_case.members.size(); ++number) {
     gases_done_ += is_done(gas_case.members[number]) ? 1 : 0;
@@ -277,7 +278,8 @@ tasks::Pool<bool>::Work GasRun::work(record::GasCase& gas_case) {
       }
       progress.time = now.gas->time;
       progress.participations = now.gas->participations;
-      if (std::this_thread::get_id() == thread_ && progress_due()) {  // that called run()
+      if (std::this_thread::get_id() == thread_ &&
+          progress_due()) {  // in the thread that called run()
         show_progress(gas_case.restitution);
       }
       return stop == 0 && !stop_asked() && !saves_;

@@ -53,8 +53,8 @@ class Run : public RunBase {
   Run(const scene::Scene& scene, const RunOptions& options, const RunEvents& events,
       SavedRun& saved, SavedParts parts)
       : Run(scene, options, events, std::move(parts.state)) {
-    course_.reached = parts.course;
-    go_on(std::move(saved.folder), parts.course.log_bytes, parts.course.wall_seconds);
+    course_.reached = parts.reached;
+    go_on(std::move(saved.folder), parts.reached.log_bytes, parts.reached.wall_seconds);
     course_.history = std::move(parts.history);
     course_.present = grains::present_count(model_.state());
     stages() = std::move(parts.stages);
@@ -95,7 +95,7 @@ class Run : public RunBase {
   void show_progress(bool until_rest, std::optional<double> seconds_left);
   const scene::Stage& stage() const { return course_.stage(); }
   double rate() const {
-    const RunCourse& reached = course_.reached;
+    const Reached& reached = course_.reached;
     return reached.step_seconds > 0 ? reached.updates / reached.step_seconds : 0;
   }
 
@@ -204,7 +204,7 @@ store::Checkpoint Run::checkpoint_now() {
   course_.reached.wall_seconds = wall_seconds();
   course_.reached.log_bytes = log_bytes();
   model_.save(saved.fields);
-  reflection::encode(kSavedCourse, course_.reached, saved.fields);
+  reflection::encode(kSavedReached, course_.reached, saved.fields);
   reflection::encode(kSavedHistory, course_.history, saved.fields);
   reflection::encode(kSavedPictures, options().pictures, saved.fields);
   return saved;

@@ -131,7 +131,7 @@ WantedPictures saved_pictures(const SavedRun& saved) {
 SavedParts saved_parts(const scene::Scene& scene, const SavedRun& saved) {
   SavedParts parts = {.state = model::saved_state(scene, saved.checkpoint.fields, saved.max_bytes)};
   const reflection::Columns& columns = saved.checkpoint.fields;
-  reflection::decode(kSavedCourse, columns, saved.max_bytes, parts.course);
+  reflection::decode(kSavedReached, columns, saved.max_bytes, parts.reached);
   reflection::decode(kSavedHistory, columns, saved.max_bytes, parts.history);
   parts.stages = store::parse_summary(saved.checkpoint.summary, "its summary").stages;
   const grains::State& grains = model::grains_of(parts.state);
@@ -139,11 +139,11 @@ SavedParts saved_parts(const scene::Scene& scene, const SavedRun& saved) {
   if (!has_left(parts.history, grains, scene.species.size())) {
     throw reflection::Mismatch("what has left is not of this run");
   }
-  if (parts.course.stage >= scene.stages.size() || parts.stages.size() != parts.course.stage ||
+  if (parts.reached.stage >= scene.stages.size() || parts.stages.size() != parts.reached.stage ||
       parts.history.profile_at_start.size() != columns_of_lattice) {
     throw reflection::Mismatch("its stages are others");
   }
-  if (saved.until && parts.course.stage + 1 == scene.stages.size()) {
+  if (saved.until && parts.reached.stage + 1 == scene.stages.size()) {
     require_ahead(*saved.until, scene.stages.back(), parts.history);
   }
   return parts;

@@ -10,7 +10,7 @@
 namespace clca::run {
 
 /// Progress of a run of grains.
-struct RunCourse {
+struct Reached {
   std::uint64_t stage = 0;    ///< that it is in, from 0
   std::uint64_t moving = 0;   ///< particles, in the last step
   std::uint64_t stepped = 0;  ///< as StageView::stepped
@@ -22,7 +22,7 @@ struct RunCourse {
   CLCA_FIELDS(stage, moving, stepped, updates, wall_seconds, step_seconds, log_bytes);
 };
 
-inline constexpr const char* kSavedCourse = "course";
+inline constexpr const char* kSavedReached = "course";
 inline constexpr const char* kSavedHistory = "stage";
 /// Which pictures are wanted: before the first step, and later.
 inline const std::string kWantedPictures = std::string(store::Checkpoint::kWanted) + "/pictures";
@@ -31,7 +31,7 @@ inline constexpr const char* kSavedPictures = "outputs/wanted_pictures";
 /// The parts of a checkpoint that are not of observers.
 struct SavedParts {
   model::ModelState state;
-  RunCourse course = {};
+  Reached reached = {};
   record::StageHistory history = {};
   std::vector<store::StageSummary> stages = {};  ///< those that have ended
 };

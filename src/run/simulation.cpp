@@ -57,7 +57,7 @@ struct Simulation::Impl {
       drawn_by.emplace(std::move(drawn), model->state());
     }
     const drawing::CapturedFrame frame = drawn_by->painter.capture(
-        drawing::view_of(drawn_by->scene, *model, course.observers), pictures);
+        drawing::present_view(drawn_by->scene, *model, course.observers), pictures);
     pictures.window.emplace(model->state());
     return drawn_by->painter.rasterize(frame).image;
   }
@@ -96,6 +96,7 @@ struct Simulation::Impl {
 
   void begin_next_stage() {
     ++course.reached.stage;
+    course.reached.moving = course.reached.stepped = 0;
     end.reset();
     begin_stage();
   }

@@ -1,5 +1,5 @@
 #pragma once
-// How a run and its stages begin, and when these end.
+// How a run and its stages begin, go on and end.
 
 #include <cstdint>
 #include <functional>
@@ -49,9 +49,10 @@ struct Course {
   const scene::Scene& scene;
   model::SceneModel* model;
   record::Observers observers;
-  const store::OutputFolder* files = nullptr;  ///< as StageView::files, and likewise
+  const store::OutputFolder* files = nullptr;  ///< as StageView::files
+  /// As StageView::warn.
   std::function<void(const std::string& line)> warn = [](const std::string& /*line*/) {};
-  RunCourse reached = {};
+  Reached reached = {};
   record::StageHistory history = {};
   std::size_t present = 0;  ///< particles in the box
 
@@ -60,7 +61,7 @@ struct Course {
     return {scene,          stage(),         *model, history, observers,
             reached.moving, reached.stepped, files,  warn};
   }
-  /// Of one that is prepared.
+  /// Of a stage that prepare_stage() has prepared.
   void begin_stage();
   grains::StepReport step();
   void end_stage(StageEnd end);

@@ -15,10 +15,16 @@
 
 namespace clca::render {
 
-/// Corners of a closed polygon, the body on the left; no three in a row on one line.
+/// Where a point of the lattice of half spacings is, in lattice spacings.
+inline Eigen::Vector2d place_of(lattice::Axial half_spacings) {
+  return lattice::position(half_spacings) / 2;
+}
+
+/// Corners of a closed polygon, in half spacings, the body on the left; no three in a row on one
+/// line.
 using Outline = std::vector<lattice::Axial>;
 
-/// A piece of the body between two upright lines.
+/// A piece of the body between two upright lines, in half spacings.
 struct Trapezoid {
   lattice::Axial left_low, left_high;
   lattice::Axial right_low, right_high;

@@ -33,9 +33,9 @@ struct View {
   contact::Angle angle = 0;                         ///< of the vessel
 };
 
-/// Of a run while it is under way, drawn as the scene says.
-View view_of(const scene::Scene& scene, const model::SceneModel& model,
-             const record::Observers& observers);
+/// What a picture of the scene shows of a run that is under way.
+View present_view(const scene::Scene& scene, const model::SceneModel& model,
+                  const record::Observers& observers);
 
 lattice::Lattice lattice_of(const scene::Scene& scene);
 /// The part of the plane that pictures show.
@@ -96,7 +96,7 @@ class FramePainter {
   /// Memory for pictures of so many particles, of which so many are captured at a time.
   static double bytes(const scene::Scene& scene, double particles, int captures);
 
-  /// Of all pictures.
+  /// Those of all pictures; set arrow_velocity before the first one, so that all have one scale.
   OverlayScales& scales() { return scales_; }
 
   /// Reads what the picture needs; the state may change afterwards.

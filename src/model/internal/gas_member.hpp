@@ -61,11 +61,12 @@ struct GasMember {
   /// The gas at the last time shared with a longer run, from where the end can be moved. None if
   /// the run does not keep it.
   std::optional<boltzmann::Gas> lasting;
-  std::uint64_t steps = 0;  ///< these: of the gas when count() was called
+  // Of the gas when count() was called.
+  std::uint64_t steps = 0;
   std::uint64_t participations = 0;
   std::uint64_t hash = 0;
 
-  /// While the gas is under way.
+  /// Takes these three from the gas, which is under way.
   void count();
 
   CLCA_FIELDS(observations, gas, lasting, steps, participations, hash);

@@ -24,7 +24,7 @@ from . import _answer
 from ._chart import Look, rendered
 from ._error import Error
 from ._figures import charts
-from ._folder import Run, Sweep, refuse_files_of_clca, open, write_file
+from ._folder import Run, Sweep, open, refuse_files_of_clca, write_file
 from ._notebook import MEDIA, png
 from ._sweep_figures import VESSEL_ANGLE
 from ._table import Quantity, Table, check_regular, quantities, rows_of

@@ -114,11 +114,10 @@ struct ColumnGroup {
 /// The same for a scene, with the values of its columns.
 template <class Row>
 struct TableOf : TableInfo {
-  /// `info`: has the columns of each wall or outlet, which come last.
+  /// `info`: with columns of each wall or outlet only (of_each), which come last.
   TableOf(const TableInfo& info, std::vector<Column<Row>> always,
           const std::vector<ColumnGroup<Row>>& sometimes = {})
-      : TableInfo(info), values(std::move(always)) {
-    columns.clear();
+      : TableInfo{info.name, info.kind}, values(std::move(always)) {
     for (const ColumnGroup<Row>& group : sometimes) {
       for (Column<Row> column : group.columns) {
         column.where = group.where;

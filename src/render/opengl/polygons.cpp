@@ -164,8 +164,8 @@ class Canvas {
     const Rgb outline = outline_color(body.fill, projection_.outline_strength);
     for (const Corner& corner : triangles_[body.kind]) {
       // Exact whole numbers, so bodies that share a corner agree on it to the last bit.
-      const Eigen::Vector2d place = lattice::position(body.place + corner.point) / 2 +
-                                    projection_.outline_width * corner.inward;
+      const Eigen::Vector2d place =
+          place_of(body.place + corner.point) + projection_.outline_width * corner.inward;
       const Eigen::Array2d sample = projection_.scale * (place - projection_.corner).array();
       const Eigen::Array2f clip = (2 * sample / size - 1).cast<float>();
       const Rgb color = corner.outlined ? outline : body.fill;
