@@ -2,7 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <glib.h>
+#include <linux/close_range.h>
 #include <poll.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
@@ -17,7 +17,6 @@
 #include <cstring>
 #include <sstream>
 #include <system_error>
-#include <thread>
 #include <utility>
 
 namespace clca::process {
@@ -29,9 +28,30 @@ namespace fs = std::filesystem;
 constexpr std::chrono::milliseconds kPause(5);
 constexpr int kUnknown = -1;  // exit code
 
-[[noreturn]] void fail(const std::string& what) {
-  throw ProcessError(fmt::format("cannot {}: {}", what, std::strerror(errno)));
+void rest() {
+  ::poll(nullptr, 0, static_cast<int>(kPause.count()));
 }
+
+[[noreturn]] void fail(const std::string& what, int error = errno) {
+  throw ProcessError(fmt::format("cannot {}: {}", what, std::strerror(error)));
+}
+
+/// Two file descriptors; those that are left are closed.
+class FileDescriptors {
+ public:
+  FileDescriptors() = default;
+  ~FileDescriptors() {
+    for (const int end : numbers) {
+      if (end >= 0) {
+        ::close(end);
+      }
+    }
+  }
+  FileDescriptors(const FileDescriptors&) = delete;
+  FileDescriptors& operator=(const FileDescriptors&) = delete;
+
+  std::array<int, 2> numbers = {-1, -1};
+};
 
 /// A file that is gone once it is closed.
 int nameless_file(const fs::path& folder) {
@@ -43,15 +63,83 @@ int nameless_file(const fs::path& folder) {
   return file;
 }
 
-/// For the child between fork and exec. Calls only async-signal-safe functions, since other threads
-/// may have held locks.
-void prepare_child(void* parent) {
+/// What the child needs between fork and exec, prepared before: no allocation is allowed there.
+struct Plan {
+  char* const* arguments;
+  int folder;                  ///< file descriptor
+  std::array<int, 3> streams;  ///< file descriptors for 0, 1 and 2
+  pid_t parent;
+  int report;  ///< pipe for the error number
+};
+
+/// Calls only async-signal-safe functions, since other threads may have held locks.
+[[noreturn]] void become(const Plan& plan) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (::getppid() != *static_cast<pid_t*>(parent)) {
+  if (::getppid() != plan.parent) {
     ::_exit(127);  // too late for that signal
   }
   ::setpgid(0, 0);  // signals from the terminal are for the parent
   ::signal(SIGPIPE, SIG_DFL);
+  // Moves them out of the way first: one may have the number that another needs.
+  const int report = ::fcntl(plan.report, F_DUPFD_CLOEXEC, 3);
+  std::array<int, 3> streams = plan.streams;
+  for (int& stream : streams) {
+    stream = ::fcntl(stream, F_DUPFD_CLOEXEC, 3);
+  }
+  if (::fchdir(plan.folder) == 0) {
+    for (int number = 0; number < 3; ++number) {
+      ::dup2(streams[static_cast<std::size_t>(number)], number);
+    }
+    ::close_range(3, ~0U, CLOSE_RANGE_CLOEXEC);
+    ::execv(plan.arguments[0], plan.arguments);
+  }
+  const int error = errno;
+  [[maybe_unused]] const ssize_t written = ::write(report, &error, sizeof error);
+  ::_exit(127);
+}
+
+/// Starts the file `arguments[0]` with standard input `input`.
+/// It inherits no other files than its standard streams, and ends when the calling thread ends.
+pid_t start(const std::vector<std::string>& arguments, const ProgramOptions& options, int input) {
+  std::vector<char*> argv;
+  for (const std::string& argument : arguments) {
+    argv.push_back(const_cast<char*>(argument.c_str()));
+  }
+  argv.push_back(nullptr);
+  FileDescriptors report;
+  FileDescriptors folder;
+  folder.numbers[0] = ::open(options.folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC);
+  if (folder.numbers[0] < 0) {
+    fail(fmt::format("enter the folder {}", options.folder.string()));
+  }
+  if (::pipe2(report.numbers.data(), O_CLOEXEC) != 0) {
+    fail("run " + arguments[0]);
+  }
+  const Plan plan = {
+      .arguments = argv.data(),
+      .folder = folder.numbers[0],
+      .streams = {input, options.out != nullptr ? options.out->number() : STDOUT_FILENO,
+                  options.err != nullptr ? options.err->number() : STDERR_FILENO},
+      .parent = ::getpid(),
+      .report = report.numbers[1]};
+  const pid_t child = ::fork();
+  if (child == 0) {
+    become(plan);
+  }
+  if (child < 0) {
+    fail("run " + arguments[0]);
+  }
+  ::close(std::exchange(report.numbers[1], -1));
+  int error = 0;
+  ssize_t count = 0;
+  do {  // until exec has closed the pipe
+    count = ::read(report.numbers[0], &error, sizeof error);
+  } while (count < 0 && errno == EINTR);
+  if (count == sizeof error) {
+    ::waitpid(child, nullptr, 0);
+    fail("run " + arguments[0], error);
+  }
+  return child;
 }
 
 }  // namespace
@@ -105,40 +193,14 @@ Program::Program(const std::vector<std::string>& arguments, const ProgramOptions
       stop_(options.stop),
       signal_(options.signal),
       grace_(options.grace) {
-  if (::access((options.folder / "").c_str(), X_OK) != 0) {
-    fail(fmt::format("enter the folder {}", options.folder.string()));
-  }
-  if (::access((options.folder / arguments[0]).c_str(), X_OK) != 0) {
-    fail("run " + arguments[0]);
-  }
-  std::vector<char*> argv;
-  for (const std::string& argument : arguments) {
-    argv.push_back(const_cast<char*>(argument.c_str()));
-  }
-  argv.push_back(nullptr);
-  const auto number = [](const OutputCapture* output) {
-    return output != nullptr ? output->number() : -1;  // that of this program
-  };
-  std::array<int, 2> input = {-1, -1};  // ours and its; without any it reads nothing
-  if (options.fed && ::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, input.data()) != 0) {
+  FileDescriptors input;  // ours and its
+  if (!options.fed) {
+    input.numbers[1] = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
+  } else if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, input.numbers.data()) != 0) {
     fail("make a pipe");  // a socket: unlike a pipe, it raises no signal when the reader is gone
   }
-  input_ = input[0];
-  pid_t parent = ::getpid();
-  GError* error = nullptr;
-  // The program inherits no other files than its standard streams.
-  ::g_spawn_async_with_fds(options.folder.c_str(), argv.data(), nullptr, G_SPAWN_DO_NOT_REAP_CHILD,
-                           prepare_child, &parent, &child_, input[1], number(options.out),
-                           number(options.err), &error);
-  if (options.fed) {
-    ::close(input[1]);
-  }
-  if (error != nullptr) {
-    close_input();
-    const std::string text = error->message;
-    ::g_error_free(error);
-    throw ProcessError(fmt::format("cannot run {}: {}", arguments[0], text));
-  }
+  child_ = start(arguments, options, input.numbers[1]);
+  input_ = std::exchange(input.numbers[0], -1);
 }
 
 Program::~Program() {
@@ -168,7 +230,7 @@ int Program::wait() {
   close_input();
   while (child_ > 0 && !has_ended(WNOHANG)) {
     end_when_stopped();
-    std::this_thread::sleep_for(kPause);
+    rest();
   }
   if (code_ == kUnknown) {
     throw ProcessError(fmt::format(
