@@ -3,20 +3,55 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
-#include <memory>
 
 namespace clca::text {
 
 namespace {
 
-[[noreturn]] void fail() {
-  throw ReadError(std::strerror(errno));
-}
+class OpenFile {
+ public:
+  /// Does not block on a pipe.
+  explicit OpenFile(const std::filesystem::path& file)
+      : number_(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY)) {
+    if (number_ < 0) {
+      fail();
+    }
+  }
+  ~OpenFile() { ::close(number_); }
+  OpenFile(const OpenFile&) = delete;
+  OpenFile& operator=(const OpenFile&) = delete;
+
+  struct stat status() const {
+    struct stat status {};
+    if (::fstat(number_, &status) != 0) {
+      fail();
+    }
+    return status;
+  }
+
+  /// 0 at the end.
+  std::size_t read(std::vector<std::uint8_t>& block) const {
+    while (true) {
+      const ssize_t count = ::read(number_, block.data(), block.size());
+      if (count >= 0) {
+        return static_cast<std::size_t>(count);
+      }
+      if (errno != EINTR) {
+        fail();
+      }
+    }
+  }
+
+ private:
+  [[noreturn]] static void fail() { throw ReadError(std::strerror(errno)); }
+
+  int number_;
+};
 
 [[noreturn]] void refuse_size(double max_bytes) {
   constexpr double kMebibyte = 1 << 20;
@@ -26,17 +61,8 @@ namespace {
 }  // namespace
 
 std::vector<std::uint8_t> read_file(const std::filesystem::path& file, double max_bytes) {
-  // Does not block on a pipe.
-  const int number = ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
-  if (number < 0) {
-    fail();
-  }
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(::fdopen(number, "rb"),
-                                                               &std::fclose);
-  struct stat status {};
-  if (stream == nullptr || ::fstat(number, &status) != 0) {
-    fail();
-  }
+  const OpenFile open(file);
+  const struct stat status = open.status();
   if (!S_ISREG(status.st_mode)) {
     throw ReadError(S_ISDIR(status.st_mode) ? "it is a folder" : "it is not a regular file");
   }
@@ -46,14 +72,11 @@ std::vector<std::uint8_t> read_file(const std::filesystem::path& file, double ma
   std::vector<std::uint8_t> bytes;
   bytes.reserve(static_cast<std::size_t>(status.st_size));  // growing would take twice as much
   std::vector<std::uint8_t> block(1U << 16U);
-  while (const std::size_t count = std::fread(block.data(), 1, block.size(), stream.get())) {
+  while (const std::size_t count = open.read(block)) {
     if (static_cast<double>(bytes.size()) + static_cast<double>(count) > max_bytes) {
       refuse_size(max_bytes);
     }
     bytes.insert(bytes.end(), block.begin(), block.begin() + static_cast<std::ptrdiff_t>(count));
-  }
-  if (std::ferror(stream.get()) != 0) {
-    fail();
   }
   return bytes;
 }
