@@ -92,7 +92,8 @@ CLI::Validator check(const std::string& what, const std::string& shown,
   });
 }
 
-/// Takes a number with a unit, which becomes one of the unit 1 within these limits.
+/// Takes a number with a unit and makes a plain number of it, by the factor of the unit; from
+/// `least` to `most`.
 template <class T>
 CLI::Validator with_unit(const std::string& what,
                          std::optional<double> (*value_of)(std::string_view unit), double least,
@@ -100,7 +101,7 @@ CLI::Validator with_unit(const std::string& what,
   return conversion(what, "", [=](const std::string& text) -> std::optional<std::string> {
     const auto found = quantity<T>(text);
     const auto unit = found ? value_of(found->unit) : std::nullopt;
-    const double value = unit ? static_cast<double>(found->number) * *unit : -1;
+    const double value = unit ? static_cast<double>(found->number) * *unit : NAN;
     return value >= least && value <= most ? std::optional(fmt::format("{}", static_cast<T>(value)))
                                            : std::nullopt;
   });

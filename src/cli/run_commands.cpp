@@ -22,7 +22,7 @@ namespace {
 
 struct RunCommandOptions {
   SceneOptions scene;
-  run::RunOptions run;
+  run::RunOptions run;  ///< show_run() adds threads, reference, stop and pictures
   std::optional<std::string> until;
   std::optional<int> threads;
   std::string engine = "fast";
@@ -72,12 +72,12 @@ std::string totals(const store::RunSummary& summary) {
 /// code.
 template <class RunIt>
 int show_run(const RunCommandOptions& options, bool is_gas, RunIt run_it) {
-  run::RunOptions run = options.run;
-  run.threads = threads_of(options, is_gas);
-  run.reference = options.engine != "fast";
-  run.stop = &catch_stop_signals();
+  run::RunOptions wanted = options.run;
+  wanted.threads = threads_of(options, is_gas);
+  wanted.reference = options.engine != "fast";
+  wanted.stop = &catch_stop_signals();
   if (options.scene.frames_every == std::uint64_t{0}) {
-    run.pictures = run::WantedPictures::none;
+    wanted.pictures = run::WantedPictures::none;
   }
   ProgressLine line;
   run::RunEvents events;
@@ -91,9 +91,9 @@ int show_run(const RunCommandOptions& options, bool is_gas, RunIt run_it) {
       events.detail = events.message;
     }
   }
-  std::filesystem::path used = run.folder;
+  std::filesystem::path used = wanted.folder;
   events.folder = [&](const std::filesystem::path& path) { used = path; };
-  const store::RunSummary summary = run_it(run, events);
+  const store::RunSummary summary = run_it(wanted, events);
   if (options.json) {
     print_summary(used);
   } else if (!options.quiet) {

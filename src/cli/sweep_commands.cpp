@@ -144,17 +144,17 @@ std::vector<std::string> launched(const std::string& launcher) {
 /// As run_sweep(), by `command`. Throws process::ProcessError where it does not run the sweep.
 int launch(std::vector<std::string> command, const std::string& launcher,
            const SweepCommandOptions& options) {
-  const auto& [scene, seeds, variations, sweep, quiet] = options;
-  command.insert(command.end(),
-                 {"sweep", scene.file, "--vary", variations.front(), "--seeds", seeds, "--output",
-                  sweep.folder.string(), "--jobs", std::to_string(sweep.jobs)});
-  for (const std::string& text : scene.overrides) {
+  command.insert(
+      command.end(),
+      {"sweep", options.scene.file, "--vary", options.variations.front(), "--seeds", options.seeds,
+       "--output", options.sweep.folder.string(), "--jobs", std::to_string(options.sweep.jobs)});
+  for (const std::string& text : options.scene.overrides) {
     command.insert(command.end(), {"--set", text});
   }
-  if (scene.memory_limit) {
-    command.insert(command.end(), {"--memory-limit", std::to_string(*scene.memory_limit)});
+  if (options.scene.memory_limit) {
+    command.insert(command.end(), {"--memory-limit", std::to_string(*options.scene.memory_limit)});
   }
-  if (quiet) {
+  if (options.quiet) {
     command.emplace_back("--quiet");
   }
   constexpr std::chrono::seconds kGrace(10);  // for runs to leave their checkpoints
@@ -167,7 +167,7 @@ int launch(std::vector<std::string> command, const std::string& launcher,
   if (code != kDone) {
     throw process::ProcessError(fmt::format("'{}' ended with exit code {}", launcher, code));
   }
-  if (!std::filesystem::exists(sweep.folder / "sweep.json")) {
+  if (!std::filesystem::exists(options.sweep.folder / "sweep.json")) {
     throw process::ProcessError(fmt::format("'{}' has not run the sweep", launcher));
   }
   return kDone;

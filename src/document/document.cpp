@@ -32,6 +32,7 @@ class SourceText {
     if (text_.size() > kMaxBytes) {
       fail({origin_, 1, 1}, "the text is larger than {} MiB", kMaxBytes >> 20U);
     }
+    characters_.reserve(text_.size() + 1);
     for (std::size_t i = 0; i < text_.size(); ++i) {
       const bool begins = (static_cast<unsigned char>(text_[i]) & 0xC0U) != 0x80;  // a character
       characters_.push_back(characters_.back() + (begins ? 1 : 0));
@@ -144,7 +145,7 @@ class SourceText {
   std::string_view text_;
   std::shared_ptr<const Origin> origin_;
   std::vector<std::size_t> line_starts_ = {0};
-  std::vector<std::size_t> characters_ = {0};  // that begin before each byte, for long lines
+  std::vector<std::uint32_t> characters_ = {0};  // before each byte: lines may be long
 };
 
 constexpr std::size_t kMaxKeys = 10'000;  // of a map

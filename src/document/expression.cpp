@@ -204,7 +204,7 @@ class Evaluator {
   bool has_names_ = true;
 };
 
-/// Numbers in one form only; texts, keys and nothing so that they differ from all else.
+/// Numbers in one form only; texts in quotes, and nothing as null. Keys stay as they are.
 void make_canonical(Value& value) {
   if (value.is(Value::Kind::nothing)) {
     value = Value::scalar("null");

@@ -61,10 +61,10 @@ void take_border(OccupancyTable& occupancy, const lattice::Lattice& lattice) {
 
 OccupancyTable::OccupancyTable(const State& state)
     : taken_(state.lattice),
-      first_(state.lattice.index_count()),
-      second_(may_overlap(state) ? state.lattice.index_count() : 0, kFree) {
-  inverted_owners_ = {first_.data(), first_.size()};
-  second_owners_ = second_;
+      inverted_memory_(state.lattice.index_count()),
+      second_memory_(may_overlap(state) ? state.lattice.index_count() : 0, kFree) {
+  inverted_owners_ = {inverted_memory_.data(), inverted_memory_.size()};
+  second_owners_ = second_memory_;
   const lattice::Lattice& lattice = state.lattice;
   take_border(*this, lattice);
   for (const Kind& kind : state.kinds) {

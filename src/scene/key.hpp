@@ -131,9 +131,9 @@ struct AnyKey {
   std::string name;
   std::string about;                         ///< one phrase
   std::shared_ptr<const AnyType> type = {};  ///< of the value
-  Access access = {};          ///< from the owner to the value; null: it is not read or written
-  std::string otherwise = {};  ///< what holds if it is left out, or a condition
-  bool is_condition = false;   ///< `otherwise` says when the key is given
+  Access access = {};  ///< from the owner to the value; null: only `before` reads, `text` writes it
+  std::string otherwise = {};               ///< what holds if it is left out, or a condition
+  bool is_condition = false;                ///< `otherwise` says when the key is given
   std::optional<Value> default_value = {};  ///< the same, if it is a value
   bool required = false;
   std::optional<Model> model = {};  ///< the only one that has it
@@ -233,7 +233,7 @@ std::string meaning(const AnyKey& key);
 AnyKey any_key(std::string_view name, const Access& access, const AnyType& type,
                std::string_view about, const void* otherwise = nullptr);
 
-/// To what the second access leads to from where the first one ends.
+/// The second applied to what the first one returns.
 Access joined(const Access& first, const Access& second);
 template <class Owner, class T>
 Access to_member(T Owner::*member) {
@@ -310,11 +310,13 @@ Key<Owner> alternative(std::string_view name, Variant Owner::*member, const Type
   return Key<Owner>(any_key(name, access, type, about));
 }
 
-/// Keys of what the access leads to as keys of the Owner itself.
+/// Keys of the part that `access` returns, as keys of the Owner itself.
 template <class Owner>
 Keys<Owner> inlined(const Access& access, std::vector<AnyKey> keys) {
   for (AnyKey& key : keys) {
-    key.access = joined(access, key.access);
+    if (key.access) {
+      key.access = joined(access, key.access);
+    }
   }
   return Keys<Owner>(std::move(keys));
 }

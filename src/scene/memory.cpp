@@ -100,8 +100,8 @@ double area(const lattice::Picture& picture) {
   return area(picture.box);
 }
 
-/// By the area, or by the rectangle around it. Each step of a motion brings in those along two
-/// edges of the box at the most.
+/// From above: for each part the area, or the rectangle around it if that is less. Each step of a
+/// motion brings in those along two edges of the box at the most.
 double wall_sites_at_most(const lattice::Lattice& lattice, const Wall& wall) {
   const double columns = lattice.columns();
   const double rows = lattice.rows();

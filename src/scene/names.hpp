@@ -16,11 +16,11 @@ struct Named {
   T value;
 };
 
-/// A word for each enumerator up to the last, in their order; from false or 0 on likewise.
+/// A word for each value from the first enumerator, false or 0 up to `kLast`, in order.
 template <auto kLast, class... Words>
 constexpr auto in_order(Words... words) {
   using T = decltype(kLast);
-  static_assert(static_cast<T>(sizeof...(words) - 1) == kLast);
+  static_assert(sizeof...(words) == static_cast<std::size_t>(kLast) + 1);
   std::size_t index = 0;
   return std::array{Named<T>{words, static_cast<T>(index++)}...};
 }

@@ -96,7 +96,7 @@ Scene read_scene(Value root, const std::string& file) {
   scene_type().read_into(place, &scene);
   const bool is_observed = !scene.probes.empty() || !scene.lines.empty();
   if (is_observed && root.find_path("output.series") == nullptr) {
-    scene.output.series = Series();  // at its steps
+    scene.output.series = Series();  // probes and lines are observed at its steps
   }
   check_model(place);
   check_history(place.at("stages"));

@@ -33,7 +33,7 @@ Type<std::vector<Stage>> stages_type();
 /// `measure`: which there are, and those derived from them.
 Key<Scene> measure_key();
 Type<Output> output_type();
-/// By seconds; those of grains by steps, too.
+/// Checkpoints of a gas: by seconds only.
 Type<Checkpoints> gas_checkpoint_type();
 Key<BoltzmannScene> boltzmann_block();
 Key<BoltzmannScene> boltzmann_output();

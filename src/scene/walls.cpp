@@ -98,7 +98,7 @@ bool any_swept_site(const lattice::Lattice& lattice, const Wall& wall,
 
 std::vector<bool> walls_present_at_start(const Scene& scene) {
   std::vector<bool> there(scene.walls.size(), true);
-  // From the last stage on: the first one that names a wall decides.
+  // Backwards, so that the first stage that names a wall decides; of one stage, insert.
   for (std::size_t i = scene.stages.size(); i > 0; --i) {
     for (const std::size_t wall : scene.stages[i - 1].remove) {
       there[wall] = true;

@@ -383,7 +383,7 @@ std::vector<Hdf5Dataset> SceneTables::datasets() {
            {"", "of each wall the first row in `scene/walls/sites`"}},
           {"scene/walls/size", &wall_sites.size, 1, {"sites", "of each wall"}},
           {"scene/walls/sites", &wall_sites.sites, 2, {"sites", "column and row at home"}},
-          // For other readers; the program itself compares no more.
+          // For other programs: require_same() does not compare what follows.
           {"scene/kinds/centre",
            &kind_centre,
            2,

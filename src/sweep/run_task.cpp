@@ -52,13 +52,14 @@ bool is_same(const fs::path& folder, const store::RunSummary& summary, const sce
 }
 
 /// The run of exactly this scene and program version in a folder, where it was stopped or killed or
-/// has failed, which it does on a full disk, too. None if there is no such run, if its checkpoint
-/// cannot be used, or if it has not drawn what is wanted now.
+/// has failed. None if there is no such run, if its checkpoint cannot be used, or if it has not
+/// drawn what is wanted now.
 std::optional<run::SavedRun> saved_run(const scene::Scene& scene, const fs::path& folder,
                                        double max_bytes, run::WantedPictures wanted,
                                        const run::RunEvents& events) {
   const std::optional<store::RunSummary> summary = summary_in(folder);
   std::error_code unknown;
+  // A run fails on a full disk, too.
   if (!summary || summary->status == "done" ||
       !fs::exists(folder / store::kCheckpointFile, unknown) || !is_same(folder, *summary, scene)) {
     return std::nullopt;

@@ -178,9 +178,12 @@ class Sweep {
       }
     }
     progress_.reused = progress_.done;
+    std::vector<double> means;
+    for (const std::vector<double>& known : seconds_of_variants) {
+      means.push_back(statistics::sample(known).mean);
+    }
     for (const std::size_t run : remaining) {
-      const double mean = statistics::sample(seconds_of_variants[variant(run)]).mean;
-      seconds[run] = std::fmin(seconds[run], mean);  // of what is known: NaN is not
+      seconds[run] = std::fmin(seconds[run], means[variant(run)]);  // the mean of none is ignored
     }
     // Those of which nothing is known may be the longest.
     std::ranges::stable_sort(remaining,

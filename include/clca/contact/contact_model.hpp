@@ -105,8 +105,7 @@ class ContactModel : public grains::Model {
 
   /// Has grains(), and costs more than that, as it also updates the list of contacts.
   const State& state() const;
-  // Parts of state() at less cost.
-  /// By id.
+  /// Those of state(), at less cost; by id.
   const std::vector<Velocity<>>& velocities() const;
   /// Of the last step: those with walls and sides of the box, maybe others, too.
   std::vector<Contact> wall_contacts() const;

@@ -57,8 +57,8 @@ constexpr std::uint32_t particle_id(Owner owner) {
 constexpr Owner as_owner(std::size_t id) {
   return static_cast<Owner>(id);
 }
-/// Also of the border and, in the contact model, of the sides of the box; wall_number() is of
-/// others.
+/// True also of the border and, in the contact model, of the sides of the box, which have no
+/// wall_number().
 constexpr bool is_wall(Owner owner) {
   return owner <= kFirstWall;
 }

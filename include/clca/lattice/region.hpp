@@ -55,8 +55,8 @@ class SweptRegion {
 
 /// Whether `test` holds for a site of the region: tries those in the columns from `left` to `right`
 /// and some beside them, and in each column those between the pairs of heights in `parts(column)`,
-/// which are in order and further than three apart, and some beside them, until it holds. All
-/// lengths in lattice spacings.
+/// which are in order and further than three apart, and some beside them, until it holds. A pair
+/// whose first height is above its second has no sites. All lengths in lattice spacings.
 template <class Parts, class Test>
 bool any_site(const SweptRegion& swept_region, double left, double right, const Parts& parts,
               const Test& test) {
@@ -110,8 +110,8 @@ inline Rectangle around(const Rectangle& rectangle) {
 }
 Rectangle around(const Segment& segment);
 
-/// The same for the sites of the region inside `rectangle`: column by column from the left,
-/// upwards.
+/// Whether `test` holds for a site of the region inside `rectangle`: tries them column by column
+/// from the left, upwards, until it does.
 template <class Test>
 bool any_site(const SweptRegion& swept_region, const Rectangle& rectangle, const Test& test) {
   const std::array part = {std::pair(rectangle.bottom, rectangle.top)};

@@ -63,7 +63,8 @@ struct Progress {
   std::vector<RunUnderWay> under_way;  ///< in this process, in the order of the plan
 };
 
-/// All optional; called from the thread that called execute().
+/// Called from the thread that called execute(). `progress` may be empty; the others must not be:
+/// by default they do nothing.
 struct Events {
   std::function<void(const Progress&)> progress = {};  ///< some ten times a second
   std::function<void(const std::string&)> message = [](const std::string&) {};

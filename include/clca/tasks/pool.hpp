@@ -28,7 +28,7 @@ class Pool {
     /// For rank 0: the result from what another rank has sent.
     std::function<Result(std::size_t task, const Bytes& answer)> result = {};
     /// Each thread of this process begins with it, and none carries out a task before all have;
-    /// where no thread could be started, the one that makes the pool.
+    /// where no thread could be started, the one that makes the pool, but not for `inline_one`.
     std::function<void()> begin = {};
   };
   struct Finished {
@@ -39,9 +39,9 @@ class Pool {
   /// `threads`: tasks at a time in this process, fewer where the system does not allow as many.
   /// `shared`: the same on all ranks; each rank takes the next of them when it has a thread for it.
   /// On rank 0, results of all ranks come together. `stop`: once it is not zero, or rank 0 has
-  /// dismissed the others, all tasks are stopped. The one that calls take_finished() carries out
-  /// the tasks if no thread could be started, or one without other ranks, if `inline_one` says so.
-  /// All references must outlive this object.
+  /// dismissed the others, all tasks are stopped. Who calls take_finished() carries out the tasks
+  /// itself where no thread could be started, and with `inline_one` where `threads` is 1 and there
+  /// are no other ranks. All references must outlive this object.
   Pool(std::size_t threads, Ranks& ranks, std::vector<std::size_t> shared, Work work,
        const std::atomic<int>* stop, bool inline_one = false)
       : ranks_(ranks),
@@ -149,8 +149,14 @@ class Pool {
     }
   }
 
+  /// Tasks that can be started now. Without threads the one before is to be taken first.
+  std::size_t idle() {
+    const std::lock_guard lock(mutex_);
+    return at_a_time() - (under_way_ - (threads_.empty() ? 0 : ended_.size()));
+  }
+
   void start_tasks() {
-    while (starts_ && stop_tasks_ == 0 && under_way_ < at_a_time()) {
+    while (starts_ && stop_tasks_ == 0 && idle() > 0) {
       const std::optional<std::size_t> task = next();
       if (!task) {
         return;

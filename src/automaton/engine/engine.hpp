@@ -91,9 +91,10 @@ class Engine final : public Steps {
   grains::Bitboard reserved_;
   grains::Bitboard contested_;
   Strips strips_;
-  std::vector<StripWorker> workers_;  // without several threads the first has the whole box
-  std::vector<QueuedMove> turns_;     // of all workers
-  std::vector<MoveProposal> freed_;   // overlap, but move by themselves
+  // Not in parallel the first has the whole box, and the lists of the others are empty.
+  std::vector<StripWorker> workers_;
+  std::vector<QueuedMove> turns_;    // of all workers
+  std::vector<MoveProposal> freed_;  // overlap, but move by themselves
   std::size_t examined_;
   // This step:
   bool in_parallel_ = false;

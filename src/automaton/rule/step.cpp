@@ -86,7 +86,7 @@ std::size_t Reference::move_particles() {
   // onto, then the others.
   give_turns(movers.pushed, &move_pushed);
   give_turns(movers.others, &move_by_itself);
-  world_.changes = {};
+  world_.changes = {.by_others = false};
   return moved_.size();
 }
 

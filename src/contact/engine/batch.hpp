@@ -65,22 +65,22 @@ void carry_out(Pass pass, std::span<Batch> batches, AlignedVelocity* bodies, con
       Impulse<Int> impulse = {Lanes::load(&impulses.normal[lane]),
                               Lanes::load(&impulses.shear[lane]),
                               Lanes::load(&impulses.rolling[lane])};
-      ContactBodies<Int> now = {.upper = Lanes::velocities(bodies, &batch.upper[lane]),
-                                .other = Lanes::velocities(bodies, &batch.other[lane]),
-                                .normal_x = Lanes::load(&batch.normal_x[lane]),
-                                .normal_y = Lanes::load(&batch.normal_y[lane]),
-                                .pair = Lanes::coefficients(pairs, &batch.pair[lane])};
+      ContactBodies<Int> both = {.upper = Lanes::velocities(bodies, &batch.upper[lane]),
+                                 .other = Lanes::velocities(bodies, &batch.other[lane]),
+                                 .normal_x = Lanes::load(&batch.normal_x[lane]),
+                                 .normal_y = Lanes::load(&batch.normal_y[lane]),
+                                 .pair = Lanes::coefficients(pairs, &batch.pair[lane])};
       if (pass == Pass::warm_start) {
-        apply(now, impulse, law.rotates);
+        apply(both, impulse, law.rotates);
       } else {
-        solve(impulse, now, Lanes::load(&batch.bounce[lane]), Lanes::load(&batch.friction[lane]),
+        solve(impulse, both, Lanes::load(&batch.bounce[lane]), Lanes::load(&batch.friction[lane]),
               law);
         Lanes::store(impulse.normal, &impulses.normal[lane]);
         Lanes::store(impulse.shear, &impulses.shear[lane]);
         Lanes::store(impulse.rolling, &impulses.rolling[lane]);
       }
-      Lanes::set_velocities(bodies, &batch.upper[lane], now.upper);
-      Lanes::set_velocities(bodies, &batch.other[lane], now.other);
+      Lanes::set_velocities(bodies, &batch.upper[lane], both.upper);
+      Lanes::set_velocities(bodies, &batch.other[lane], both.other);
     }
   }
 }

@@ -182,12 +182,15 @@ void Engine::write_back() {
   if (written_back_) {
     return;
   }
-  written_back_ = true;
   write_back_velocities();
   state_.contacts = contacts(true);
+  written_back_ = true;
 }
 
 void Engine::write_back_velocities() {
+  if (written_back_) {
+    return;
+  }
   std::transform(bodies_.begin() + static_cast<std::ptrdiff_t>(first_grain_), bodies_.end(),
                  state_.velocities.begin(),
                  [](const AlignedVelocity& body) { return body.velocity; });

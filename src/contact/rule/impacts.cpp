@@ -22,10 +22,10 @@ std::int64_t power(std::span<StepContact* const> contacts, const Impulses& impul
   constexpr int kBits = 20;  // so that the share below fits
   std::int64_t sum = 0;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
-    bodies.at(contacts[i]->contact, [&](const auto& at) {
-      sum += scaled(product(impulses[i].normal, separation_velocity(at)), kBits) +
-             scaled(product(impulses[i].shear, slip_velocity(at)), kBits) +
-             scaled(product(impulses[i].rolling, rolling_velocity(at)), kBits);
+    bodies.at(contacts[i]->contact, [&](const auto& both) {
+      sum += scaled(product(impulses[i].normal, separation_velocity(both)), kBits) +
+             scaled(product(impulses[i].shear, slip_velocity(both)), kBits) +
+             scaled(product(impulses[i].rolling, rolling_velocity(both)), kBits);
     });
   }
   return sum;
@@ -56,8 +56,8 @@ void converge(std::span<StepContact* const> contacts, Impulses& impulses,
       const Contact& contact = contacts[i]->contact;
       Impulse<>& now = impulses[i];
       const Impulse<> before = now;
-      bodies.at(contact, [&](ContactBodies<>& at) {
-        solve(now, at, 0, bodies.rule.friction_with(contact.other), bodies.rule.law);
+      bodies.at(contact, [&](ContactBodies<>& both) {
+        solve(now, both, 0, bodies.rule.friction_with(contact.other), bodies.rule.law);
       });
       change =
           std::max({change, std::abs(now.normal - before.normal),

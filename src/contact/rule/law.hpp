@@ -50,69 +50,69 @@ struct ContactBodies {
 
 /// Normal velocity of the upper body relative to the other; positive if they separate.
 template <class Int>
-[[gnu::always_inline]] inline Int separation_velocity(const ContactBodies<Int>& at) {
-  return rounded(
-      product(at.upper.x - at.other.x, at.normal_x) + product(at.upper.y - at.other.y, at.normal_y),
-      kUnitBits);
+[[gnu::always_inline]] inline Int separation_velocity(const ContactBodies<Int>& both) {
+  return rounded(product(both.upper.x - both.other.x, both.normal_x) +
+                     product(both.upper.y - both.other.y, both.normal_y),
+                 kUnitBits);
 }
 
 /// Tangential velocity at the contact, along the normal turned anticlockwise.
 template <class Int>
-[[gnu::always_inline]] inline Int slip_velocity(const ContactBodies<Int>& at) {
-  return rounded(product(at.upper.y - at.other.y, at.normal_x) -
-                     product(at.upper.x - at.other.x, at.normal_y),
+[[gnu::always_inline]] inline Int slip_velocity(const ContactBodies<Int>& both) {
+  return rounded(product(both.upper.y - both.other.y, both.normal_x) -
+                     product(both.upper.x - both.other.x, both.normal_y),
                  kUnitBits) -
-         at.upper.spin - at.other.spin;
+         both.upper.spin - both.other.spin;
 }
 
 /// Angular velocity of the upper body relative to the other, times the reduced radius.
-inline std::int32_t rolling_velocity(const ContactBodies<>& at) {
+inline std::int32_t rolling_velocity(const ContactBodies<>& both) {
   const auto part = [](std::int32_t spin, std::int32_t turning, std::int32_t inverse_mass) {
     return inverse_mass == 0 ? 0 : product(spin, turning) / inverse_mass;  // a wall does not turn
   };
   return static_cast<std::int32_t>(
-      part(at.upper.spin, at.pair.upper_turning, at.pair.upper_inverse_mass) -
-      part(at.other.spin, at.pair.other_turning, at.pair.other_inverse_mass));
+      part(both.upper.spin, both.pair.upper_turning, both.pair.upper_inverse_mass) -
+      part(both.other.spin, both.pair.other_turning, both.pair.other_inverse_mass));
 }
 
 /// Applies impulses to the velocities of both bodies.
 template <class Int>
-[[gnu::always_inline]] inline void apply(ContactBodies<Int>& at, const Impulse<Int>& by,
+[[gnu::always_inline]] inline void apply(ContactBodies<Int>& both, const Impulse<Int>& by,
                                          bool rotates) {
   const Int x =
-      rounded(product(by.normal, at.normal_x) - product(by.shear, at.normal_y), kUnitBits);
+      rounded(product(by.normal, both.normal_x) - product(by.shear, both.normal_y), kUnitBits);
   const Int y =
-      rounded(product(by.normal, at.normal_y) + product(by.shear, at.normal_x), kUnitBits);
+      rounded(product(by.normal, both.normal_y) + product(by.shear, both.normal_x), kUnitBits);
   const auto changed = [](Int velocity, const auto& change, int bits) {
     return clamped(velocity + limited(change, bits, 2 * kMaxVelocity), -kMaxVelocity, kMaxVelocity);
   };
   const auto pushed = [&](Int velocity, Int impulse, Int inverse_mass) {
     return changed(velocity, product(impulse, inverse_mass), kInverseMassBits);
   };
-  at.upper.x = pushed(at.upper.x, x, at.pair.upper_inverse_mass);
-  at.upper.y = pushed(at.upper.y, y, at.pair.upper_inverse_mass);
-  at.other.x = pushed(at.other.x, -x, at.pair.other_inverse_mass);
-  at.other.y = pushed(at.other.y, -y, at.pair.other_inverse_mass);
+  both.upper.x = pushed(both.upper.x, x, both.pair.upper_inverse_mass);
+  both.upper.y = pushed(both.upper.y, y, both.pair.upper_inverse_mass);
+  both.other.x = pushed(both.other.x, -x, both.pair.other_inverse_mass);
+  both.other.y = pushed(both.other.y, -y, both.pair.other_inverse_mass);
   if (rotates) {
     // A tangential force turns both bodies the same way, a moment in opposite ways. Discs: inertia
     // = mass radius^2 / 2.
     constexpr int kDoubledInverseMassBits = kInverseMassBits - 1;
-    at.upper.spin = changed(
-        at.upper.spin,
-        product(by.rolling, at.pair.upper_turning) - product(by.shear, at.pair.upper_inverse_mass),
-        kDoubledInverseMassBits);
-    at.other.spin = changed(
-        at.other.spin,
-        product(-by.rolling, at.pair.other_turning) - product(by.shear, at.pair.other_inverse_mass),
-        kDoubledInverseMassBits);
+    both.upper.spin = changed(both.upper.spin,
+                              product(by.rolling, both.pair.upper_turning) -
+                                  product(by.shear, both.pair.upper_inverse_mass),
+                              kDoubledInverseMassBits);
+    both.other.spin = changed(both.other.spin,
+                              product(-by.rolling, both.pair.other_turning) -
+                                  product(by.shear, both.pair.other_inverse_mass),
+                              kDoubledInverseMassBits);
   }
 }
 
 /// Updates the impulses: the bodies separate with the velocity `bounce`, and slide and roll less,
 /// within the limits of friction. `friction` in 2^-16.
 template <class Int>
-[[gnu::always_inline]] inline void solve(Impulse<Int>& impulse, ContactBodies<Int>& at, Int bounce,
-                                         Int friction, const LawConstants& law) {
+[[gnu::always_inline]] inline void solve(Impulse<Int>& impulse, ContactBodies<Int>& both,
+                                         Int bounce, Int friction, const LawConstants& law) {
   const Impulse<Int> before = impulse;
   const auto change = [](const auto& stopped) {
     return limited(stopped, kMassBits, 2 * kMaxImpulse);
@@ -122,17 +122,17 @@ template <class Int>
     return clamped(wanted, -limit, limit);
   };
   impulse.normal =
-      clamped(before.normal - change(product(separation_velocity(at) - bounce, at.pair.mass)), 0,
-              kMaxImpulse);
-  impulse.shear = bound(before.shear - change(product(slip_velocity(at), at.pair.shear_mass)),
+      clamped(before.normal - change(product(separation_velocity(both) - bounce, both.pair.mass)),
+              0, kMaxImpulse);
+  impulse.shear = bound(before.shear - change(product(slip_velocity(both), both.pair.shear_mass)),
                         product(impulse.normal, friction));
   if (law.resists_rolling) {
     impulse.rolling =
-        bound(before.rolling - change(product(at.upper.spin, at.pair.upper_rolling_mass) -
-                                      product(at.other.spin, at.pair.other_rolling_mass)),
+        bound(before.rolling - change(product(both.upper.spin, both.pair.upper_rolling_mass) -
+                                      product(both.other.spin, both.pair.other_rolling_mass)),
               product(impulse.normal, all(law.rolling_friction, Int())));
   }
-  apply(at,
+  apply(both,
         Impulse<Int>{impulse.normal - before.normal, impulse.shear - before.shear,
                      impulse.rolling - before.rolling},
         law.rotates);
@@ -211,16 +211,16 @@ struct BodyVelocities {
   void at(const Contact& contact, Visit visit) const {
     Velocity<>& upper = velocity(grains::as_owner(contact.upper));
     Velocity<>& other = velocity(contact.other);
-    ContactBodies<> now = {
+    ContactBodies<> both = {
         .upper = upper,
         .other = other,
         .normal_x = contact.normal.x,
         .normal_y = contact.normal.y,
         .pair = rule.coefficients.pairs()[static_cast<std::size_t>(
             rule.coefficients.pair_number(grains, contact.upper, contact.other))]};
-    visit(now);
-    upper = now.upper;
-    other = now.other;
+    visit(both);
+    upper = both.upper;
+    other = both.other;
   }
 };
 

@@ -13,8 +13,8 @@ namespace {
 void bounce_loose(std::vector<StepContact>& contacts, const BodyVelocities& bodies) {
   for (StepContact& touch : contacts) {
     if (touch.contact.impulse.normal == 0) {
-      bodies.at(touch.contact, [&](const auto& at) {
-        touch.bounce = bounce(-separation_velocity(at), bodies.rule.restitution);
+      bodies.at(touch.contact, [&](const auto& both) {
+        touch.bounce = bounce(-separation_velocity(both), bodies.rule.restitution);
       });
     }
   }
@@ -23,7 +23,7 @@ void bounce_loose(std::vector<StepContact>& contacts, const BodyVelocities& bodi
 void apply_all(const std::vector<StepContact>& contacts, const BodyVelocities& bodies) {
   for (const StepContact& touch : contacts) {
     bodies.at(touch.contact,
-              [&](auto& at) { apply(at, touch.contact.impulse, bodies.rule.law.rotates); });
+              [&](auto& both) { apply(both, touch.contact.impulse, bodies.rule.law.rotates); });
   }
 }
 
@@ -34,8 +34,8 @@ void sweep(std::vector<StepContact>& contacts, const BodyVelocities& bodies) {
     for (std::size_t k = 0; k < contacts.size(); ++k) {
       StepContact& touch = contacts[i % 2 == 0 ? k : contacts.size() - 1 - k];
       Contact& contact = touch.contact;
-      bodies.at(contact, [&](auto& at) {
-        solve(contact.impulse, at, touch.bounce, rule.friction_with(contact.other), rule.law);
+      bodies.at(contact, [&](auto& both) {
+        solve(contact.impulse, both, touch.bounce, rule.friction_with(contact.other), rule.law);
       });
     }
   }

@@ -160,7 +160,7 @@ class Bitboard {
 
   /// Word by word, for atomic operations. `change` returns which of its bits were set before.
   template <class Change>
-  std::uint64_t change_block_atomically(std::size_t byte, std::uint64_t bits, Change change) {
+  std::uint64_t change_block_shared(std::size_t byte, std::uint64_t bits, Change change) {
     const std::size_t word = byte / kSide;
     const auto shift = static_cast<unsigned>(byte % kSide * kSide);
     const auto change_word = [&](std::size_t number, std::uint64_t part) {
@@ -173,8 +173,8 @@ class Bitboard {
   template <class Change>
   std::uint64_t change_shared(Corner at, std::uint64_t window, Change change) {
     const Pair bits = parted(window, at);
-    return joined({.left = change_block_atomically(at.byte, bits.left, change),
-                   .right = change_block_atomically(at.byte + height_, bits.right, change)},
+    return joined({.left = change_block_shared(at.byte, bits.left, change),
+                   .right = change_block_shared(at.byte + height_, bits.right, change)},
                   at);
   }
 

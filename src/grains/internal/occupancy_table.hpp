@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <type_traits>
 #include <vector>
 
 #include "clca/grains/occupancy.hpp"
@@ -12,8 +13,8 @@
 
 namespace clca::grains {
 
-/// What a model keeps of each site: its owners, and one bit that says whether it is taken. Moves
-/// test the bits; waking and drawing read the owners.
+/// What a model keeps of each site: its owners, and one bit that says whether it is taken. Windows
+/// of moves test the bits; all else reads the owners.
 class OccupancyTable : public Occupancy {
  public:
   /// Enters border, walls and particles. Throws as Occupancy.
@@ -58,8 +59,10 @@ class OccupancyTable : public Occupancy {
   void set_owner(std::size_t index, Owner owner) { inverted_owners_[index] = ~owner; }
 
   Bitboard taken_;
-  LazyArray<Owner> first_;  // bitwise complements: untouched memory means free sites
-  std::vector<Owner> second_;
+  // The base class shows them; moved, not copied.
+  LazyArray<Owner> inverted_memory_;  // untouched memory means free sites
+  std::vector<Owner> second_memory_;
 };
+static_assert(!std::is_copy_constructible_v<OccupancyTable>);
 
 }  // namespace clca::grains
