@@ -30,8 +30,8 @@ namespace clca::cli {
 
 namespace {
 
-/// A fill of so many particles takes less than a second.
-constexpr double kFewSites = 1e7;
+/// A box of so many sites is filled in less than a second.
+constexpr double kMaxFillSites = 1e7;
 
 /// What the sites of each species come to.
 void print_species(const scene::Scene& scene) {
@@ -58,7 +58,7 @@ void print_species(const scene::Scene& scene) {
 void print(const scene::Scene& scene, bool draws) {
   const scene::Size size = scene::size_of(scene);
   scene::check_walls(scene);
-  if (static_cast<double>(size.columns) * size.rows <= kFewSites) {
+  if (static_cast<double>(size.columns) * size.rows <= kMaxFillSites) {
     scene::Scene checked = scene;
     if (!draws) {
       checked.output.frames.reset();

@@ -141,7 +141,7 @@ Acceleration acceleration(const Vessel& vessel, std::int32_t gravity, bool perio
     const double radians =
         static_cast<double>(static_cast<std::int64_t>(vessel.turn)) * 2 * std::numbers::pi;
     result.rate = static_cast<std::int32_t>(std::llround(std::ldexp(radians, kRateBits - 64)));
-    result.squared_rate = product(result.rate, result.rate) >> (2 * kRateBits - kCentrifugalBits);
+    result.squared_rate = product(result.rate, result.rate) >> (2 * kRateBits - kSquaredRateBits);
     result.centre_x = vessel.centre_x;
     result.centre_y = vessel.centre_y;
   }

@@ -35,7 +35,7 @@ class Search {
         outlet_(outlet),
         up_({opposite(down), rotated(opposite(down), 1), rotated(opposite(down), -1)}) {
     for (std::size_t way = 0; way < up_.size(); ++way) {
-      lead_[way] = state.kinds[kind].shape.lead(up_[way]);
+      lead_sites_[way] = state.kinds[kind].shape.lead(up_[way]);
     }
   }
 
@@ -62,8 +62,8 @@ class Search {
       bool ends = true;
       bool below_particle = false;
       for (std::size_t way = 0; way < up_.size(); ++way) {
-        if (any_owner(site, lead_[way], stops)) {
-          below_particle = below_particle || any_owner(site, lead_[way], grains::is_particle);
+        if (any_owner(site, lead_sites_[way], stops)) {
+          below_particle = below_particle || any_owner(site, lead_sites_[way], grains::is_particle);
           continue;
         }
         ends = false;
@@ -73,8 +73,8 @@ class Search {
           sites.push_back(next);
         }
       }
-      const bool at_top =
-          any_owner(site, lead_[0], [](grains::Owner owner) { return owner == grains::kBorder; });
+      const bool at_top = any_owner(site, lead_sites_[0],
+                                    [](grains::Owner owner) { return owner == grains::kBorder; });
       result.reach_top = result.reach_top || at_top;
       result.end_at_particle = result.end_at_particle || (ends && below_particle && !at_top);
     }
@@ -107,7 +107,7 @@ class Search {
       for (Site site : inside(other)) {
         while (!result[first_index(site)]) {
           result[first_index(site)] = true;
-          if (any_owner(site, lead_[0], stops)) {
+          if (any_owner(site, lead_sites_[0], stops)) {
             break;
           }
           site = moved(site, up_[0]);
@@ -140,8 +140,8 @@ class Search {
   std::uint16_t kind_;
   const std::vector<lattice::Axial>& sites_;
   std::size_t outlet_;
-  std::array<lattice::Direction, 3> up_;             // straight first
-  std::array<std::vector<lattice::Axial>, 3> lead_;  // along these
+  std::array<lattice::Direction, 3> up_;                   // straight first
+  std::array<std::vector<lattice::Axial>, 3> lead_sites_;  // of a move along each of up_
 };
 
 }  // namespace

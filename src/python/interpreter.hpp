@@ -104,8 +104,8 @@ class Interrupt {
   Clock::time_point due_ = Clock::now() + kInterval;
 };
 
-/// While an object is being changed, with the interpreter or without: other changes, by a signal
-/// handler or another thread, are refused.
+/// Marks an object as busy in a scope: changes by a signal handler or another thread are refused
+/// meanwhile, also where the lock of the interpreter is released.
 class Change {
  public:
   /// `busy` is of the object.

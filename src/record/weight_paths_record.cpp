@@ -99,7 +99,7 @@ store::MeasureValue centre_minus_ring(const std::vector<double>& shares) {
   return shares.empty() ? store::MeasureValue() : measure::centre_minus_ring(shares);
 }
 
-Values of_rules(const StageView& stage) {
+Values values_of_weight_rules(const StageView& stage) {
   const BasePressures pressures = base_pressures(stage);
   const auto grains = static_cast<double>(grains::present_count(stage.model.state()));
   Values result;
@@ -127,7 +127,7 @@ store::MeasureValue deviation(const std::vector<double>& one, const std::vector<
   return std::sqrt(squares / static_cast<double>(one.size()));
 }
 
-Values of_contacts(const StageView& stage) {
+Values values_of_contact_forces(const StageView& stage) {
   if (!is_contact(stage.scene)) {
     return {};
   }
@@ -158,7 +158,7 @@ ObserverKind weight_paths_observer() {
          {"outside_outer", "Outside, outer", "", "likewise"},
          {"outside_pair", "Outside, pair", "", "likewise"},
          {"unsupported", "Without support", "", "share of the grains, where their force ends"}},
-        of_rules},
+        values_of_weight_rules},
        {scene::Measure::weight_paths,
         "model `contact`",
         {{"centre_minus_ring_contact", "Centre minus ring, contact model", "", "of its forces"},
@@ -167,7 +167,7 @@ ObserverKind weight_paths_observer() {
          {"base_deviation_outer", "Deviation of the base pressure, outer", "", "likewise"},
          {"base_deviation_pair", "Deviation of the base pressure, pair", "", "likewise"},
          {"base_deviation_q", "Deviation of the base pressure, q", "", "likewise"}},
-        of_contacts}});
+        values_of_contact_forces}});
 }
 
 }  // namespace clca::record

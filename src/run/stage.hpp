@@ -33,7 +33,7 @@ enum class StageEnd : std::uint8_t {
   time,
   discharged,
   cycles,
-  bound,
+  bound,  ///< max_steps, before the stage has ended otherwise
   interrupted
 };
 

@@ -89,7 +89,7 @@ class Extents {
   std::array<std::uint64_t, kAxisNames.size()> rows_ = {};
 };
 
-/// When a dataset is read.
+/// What a dataset is read for.
 enum class Use : std::uint8_t {
   index,   ///< with the list of frames
   rows,    ///< with one of the frames

@@ -177,7 +177,7 @@ struct MeanRow {
   std::vector<std::pair<double, double>> means;  ///< by column, with its standard error
 };
 
-/// Over all combinations.
+/// Means over seeds, with rows for each combination.
 struct Means {
   Names columns = {};
   bool has_time = false;

@@ -224,8 +224,8 @@ class Sweep {
       if (!store_error_.empty()) {
         pool.stop();
       }
-      if (pool.finished() && !tries_again_) {
-        tries_again_ = true;
+      if (pool.finished() && !retries_in_use_) {
+        retries_in_use_ = true;
         std::ranges::for_each(in_use_, [&](std::size_t run) { pool.add(run); });
       }
       show_progress();
@@ -249,7 +249,7 @@ class Sweep {
     } else if (finished.result.status == Status::done) {
       ++progress_.done;
     } else if (finished.is_in_use) {
-      (tries_again_ ? elsewhere_ : in_use_).push_back(run);
+      (retries_in_use_ ? elsewhere_ : in_use_).push_back(run);
       progress_.elsewhere = elsewhere_.size();
     }
     results_[run] = std::move(finished.result);
@@ -359,7 +359,7 @@ class Sweep {
   std::vector<std::size_t> runs_;       // to be done, of the plan
   std::vector<Result> results_;         // in the order of the plan
   std::vector<std::size_t> in_use_;     // by other processes, to be tried again
-  bool tries_again_ = false;            // those
+  bool retries_in_use_ = false;         // those have been queued again
   std::vector<std::size_t> elsewhere_;  // under way in other processes
   Progress progress_;
   std::mutex mutex_;                                // of the next

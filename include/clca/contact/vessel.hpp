@@ -21,7 +21,8 @@ double degrees(Angle angle);
 
 /// A vessel at rest, turning or shaken. Made by the functions below.
 struct Vessel {
-  static constexpr std::uint64_t kEndless = std::numeric_limits<std::uint64_t>::max();
+  static constexpr std::uint64_t kEndless =
+      std::numeric_limits<std::uint64_t>::max();  ///< number of steps
 
   Angle angle = 0;               ///< from upright
   Angle turn = 0;                ///< in a step, while it turns; clockwise ones wrap around

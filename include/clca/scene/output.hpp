@@ -47,7 +47,7 @@ enum class ColorBy : std::uint8_t {
   force,
   pressure
 };
-enum class Drawing : std::uint8_t { automatic, polygons, lookup };
+enum class Drawing : std::uint8_t { automatic, polygons, lookup };  ///< how: see render::Drawing
 /// `velocity`: mean since the last picture; weight_*: by the rules of measure::WeightRule.
 enum class Overlay : std::uint8_t {
   none,

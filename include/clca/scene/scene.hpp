@@ -39,7 +39,7 @@ struct HexagonSpec {
 struct DiscSpec {
   double radius = 0;
 };
-struct SitesSpec {
+struct SitesSpec {  // a shape by its sites
   std::vector<lattice::Axial> sites;
 };
 struct PolygonSpec {

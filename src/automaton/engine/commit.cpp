@@ -198,7 +198,7 @@ void Engine::apply_move(StripWorker& worker, const MoveProposal& proposal) {
   }
 }
 
-void Engine::apply_or_rest(StripWorker& worker, const MoveProposal& proposal) {
+void Engine::move_or_rest(StripWorker& worker, const MoveProposal& proposal) {
   if (proposal.outcome == ConflictOutcome::won) {
     apply_move(worker, proposal);
   } else {
@@ -222,7 +222,7 @@ void Engine::wake_neighbours(StripWorker& worker) {
 void Engine::finish(StripWorker& worker) {
   if (!overlaps_) {
     for (const QueuedMove& turn : worker.turns) {
-      apply_or_rest(worker, *turn.proposal);
+      move_or_rest(worker, *turn.proposal);
     }
   }
   wake_neighbours(worker);

@@ -77,7 +77,7 @@ class Engine final : public Steps {
   void commit(StripWorker& worker);
   void commit_unless_contested(StripWorker& worker, MoveProposal& proposal);
   void apply_move(StripWorker& worker, const MoveProposal& proposal);
-  void apply_or_rest(StripWorker& worker, const MoveProposal& proposal);
+  void move_or_rest(StripWorker& worker, const MoveProposal& proposal);
   void wake_neighbours(StripWorker& worker);
   void finish(StripWorker& worker);
 

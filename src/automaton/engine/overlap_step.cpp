@@ -71,7 +71,7 @@ void Engine::give_turns_among_overlaps(StripWorker& worker) {
     if (proposal.outcome != ConflictOutcome::overlapping) {
       const bool free = world_.box.is_free(world_.state.particles[proposal.id], direction);
       proposal.outcome = free ? ConflictOutcome::won : ConflictOutcome::none;
-      apply_or_rest(worker, proposal);
+      move_or_rest(worker, proposal);
     } else if (move_by_itself(world_, proposal.id, direction)) {
       proposal.outcome = ConflictOutcome::won;
     } else {

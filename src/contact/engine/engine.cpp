@@ -64,7 +64,7 @@ void Engine::move_grains() {
   written_back_ = false;
   clock_ = grains::PhaseClock(phase_times_);
   update_contacts();
-  bounce_loose();
+  bounce_unloaded();
   impacts_.clear();
   for_each_group([this](const auto& contacts) { solve_impact(contacts, body_velocities_); });
   accelerate_all(state_, rule_.gravity,
@@ -97,7 +97,7 @@ void Engine::update_contacts() {
   groups_.begin(state_.grains.particles.size(), slots_);
 }
 
-void Engine::bounce_loose() {
+void Engine::bounce_unloaded() {
   bouncing_.clear();
   for (std::int32_t at = 0; at < static_cast<std::int32_t>(slots_.all().size()); ++at) {
     const Slot& slot = slots_.at(at);

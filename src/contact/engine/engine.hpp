@@ -106,7 +106,7 @@ class Engine final : public Steps {
   void load();
   void look_at_all();
   void update_contacts();
-  void bounce_loose();
+  void bounce_unloaded();
   template <class Solve>
   void for_each_group(Solve solve);
   void sweep_contacts();

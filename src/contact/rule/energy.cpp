@@ -76,7 +76,7 @@ double vessel_work(const State& state, const Vessel& before, double gravity) {
   const Acceleration by = acceleration(before, integer_gravity, periodic);
   const Vector still = acceleration(at_rest(before), integer_gravity, periodic).gravity;
   const Eigen::Vector2d shaking = in_spacings(by.gravity) - in_spacings(still);
-  const double squared_rate = std::ldexp(static_cast<double>(by.squared_rate), -kCentrifugalBits);
+  const double squared_rate = std::ldexp(static_cast<double>(by.squared_rate), -kSquaredRateBits);
   const Eigen::Vector2d centre =
       std::ldexp(1, -kCentreBits) * Eigen::Vector2d(by.centre_x, by.centre_y);
   const Eigen::Vector2d turn = gravity_direction(state.vessel) - gravity_direction(before);

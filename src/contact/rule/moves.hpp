@@ -21,7 +21,7 @@ namespace clca::contact {
 
 inline constexpr int kCentreBits = 8;        ///< of positions about the centre of turning
 inline constexpr int kRateBits = 30;         ///< of angular velocities in radians a step
-inline constexpr int kCentrifugalBits = 40;  ///< of their squares
+inline constexpr int kSquaredRateBits = 40;  ///< of squared angular velocities
 
 /// Acceleration in one step; depends on a grain only through position and velocity.
 struct Acceleration {
@@ -63,7 +63,7 @@ void accelerate_all(const State& state, std::int32_t gravity, VelocityOf velocit
           by.centre_x;
       const std::int32_t from_centre_y =
           lattice::doubled_height(grain.site()) * (1 << (kCentreBits - 1)) - by.centre_y;
-      constexpr int kBits = kCentrifugalBits + kCentreBits - kFractionBits;
+      constexpr int kBits = kSquaredRateBits + kCentreBits - kFractionBits;
       x += scaled(product(velocity.y, by.rate), kRateBits - 1) +
            scaled(by.squared_rate * from_centre_x, kBits);
       y += scaled(by.squared_rate * from_centre_y, kBits) -

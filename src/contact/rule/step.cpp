@@ -10,7 +10,7 @@ namespace clca::contact {
 namespace {
 
 /// Contacts that carry nothing bounce: new ones, and those whose bodies have parted.
-void bounce_loose(std::vector<StepContact>& contacts, const BodyVelocities& bodies) {
+void bounce_unloaded(std::vector<StepContact>& contacts, const BodyVelocities& bodies) {
   for (StepContact& touch : contacts) {
     if (touch.contact.impulse.normal == 0) {
       bodies.at(touch.contact, [&](const auto& both) {
@@ -190,7 +190,7 @@ void Reference::move_grains() {
   state_.changed = false;
 
   // 2. Contacts without impulse bounce: impacts in small groups at once, others in the sweeps.
-  bounce_loose(contacts, bodies);
+  bounce_unloaded(contacts, bodies);
   const std::vector<std::vector<StepContact*>> groups = active_groups(contacts, grains);
   for (const std::vector<StepContact*>& group : groups) {
     solve_impact(group, bodies);

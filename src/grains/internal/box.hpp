@@ -117,7 +117,7 @@ struct Box {
   FootprintTable footprints;
   WallEdges edges;
   std::function<void()> interruption = {};  ///< see Model::set_interruption
-  unsigned trials = 0;
+  unsigned trials = 0;                      ///< so far: `interruption` is called after some
 };
 
 /// The particle one step further.

@@ -12,8 +12,9 @@
 
 namespace clca::grains {
 
-/// A model has one, or two: its definition, for checks, and one that is fast and gives the same
-/// bits. No function is called for each particle, but removing() for those that leave.
+/// Moves the particles in each step by the rule of a model. A model has one, or two: its
+/// definition, for checks, and one that is fast and gives the same bits. No function is called for
+/// each particle, but removing() for those that leave.
 class Mechanics {
  public:
   Mechanics() = default;

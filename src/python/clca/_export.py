@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from . import _answer
 from ._error import ArgumentError, Error, WriteError
 from ._folder import Run, refuse_files_of_clca
-from ._frames import PITCH, Frame, axial_vectors, in_h5py, slices, trajectory_in, trapezoids
+from ._frames import PITCH, Frame, to_axial, in_h5py, slices, trajectory_in, trapezoids
 
 MANY = 1 << 14  # particles that are written together
 VECTORS = ("position", "velocity", "displacement", "image")
@@ -364,7 +364,7 @@ def walls(source: Source, frame: Frame) -> tuple[int, Iterator[Any]]:
     """The walls that are there, cut into trapezoids."""
     corners, counts, numbers = [numpy.empty((0, 2))], [numpy.empty(0, "i4")], [numpy.empty(0, "u4")]
     for number, sites in source.trajectory.walls_in_box(frame._data[1]):
-        points, of_each = trapezoids(axial_vectors(sites))
+        points, of_each = trapezoids(to_axial(sites))
         corners.append(source.spacing * points)
         counts.append(of_each.astype("i4"))
         numbers.append(numpy.full(len(of_each), number, "u4"))

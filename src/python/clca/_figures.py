@@ -427,7 +427,7 @@ def stress(source: Source, figure: Figure, files: Files, part: str, table: Table
     return Panel(curves, Axis(table.label("time")), Axis("Stress / mean pressure"), f"ε = {part}" if part else "")
 
 
-def comparison(source: Source, figure: Figure, files: Files, part: str, table: Table) -> Panel:
+def distribution_ratios(source: Source, figure: Figure, files: Files, part: str, table: Table) -> Panel:
     curves = []
     names = {
         "automaton": "automaton, a temperature for all",
@@ -523,7 +523,7 @@ FIGURES = [
            8, "time", needs=("p_xx", "p_yy"), each="restitution", draw=stress),
     Figure("comparison", "comparison", "automaton", "Energies of the particles of an automaton run beside those of a Boltzmann "
            "run: shares of bins that chi-square makes equally probable, over their share under chi-square.", 0, "quantile_upper",
-           needs=("automaton_local", "boltzmann_translational", "reference"), draw=comparison),
+           needs=("automaton_local", "boltzmann_translational", "reference"), draw=distribution_ratios),
 ]
 # fmt: on
 

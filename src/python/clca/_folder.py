@@ -32,9 +32,9 @@ OWN = re.compile(r"(run|sweep|calibration)\.json|scene\.yaml|log\.txt|.*\.csv|ch
 HASH = re.compile("[0-9a-f]{1,16}")
 NUMBER = (int, float)
 QUANTITY = {"key": str, "name": str, "unit?": str, "meaning?": str, "of?": str, "of_floor?": bool}
-EXPLAINED = {"measures?": [QUANTITY], "tables?": {"*": [QUANTITY]}, "title?": str}
+QUANTITY_LISTS = {"measures?": [QUANTITY], "tables?": {"*": [QUANTITY]}, "title?": str}  # in both
 STAGE = {"name": str, "steps": int, "ended": str, "measures": {"*": (*NUMBER, bool, type(None))}, "notes?": [str], "fills?": bool}
-RUN = EXPLAINED | {
+RUN = QUANTITY_LISTS | {
     "kind": str, "scene": str, "clca": str, "seed": int, "status": str, "particles": int, "steps": int, "state_hash": HASH,
     "stages": [STAGE], "threads?": int, "ranks?": int, "wall_seconds?": NUMBER, "particle_updates_per_second?": NUMBER,
     "collisions_per_second?": NUMBER, "build?": {"compiler": str, "type": str}, "kinds?": [{"species": str, "degrees": int}],
@@ -44,12 +44,12 @@ RUN = EXPLAINED | {
     },
     "box?": {"left": NUMBER, "right": NUMBER, "floor": NUMBER, "top": NUMBER, "periodic": bool}, "derived?": {"*": {}},
 }
-SWEEP = EXPLAINED | {"scene": str, "vary": [{"keys": [str], "rows": [[str]]}], "set": [str], "seeds": str, "runs": int}
+SWEEP = QUANTITY_LISTS | {"scene": str, "vary": [{"keys": [str], "rows": [[str]]}], "set": [str], "seeds": str, "runs": int}
 CALIBRATION = {"notes": [str], "vary": {"*": [NUMBER]}, "correlations": [[NUMBER]]}
 SHAPES = {"run.json": RUN, "sweep.json": SWEEP, "calibration.json": CALIBRATION}
 
 
-def is_one(value: Any, shape: Any) -> bool:
+def is_scalar_of(value: Any, shape: Any) -> bool:
     """Whether a text, a number, yes, no or nothing is of that shape."""
     if isinstance(shape, re.Pattern):
         return isinstance(value, str) and shape.fullmatch(value) is not None
@@ -66,7 +66,7 @@ def check(value: Any, shape: Any, file: Path, place: str = "") -> None:
         shapes = {key.rstrip("?"): of for key, of in shape.items() if key.rstrip("?") in value or key[-1] != "?"}
         shapes = dict.fromkeys(value, shape["*"]) if "*" in shape else shapes
         parts = [(key, value.get(key), of) for key, of in shapes.items()]
-    elif not is_one(value, shape):
+    elif not is_scalar_of(value, shape):
         raise Error(f"cannot read {file}: '{place}' is missing or not what it should be")
     for key, one, of in parts:
         check(one, of, file, f"{place}.{key}" if place else str(key))
@@ -382,7 +382,7 @@ class Sweep(Result):
         return self.table("measures")
 
     @cached_property
-    def _known(self) -> dict[str, Quantity]:
+    def _quantities_by_key(self) -> dict[str, Quantity]:
         of_runs = [
             one | {"key": one["key"].partition(".")[2]}
             for one in self.summary.get("tables", {}).get("runs", [])
@@ -393,7 +393,7 @@ class Sweep(Result):
     def _measure(self, name: str) -> Quantity:
         """What a measure of `measures` is."""
         whole, _, part = name.partition(".")
-        found = self._known.get(name) or self._known.get(whole)
+        found = self._quantities_by_key.get(name) or self._quantities_by_key.get(whole)
         return found._replace(of=found.of or part) if found else Quantity(name)
 
     @cached_property

@@ -200,8 +200,8 @@ class Frames(Sequence[Frame]):
         return self[int(found[0])]
 
 
-def axial_vectors(sites: NDArray[Any]) -> NDArray[numpy.int64]:
-    """Of columns and rows: x, q, which are a vector."""
+def to_axial(sites: NDArray[Any]) -> NDArray[numpy.int64]:
+    """Axial coordinates x, q of columns and rows; unlike those, they can be added."""
     sites = sites.astype(numpy.int64)
     return numpy.stack([sites[..., 0], sites[..., 1] - sites[..., 0] // 2], -1)
 
@@ -344,7 +344,7 @@ class Trajectory:
             body = outline(tuple(map(tuple, self._kind_sites[i].tolist())), tuple(self._centres[i].tolist()))
             kinds.append(Kind(full_name, name, degrees[i], body))
         names = [name.decode() for name in part["scene/walls/name"]]
-        self._wall_sites = list(map(axial_vectors, sets("walls")))
+        self._wall_sites = list(map(to_axial, sets("walls")))
         unit = {"time": ("steps", 1.0), "velocity": ("spacings/step", 1.0)}
         if units := summary.get("units"):
             unit["time"] = units["time"], units["time_step"]
@@ -387,7 +387,7 @@ class Trajectory:
             shifts = numpy.asarray(part["walls/position"][:]).reshape(-1, walls, 2)[row] if walls else []
             there = [(float(x), float(y)) if is_there else None for is_there, (x, y) in zip(present, shifts)]
             if self._frames["pushes"][frame] and len(bodies):
-                sites = axial_vectors(self._rows(part, frame, "particles", ["site"])[0])
+                sites = to_axial(self._rows(part, frame, "particles", ["site"])[0])
                 bodies["force"] = self._shared_sites(bodies["kind"], sites, there)
         if self.has_contacts and self._frames["contacts"][frame]:
             bodies["force"] = self._loads(number)[bodies["id"]]
@@ -424,8 +424,8 @@ class Trajectory:
             of = partial(self._rows, part, frame, "particles", rows=rows)
             ids, kinds, sites, place, move = of(["id", "kind", "site", "position", "move"])
             some["id"], some["kind"], some["position"] = ids, kinds, place
-            axials = axial_vectors(sites)
-            some["displacement"] = positions(axials - axial_vectors(origins[ids]))
+            axials = to_axial(sites)
+            some["displacement"] = positions(axials - to_axial(origins[ids]))
             beyond = positions(axials)[:, 0] + self._centres[kinds, 0] - place[:, 0]
             some["image"] = numpy.rint(beyond / (PITCH * self.lattice[0]))
             if "particles/velocity" in part:

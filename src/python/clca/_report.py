@@ -38,9 +38,9 @@ KINDS = {
     "baxter": "Elongated grains, Baxter & Behringer",
     "boltzmann": "Gas of rough spheres, Boltzmann equation",
 }
-USUAL_BYTES = 14 << 20  # of pictures: 19 MiB of page, in base64
-ASKED_BYTES = 192 << 20  # where a number of pictures is asked for
-MOST_SCENE = 256 << 10  # bytes
+MAX_BYTES_USUAL = 14 << 20  # of pictures: 19 MiB of page, in base64
+MAX_BYTES_ASKED = 192 << 20  # where a number of pictures is asked for
+MAX_SCENE_BYTES = 256 << 10  # bytes
 MOST_FIGURES, MOST_SVG, WIDTH = 60, 300_000, 560  # WIDTH: pixels, for letters that can be read on a phone
 MOST_ENDS, MOST_AGAIN, MOST_DRAWN, MOST_DRAWN_ENDS = 12, 12, 8, 4  # pictures
 MOST_STAGES, MOST_MEASURES, MOST_WALL_TABLES, MOST_WALLS, MOST_COLUMNS, MOST_RUNS = 16, 200, 24, 100, 16, 500
@@ -270,11 +270,11 @@ def drawn(run: Run, ends: list[int]) -> list[Picture]:
 
 
 def pictures_of(page: Page, run: Run, most: int | None) -> dict[str, Any]:
-    room = float(USUAL_BYTES if most is None else ASKED_BYTES)
+    room = float(MAX_BYTES_USUAL if most is None else MAX_BYTES_ASKED)
     ends, names = list(accumulate(stage.steps for stage in run.stages.values())), [*run.stages, ""]
 
     def shown(picture: Picture) -> dict[str, Any] | None:
-        content = picture.source if isinstance(picture.source, bytes) else page.read(picture.source, ASKED_BYTES)
+        content = picture.source if isinstance(picture.source, bytes) else page.read(picture.source, MAX_BYTES_ASKED)
         if content is None:
             return None
         if len(content) < 24 or not content.startswith(b"\x89PNG"):
@@ -352,10 +352,10 @@ def measures_of(run: Run) -> tuple[list[dict[str, Any]], list[Row], bool]:
 def run_page(page: Page, run: Run, most: int | None) -> bytes:
     if run.kind not in KINDS:
         raise Error(f"cannot read {run.folder / 'run.json'}: no report of a run of kind '{run.kind}'")
-    scene = page.read(run.folder / "scene.yaml", USUAL_BYTES) or b""
+    scene = page.read(run.folder / "scene.yaml", MAX_BYTES_USUAL) or b""
     stages, measures, turned = measures_of(run)
     found = {"stages": stages, "measures": measures, "turned": turned, "walls": list(walls_of(page, run))}
-    found |= {"scene_is_long": len(scene) > MOST_SCENE, "scene_text": scene[:MOST_SCENE].decode(errors="replace")}
+    found |= {"scene_is_long": len(scene) > MAX_SCENE_BYTES, "scene_text": scene[:MAX_SCENE_BYTES].decode(errors="replace")}
     found |= {"scene_url": page.data("text/yaml", scene), "pictures": pictures_of(page, run, most)}
     return page.rendered("run.html", title=run.title or run.scene, kind=KINDS[run.kind], **found)
 
@@ -387,7 +387,7 @@ def sweep_page(page: Page, sweep: Sweep) -> bytes:
         page.warn(error)
     scene = Path(sweep.summary["scene"]).stem
     file = sweep.folder / "overview.png"
-    overview = page.read(file, USUAL_BYTES) if file.exists() else None
+    overview = page.read(file, MAX_BYTES_USUAL) if file.exists() else None
     seeds = len(set(runs["seed"].tolist()))
     found = {"combinations": combinations, "stages": stages, "runs": shown, "states": runs["status"].tolist()}
     found |= {"notes": notes, "overview": overview and page.data("image/png", overview), "headings": list(map(runs.label, names))}

@@ -58,6 +58,8 @@ class Measured:
 
 
 class Answer(NamedTuple):
+    """What the rounds of a calibration have found."""
+
     study: Study
     posterior: Posterior
     surrogates: list[Surrogate]

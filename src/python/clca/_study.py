@@ -36,7 +36,7 @@ class Study(NamedTuple):
 
 NUMBER = re.compile(r"-?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?", re.ASCII)  # as scenes read it
 WORDS = {"true": True, "false": False, "null": None, "~": None, "": None}
-NUMBERS = {"seeds": (8, 2, 1000), "points": (32, 8, 1024), "rounds": (2, 0, 20), "check": (8, 2, 1000)}  # usual, least, most
+COUNT_LIMITS = {"seeds": (8, 2, 1000), "points": (32, 8, 1024), "rounds": (2, 0, 20), "check": (8, 2, 1000)}  # usual, least, most
 
 
 class StudyValue(NamedTuple):
@@ -101,7 +101,7 @@ def test_of(said: StudyValue, vary: Mapping[str, Any], names: Sequence[str]) -> 
 
 def study_of(said: Mapping[str, Any], refuse: Refuse) -> Study:
     """Checks what a file or a call says. Throws what `refuse` makes of a place and a text."""
-    items = StudyValue(said, (), refuse).items("tests and vary", ("tests", "vary", *NUMBERS), ("tests", "vary"))
+    items = StudyValue(said, (), refuse).items("tests and vary", ("tests", "vary", *COUNT_LIMITS), ("tests", "vary"))
     vary = {}
     for key, one in items["vary"].items("parameters and their ranges").items():
         low, high = vary[key] = one.two("the range [LOWEST, HIGHEST]")
@@ -116,7 +116,7 @@ def study_of(said: Mapping[str, Any], refuse: Refuse) -> Study:
     for index, test in enumerate(listed):
         tests.append(test_of(StudyValue(test, ("tests", index), refuse), vary, [before.name for before in tests]))
     numbers = {}
-    for key, (usual, *limits) in NUMBERS.items():
+    for key, (usual, *limits) in COUNT_LIMITS.items():
         try:
             numbers[key] = whole(key, said.get(key, usual), *limits)
         except ArgumentError as error:

@@ -62,7 +62,7 @@ class Value(float):
 
 
 class Named(dict[str, T]):
-    """A dictionary that says what is there when something else is asked for."""
+    """A dictionary of things with names; its KeyError lists the names there are."""
 
     def __init__(self, what: str, items: Iterable[tuple[str, T]]) -> None:
         super().__init__(items)
