@@ -133,8 +133,8 @@ def absolute(value: str | os.PathLike[str]) -> Path:
 
 def at_most_runs(name: str, values: Iterable[T]) -> list[T]:
     """A list of the values, no more than a sweep can have runs."""
-    is_scalar_of = isinstance(values, (str, bytes, bytearray)) or getattr(values, "ndim", 1) == 0  # also an array without dimensions
-    if is_scalar_of or not isinstance(values, Iterable):
+    is_one = isinstance(values, (str, bytes, bytearray)) or getattr(values, "ndim", 1) == 0  # also an array without dimensions
+    if is_one or not isinstance(values, Iterable):
         raise refused(name, "a list of values", values)
     taken = list(islice(values, MOST_RUNS + 1))
     if len(taken) > MOST_RUNS:
