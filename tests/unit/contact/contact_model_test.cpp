@@ -395,7 +395,7 @@ TEST_P(ContactModelTest, VelocitiesAskedForAloneAreThoseOfTheState) {
   grains.outlets = {{.region = {0, 0, 20, 10}}};
   ContactModel one = model(std::move(grains));
   EXPECT_EQ(one.velocities(), one.state().velocities);
-  for (int step = 0; step < 100; ++step) {
+  for (int step = 0; step < 400; ++step) {
     one.step();
     const std::vector<Velocity<>> alone = one.velocities();
     EXPECT_EQ(alone, one.state().velocities);
