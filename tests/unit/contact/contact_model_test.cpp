@@ -401,7 +401,7 @@ TEST_P(ContactModelTest, VelocitiesAskedForAloneAreThoseOfTheState) {
     EXPECT_EQ(alone, one.state().velocities);
     EXPECT_EQ(alone[0] == Velocity<>(), !one.grains().particles[0].present);
   }
-  EXPECT_EQ(one.grains().outlets[0].particles, 1U);
+  EXPECT_EQ(one.grains().outlets[0].particles, 2U);
 }
 
 TEST_P(ContactModelTest, ACornerOfTwoWallsStaysACorner) {
