@@ -1,11 +1,11 @@
 // What fails in a parallel region is told behind it.
 
-#include "clca/parallel/team.hpp"
-
 #include <gtest/gtest.h>
 
 #include <new>
 #include <stdexcept>
+
+#include "clca/parallel/team.hpp"
 
 namespace clca::parallel::first_failure_test {
 namespace {

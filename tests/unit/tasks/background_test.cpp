@@ -1,9 +1,9 @@
+#include "clca/tasks/background.hpp"
+
 #include <gtest/gtest.h>
 
 #include <stdexcept>
 #include <vector>
-
-#include "clca/tasks/background.hpp"
 
 namespace clca::tasks::background_test {
 namespace {
