@@ -42,7 +42,7 @@ class Run : public RunBase {
  public:
   Run(const scene::Scene& scene, const RunOptions& options, const RunEvents& events,
       std::optional<store::RunFolder> folder = {})
-      : Run(scene, options, events, first_state(scene)) {
+      : Run(scene, options, events, first_state(scene), false) {
     course_.history = prepare_stage(model_, scene_, 0);
     store::Checkpoint start = checkpoint();
     reflection::encode(kWantedPictures, options.pictures, start.fields);
@@ -52,7 +52,7 @@ class Run : public RunBase {
   /// Resumes `saved`; `parts` belong to it.
   Run(const scene::Scene& scene, const RunOptions& options, const RunEvents& events,
       SavedRun& saved, SavedParts parts)
-      : Run(scene, options, events, std::move(parts.state)) {
+      : Run(scene, options, events, std::move(parts.state), true) {
     course_.reached = parts.reached;
     go_on(std::move(saved.folder), parts.reached.log_bytes, parts.reached.wall_seconds);
     course_.history = std::move(parts.history);
@@ -60,12 +60,11 @@ class Run : public RunBase {
     stages() = std::move(parts.stages);
     model_.set_rules(stage());
     course_.observers.load({saved.checkpoint.fields, saved.max_bytes}, course_.view());
-    in_stage_ = true;
   }
 
  private:
   Run(const scene::Scene& scene, const RunOptions& options, const RunEvents& events,
-      model::ModelState state)
+      model::ModelState state, bool in_stage)
       : RunBase({.kind = std::string(scene::name_of_model(scene.model)),
                  .scene = scene.name,
                  .title = scene.title,
@@ -82,7 +81,8 @@ class Run : public RunBase {
         course_{.scene = scene,
                 .model = &model_,
                 .observers = observers_of(scene, model_.state(), options),
-                .warn = [this](const std::string& line) { warning(line); }} {}
+                .warn = [this](const std::string& line) { warning(line); }},
+        in_stage_(in_stage) {}
 
   void carry_out() override;
   void complete_summary(store::RunSummary& summary) const override;
@@ -103,7 +103,7 @@ class Run : public RunBase {
   std::optional<scene::Conversion> conversion_;
   model::SceneModel model_;
   Course course_;
-  bool in_stage_ = false;                            // one that goes on
+  bool in_stage_;                                    // one that goes on
   std::optional<store::Checkpoint> end_checkpoint_;  // is written with what comes after it
 };
 
