@@ -25,8 +25,8 @@ bool shares(const std::vector<Overlap>& overlaps, grains::Owner owner);
 /// What has changed since these lists were cleared. The rule only writes them; the engine finds in
 /// them which particles to examine again.
 struct Changes {
-  std::vector<std::size_t> vacated =
-      {};  ///< sites that became free, if nothing has taken them since
+  /// Sites that became free, if nothing has taken them since.
+  std::vector<std::size_t> vacated = {};
   std::vector<std::uint32_t> particles = {};  ///< new ones, moved ones, those that lost an overlap
   bool by_others = true;  ///< by something else than the particles' own moves, also before
 };
