@@ -10,7 +10,7 @@
 
 #include "clca/store/file.hpp"
 #include "clca/store/output_folder.hpp"
-#include "clca/text/input_error.hpp"
+#include "clca/text/read.hpp"
 
 namespace clca::tasks {
 class Ranks;

@@ -1,23 +1,19 @@
 // clca: the list of commands.
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <exception>
 #include <memory>
 #include <new>
 #include <sstream>
-#include <string>
 #include <string_view>
-#include <vector>
 
 #include "clca/process/program.hpp"
 #include "clca/record/provenance.hpp"
 #include "clca/scene/parse.hpp"
 #include "clca/store/file.hpp"
 #include "clca/store/trajectory.hpp"
-#include "clca/text/input_error.hpp"
 #include "clca/text/message.hpp"
+#include "clca/text/read.hpp"
 #include "cli/command.hpp"
 #include "cli/ranks.hpp"
 #include "cli/terminal.hpp"

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <system_error>
 
-#include "clca/text/input_error.hpp"
+#include "clca/text/read.hpp"
 #include "cli/ranks.hpp"
 
 namespace clca::cli {

@@ -1,6 +1,5 @@
 #include "cli/progress_line.hpp"
 
-#include <fmt/format.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 

@@ -1,7 +1,5 @@
 // clca run, clca boltzmann, clca resume: run a scene and leave a run folder, or go on with one.
 
-#include <fmt/format.h>
-
 #include <memory>
 #include <type_traits>
 #include <variant>
@@ -10,10 +8,9 @@
 #include "clca/store/run_folder.hpp"
 #include "clca/text/message.hpp"
 #include "cli/command.hpp"
-#include "cli/option_values.hpp"
+#include "cli/options.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/ranks.hpp"
-#include "cli/scene_options.hpp"
 #include "cli/terminal.hpp"
 
 namespace clca::cli {

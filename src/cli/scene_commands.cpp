@@ -2,28 +2,22 @@
 // clca explain: the keys of the scene format.
 // clca scenes: the scenes that come with the program.
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <optional>
-#include <string>
-#include <vector>
 
 #include "clca/record/quantity.hpp"
 #include "clca/run/setup.hpp"
 #include "clca/scene/format.hpp"
 #include "clca/scene/parse.hpp"
-#include "clca/scene/resolve.hpp"
 #include "clca/scene/units.hpp"
 #include "clca/scene/walls.hpp"
 #include "clca/text/message.hpp"
 #include "cli/command.hpp"
-#include "cli/option_values.hpp"
-#include "cli/scene_options.hpp"
+#include "cli/options.hpp"
 #include "cli/terminal.hpp"
 
 namespace clca::cli {

@@ -7,7 +7,7 @@
 
 #include "clca/scene/format.hpp"
 #include "cli/command.hpp"
-#include "cli/scene_options.hpp"
+#include "cli/options.hpp"
 
 namespace clca::cli {
 

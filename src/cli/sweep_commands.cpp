@@ -2,8 +2,6 @@
 // clca calibrate: values of keys with which scenes give what was measured. The Python package says
 // which sweeps are needed and what follows from them; they run here.
 
-#include <fmt/format.h>
-
 #include <chrono>
 #include <csignal>
 #include <filesystem>
@@ -16,11 +14,10 @@
 #include "clca/store/output_folder.hpp"
 #include "clca/sweep/sweep.hpp"
 #include "cli/command.hpp"
-#include "cli/option_values.hpp"
+#include "cli/options.hpp"
 #include "cli/package.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/ranks.hpp"
-#include "cli/scene_options.hpp"
 #include "cli/terminal.hpp"
 
 namespace clca::cli {

@@ -5,7 +5,7 @@
 
 #include "clca/document/document.hpp"
 #include "clca/text/message.hpp"
-#include "clca/text/number.hpp"
+#include "clca/text/read.hpp"
 #include "document/internal/document.hpp"
 
 namespace clca::document {

@@ -1,12 +1,11 @@
-#include "document/internal/value.hpp"
-
 #include <algorithm>
 #include <cstdint>
 #include <type_traits>
 
 #include "clca/document/document.hpp"
 #include "clca/text/message.hpp"
-#include "clca/text/number.hpp"
+#include "clca/text/read.hpp"
+#include "document/internal/document.hpp"
 
 namespace clca::document {
 

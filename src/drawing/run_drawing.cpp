@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "clca/model/initial_state.hpp"
-#include "clca/scene/resolve.hpp"
+#include "clca/scene/parse.hpp"
 #include "clca/scene/units.hpp"
 #include "clca/store/run_folder.hpp"
 #include "clca/store/summary.hpp"

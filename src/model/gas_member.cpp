@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "clca/scene/resolve.hpp"
+#include "clca/scene/parse.hpp"
 
 namespace clca::model {
 

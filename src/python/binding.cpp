@@ -10,7 +10,7 @@
 #include <stdexcept>
 
 #include "clca/run/setup.hpp"
-#include "clca/scene/resolve.hpp"
+#include "clca/scene/parse.hpp"
 #include "clca/text/message.hpp"
 #include "python/interpreter.hpp"
 

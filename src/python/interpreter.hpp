@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "clca/process/program.hpp"
-#include "clca/text/input_error.hpp"
+#include "clca/text/read.hpp"
 
 namespace clca::python {
 

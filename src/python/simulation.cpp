@@ -12,9 +12,9 @@
 #include "clca/measure/profile.hpp"
 #include "clca/record/quantity.hpp"
 #include "clca/scene/format.hpp"
-#include "clca/scene/resolve.hpp"
+#include "clca/scene/parse.hpp"
 #include "clca/scene/units.hpp"
-#include "clca/text/input_error.hpp"
+#include "clca/text/read.hpp"
 #include "python/binding.hpp"
 #include "python/interpreter.hpp"
 

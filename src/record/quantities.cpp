@@ -11,7 +11,7 @@
 #include "clca/scene/format.hpp"
 #include "clca/store/run_folder.hpp"
 #include "clca/store/trajectory.hpp"
-#include "clca/text/input_error.hpp"
+#include "clca/text/read.hpp"
 
 namespace clca::record {
 

@@ -18,7 +18,7 @@
 #include "clca/random/word_hash.hpp"
 #include "clca/record/provenance.hpp"
 #include "clca/run/run.hpp"
-#include "clca/scene/resolve.hpp"
+#include "clca/scene/parse.hpp"
 #include "clca/tasks/pool.hpp"
 #include "record/internal/meter.hpp"
 #include "run/run_base.hpp"

@@ -12,7 +12,7 @@
 #include "clca/parallel/team.hpp"
 #include "clca/run/setup.hpp"
 #include "clca/scene/format.hpp"
-#include "clca/scene/resolve.hpp"
+#include "clca/scene/parse.hpp"
 #include "clca/scene/units.hpp"
 #include "clca/scene/walls.hpp"
 #include "drawing/internal/frame_painter.hpp"

@@ -11,7 +11,7 @@
 
 #include "clca/process/data_folder.hpp"
 #include "clca/record/quantity.hpp"
-#include "clca/scene/resolve.hpp"
+#include "clca/scene/parse.hpp"
 #include "clca/store/run_folder.hpp"
 #include "clca/text/message.hpp"
 #include "drawing/internal/frame_painter.hpp"

@@ -1,15 +1,11 @@
 // Rejects moving walls that never enter the box or meet another wall, fills that cannot fit, and
 // outlets that no particle fits into.
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include "clca/scene/parse.hpp"
 #include "clca/scene/walls.hpp"
-#include "scene/geometry.hpp"
 #include "scene/sections.hpp"
 
 namespace clca::scene {

@@ -1,4 +1,4 @@
-#include "clca/scene/circle.hpp"
+// Discs, rings and parts of rings as sets of sites.
 
 #include <algorithm>
 #include <array>
@@ -6,6 +6,8 @@
 #include <optional>
 #include <stdexcept>
 #include <utility>
+
+#include "clca/scene/walls.hpp"
 
 namespace clca::scene {
 

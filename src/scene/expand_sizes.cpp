@@ -1,21 +1,18 @@
 // Species with sizes, replaced by species with shapes before the keys are read.
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
-#include <set>
 
-#include "scene/limits.hpp"
 #include "scene/sections.hpp"
-#include "scene/sizes.hpp"
 #include "scene/types.hpp"
 
 namespace clca::scene {
 
 namespace {
+
+constexpr std::uint64_t kMaxWeightBesideSizes = 1000;
 
 /// From light to dark.
 std::string shade(const image::Rgb& color, double darkness) {
@@ -45,9 +42,9 @@ class Expansion {
   Expansion(Value& species, const Scene& scene) {
     std::vector<Entry> entries;
     for (Entry& entry : species.entries) {
+      names_.push_back(entry.key);
       const Value* sizes = entry.value.find("sizes");
       if (sizes == nullptr || entry.value.find("shape") != nullptr) {
-        plain_.push_back(entry.key);
         entries.push_back(std::move(entry));
         continue;
       }
@@ -118,10 +115,7 @@ class Expansion {
   /// Each species once.
   Value all_alike(const TextLocation& location) const {
     Value weights = Value::map(location);
-    for (const std::string& name : plain_) {
-      weights.add(name, whole(1, location));
-    }
-    for (const auto& [name, family] : families_) {
+    for (const std::string& name : names_) {
       weights.add(name, whole(1, location));
     }
     return weights;
@@ -215,7 +209,7 @@ class Expansion {
     map.entries = std::move(result);
   }
 
-  std::vector<std::string> plain_;
+  std::vector<std::string> names_;  // of all species
   std::map<std::string, Family> families_;
   std::set<std::string> used_;  // kinds
 };

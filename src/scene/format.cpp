@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "clca/text/message.hpp"
-#include "scene/names.hpp"
 #include "scene/sections.hpp"
 
 namespace clca::scene {

@@ -1,11 +1,7 @@
 #include "scene/key.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <nlohmann/json.hpp>
-
-#include "clca/text/message.hpp"
 
 namespace clca::scene {
 

@@ -1,16 +1,24 @@
 // The block of a scene of the Boltzmann equation, and what it wants to have written.
 
 #include <algorithm>
-#include <optional>
 
 #include "clca/boltzmann/law.hpp"
-#include "clca/text/number.hpp"
+#include "clca/text/read.hpp"
 #include "scene/sections.hpp"
 #include "scene/types.hpp"
 
 namespace clca::scene {
 
 namespace {
+
+constexpr std::size_t kMaxRestitutions = 64;
+constexpr double kMaxFriction = 1000;
+constexpr double kMaxRows = 1'000'000;  // of a series
+constexpr std::size_t kMaxHistograms = 1000;
+constexpr int kMinQuantiles = 2;
+constexpr int kMaxQuantiles = 1000;
+constexpr double kMaxUniformBins = 10'000;
+constexpr double kMaxEnergy = 1e6;  // where uniform bins end at the most
 
 void read_restitutions(const Place& fields, BoltzmannScene& scene) {
   const Type<double> restitution = number(0, 1);
@@ -56,13 +64,6 @@ Type<boltzmann::Scheme> scheme_type() {
       index.allowed, index,
       [](std::size_t scheme) { return scheme == 0 ? boltzmann::Scheme() : boltzmann::OgawaKato(); },
       [](const boltzmann::Scheme& scheme) { return scheme.index(); });
-}
-
-/// A member of OgawaKato.
-template <class T>
-Key<BoltzmannScene> ogawa_kato_key(std::string_view name, T boltzmann::OgawaKato::*member,
-                                   const Type<T>& type, std::string_view about) {
-  return inlined_alternative(&BoltzmannScene::scheme, key(name, member, type, about));
 }
 
 void check_block(const Place& fields, BoltzmannScene& scene) {
@@ -187,10 +188,11 @@ Key<BoltzmannScene> boltzmann_block() {
                    refuse_key(fields, "partners", scene);
                  }
                }),
-           ogawa_kato_key("time_step", &boltzmann::OgawaKato::time_step, above_zero(1),
-                          "of `ogawa-kato` only"),
-           ogawa_kato_key("partners", &boltzmann::OgawaKato::partners, integer(1, 1000),
-                          "of `ogawa-kato` only: how many each particle draws in a step"),
+           inlined_alternative(&B::scheme, key("time_step", &boltzmann::OgawaKato::time_step,
+                                               above_zero(1), "of `ogawa-kato` only")),
+           inlined_alternative(&B::scheme,
+                               key("partners", &boltzmann::OgawaKato::partners, integer(1, 1000),
+                                   "of `ogawa-kato` only: how many each particle draws in a step")),
            key("shear_rate", &B::shear_rate, number(0, 100),
                "of `majorant` only: velocity gradient of uniform shear flow, per unit of time")
                .after([](const Place& fields, B& scene) {

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "clca/text/message.hpp"
-#include "scene/geometry.hpp"
 #include "scene/sections.hpp"
 #include "scene/types.hpp"
 

@@ -3,13 +3,15 @@
 #include <algorithm>
 
 #include "clca/scene/output.hpp"
-#include "document/internal/document.hpp"
 #include "scene/sections.hpp"
 #include "scene/types.hpp"
 
 namespace clca::scene {
 
 namespace {
+
+constexpr std::size_t kMaxExpressionLength = 1000;
+constexpr std::size_t kMaxDerived = 100;
 
 std::string read_expression(const Place& place) {
   const Value& value = place.value;

@@ -2,13 +2,14 @@
 
 #include <algorithm>
 
-#include "scene/geometry.hpp"
 #include "scene/sections.hpp"
 #include "scene/types.hpp"
 
 namespace clca::scene {
 
 namespace {
+
+constexpr double kMaxCellSide = 1000;
 
 bool moves_in_cycles(const Scene& scene) {
   return std::ranges::any_of(

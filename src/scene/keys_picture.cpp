@@ -2,22 +2,20 @@
 
 #include <algorithm>
 #include <map>
-#include <memory>
 #include <stdexcept>
-#include <utility>
 
 #include "clca/image/png.hpp"
 #include "clca/scene/parse.hpp"
-#include "clca/text/message.hpp"
 #include "clca/text/read.hpp"
-#include "document/internal/document.hpp"
-#include "scene/limits.hpp"
 #include "scene/sections.hpp"
 #include "scene/types.hpp"
 
 namespace clca::scene {
 
 namespace {
+
+constexpr std::size_t kMaxPicturePixels = 1'000'000;  // of a wall
+constexpr double kMaxPictureBytes = 1 << 24;
 
 class PictureReader {
  public:
@@ -64,7 +62,7 @@ class PictureReader {
 
   std::string folder_;
   std::map<std::string, std::shared_ptr<const PictureFile>> files_;
-  double bytes_left_ = kMaxAllPictureBytes;
+  double bytes_left_ = 4 * kMaxPictureBytes;  // of all files of a scene
   std::size_t text_bytes_ = 0;
 };
 

@@ -1,12 +1,14 @@
 // Sources, outlets, probes and lines.
 
-#include "scene/geometry.hpp"
+#include "clca/scene/walls.hpp"
 #include "scene/sections.hpp"
 #include "scene/types.hpp"
 
 namespace clca::scene {
 
 namespace {
+
+constexpr double kMinLineLength = 1;  // lattice spacings
 
 void check_region(const lattice::Rectangle& region, const Place& place) {
   const Box& box = place.scene.box;

@@ -8,6 +8,10 @@ namespace clca::scene {
 
 namespace {
 
+constexpr double kMaxFallHeight = 1e6;
+constexpr double kMinSpacing = 1e-9;  // metres
+constexpr double kMaxSpacing = 1e3;   // metres
+
 using Priority = std::array<automaton::UpdateClass, 3>;
 
 Type<Priority> priority_type() {

@@ -3,18 +3,15 @@
 
 #include <fmt/ranges.h>
 
-#include <limits>
-#include <string>
-#include <vector>
-
-#include "clca/text/message.hpp"
-#include "clca/text/number.hpp"
+#include "clca/text/read.hpp"
 #include "scene/sections.hpp"
 #include "scene/types.hpp"
 
 namespace clca::scene {
 
 namespace {
+
+constexpr std::size_t kMaxTitleLength = 200;
 
 std::string read_title(const Place& place) {
   const std::string& title = read_text(place);
@@ -50,7 +47,7 @@ Type<std::uint64_t> hash_type() {
 Type<Box> box_type() {
   return type_of<Box>(
       {.keys =
-           {required("width", &Box::width, length(number(1, kMaxBoxWidth)),
+           {required("width", &Box::width, length(number(1, 866'025)),  // at most 1,000,000 columns
                      "width; columns stand 0.866 apart"),
             required("height", &Box::height, length(number(1, kMaxBoxHeight)), "height"),
             key("periodic", &Box::periodic, yes_or_no(),

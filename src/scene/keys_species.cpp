@@ -1,19 +1,23 @@
 // Species: shapes, orientations, colours.
 
-#include <fmt/format.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
-#include "scene/geometry.hpp"
+#include "clca/scene/walls.hpp"
 #include "scene/sections.hpp"
 #include "scene/types.hpp"
 
 namespace clca::scene {
 
 namespace {
+
+constexpr int kMaxRadius = 100;
+constexpr std::size_t kMaxSites = 100'000;       // of a shape
+constexpr std::size_t kMaxAllSites = 2'000'000;  // of the shapes of all species
+constexpr std::size_t kMaxCorners = 1000;
+constexpr double kMaxLength = 1000;  // spacings, of a shape
 
 /// Of `[x, q]`, each once.
 Type<std::vector<lattice::Axial>> sites(std::size_t least, std::size_t most) {

@@ -1,18 +1,16 @@
 // Stages: what happens one after the other, how the vessel stands and moves, when a stage ends.
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "clca/scene/units.hpp"
-#include "clca/text/message.hpp"
-#include "document/internal/document.hpp"
 #include "scene/sections.hpp"
 #include "scene/types.hpp"
 
 namespace clca::scene {
 
 namespace {
+
+constexpr double kMaxVesselRate = 1e6;  // per unit of time
 
 /// An angle, or a map with the angle and how fast it is reached.
 Type<Tilt> tilt() {

@@ -1,16 +1,18 @@
 // Walls: their parts, and how they move.
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
-#include "scene/geometry.hpp"
+#include "clca/scene/walls.hpp"
 #include "scene/sections.hpp"
 #include "scene/types.hpp"
 
 namespace clca::scene {
 
 namespace {
+
+constexpr double kMaxThickness = 100;
+constexpr int kMaxOffset = 1'000'000;        // of a moving wall from home
+constexpr std::size_t kMaxPoints = 100'000;  // of a path
 
 using grains::WallMotion;
 
@@ -24,14 +26,14 @@ void check_wave(const Place& fields, grains::Wave& wave) {
   }
 }
 
+/// The sine of a motion takes 4 x amplitude x period squared in 64 bits.
 Type<grains::Wave> wave() {
   using grains::Wave;
   return type_of<Wave>(
       {.keys = {key("form", &Wave::form, choice(kWaveformNames), "offset over time"),
-                required("amplitude", &Wave::amplitude, integer(1, kMaxWaveAmplitude),
-                         "sites to either side"),
+                required("amplitude", &Wave::amplitude, integer(1, 10'000), "sites to either side"),
                 required(
-                    "period", &Wave::period, count(1, kMaxWavePeriod),
+                    "period", &Wave::period, count(1, 10'000'000),
                     fmt::format("steps of a cycle: at least {} for each site of amplitude of a "
                                 "sine, {} of a triangle",
                                 grains::kSineSteps, grains::kTriangleSteps))},
@@ -100,13 +102,6 @@ Type<grains::Path> path_type() {
       });
 }
 
-/// A member of grains::Drive, the program unless another is given.
-template <class T>
-Key<WallMotion> drive_key(std::string_view name, T grains::Drive::*member, const Type<T>& type,
-                          std::string_view about) {
-  return inlined_alternative(&WallMotion::program, key(name, member, type, about)).defaults_to("");
-}
-
 void check_program(const Place& fields, WallMotion& motion) {
   constexpr std::array<std::string_view, 5> kKeys = {"period", "distance", "wave", "shake", "path"};
   std::vector<std::string_view> given;
@@ -129,11 +124,14 @@ Type<WallMotion> motion_type() {
   return type_of<WallMotion>(
       {.keys = {key("direction", &WallMotion::direction, choice(kDirectionNames),
                     "where to; required with `distance`"),
-                drive_key("period", &grains::Drive::period, count(1, kMaxSteps),
-                          "steps for each site of the distance")
+                inlined_alternative(&WallMotion::program,
+                                    key("period", &grains::Drive::period, count(1, kMaxSteps),
+                                        "steps for each site of the distance"))
                     .defaults_to("1"),
-                drive_key("distance", &grains::Drive::distance, integer(1, kMaxOffset),
-                          "sites in all, then it stands"),
+                inlined_alternative(&WallMotion::program,
+                                    key("distance", &grains::Drive::distance,
+                                        integer(1, kMaxOffset), "sites in all, then it stands"))
+                    .defaults_to(""),
                 alternative("wave", &WallMotion::program, wave(), "to and fro about home"),
                 alternative("shake", &WallMotion::program, shake(),
                             "lifted, dropped back home, then a wait; again and again"),
@@ -169,10 +167,11 @@ Type<Disc> disc() {
                          "all sites at most this far from the centre")}});
 }
 
+/// A ring thinner than a spacing would let sites through.
 Keys<Ring> ring_keys() {
   return {required("centre", &Ring::centre, point(), "centre"),
           required("radius", &Ring::radius, length(above_zero(kMaxCoordinate)), "inner radius"),
-          key("thickness", &Ring::thickness, length(number(kMinRingThickness, kMaxThickness)),
+          key("thickness", &Ring::thickness, length(number(1, kMaxThickness)),
               "outer radius less the inner one")};
 }
 

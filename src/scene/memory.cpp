@@ -5,14 +5,13 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
-#include <optional>
 
 #include "clca/automaton/automaton.hpp"
 #include "clca/contact/contact_model.hpp"
 #include "clca/grains/model.hpp"
-#include "clca/scene/resolve.hpp"
+#include "clca/scene/parse.hpp"
+#include "clca/scene/walls.hpp"
 #include "grains/internal/occupancy_table.hpp"
-#include "scene/geometry.hpp"
 #include "scene/sections.hpp"
 
 namespace clca::scene {

@@ -1,19 +1,10 @@
 #include "clca/scene/parse.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
-#include <memory>
 
-#include "clca/scene/resolve.hpp"
-#include "clca/text/message.hpp"
 #include "clca/text/read.hpp"
-#include "document/internal/document.hpp"
-#include "scene/limits.hpp"
-#include "scene/place.hpp"
 #include "scene/sections.hpp"
-#include "scene/sizes.hpp"
 #include "scene/types.hpp"
 
 namespace clca::scene {

@@ -1,13 +1,9 @@
 #include "scene/place.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "clca/scene/parse.hpp"
 #include "clca/text/utf8.hpp"
-#include "document/internal/document.hpp"
-#include "scene/limits.hpp"
 #include "scene/sections.hpp"
 
 namespace clca::scene {

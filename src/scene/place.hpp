@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "clca/text/message.hpp"
-#include "document/internal/value.hpp"
+#include "document/internal/document.hpp"
 #include "scene/names.hpp"
 
 namespace clca::scene {
@@ -31,6 +31,9 @@ using document::TextLocation;
 using document::throw_error;
 using document::Value;
 using text::names_of;
+
+/// Of species, walls, parts of a wall, sources, outlets and stages, each.
+inline constexpr std::size_t kMaxItems = 1000;
 
 /// A value that is read.
 struct Place {

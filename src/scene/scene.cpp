@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "clca/scene/boltzmann.hpp"
-#include "scene/geometry.hpp"
 
 namespace clca::scene {
 

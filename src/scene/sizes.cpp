@@ -1,11 +1,7 @@
 // Distributions of sizes: the kinds of particles of a law, and its keys.
 
-#include "scene/sizes.hpp"
-
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <map>
 #include <numbers>
 
 #include "clca/lattice/lattice.hpp"
@@ -16,6 +12,9 @@
 namespace clca::scene {
 
 namespace {
+
+constexpr double kMaxDiameter = 100;  // of a distribution of sizes
+constexpr std::size_t kMaxKinds = 64;
 
 constexpr double kCutQuantile = 2.5758293035489004;  // of the normal law, at half a percent
 // Functions of the machine's library may differ in the last bits.
@@ -88,26 +87,23 @@ double largest_diameter(const Sizes& sizes) {
   return largest;
 }
 
-struct RoundKind {
-  double radius = 0;  ///< as in DiscSpec or HexagonSpec
-  double sites = 0;
-
-  double diameter() const {
-    return std::sqrt(4 * lattice::kColumnPitch * sites / std::numbers::pi);
-  }
-};
+SizeClass round_kind(double radius, double sites) {
+  return {.radius = radius,
+          .extent = sites,
+          .diameter = std::sqrt(4 * lattice::kColumnPitch * sites / std::numbers::pi)};
+}
 
 /// Two at least, up to the first one that is not smaller.
-std::vector<RoundKind> hexagons(double largest) {
-  std::vector<RoundKind> kinds;
-  for (int radius = 0; radius < 2 || kinds.back().diameter() < largest; ++radius) {
-    kinds.push_back({static_cast<double>(radius), 3.0 * radius * (radius + 1) + 1});
+std::vector<SizeClass> hexagons(double largest) {
+  std::vector<SizeClass> kinds;
+  for (int radius = 0; radius < 2 || kinds.back().diameter < largest; ++radius) {
+    kinds.push_back(round_kind(radius, 3.0 * radius * (radius + 1) + 1));
   }
   return kinds;
 }
 
 /// Likewise. Squares of distances between sites are whole numbers.
-std::vector<RoundKind> discs(double largest) {
+std::vector<SizeClass> discs(double largest) {
   const int reach = static_cast<int>(largest) + 2;  // more than the radius
   std::vector<int> sites(static_cast<std::size_t>(reach) * static_cast<std::size_t>(reach), 0);
   for (int x = -2 * reach; x <= 2 * reach; ++x) {
@@ -118,13 +114,14 @@ std::vector<RoundKind> discs(double largest) {
       }
     }
   }
-  std::vector<RoundKind> kinds;
+  std::vector<SizeClass> kinds;
   double inside = 0;
-  for (std::size_t square = 0; square < 2 || kinds.back().diameter() < largest; ++square) {
+  for (std::size_t square = 0; square < 2 || kinds.back().diameter < largest; ++square) {
     if (sites[square] > 0) {
       inside += sites[square];
       // Two digits keep them apart.
-      kinds.push_back({std::ceil(std::sqrt(static_cast<double>(square)) * 100) / 100, inside});
+      kinds.push_back(
+          round_kind(std::ceil(std::sqrt(static_cast<double>(square)) * 100) / 100, inside));
     }
   }
   return kinds;
@@ -176,42 +173,38 @@ void check(const Place& fields, Sizes& sizes) {
 
 std::vector<SizeClass> size_classes(const Sizes& sizes) {
   const double largest = largest_diameter(sizes);
-  const std::vector<RoundKind> kinds =
+  std::vector<SizeClass> kinds =
       sizes.shape == RoundShape::disc ? discs(largest) : hexagons(largest);
-  std::map<std::size_t, double> shares;  // of the kinds, by what the law is by
   for (const Diameter& diameter : diameters_of(sizes)) {
     // The two kinds around it, and the share of the upper one with which their mean diameter is
     // this one: by number or by area, as that of the law.
     std::size_t above = 1;
-    while (above + 1 < kinds.size() && kinds[above].diameter() < diameter.value) {
+    while (above + 1 < kinds.size() && kinds[above].diameter < diameter.value) {
       ++above;
     }
-    const double low = kinds[above - 1].diameter();
+    const double low = kinds[above - 1].diameter;
     const double share =
-        std::clamp((diameter.value - low) / (kinds[above].diameter() - low), 0.0, 1.0);
+        std::clamp((diameter.value - low) / (kinds[above].diameter - low), 0.0, 1.0);
     const double upper = sizes.law == SizeLaw::list ? std::round(share) : share;
-    shares[above - 1] += (1 - upper) * diameter.share;
-    shares[above] += upper * diameter.share;
+    kinds[above - 1].share += (1 - upper) * diameter.share;
+    kinds[above].share += upper * diameter.share;
   }
-  std::erase_if(shares, [](const auto& of_kind) { return of_kind.second <= 0; });
+  std::erase_if(kinds, [](const SizeClass& kind) { return kind.share <= 0; });
   double all = 0;
-  const auto extent = [&](std::size_t kind) {
-    return sizes.by == SharesBy::area ? kinds[kind].sites : 1;
-  };
-  for (auto& [kind, share] : shares) {
-    share /= extent(kind);
-    all += share;
+  for (SizeClass& kind : kinds) {
+    kind.extent = sizes.by == SharesBy::area ? kind.extent : 1;
+    kind.share /= kind.extent;
+    all += kind.share;
   }
   double units = 0;
-  for (auto& [kind, share] : shares) {
-    share = std::max(1.0, std::round(share / all / kShareUnit));
-    units += share;
+  for (SizeClass& kind : kinds) {
+    kind.share = std::max(1.0, std::round(kind.share / all / kShareUnit));
+    units += kind.share;
   }
-  std::vector<SizeClass> result;
-  for (const auto& [kind, share] : shares) {
-    result.push_back({kinds[kind].radius, share / units, extent(kind)});
+  for (SizeClass& kind : kinds) {
+    kind.share /= units;
   }
-  return result;
+  return kinds;
 }
 
 Type<Sizes> sizes_type() {

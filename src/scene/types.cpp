@@ -1,23 +1,21 @@
 #include "scene/types.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <system_error>
 
 #include "clca/scene/units.hpp"
-#include "clca/text/message.hpp"
-#include "scene/geometry.hpp"
-#include "scene/names.hpp"
+#include "clca/scene/walls.hpp"
 
 namespace clca::scene {
 
 namespace {
+
+constexpr std::size_t kMaxPathLength = 4096;
 
 using Json = nlohmann::ordered_json;
 
@@ -201,6 +199,18 @@ Type<lattice::Rectangle> rectangle() {
            shown(edges));
     }
   });
+}
+
+std::string shown(const lattice::Rectangle& edges) {
+  return fmt::format("[{}, {}, {}, {}]", edges.left, edges.bottom, edges.right, edges.top);
+}
+
+void require_site(const lattice::Rectangle& region, const Place& place) {
+  const Box& box = place.scene.box;
+  if (holds_no_site(lattice_of(box), region)) {
+    fail(place, "no site of the box, {} wide and {} high, lies in {}", box.width, box.height,
+         shown(region));
+  }
 }
 
 Type<lattice::Rectangle> region() {

@@ -1,7 +1,8 @@
 #pragma once
-// Kinds of values that several keys have.
+// Kinds of values that several keys have, and their limits.
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <set>
 #include <string_view>
@@ -9,9 +10,18 @@
 
 #include "clca/image/image.hpp"
 #include "scene/key.hpp"
-#include "scene/limits.hpp"
 
 namespace clca::scene {
+
+inline constexpr std::uint64_t kVersion = 1;
+inline constexpr const char* kNamePattern = "^[A-Za-z0-9_-]{1,64}$";
+/// Of what expressions can name.
+inline constexpr const char* kExpressionNamePattern = "^[A-Za-z_][A-Za-z0-9_]*$";
+inline constexpr double kMaxBoxHeight = 1'000'000;
+inline constexpr double kMaxCoordinate = 1'000'000;  ///< in lattice spacings
+inline constexpr std::uint64_t kMaxParticles = std::numeric_limits<std::int32_t>::max();
+inline constexpr std::uint64_t kMaxSpeciesWeight = 1'000'000;
+inline constexpr double kMaxTime = 1e9;
 
 Type<double> number(double low, double high);
 Type<double> above_zero(double high);
@@ -25,6 +35,10 @@ Type<bool> yes_or_no();
 Type<Eigen::Vector2d> point(double most = kMaxCoordinate);
 /// [left, bottom, right, top], not empty.
 Type<lattice::Rectangle> rectangle();
+/// `[left, bottom, right, top]`
+std::string shown(const lattice::Rectangle& edges);
+/// Refuses a rectangle that holds no site of the box. Throws SceneError.
+void require_site(const lattice::Rectangle& region, const Place& place);
 /// A rectangle that holds at least one site of the box.
 Type<lattice::Rectangle> region();
 

@@ -4,17 +4,10 @@
 #include <type_traits>
 #include <variant>
 
-#include "clca/lattice/region.hpp"
-#include "scene/geometry.hpp"
-
 namespace clca::scene {
 
 lattice::Lattice lattice_of(const Box& box) {
   return lattice::Lattice::covering(box.width, box.height, box.periodic);
-}
-
-std::string shown(const lattice::Rectangle& edges) {
-  return fmt::format("[{}, {}, {}, {}]", edges.left, edges.bottom, edges.right, edges.top);
 }
 
 bool holds_no_site(const lattice::Lattice& lattice, const lattice::Rectangle& rectangle) {
@@ -26,14 +19,6 @@ bool holds_no_site(const lattice::Lattice& lattice, const lattice::Segment& segm
   const lattice::Segment thin = {segment.from, segment.to, 0};
   return lattice::sites_along(lattice, thin).empty() &&
          lattice::sites_along(lattice, segment).empty();
-}
-
-void require_site(const lattice::Rectangle& region, const Place& place) {
-  const Box& box = place.scene.box;
-  if (holds_no_site(lattice_of(box), region)) {
-    fail(place, "no site of the box, {} wide and {} high, lies in {}", box.width, box.height,
-         shown(region));
-  }
 }
 
 lattice::SweptRegion swept_region_of(const lattice::Lattice& lattice, const Wall& wall) {

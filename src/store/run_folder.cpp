@@ -7,7 +7,7 @@
 #include <system_error>
 
 #include "clca/store/file.hpp"
-#include "clca/text/number.hpp"
+#include "clca/text/read.hpp"
 
 namespace clca::store {
 

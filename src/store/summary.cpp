@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 
 #include "clca/store/file.hpp"
-#include "clca/text/number.hpp"
 #include "clca/text/read.hpp"
 
 namespace clca::store {

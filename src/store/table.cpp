@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "clca/store/file.hpp"
-#include "clca/text/number.hpp"
+#include "clca/text/read.hpp"
 
 namespace clca::store {
 

@@ -14,7 +14,7 @@
 #include "clca/store/file.hpp"
 #include "clca/store/run_folder.hpp"
 #include "clca/store/table.hpp"
-#include "sweep/tables.hpp"
+#include "sweep/results.hpp"
 
 namespace clca::sweep {
 
@@ -29,13 +29,15 @@ constexpr double kNoMean = std::numeric_limits<double>::quiet_NaN();
 struct Averaged {
   std::string begin;  ///< of the file name: the table, or what comes before a stage
   Names groups;       ///< columns of names
-  Names positions;    ///< columns of numbers; none: steps
+  Names positions;    ///< columns of numbers
   Names others = {};  ///< columns that are left out
+
+  bool is_by_step() const { return positions.front() == "step"; }
 };
 
 const std::vector<Averaged>& averaged_tables() {
-  static const std::vector<Averaged> kAll = {{"series", {"stage"}, {}},
-                                             {"probes", {"stage", "probe"}, {}},
+  static const std::vector<Averaged> kAll = {{"series", {"stage"}, {"step"}, {"time"}},
+                                             {"probes", {"stage", "probe"}, {"step"}, {"time"}},
                                              {"cycles", {"stage"}, {"cycle"}, {"step", "time"}},
                                              {"profile-", {}, {"x"}},
                                              {"lines-", {"line"}, {"position", "x", "y"}},
@@ -80,18 +82,15 @@ std::map<std::string, std::uint64_t> stage_starts(const store::RunSummary& summa
 ReadCurves read_curves(const Averaged& what, const fs::path& file, const store::RunSummary& summary,
                        Names& columns) {
   const store::ReadTable table = store::read_table(file);
-  const bool by_step = what.positions.empty();
-  const Names positions = by_step ? Names{"step"} : what.positions;
   ReadCurves result;
   for (const std::string& name : table.names) {
-    const bool is_time = by_step && name == "time";
-    if (!has_name(what.groups, name) && !has_name(positions, name) &&
-        !has_name(what.others, name) && !is_time && !name.ends_with(record::kErrorEnding)) {
+    if (!has_name(what.groups, name) && !has_name(what.positions, name) &&
+        !has_name(what.others, name) && !name.ends_with(record::kErrorEnding)) {
       result.columns[name] = table.numbers(name);
     }
   }
   std::vector<std::vector<double>> at;
-  std::ranges::transform(positions, std::back_inserter(at),
+  std::ranges::transform(what.positions, std::back_inserter(at),
                          [&](const std::string& name) { return table.numbers(name); });
   const auto starts = stage_starts(summary);
   for (std::size_t row = 0; row < table.rows(); ++row) {
@@ -104,7 +103,7 @@ ReadCurves read_curves(const Averaged& what, const fs::path& file, const store::
     for (const std::vector<double>& numbers : at) {
       position.push_back(numbers[row]);
     }
-    if (const auto start = by_step ? starts.find(group.front()) : starts.end();
+    if (const auto start = what.is_by_step() ? starts.find(group.front()) : starts.end();
         start != starts.end()) {
       position.front() -= static_cast<double>(start->second);
     }
@@ -169,12 +168,10 @@ std::vector<Position> common_positions(const std::vector<const Curve*>& curves) 
 }
 
 struct MeanRow {
-  const Variant* variant;
-  Names group;
-  Position position;
-  const scene::Conversion* units;  ///< null where steps have no length
+  std::vector<store::Cell> place;  ///< varied values, group and position
+  double time;                     ///< of the step; NaN where steps have no length
   std::uint64_t runs;
-  std::vector<std::pair<double, double>> means;  ///< by column, with its standard error
+  std::vector<store::Cell> means;  ///< of each column the mean and its standard error
 };
 
 /// Means over seeds, with rows for each combination.
@@ -198,9 +195,15 @@ void add_rows(Means& means, const Averaged& what, const Variant& variant,
   const auto& series = variant.scene.output.series;
   const auto every = static_cast<double>(series ? series->every : 1);
   for (const auto& position :
-       what.positions.empty() ? common_steps(curves, every) : common_positions(curves)) {
-    MeanRow& row =
-        means.rows.emplace_back(MeanRow{&variant, group, position, units, curves.size(), {}});
+       what.is_by_step() ? common_steps(curves, every) : common_positions(curves)) {
+    const bool has_time = what.is_by_step() && units != nullptr;
+    MeanRow& row = means.rows.emplace_back(
+        MeanRow{value_cells(variant.values),
+                has_time ? units->time(static_cast<std::uint64_t>(position.front())) : kNoMean,
+                curves.size(),
+                {}});
+    row.place.insert(row.place.end(), group.begin(), group.end());
+    row.place.insert(row.place.end(), position.begin(), position.end());
     for (const std::string& column : means.columns) {
       std::vector<double> values;
       for (std::size_t run = 0; run < curves.size(); ++run) {
@@ -210,20 +213,19 @@ void add_rows(Means& means, const Averaged& what, const Variant& variant,
                              : value_at(numbers->second, *curves[run], position));
       }
       const statistics::Sample found = statistics::sample(values);
-      row.means.push_back(found.count == values.size()  // all runs have a number
-                              ? std::pair(found.mean, found.standard_error)
-                              : std::pair(kNoMean, kNoMean));
+      const bool is_known = found.count == values.size();  // all runs have a number
+      row.means.insert(row.means.end(), {is_known ? found.mean : kNoMean,
+                                         is_known ? found.standard_error : kNoMean});
     }
   }
 }
 
 /// The table; none if a varied number has the name of a column, or there is nothing.
 std::optional<store::Table> mean_table(const Averaged& what, const Names& keys, Means means) {
-  const bool by_step = what.positions.empty();
+  const bool has_time = what.is_by_step() && means.has_time;
   Names position = what.groups;
-  const Names& positions = by_step ? Names{"step"} : what.positions;
-  position.insert(position.end(), positions.begin(), positions.end());
-  if (by_step && means.has_time) {
+  position.insert(position.end(), what.positions.begin(), what.positions.end());
+  if (has_time) {
     position.emplace_back("time");
   }
   const Names heads =
@@ -233,19 +235,13 @@ std::optional<store::Table> mean_table(const Averaged& what, const Names& keys, 
   }
   store::Table table(heads);
   for (MeanRow& row : means.rows) {
-    std::vector<store::Cell> cells = value_cells(row.variant->values);
-    cells.insert(cells.end(), row.group.begin(), row.group.end());
-    cells.insert(cells.end(), row.position.begin(), row.position.end());
-    if (by_step && means.has_time) {
-      const auto step = static_cast<std::uint64_t>(row.position.front());
-      cells.emplace_back(row.units != nullptr ? row.units->time(step) : kNoMean);
+    std::vector<store::Cell> cells = std::move(row.place);
+    if (has_time) {
+      cells.emplace_back(row.time);
     }
     cells.emplace_back(row.runs);
-    // Columns that only later combinations have.
-    row.means.resize(means.columns.size(), {kNoMean, kNoMean});
-    for (const auto& [mean, error] : row.means) {
-      cells.insert(cells.end(), {mean, error});
-    }
+    cells.insert(cells.end(), row.means.begin(), row.means.end());
+    cells.resize(heads.size(), kNoMean);  // columns that only later combinations have
     table.add_row(std::move(cells));
   }
   return table;

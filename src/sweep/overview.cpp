@@ -10,7 +10,7 @@
 #include "clca/render/contact_sheet.hpp"
 #include "clca/store/file.hpp"
 #include "clca/store/run_folder.hpp"
-#include "sweep/run_task.hpp"
+#include "sweep/results.hpp"
 
 namespace clca::sweep {
 

@@ -10,10 +10,10 @@
 #include "clca/record/quantity.hpp"
 #include "clca/run/run.hpp"
 #include "clca/run/setup.hpp"
-#include "clca/scene/resolve.hpp"
+#include "clca/scene/parse.hpp"
 #include "clca/scene/walls.hpp"
 #include "clca/text/message.hpp"
-#include "clca/text/number.hpp"
+#include "clca/text/read.hpp"
 
 namespace clca::sweep {
 
@@ -98,9 +98,7 @@ Variant parsed(const Request& request, const std::vector<std::string>& keys,
   }
   scene::AnyScene any;
   try {
-    any = request.text
-              ? scene::parse_any(*request.text, request.scene.string(), request.overrides, varied)
-              : scene::parse_any_file(request.scene, request.overrides, varied);
+    any = scene::parse_any(*request.text, request.scene.string(), request.overrides, varied);
   } catch (const scene::SceneError& error) {
     if (std::ranges::any_of(values, is_part_of_range)) {
       throw scene::SceneError(std::string(error.what()) + "; a range is FIRST:LAST:STEP");
@@ -164,6 +162,9 @@ std::string file_name(const std::string& text) {
 Plan plan(Request request, double max_bytes, const std::function<void()>& interrupt) {
   check_keys(request);
   const std::size_t count = combinations(request);
+  if (!request.text) {
+    request.text = scene::scene_text(request.scene);
+  }
   Plan result = {std::move(request), {}};
   const std::vector<std::string> keys = result.keys();
   for (std::size_t number = 0; number < count; ++number) {

@@ -1,5 +1,3 @@
-#include "clca/sweep/request.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -11,8 +9,9 @@
 #include <set>
 
 #include "clca/scene/units.hpp"
+#include "clca/sweep/plan.hpp"
 #include "clca/text/message.hpp"
-#include "clca/text/number.hpp"
+#include "clca/text/read.hpp"
 
 namespace clca::sweep {
 

@@ -1,5 +1,3 @@
-#include "sweep/run_task.hpp"
-
 #include <fmt/format.h>
 
 #include <limits>
@@ -8,11 +6,12 @@
 #include <utility>
 
 #include "clca/record/provenance.hpp"
-#include "clca/scene/resolve.hpp"
+#include "clca/scene/parse.hpp"
 #include "clca/store/checkpoint.hpp"
 #include "clca/store/file.hpp"
 #include "clca/store/output_folder.hpp"
 #include "clca/store/run_folder.hpp"
+#include "sweep/results.hpp"
 
 namespace clca::sweep {
 

@@ -18,7 +18,7 @@
 #include "clca/store/output_folder.hpp"
 #include "clca/store/run_folder.hpp"
 #include "clca/tasks/pool.hpp"
-#include "sweep/run_task.hpp"
+#include "sweep/results.hpp"
 
 namespace clca::sweep {
 

@@ -1,5 +1,3 @@
-#include "sweep/tables.hpp"
-
 #include <fmt/format.h>
 
 #include <array>
@@ -14,7 +12,8 @@
 
 #include "clca/record/quantity.hpp"
 #include "clca/statistics/sample.hpp"
-#include "clca/text/number.hpp"
+#include "clca/text/read.hpp"
+#include "sweep/results.hpp"
 
 namespace clca::sweep {
 

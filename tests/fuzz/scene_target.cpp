@@ -8,7 +8,6 @@
 
 #include "clca/run/setup.hpp"
 #include "clca/scene/parse.hpp"
-#include "clca/scene/resolve.hpp"
 #include "support/any_text.hpp"
 #include "target.hpp"
 

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "clca/scene/parse.hpp"
-#include "clca/scene/resolve.hpp"
 #include "clca/scene/walls.hpp"
 
 namespace clca::testing {

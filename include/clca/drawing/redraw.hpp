@@ -19,7 +19,7 @@
 #include "clca/scene/parse.hpp"
 #include "clca/scene/scene.hpp"
 #include "clca/store/output_folder.hpp"
-#include "clca/text/input_error.hpp"
+#include "clca/text/read.hpp"
 
 namespace clca::drawing {
 

@@ -14,7 +14,7 @@
 #include "clca/store/run_folder.hpp"
 #include "clca/store/summary.hpp"
 #include "clca/tasks/ranks.hpp"
-#include "clca/text/input_error.hpp"
+#include "clca/text/read.hpp"
 
 namespace clca::run {
 

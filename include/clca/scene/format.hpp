@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "clca/scene/scene.hpp"
-#include "clca/text/input_error.hpp"
+#include "clca/text/read.hpp"
 
 namespace clca::scene {
 

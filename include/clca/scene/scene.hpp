@@ -20,11 +20,13 @@
 #include "clca/lattice/picture.hpp"
 #include "clca/lattice/region.hpp"
 #include "clca/lattice/shape.hpp"
-#include "clca/scene/circle.hpp"
 #include "clca/scene/output.hpp"
 #include "clca/voids/void_model.hpp"
 
 namespace clca::scene {
+
+/// Between the orientations of particles.
+inline constexpr int kDegreesPerSixth = 360 / lattice::kDirectionCount;
 
 struct Box {
   double width = 0;
@@ -78,6 +80,28 @@ struct Units {
   /// Kilograms per square metre of grains; none: masses have no unit.
   std::optional<double> density = {};
 };
+
+/// All lengths in lattice spacings.
+struct Disc {
+  Eigen::Vector2d centre;
+  double radius = 0;
+};
+
+/// From `radius` to `radius + thickness` from the centre.
+struct Ring {
+  Eigen::Vector2d centre;
+  double radius = 0;
+  double thickness = 1;
+};
+
+/// The part of a ring from one angle anticlockwise to another, in degrees from the x axis.
+struct Arc {
+  Ring ring;
+  double from = 0;
+  double to = 0;  ///< above `from`, by less than 360
+};
+
+using Circle = std::variant<Disc, Ring, Arc>;
 
 using WallPart =
     std::variant<lattice::Rectangle, lattice::Segment, Disc, Ring, Arc, lattice::Picture>;

@@ -1,16 +1,46 @@
 #pragma once
-// The sites of walls, and checks of their motion and of the space left for particles.
+// The sites of walls and of their parts, and checks of their motion and of the space left for
+// particles.
 
+#include <functional>
 #include <vector>
 
 #include "clca/lattice/lattice.hpp"
+#include "clca/lattice/region.hpp"
 #include "clca/scene/scene.hpp"
 
 namespace clca::scene {
 
+lattice::Lattice lattice_of(const Box& box);
+
+/// The sites of the region inside the shape or at most 10^-6 spacings outside it, column by column
+/// from the left, upwards.
+/// A ring at least one spacing thick is closed: no chain of neighbouring sites crosses it.
+/// Throws std::invalid_argument unless the centre is valid for lattice::nearest_site, radius and
+/// thickness are in [0, 10^8), and the angles are as in Arc and between -10^8 and 10^8.
+std::vector<lattice::Site> sites_in(const lattice::SweptRegion& swept_region, const Circle& circle);
+
+/// Whether no site of the lattice lies in the shape, in the rectangle, or on the straight wall.
+bool holds_no_site(const lattice::Lattice& lattice, const Circle& circle);
+bool holds_no_site(const lattice::Lattice& lattice, const lattice::Rectangle& rectangle);
+bool holds_no_site(const lattice::Lattice& lattice, const lattice::Segment& segment);
+
+/// A rectangle that contains all the sites.
+lattice::Rectangle around(const Circle& circle);
+
+/// The region that enters the box as the wall moves; for a standing wall, the box.
+lattice::SweptRegion swept_region_of(const lattice::Lattice& lattice, const Wall& wall);
+
 /// The sites of all parts of a wall at its initial position, sorted: those in the box or, for a
 /// moving wall, those that enter the box during its motion.
 std::vector<lattice::Site> wall_sites(const lattice::Lattice& lattice, const Wall& wall);
+
+/// Visits the sites of the box that the wall ever covers, each once except in a periodic box, until
+/// `test` returns true. Returns whether it did. Memory: the sites at the initial position. Time:
+/// these and, of each that no other one of them is ahead of, the steps of the motion until it
+/// leaves the box.
+bool any_swept_site(const lattice::Lattice& lattice, const Wall& wall,
+                    const std::function<bool(lattice::Site)>& test);
 
 /// Walls present before the first stage: all except those that a stage inserts before any stage
 /// removes them.

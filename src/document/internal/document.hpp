@@ -1,17 +1,109 @@
 #pragma once
-// Text as a tree of values: parsed by the only user of yaml-cpp, with overrides of the command line
-// and expressions.
+// YAML as a tree of values with their text locations: parsed by the only user of yaml-cpp, with
+// overrides of the command line and expressions, or to be written.
+
+#include <fmt/format.h>
 
 #include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
-#include "document/internal/value.hpp"
-
 namespace clca::document {
+
+/// Source of text: a file, or a `--set` option.
+struct Origin {
+  std::string label;  ///< printable
+  bool has_lines = true;
+};
+
+/// Lines and columns from 1; columns count characters.
+struct TextLocation {
+  std::shared_ptr<const Origin> origin;
+  std::size_t line = 1;
+  std::size_t column = 1;
+};
+
+/// `FILE:LINE:COLUMN`, or `--set KEY=VALUE`.
+std::string to_string(const TextLocation& location);
+
+struct Entry;
+
+struct Value {
+  enum class Kind { nothing, scalar, list, map };
+
+  Kind kind = Kind::nothing;
+  bool quoted = false;
+  bool in_lines = false;  ///< to be written with each entry on a line of its own
+  TextLocation location;
+  std::string text;        ///< of a scalar; else empty
+  std::string expression;  ///< that the text is the value of; empty if it was written so
+  std::shared_ptr<const void> attached;  ///< by who reads the value, such as a file that it names
+  std::vector<Value> items;              ///< of a list
+  std::vector<Entry> entries;            ///< of a map, in the order of the text
+
+  static Value scalar(std::string text, const TextLocation& location = {});
+  static Value number(double number);
+  /// A scalar in quotes: a title may hold anything that is one line.
+  static Value quoted_text(std::string_view text);
+  /// A name is plain, except for those that YAML takes for something else.
+  static Value name(std::string_view name);
+  static Value list();
+  static Value map(const TextLocation& location = {});
+
+  /// A further entry of a map; its key is where the value is.
+  void add(std::string key, Value value);
+
+  bool is(Kind other) const { return kind == other; }
+  /// The value of `key`, null when there is none.
+  const Value* find(std::string_view key) const;
+  Value* find(std::string_view key);
+  /// The value at a path of keys, likewise.
+  const Value* find_path(std::string_view path) const;
+};
+
+struct Entry {
+  std::string key;
+  TextLocation location;
+  Value value;
+};
+
+inline bool is_digit(char letter) {
+  return letter >= '0' && letter <= '9';
+}
+
+/// The number that the text is; nothing for other text. For int, std::uint64_t and double.
+template <class T>
+std::optional<T> number_in(std::string_view text);
+/// That of a scalar without quotes.
+template <class T>
+std::optional<T> number_in(const Value& value) {
+  return value.quoted ? std::nullopt : number_in<T>(std::string_view(value.text));
+}
+
+/// `'text'`, `a list`, `a map` or `nothing`.
+std::string found(const Value& value);
+
+/// On one line: `{KEY: VALUE, KEY: [1, 2]}`.
+std::string flow_text(const Value& value);
+/// A map, an entry after the other; those that are too long for a line are divided.
+std::string block_text(const Value& map);
+
+/// What stands between the dots of a path.
+std::vector<std::string> parts_of_path(std::string_view path);
+/// `path.key`, or `key` alone at the top.
+std::string join_path(std::string_view path, std::string_view key);
+
+/// Throws Error: `FILE:LINE:COLUMN: error: MESSAGE`.
+[[noreturn]] void throw_error(std::string_view location, std::string_view message);
+template <class... Args>
+[[noreturn]] void fail(const TextLocation& location, fmt::format_string<Args...> message,
+                       Args&&... args) {
+  throw_error(to_string(location), fmt::format(message, std::forward<Args>(args)...));
+}
 
 inline constexpr std::size_t kMaxNameLength = 64;
 

@@ -7,7 +7,7 @@
 #include <sstream>
 #include <string>
 
-#include "clca/text/input_error.hpp"
+#include "clca/text/read.hpp"
 
 namespace clca::record::quantity_test {
 namespace {

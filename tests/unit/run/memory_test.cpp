@@ -7,7 +7,6 @@
 
 #include "clca/run/setup.hpp"
 #include "clca/scene/parse.hpp"
-#include "clca/scene/resolve.hpp"
 
 namespace clca::run::memory_test {
 namespace {

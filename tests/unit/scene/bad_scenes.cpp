@@ -4,7 +4,6 @@
 #include <sstream>
 
 #include "clca/scene/parse.hpp"
-#include "clca/scene/resolve.hpp"
 
 namespace clca::scene::testing {
 

@@ -11,7 +11,6 @@
 #include "bad_scenes.hpp"
 #include "clca/boltzmann/law.hpp"
 #include "clca/scene/parse.hpp"
-#include "clca/scene/resolve.hpp"
 
 namespace clca::scene::boltzmann_test {
 

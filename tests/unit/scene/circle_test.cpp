@@ -1,5 +1,3 @@
-#include "clca/scene/circle.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,6 +7,8 @@
 #include <random>
 #include <set>
 #include <stdexcept>
+
+#include "clca/scene/walls.hpp"
 
 namespace clca::scene::circle_test {
 namespace {

@@ -8,7 +8,6 @@
 #include "bad_scenes.hpp"
 #include "clca/image/png.hpp"
 #include "clca/scene/parse.hpp"
-#include "clca/scene/resolve.hpp"
 #include "support/runs.hpp"
 
 namespace clca::scene::fill_test {

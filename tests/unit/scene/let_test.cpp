@@ -8,7 +8,6 @@
 #include "bad_scenes.hpp"
 #include "clca/scene/output.hpp"
 #include "clca/scene/parse.hpp"
-#include "clca/scene/resolve.hpp"
 
 namespace clca::scene::let_test {
 

@@ -7,7 +7,6 @@
 
 #include "bad_scenes.hpp"
 #include "clca/scene/parse.hpp"
-#include "clca/scene/resolve.hpp"
 #include "clca/scene/walls.hpp"
 
 namespace clca::scene::motion_test {

@@ -8,7 +8,6 @@
 #include "bad_scenes.hpp"
 #include "clca/scene/format.hpp"
 #include "clca/scene/parse.hpp"
-#include "clca/scene/resolve.hpp"
 #include "scene/sections.hpp"
 
 namespace clca::scene::override_test {

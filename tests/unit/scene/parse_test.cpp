@@ -8,7 +8,6 @@
 #include <string>
 
 #include "bad_scenes.hpp"
-#include "clca/scene/resolve.hpp"
 #include "support/runs.hpp"
 
 namespace clca::scene::parse_test {

@@ -1,5 +1,3 @@
-#include "clca/scene/resolve.hpp"
-
 #include <gtest/gtest.h>
 
 #include <filesystem>

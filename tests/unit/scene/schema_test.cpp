@@ -17,7 +17,6 @@
 #include "bad_scenes.hpp"
 #include "clca/scene/format.hpp"
 #include "clca/scene/parse.hpp"
-#include "clca/scene/resolve.hpp"
 #include "document/internal/document.hpp"
 #include "scene/place.hpp"
 

@@ -1,7 +1,5 @@
 // Species whose sizes follow a law.
 
-#include "scene/sizes.hpp"
-
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -11,7 +9,7 @@
 
 #include "bad_scenes.hpp"
 #include "clca/scene/parse.hpp"
-#include "clca/scene/resolve.hpp"
+#include "scene/sections.hpp"
 
 namespace clca::scene::sizes_test {
 namespace {

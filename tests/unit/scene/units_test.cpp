@@ -14,7 +14,6 @@
 #include "bad_scenes.hpp"
 #include "clca/contact/contact_model.hpp"
 #include "clca/scene/parse.hpp"
-#include "clca/scene/resolve.hpp"
 
 namespace clca::scene::units_test {
 

@@ -10,8 +10,6 @@
 
 #include "bad_scenes.hpp"
 #include "clca/scene/parse.hpp"
-#include "clca/scene/resolve.hpp"
-#include "scene/geometry.hpp"
 
 namespace clca::scene::walls_test {
 

@@ -1,7 +1,7 @@
-#include "clca/sweep/request.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "clca/sweep/plan.hpp"
 
 namespace clca::sweep::request_test {
 namespace {

@@ -1,5 +1,3 @@
-#include "sweep/tables.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -7,6 +5,7 @@
 
 #include "clca/store/file.hpp"
 #include "support/runs.hpp"
+#include "sweep/results.hpp"
 
 namespace clca::sweep::tables_test {
 namespace {

@@ -1,7 +1,9 @@
 #pragma once
-// The results of runs, the tables of a sweep and its overview, the final pictures side by side.
-// They do not depend on the order in which runs ended.
+// The runs of a sweep, new or of an earlier sweep, and what is made of their results: tables, and
+// the overview, the final pictures side by side. These do not depend on the order in which runs
+// ended.
 
+#include <atomic>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -13,7 +15,7 @@
 #include "clca/render/image.hpp"
 #include "clca/store/summary.hpp"
 #include "clca/store/table.hpp"
-#include "clca/sweep/plan.hpp"
+#include "clca/sweep/sweep.hpp"
 
 namespace clca::sweep {
 
@@ -27,6 +29,46 @@ struct Result {
   /// All but the summary, which has a form of its own.
   CLCA_FIELDS(status, error);
 };
+
+inline constexpr const char* kRunsFolder = "runs";
+
+/// The folder of a run in the folder of a sweep.
+inline std::filesystem::path run_folder(const std::filesystem::path& sweep,
+                                        const std::string& name) {
+  return sweep / kRunsFolder / name;
+}
+
+/// A run that was once done.
+struct EarlierRun {
+  store::RunSummary summary;
+  /// It is of exactly this scene and program version, and has the pictures that are wanted.
+  bool is_whole = false;
+};
+
+/// The run in `folder`, if one was done there.
+std::optional<EarlierRun> earlier_run(const std::filesystem::path& folder,
+                                      const scene::Scene& scene, run::WantedPictures pictures);
+
+/// A run that has ended.
+struct FinishedRun {
+  Result result;
+  std::vector<std::string> warnings;
+  std::string store_error;  ///< something could not be written; empty: all was
+  bool is_in_use = false;   ///< another process is at work on it
+
+  CLCA_FIELDS(result, warnings, store_error, is_in_use);
+};
+
+/// Executes a run in its folder, or goes on with it where it was stopped or killed. `progress` may
+/// be empty.
+FinishedRun execute_run(const scene::Scene& scene, const std::filesystem::path& folder,
+                        const Options& options, run::WantedPictures pictures,
+                        const std::atomic<int>* stop,
+                        std::function<void(const run::Progress&)> progress);
+
+/// From one process to another.
+tasks::Bytes to_bytes(const FinishedRun& run);
+FinishedRun finished_run(const tasks::Bytes& bytes);
 
 /// The varied values of a combination. Spreadsheets take text that begins with one of =+-@ for a
 /// formula; a quote in front keeps it text.
