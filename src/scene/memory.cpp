@@ -112,7 +112,8 @@ double wall_sites_at_most(const lattice::Lattice& lattice, const Wall& wall) {
   double sum = 0;
   for (const WallPart& part : wall.parts) {
     const auto max_of = [&](const auto& form) {
-      return std::min({all, area(form) / lattice::kColumnPitch, max_sites(region, around(form))});
+      return std::min(
+          {all, area(form) / lattice::kColumnPitch, max_sites(region, bounding_rectangle(form))});
     };
     sum += std::visit(max_of, part);
   }

@@ -40,7 +40,7 @@ std::vector<lattice::Site> sites_in(const lattice::SweptRegion& swept_region, co
 /// Whether sites_in() is empty. Does not build the list.
 bool holds_no_site(const lattice::Lattice& lattice, const Circle& circle);
 
-/// A rectangle that contains all the sites.
-lattice::Rectangle around(const Circle& circle);
+/// A rectangle that contains all sites of the circle.
+lattice::Rectangle bounding_rectangle(const Circle& circle);
 
 }  // namespace clca::scene
