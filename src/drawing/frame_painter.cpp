@@ -127,7 +127,7 @@ View present_view(const scene::Scene& scene, const model::SceneModel& model,
   if (scene.model == scene::Model::contact) {
     view.contact.emplace();
     if (scene::pictures_show_forces(scene)) {
-      view.contact->forces = observers.find<record::ContactRecord>()->shown(model);
+      view.contact->forces = observers.find<record::ContactRecord>()->shown_forces(model);
     }
     if (scene.output.frames->color_by == scene::ColorBy::speed) {
       view.contact->velocities = model.velocities();

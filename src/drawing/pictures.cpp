@@ -95,7 +95,7 @@ double picture_bytes(const scene::Scene& scene, double particles) {
   }
   constexpr int kCaptures = 2;  // one on its way and a new one
   const bool has_forces = scene::pictures_show_forces(scene);
-  const bool has_paths = scene::is_of_weight(scene.output.frames->overlay);
+  const bool has_paths = scene::shows_weight_paths(scene.output.frames->overlay);
   const double lines = has_paths    ? measure::kSupportsPerGrain
                        : has_forces ? contact::kContactsPerGrain
                                     : 0;

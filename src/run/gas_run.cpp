@@ -116,7 +116,7 @@ class GasRun : public RunBase {
     return member.observations.size() == integrator_.times().size();
   }
   bool complete(const record::GasCase& gas_case) const {
-    return gas_case.at(integrator_.times().size() - 1).size() == gas_case.members.size();
+    return gas_case.members_with(integrator_.times().size() - 1).size() == gas_case.members.size();
   }
   /// How often a particle has collided so far, summed over all gases.
   std::uint64_t participations() const {

@@ -17,11 +17,11 @@ namespace clca::scene {
 namespace {
 
 /// Walls that only the automaton has.
-void check_walls_of_model(const Place& root) {
+void check_walls_of_model(const PlacedValue& root) {
   const Scene& scene = root.scene;
   for (std::size_t i = 0; i < scene.walls.size(); ++i) {
-    const Place walls = root.at("walls");
-    const Place wall = walls.inside(walls.value.entries[i]);
+    const PlacedValue walls = root.at("walls");
+    const PlacedValue wall = walls.inside(walls.value.entries[i]);
     if (scene.model == Model::contact && scene.walls[i].passive == grains::Passive::overlap) {
       fail(wall.at("passive"),
            "model contact lets nothing overlap yet, model automaton does; remove it, or say "
@@ -59,7 +59,7 @@ void check_shapes(const Scene& scene, const Value& value) {
 }
 
 /// In a narrow periodic box two grains would touch on both sides, and have one contact.
-void check_periodic_width(const Place& box) {
+void check_periodic_width(const PlacedValue& box) {
   const Scene& scene = box.scene;
   if (!scene.box.periodic) {
     return;
@@ -81,12 +81,12 @@ void check_periodic_width(const Place& box) {
 }
 
 /// Checks stages once the time step is known.
-void check_vessels(const Place& stages) {
+void check_vessels(const PlacedValue& stages) {
   const Scene& scene = stages.scene;
   contact::Vessel vessel;
   for (std::size_t i = 0; i < scene.stages.size(); ++i) {
     const Stage& stage = scene.stages[i];
-    const Place fields = {stages.value.items[i], join_path(stages.path, stage.name), scene};
+    const PlacedValue fields = {stages.value.items[i], join_path(stages.path, stage.name), scene};
     if (stage.fill && stage.fill->method == FillMethod::deposition && vessel.angle != 0) {
       fail(fields.at("fill"),
            "deposition needs a vessel that stands upright; use 'method: random'");
@@ -110,7 +110,7 @@ bool lets_overlap(const Scene& scene) {
       scene.walls, [](const Wall& wall) { return wall.passive == grains::Passive::overlap; });
 }
 
-void check_weight_paths(const Place& place) {
+void check_weight_paths(const PlacedValue& place) {
   const Scene& scene = place.scene;
   const bool turns = std::ranges::any_of(
       scene.stages, [](const Stage& stage) { return stage.vessel.has_value(); });
@@ -121,7 +121,7 @@ void check_weight_paths(const Place& place) {
   }
 }
 
-void check_model(const Place& root) {
+void check_model(const PlacedValue& root) {
   const Model model = root.scene.model;
   if (model == Model::automaton) {
     return;
@@ -137,7 +137,7 @@ void check_model(const Place& root) {
   }
 }
 
-void check_time_step(const Place& root) {
+void check_time_step(const PlacedValue& root) {
   const Scene& scene = root.scene;
   if (scene.model != Model::contact) {
     return;

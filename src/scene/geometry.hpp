@@ -21,7 +21,7 @@ std::string shown(const lattice::Rectangle& edges);
 bool holds_no_site(const lattice::Lattice& lattice, const lattice::Rectangle& rectangle);
 bool holds_no_site(const lattice::Lattice& lattice, const lattice::Segment& segment);
 /// Refuses a rectangle that holds no site of the box. Throws SceneError.
-void require_site(const lattice::Rectangle& region, const Place& place);
+void require_site(const lattice::Rectangle& region, const PlacedValue& place);
 
 /// The region that enters the box as the wall moves; for a standing wall, the box.
 lattice::SweptRegion swept_region_of(const lattice::Lattice& lattice, const Wall& wall);

@@ -22,19 +22,19 @@ inline constexpr std::size_t kMaxItems = 1000;
 inline constexpr double kMaxBoxWidth = 866'025;  ///< at most 1,000,000 columns
 inline constexpr double kMaxBoxHeight = 1'000'000;
 inline constexpr double kMaxCoordinate = 1'000'000;  ///< of a coordinate in lattice spacings
-inline constexpr double kMaxThickness = 100;
-inline constexpr double kMinRingThickness = 1;  ///< a thinner one would let sites through
+inline constexpr double kMaxThickness = 100;         ///< of a wall, lattice spacings
+inline constexpr double kMinRingThickness = 1;       ///< a thinner one would let sites through
 
 inline constexpr std::size_t kMaxPicturePixels = 1'000'000;  ///< of a wall
-inline constexpr double kMaxPictureBytes = 1 << 24;
-inline constexpr double kMaxAllPictureBytes = 4 * kMaxPictureBytes;  ///< of all files of a scene
+inline constexpr double kMaxPictureFileBytes = 1 << 24;
+inline constexpr double kMaxAllPictureBytes = 4 * kMaxPictureFileBytes;  ///< of all of a scene
 
 inline constexpr int kMaxRadius = 100;
 inline constexpr double kMaxDiameter = 100;  ///< of a distribution of sizes
 inline constexpr std::size_t kMaxKinds = 64;
-inline constexpr std::uint64_t kMaxWeightBesideSizes = 1000;
-inline constexpr std::size_t kMaxSites = 100'000;       ///< of a shape
-inline constexpr std::size_t kMaxAllSites = 2'000'000;  ///< of the shapes of all species
+inline constexpr std::uint64_t kMaxWeightBesideSizes = 1000;  ///< where a species has sizes
+inline constexpr std::size_t kMaxSites = 100'000;             ///< of a shape
+inline constexpr std::size_t kMaxAllSites = 2'000'000;        ///< of the shapes of all species
 inline constexpr std::size_t kMaxCorners = 1000;
 inline constexpr double kMaxLength = 1000;  ///< spacings, of a shape
 
@@ -52,7 +52,7 @@ inline constexpr double kMinLineLength = 1;  ///< lattice spacings
 
 // Of the contact model.
 inline constexpr double kMaxFallHeight = 1e6;
-inline constexpr double kMaxVesselRate = 1e6;  ///< per unit of time
+inline constexpr double kMaxVesselRate = 1e6;  ///< degrees of a tilt, or turns, per unit of time
 inline constexpr double kMinSpacing = 1e-9;    ///< metres
 inline constexpr double kMaxSpacing = 1e3;     ///< metres
 

@@ -18,12 +18,12 @@ namespace clca::scene {
 namespace {
 
 constexpr double kCutQuantile = 2.5758293035489004;  // of the normal law, at half a percent
-// Functions of the machine's library may differ in the last bits.
+// Shares are whole multiples of it, as functions of the machine's library differ in the last bits.
 constexpr double kShareUnit = 1e-9;
 
 struct Diameter {
-  double value = 0;
-  double share = 0;
+  double value = 0;  ///< lattice spacings
+  double share = 0;  ///< of the law, by number or by area
 };
 
 double normal_below(double quantile) {
@@ -92,12 +92,13 @@ struct RoundKind {
   double radius = 0;  ///< as in DiscSpec or HexagonSpec
   double sites = 0;
 
+  /// Of the circle of equal area, spacings, as lattice::Shape::diameter(); not twice the radius.
   double diameter() const {
     return std::sqrt(4 * lattice::kColumnPitch * sites / std::numbers::pi);
   }
 };
 
-/// Two at least, up to the first one that is not smaller.
+/// Hexagons by size: two at least, up to the first with a diameter of `largest` or more.
 std::vector<RoundKind> hexagons(double largest) {
   std::vector<RoundKind> kinds;
   for (int radius = 0; radius < 2 || kinds.back().diameter() < largest; ++radius) {
@@ -106,7 +107,7 @@ std::vector<RoundKind> hexagons(double largest) {
   return kinds;
 }
 
-/// Likewise. Squares of distances between sites are whole numbers.
+/// Discs, likewise. Squares of distances between sites are whole numbers.
 std::vector<RoundKind> discs(double largest) {
   const int reach = static_cast<int>(largest) + 2;  // more than the radius
   std::vector<int> sites(static_cast<std::size_t>(reach) * static_cast<std::size_t>(reach), 0);
@@ -140,7 +141,7 @@ Type<std::vector<double>> list(const Type<double>& number) {
   return type;
 }
 
-void check(const Place& fields, Sizes& sizes) {
+void check(const PlacedValue& fields, Sizes& sizes) {
   const bool list = sizes.law == SizeLaw::list;
   for (const char* key : {"mean", "sd", "kinds", "diameters", "shares"}) {
     const bool of_list = key == std::string_view("diameters") || key == std::string_view("shares");
@@ -161,7 +162,7 @@ void check(const Place& fields, Sizes& sizes) {
     fail(fields.at("mean"), "expected at least {:.3g}, the diameter of a single site, found {}",
          smallest, *sizes.mean);
   }
-  const Place sd = fields.at("sd");
+  const PlacedValue sd = fields.at("sd");
   if (sizes.law == SizeLaw::uniform && *sizes.mean <= *sizes.sd * std::sqrt(3.0)) {
     fail(sd, "expected less than {:.4g}, so that all diameters are above 0, found {}",
          *sizes.mean / std::sqrt(3.0), *sizes.sd);
@@ -195,11 +196,11 @@ std::vector<SizeClass> size_classes(const Sizes& sizes) {
   }
   std::erase_if(shares, [](const auto& of_kind) { return of_kind.second <= 0; });
   double all = 0;
-  const auto extent = [&](std::size_t kind) {
+  const auto weight_in_law = [&](std::size_t kind) {
     return sizes.by == SharesBy::area ? kinds[kind].sites : 1;
   };
   for (auto& [kind, share] : shares) {
-    share /= extent(kind);
+    share /= weight_in_law(kind);
     all += share;
   }
   double units = 0;
@@ -209,7 +210,7 @@ std::vector<SizeClass> size_classes(const Sizes& sizes) {
   }
   std::vector<SizeClass> result;
   for (const auto& [kind, share] : shares) {
-    result.push_back({kinds[kind].radius, share / units, extent(kind)});
+    result.push_back({kinds[kind].radius, share / units, weight_in_law(kind)});
   }
   return result;
 }

@@ -26,9 +26,9 @@ struct Sizes {
 };
 
 struct SizeClass {
-  double radius = 0;  ///< as in DiscSpec or HexagonSpec
-  double share = 0;   ///< of the particles, by number; the sum is 1 but for rounding
-  double extent = 1;  ///< of a particle: its sites for a law by area, else 1
+  double radius = 0;         ///< as in DiscSpec or HexagonSpec
+  double share = 0;          ///< of the particles, by number; the sum is 1 but for rounding
+  double weight_in_law = 1;  ///< of a particle: its sites if the law is by area, else 1
 };
 
 /// The kinds of particles of the law, from the smallest to the largest. Of a list: those nearest to

@@ -28,7 +28,7 @@ bool holds_no_site(const lattice::Lattice& lattice, const lattice::Segment& segm
          lattice::sites_along(lattice, segment).empty();
 }
 
-void require_site(const lattice::Rectangle& region, const Place& place) {
+void require_site(const lattice::Rectangle& region, const PlacedValue& place) {
   const Box& box = place.scene.box;
   if (holds_no_site(lattice_of(box), region)) {
     fail(place, "no site of the box, {} wide and {} high, lies in {}", box.width, box.height,

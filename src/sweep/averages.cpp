@@ -79,7 +79,7 @@ std::map<std::string, std::uint64_t> stage_starts(const store::RunSummary& summa
 /// Adds the names of the columns with means to `columns`. Throws store::StoreError.
 ReadCurves read_curves(const Averaged& what, const fs::path& file, const store::RunSummary& summary,
                        Names& columns) {
-  const store::ReadTable table = store::read_table(file);
+  const store::ParsedTable table = store::read_table(file);
   const bool by_step = what.positions.empty();
   const Names positions = by_step ? Names{"step"} : what.positions;
   ReadCurves result;
@@ -209,7 +209,7 @@ void add_rows(Means& means, const Averaged& what, const Variant& variant,
                              ? kNoMean
                              : value_at(numbers->second, *curves[run], position));
       }
-      const statistics::Sample found = statistics::sample(values);
+      const statistics::SampleStatistics found = statistics::sample(values);
       row.means.push_back(found.count == values.size()  // all runs have a number
                               ? std::pair(found.mean, found.standard_error)
                               : std::pair(kNoMean, kNoMean));

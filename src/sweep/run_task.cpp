@@ -32,7 +32,7 @@ bool has_pictures(const fs::path& folder, const scene::Scene& scene, std::uint64
 
 /// Reads the summary of the run in a folder; none if it is not there, cut off or not to be read.
 std::optional<store::RunSummary> summary_in(const fs::path& folder) {
-  store::look_anew(folder);
+  store::refresh_folder(folder);
   try {
     return store::read_summary(folder / store::kSummaryFile);
   } catch (const store::StoreError&) {

@@ -309,7 +309,7 @@ class Sweep {
     const auto done = std::ranges::find(results_, Status::done, &Result::status);
     auto known =
         record::known_quantities(done != results_.end() ? done->summary : store::RunSummary());
-    known.of = record::KnownQuantities::Of::sweep;
+    known.kind = record::KnownQuantities::Kind::sweep;
     std::vector<store::TableSummary> summaries;
     for (const auto* list : {&tables, &means}) {
       for (const auto& [name, table] : *list) {

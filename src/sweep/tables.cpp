@@ -107,7 +107,7 @@ void add_statistics(store::Table& table, const std::vector<std::string>& values,
   constexpr std::string_view kClogged = "clogged";
   for (const auto& [stage, measure] : measures.keys) {
     const Column& column = columns[{stage, measure}];
-    const statistics::Sample found = statistics::sample(column.values);
+    const statistics::SampleStatistics found = statistics::sample(column.values);
     const auto [low, high] = column.answers ? statistics::share_interval(found.mean, found.count)
                                             : std::pair(found.mean - found.standard_error,
                                                         found.mean + found.standard_error);

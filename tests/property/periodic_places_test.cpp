@@ -85,7 +85,7 @@ void look_at_tables(const fs::path& folder, Places& places) {
     if (file.path().extension() != ".csv") {
       continue;
     }
-    const store::ReadTable table = store::read_table(file.path());
+    const store::ParsedTable table = store::read_table(file.path());
     if (table.find("x") == nullptr) {
       continue;
     }
