@@ -25,8 +25,9 @@ std::string line_of(std::FILE* file) {
   return line;
 }
 
-/// Lines of JSON: {"line": TEXT}, or {"file": NAME, "bytes": COUNT}, with so many bytes after it.
-void take(std::FILE* answer, const FileReceiver& file) {
+/// The answer is lines of JSON: {"line": TEXT}, or {"file": NAME, "bytes": COUNT}, with so many
+/// bytes after it.
+void receive_answer(std::FILE* answer, const FileReceiver& file) {
   for (std::string line = line_of(answer); !line.empty(); line = line_of(answer)) {
     const Json head = Json::parse(line);
     if (head.contains("line")) {
@@ -45,7 +46,7 @@ void take(std::FILE* answer, const FileReceiver& file) {
 
 int run_package(const std::string& command, const Json& options, const std::vector<fs::path>& paths,
                 const FileReceiver& file, std::span<const std::uint8_t> input,
-                const fs::path& room) {
+                const fs::path& buffer_folder) {
   constexpr int kMaxCode = 2;  // of the package itself
   const fs::path package = process::data_folder("python") / "clca/__main__.py";
   const fs::path python = process::python();
@@ -60,7 +61,7 @@ int run_package(const std::string& command, const Json& options, const std::vect
     arguments.push_back(fs::absolute(path).string());
   }
   const std::atomic<int>& stop = catch_stop_signals();
-  const process::OutputCapture out(room);
+  const process::OutputCapture out(buffer_folder);
   process::Program program(arguments, {.out = &out, .fed = true, .stop = &stop});
   program.feed(input);
   const int code = program.wait();
@@ -71,7 +72,7 @@ int run_package(const std::string& command, const Json& options, const std::vect
     return code;
   }
   try {
-    take(out.rewound(), file);
+    receive_answer(out.rewound(), file);
   } catch (const Json::exception&) {
     throw process::ProcessError(
         fmt::format("{} answers what clca does not understand", python.string()));

@@ -110,20 +110,20 @@ int compare_runs(const CLI::App& command) {
 }
 
 /// The folder to write to; gone at the end if it is new and empty.
-class Room {
+class ExportFolder {
  public:
-  explicit Room(const fs::path& path)
+  explicit ExportFolder(const fs::path& path)
       : path_(fs::current_path() / path), is_new_(!fs::exists(path_)) {
     store::make_folder(path_);
   }
-  ~Room() {
+  ~ExportFolder() {
     std::error_code not_empty;
     if (is_new_) {
       fs::remove(path_, not_empty);
     }
   }
-  Room(const Room&) = delete;
-  Room& operator=(const Room&) = delete;
+  ExportFolder(const ExportFolder&) = delete;
+  ExportFolder& operator=(const ExportFolder&) = delete;
 
   const fs::path& path() const { return path_; }
 
@@ -147,7 +147,8 @@ int export_run(const CLI::App& command) {
   if (fs::exists(run / "trajectory", unknown)) {
     as_input([&] { store::check_parts(run); });
   }
-  const Room room(named.empty() ? run / store::kExportFolder : named.parent_path());
+  const ExportFolder target_folder(named.empty() ? run / store::kExportFolder
+                                                 : named.parent_path());
   const store::OutputFolder folder = store::OutputFolder(run).subfolder(store::kExportFolder);
   const std::string name = scene + std::ranges::find(export_formats(), text_of(command, "--format"),
                                                      &std::pair<std::string, std::string>::first)
@@ -163,8 +164,8 @@ int export_run(const CLI::App& command) {
   };
   nlohmann::json options = given_options(command);
   options["output"] = path.string();
-  const int code =
-      run_package("export", options, {run, file.temporary_path()}, beside, {}, room.path());
+  const int code = run_package("export", options, {run, file.temporary_path()}, beside, {},
+                               target_folder.path());
   if (code == kDone) {
     file.finish();
     print_out("{}\n", path.string());

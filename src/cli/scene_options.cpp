@@ -12,8 +12,8 @@ namespace clca::cli {
 
 namespace {
 
-/// A path on the command line begins at the current folder.
-scene::Override begin_override(const std::string& folder) {
+/// Sets the key begin.run to a folder; a relative path starts at the current folder.
+scene::Override override_of_begin(const std::string& folder) {
   std::string quoted;
   for (const char letter : std::filesystem::absolute(folder).string()) {
     quoted += letter == '\'' ? "''" : std::string(1, letter);
@@ -39,7 +39,7 @@ std::string standard_input() {
 std::vector<scene::Override> overrides_of(const SceneOptions& options) {
   std::vector<scene::Override> overrides;
   if (options.begin) {  // first, so that --set can add the step
-    overrides.push_back(begin_override(*options.begin));
+    overrides.push_back(override_of_begin(*options.begin));
   }
   overrides.insert(overrides.end(), options.overrides.begin(), options.overrides.end());
   if (options.seed) {

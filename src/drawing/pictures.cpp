@@ -64,7 +64,7 @@ class Pictures : public record::Observer {
     }
     history_.last_step = state.step;
     CapturedFrame frame =
-        painter_.capture(present_view(scene_, now.model, now.observers), history_);
+        painter_.capture(present_content(scene_, now.model, now.observers), history_);
     begin_window(history_, scene_, state);
     writer_.start([this, folder = now.files->subfolder(store::kFramesFolder),
                    name = store::frame_name(scene_.name, state.step, scene::step_digits(scene_)),

@@ -26,20 +26,21 @@ using Names = std::vector<std::string>;
 constexpr double kNoMean = std::numeric_limits<double>::quiet_NaN();
 
 /// A table of runs that is averaged. Rows are the same where groups and positions are.
-struct Averaged {
+struct AveragedTable {
   std::string begin;  ///< of the file name: the table, or what comes before a stage
   Names groups;       ///< columns of names
   Names positions;    ///< columns of numbers; none: steps
   Names others = {};  ///< columns that are left out
 };
 
-const std::vector<Averaged>& averaged_tables() {
-  static const std::vector<Averaged> kAll = {{"series", {"stage"}, {}},
-                                             {"probes", {"stage", "probe"}, {}},
-                                             {"cycles", {"stage"}, {"cycle"}, {"step", "time"}},
-                                             {"profile-", {}, {"x"}},
-                                             {"lines-", {"line"}, {"position", "x", "y"}},
-                                             {"weight_paths-", {}, {"base_position"}, {"x"}}};
+const std::vector<AveragedTable>& averaged_tables() {
+  static const std::vector<AveragedTable> kAll = {
+      {"series", {"stage"}, {}},
+      {"probes", {"stage", "probe"}, {}},
+      {"cycles", {"stage"}, {"cycle"}, {"step", "time"}},
+      {"profile-", {}, {"x"}},
+      {"lines-", {"line"}, {"position", "x", "y"}},
+      {"weight_paths-", {}, {"base_position"}, {"x"}}};
   return kAll;
 }
 
@@ -56,7 +57,7 @@ struct Curve {
 };
 
 /// A table of one run.
-struct ReadCurves {
+struct RunCurves {
   std::map<std::string, std::vector<double>> columns = {};  ///< with means
   std::vector<Names> groups = {};                           ///< in their order
   std::map<Names, Curve> curves = {};
@@ -77,12 +78,12 @@ std::map<std::string, std::uint64_t> stage_starts(const store::RunSummary& summa
 }
 
 /// Adds the names of the columns with means to `columns`. Throws store::StoreError.
-ReadCurves read_curves(const Averaged& what, const fs::path& file, const store::RunSummary& summary,
-                       Names& columns) {
+RunCurves read_curves(const AveragedTable& what, const fs::path& file,
+                      const store::RunSummary& summary, Names& columns) {
   const store::ParsedTable table = store::read_table(file);
   const bool by_step = what.positions.empty();
   const Names positions = by_step ? Names{"step"} : what.positions;
-  ReadCurves result;
+  RunCurves result;
   for (const std::string& name : table.names) {
     const bool is_time = by_step && name == "time";
     if (!has_name(what.groups, name) && !has_name(positions, name) &&
@@ -184,11 +185,11 @@ struct Means {
   std::vector<MeanRow> rows = {};
 };
 
-void add_rows(Means& means, const Averaged& what, const Variant& variant,
-              const scene::Conversion* units, const std::vector<ReadCurves>& runs,
+void add_rows(Means& means, const AveragedTable& what, const Variant& variant,
+              const scene::Conversion* units, const std::vector<RunCurves>& runs,
               const Names& group) {
   std::vector<const Curve*> curves;
-  for (const ReadCurves& run : runs) {
+  for (const RunCurves& run : runs) {
     const auto curve = run.curves.find(group);
     if (curve == run.curves.end()) {
       return;  // not all runs have come so far
@@ -218,7 +219,7 @@ void add_rows(Means& means, const Averaged& what, const Variant& variant,
 }
 
 /// The table; none if a varied number has the name of a column, or there is nothing.
-std::optional<store::Table> mean_table(const Averaged& what, const Names& keys, Means means) {
+std::optional<store::Table> mean_table(const AveragedTable& what, const Names& keys, Means means) {
   const bool by_step = what.positions.empty();
   Names position = what.groups;
   const Names& positions = by_step ? Names{"step"} : what.positions;
@@ -252,7 +253,7 @@ std::optional<store::Table> mean_table(const Averaged& what, const Names& keys, 
 }
 
 /// `series`, or `profile-flow` for each stage of some run.
-std::set<std::string> tables_of(const Averaged& what, const std::vector<Result>& results) {
+std::set<std::string> tables_of(const AveragedTable& what, const std::vector<Result>& results) {
   if (!what.begin.ends_with('-')) {
     return {what.begin};
   }
@@ -273,9 +274,9 @@ std::vector<NamedTable> mean_tables(
     const std::function<void(const std::string& line)>& warning) {
   std::vector<NamedTable> tables;
   const std::size_t seeds = plan.request.seeds.size();
-  const auto add_means = [&](Means& means, const Averaged& what, const std::string& file,
+  const auto add_means = [&](Means& means, const AveragedTable& what, const std::string& file,
                              std::size_t variant) {
-    std::vector<ReadCurves> runs;
+    std::vector<RunCurves> runs;
     const scene::Conversion* units = nullptr;
     for (std::size_t run = variant * seeds; run < (variant + 1) * seeds; ++run) {
       const fs::path path = folder_of(run) / store::table_name(file);
@@ -298,7 +299,7 @@ std::vector<NamedTable> mean_tables(
       }
     }
   };
-  for (const Averaged& what : averaged_tables()) {
+  for (const AveragedTable& what : averaged_tables()) {
     for (const std::string& file : tables_of(what, results)) {
       Means means;
       for (std::size_t variant = 0; variant < plan.variants.size(); ++variant) {

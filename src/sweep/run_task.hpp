@@ -36,8 +36,8 @@ struct EarlierRun {
 std::optional<EarlierRun> earlier_run(const std::filesystem::path& folder,
                                       const scene::Scene& scene, run::WantedPictures pictures);
 
-/// A run that has ended.
-struct FinishedRun {
+/// How a run has ended.
+struct RunOutcome {
   Result result;
   std::vector<std::string> warnings;
   std::string store_error;  ///< something could not be written; empty: all was
@@ -48,13 +48,13 @@ struct FinishedRun {
 
 /// Executes a run in its folder, or goes on with it where it was stopped or killed. `progress` may
 /// be empty.
-FinishedRun execute_run(const scene::Scene& scene, const std::filesystem::path& folder,
-                        const Options& options, run::WantedPictures pictures,
-                        const std::atomic<int>* stop,
-                        std::function<void(const run::Progress&)> progress);
+RunOutcome execute_run(const scene::Scene& scene, const std::filesystem::path& folder,
+                       const Options& options, run::WantedPictures pictures,
+                       const std::atomic<int>* stop,
+                       std::function<void(const run::Progress&)> progress);
 
 /// From one process to another.
-tasks::Bytes to_bytes(const FinishedRun& run);
-FinishedRun finished_run(const tasks::Bytes& bytes);
+tasks::Bytes to_bytes(const RunOutcome& run);
+RunOutcome run_outcome(const tasks::Bytes& bytes);
 
 }  // namespace clca::sweep

@@ -52,7 +52,7 @@ std::vector<NamedTable> mean_tables(
     const std::function<std::filesystem::path(std::size_t run)>& folder_of,
     const std::function<void(const std::string& line)>& warning);
 
-/// The runs shown, row by row.
+/// The runs that the overview shows, row by row.
 struct Selection {
   std::vector<std::size_t> runs;
   int columns = 1;
