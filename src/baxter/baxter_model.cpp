@@ -24,6 +24,7 @@ constexpr Energy kUnit = Energy{1} << 20U;
 /// Number of velocities: those of grains::Move.
 constexpr std::size_t kVelocities = lattice::kDirectionCount + 1;
 
+/// What a grain chooses, with its energy.
 struct Choice {
   std::uint32_t id = 0;
   grains::Move velocity = grains::kRest;
@@ -41,8 +42,8 @@ bool is_downward(std::size_t velocity) {
       kDownward, [velocity](Direction direction) { return index_of(direction) == velocity; });
 }
 
-/// The angle in units of 60 degrees; from rest to any direction 1.
-std::size_t distance(std::size_t one, std::size_t other) {
+/// The angle between two velocities in units of 60 degrees; from rest to any direction 1.
+std::size_t velocity_distance(std::size_t one, std::size_t other) {
   if (one == grains::kRest || other == grains::kRest) {
     return one == other ? 0 : 1;
   }
@@ -82,7 +83,7 @@ class Rule {
   /// Velocity and axis of least energy. Of equal ones: rest, then the axis it has, then a draw.
   Choice choice(std::uint32_t id) const {
     const grains::Particle& grain = box_.state.particles[id];
-    const std::array<bool, kVelocities> is_open = open(grain.site());
+    const std::array<bool, kVelocities> is_open = open_velocities(grain.site());
     const Energies energies = neighbour_energies(grain.site());
     const bool can_fall = is_open[index_of(Direction::down)];
     const bool can_descend = std::ranges::any_of(
@@ -155,7 +156,7 @@ class Rule {
   using Energies = std::array<std::array<Energy, kAxes>, kVelocities>;
 
   /// The velocities that a grain may choose.
-  std::array<bool, kVelocities> open(lattice::Site site) const {
+  std::array<bool, kVelocities> open_velocities(lattice::Site site) const {
     std::array<bool, kVelocities> result = {};
     for (const Direction direction : lattice::kDirections) {
       result[index_of(direction)] =
@@ -166,7 +167,7 @@ class Rule {
     return result;
   }
 
-  /// Of neighbours alone, by velocity and axis.
+  /// Energies by velocity and axis that the neighbours alone give.
   Energies neighbour_energies(lattice::Site site) const {
     Energies energies = {};
     for (const Direction direction : lattice::kDirections) {
@@ -177,7 +178,7 @@ class Rule {
       }
       const grains::Particle& neighbour = box_.state.particles[grains::particle_id(owner)];
       for (std::size_t velocity = 0; velocity < kVelocities; ++velocity) {
-        const Energy energy = unlike_velocities_[distance(velocity, neighbour.previous)];
+        const Energy energy = unlike_velocities_[velocity_distance(velocity, neighbour.previous)];
         for (std::uint16_t axis = 0; axis < kAxes; ++axis) {
           energies[velocity][axis] += energy * (axis == axis_of(neighbour) ? like_axes_ : kUnit);
         }
@@ -187,7 +188,7 @@ class Rule {
   }
 
   const grains::Box& box_;
-  std::array<Energy, 4> unlike_velocities_ = {};  // by their distance
+  std::array<Energy, 4> unlike_velocities_ = {};  // energies by velocity_distance()
   Energy gravity_ = 0;
   Energy like_axes_ = 0;  // in units of kUnit
 };

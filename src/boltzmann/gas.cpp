@@ -25,7 +25,7 @@ using Eigen::Array3d;
 using Eigen::Array3Xd;
 using CubePoint = std::array<double, 6>;
 
-constexpr std::uint32_t kBeginningShift = 0;
+constexpr std::uint32_t kBeginningShift = 0;  // Counter::group; others are those of steps
 
 // Three numbers of (0, 1).
 std::array<double, 3> three_draws(std::uint64_t seed, std::uint32_t item, random::Purpose purpose) {
@@ -96,7 +96,7 @@ void standardise(Eigen::Ref<Array3Xd> vectors) {
   vectors *= std::sqrt(3 * count / square);
 }
 
-// Spins have the same mean square as velocities; so also in equal_sample().
+// Spins have the same mean square as velocities; so also in equal_energy_sample().
 Motions normal_sample(const InitialCondition& condition, std::uint64_t seed) {
   const CubePoints points(condition, condition.particles, seed);
   Motions sample(6, static_cast<Eigen::Index>(condition.particles));
@@ -132,7 +132,7 @@ Array3Xd balanced(const Array3Xd& directions, Eigen::Index count) {
   return result;
 }
 
-Motions equal_sample(const InitialCondition& condition, std::uint64_t seed) {
+Motions equal_energy_sample(const InitialCondition& condition, std::uint64_t seed) {
   const auto particles = static_cast<Eigen::Index>(condition.particles);
   const Eigen::Index count = condition.exact_moments ? (particles + 1) / 2 : particles;
   const CubePoints points(condition, static_cast<std::uint64_t>(count), seed);
@@ -173,7 +173,7 @@ Gas make_gas(const InitialCondition& condition, std::uint64_t seed) {
   }
   Gas gas;
   gas.motions = condition.initial == Initial::gaussian ? normal_sample(condition, seed)
-                                                       : equal_sample(condition, seed);
+                                                       : equal_energy_sample(condition, seed);
   gas.motions.bottomRows<3>() *= std::sqrt(kSolidSpin * condition.energy_ratio);
   return gas;
 }

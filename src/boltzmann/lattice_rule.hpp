@@ -29,8 +29,8 @@ class LatticeRule {
   double coordinate(std::uint64_t point, int dimension) const;
 
  private:
-  int bits_ = 0;  // the points are among those of a lattice of 2^bits_
-  std::vector<std::uint32_t> residues_;
+  int bits_ = 0;                         // the points are among those of a lattice of 2^bits_
+  std::vector<std::uint32_t> residues_;  // by point: its multiple of the generator
   std::array<std::uint64_t, kDimensions> shift_{};  // in 2^-64
 };
 

@@ -203,7 +203,7 @@ int run_main(int argc, char** argv, std::unique_ptr<tasks::Ranks>& ranks) {
 int main(int argc, char** argv) {
   clca::cli::occupy_closed_streams();
   clca::cli::set_up_signals();
-  clca::store::end_without_hdf5();
+  clca::store::disable_hdf5_exit();
   int code = clca::cli::kFailed;
   std::unique_ptr<clca::tasks::Ranks> ranks;
   try {

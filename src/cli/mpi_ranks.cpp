@@ -46,7 +46,7 @@ class MpiRanks : public tasks::Ranks {
   int on_this_machine() const override { return on_this_machine_; }
 
   std::uint64_t next() override { return change_counter(1, MPI_SUM); }
-  void restart() override { change_counter(0, MPI_REPLACE); }
+  void reset_counter() override { change_counter(0, MPI_REPLACE); }
 
   void send(int to, std::uint64_t number, const tasks::Bytes& bytes) override {
     std::vector<Word> words(kHeader + (bytes.size() + sizeof(Word) - 1) / sizeof(Word));

@@ -109,8 +109,8 @@ CLI::Validator with_unit(const std::string& what,
   });
 }
 
-/// A path on the command line begins at the current folder.
-scene::Override begin_override(const std::string& folder) {
+/// Sets the key begin.run to a folder; a relative path starts at the current folder.
+scene::Override override_of_begin(const std::string& folder) {
   std::string quoted;
   for (const char letter : std::filesystem::absolute(folder).string()) {
     quoted += letter == '\'' ? "''" : std::string(1, letter);
@@ -194,7 +194,7 @@ CLI::Validator byte_size() {
 std::vector<scene::Override> overrides_of(const SceneOptions& options) {
   std::vector<scene::Override> overrides;
   if (options.begin) {  // first, so that --set can add the step
-    overrides.push_back(begin_override(*options.begin));
+    overrides.push_back(override_of_begin(*options.begin));
   }
   overrides.insert(overrides.end(), options.overrides.begin(), options.overrides.end());
   if (options.seed) {

@@ -67,7 +67,7 @@ struct Candidate {
 /// Name and title of each scene that comes with the program. Throws scene::SceneError.
 std::vector<Candidate> scenes_of_program();
 
-/// A file, or the name of one of them in place of its file.
+/// Takes a file, or the name of a scene of the program in place of its file.
 CLI::Validator scene_name_validator();
 
 void add_scene_options(CLI::App* command, SceneOptions& options);

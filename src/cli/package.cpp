@@ -36,8 +36,9 @@ std::string line_of(std::FILE* file) {
   return line;
 }
 
-/// Lines of JSON: {"line": TEXT}, or {"file": NAME, "bytes": COUNT}, with so many bytes after it.
-void take(std::FILE* answer, const FileReceiver& file) {
+/// The answer is lines of JSON: {"line": TEXT}, or {"file": NAME, "bytes": COUNT}, with so many
+/// bytes after it.
+void receive_answer(std::FILE* answer, const FileReceiver& file) {
   for (std::string line = line_of(answer); !line.empty(); line = line_of(answer)) {
     const Json head = Json::parse(line);
     if (head.contains("line")) {
@@ -138,20 +139,20 @@ int compare_runs(const CLI::App& command) {
 }
 
 /// The folder to write to; gone at the end if it is new and empty.
-class Room {
+class ExportFolder {
  public:
-  explicit Room(const fs::path& path)
+  explicit ExportFolder(const fs::path& path)
       : path_(fs::current_path() / path), is_new_(!fs::exists(path_)) {
     store::make_folder(path_);
   }
-  ~Room() {
+  ~ExportFolder() {
     std::error_code not_empty;
     if (is_new_) {
       fs::remove(path_, not_empty);
     }
   }
-  Room(const Room&) = delete;
-  Room& operator=(const Room&) = delete;
+  ExportFolder(const ExportFolder&) = delete;
+  ExportFolder& operator=(const ExportFolder&) = delete;
 
   const fs::path& path() const { return path_; }
 
@@ -175,7 +176,8 @@ int export_run(const CLI::App& command) {
   if (fs::exists(run / "trajectory", unknown)) {
     as_input([&] { store::check_parts(run); });
   }
-  const Room room(named.empty() ? run / store::kExportFolder : named.parent_path());
+  const ExportFolder target_folder(named.empty() ? run / store::kExportFolder
+                                                 : named.parent_path());
   const store::OutputFolder folder = store::OutputFolder(run).subfolder(store::kExportFolder);
   const std::string name = scene + std::ranges::find(export_formats(), text_of(command, "--format"),
                                                      &std::pair<std::string, std::string>::first)
@@ -191,8 +193,8 @@ int export_run(const CLI::App& command) {
   };
   Json options = given_options(command);
   options["output"] = path.string();
-  const int code =
-      run_package("export", options, {run, file.temporary_path()}, beside, {}, room.path());
+  const int code = run_package("export", options, {run, file.temporary_path()}, beside, {},
+                               target_folder.path());
   if (code == kDone) {
     file.finish();
     print_out("{}\n", path.string());
@@ -204,7 +206,7 @@ int export_run(const CLI::App& command) {
 
 int run_package(const std::string& command, const Json& options, const std::vector<fs::path>& paths,
                 const FileReceiver& file, std::span<const std::uint8_t> input,
-                const fs::path& room) {
+                const fs::path& buffer_folder) {
   constexpr int kMaxCode = 2;  // of the package itself
   const fs::path package = process::data_folder("python") / "clca/__main__.py";
   const fs::path python = process::python();
@@ -219,7 +221,7 @@ int run_package(const std::string& command, const Json& options, const std::vect
     arguments.push_back(fs::absolute(path).string());
   }
   const std::atomic<int>& stop = catch_stop_signals();
-  const process::OutputCapture out(room);
+  const process::OutputCapture out(buffer_folder);
   process::Program program(arguments, {.out = &out, .fed = true, .stop = &stop});
   program.feed(input);
   const int code = program.wait();
@@ -230,7 +232,7 @@ int run_package(const std::string& command, const Json& options, const std::vect
     return code;
   }
   try {
-    take(out.rewound(), file);
+    receive_answer(out.rewound(), file);
   } catch (const Json::exception&) {
     throw process::ProcessError(
         fmt::format("{} answers what clca does not understand", python.string()));

@@ -17,11 +17,12 @@ using FileReceiver =
 /// Runs the function `command()` of the module `clca._COMMAND` with these options and paths.
 /// It reads `input` from standard input and writes to standard error itself. If it has not failed,
 /// `file` gets the files that it returns, one at a time, and lines for the user are printed.
-/// `room`: a folder for what it returns until then, if that may be large. Returns its exit code.
-/// Throws process::ProcessError where it cannot be started or is killed, and
+/// `buffer_folder`: a folder for what it returns until then, if that may be large. Returns the exit
+/// code. Throws process::ProcessError where Python cannot be started or is killed, and
 /// process::StoppedError after a signal to stop.
 int run_package(const std::string& command, const nlohmann::json& options,
                 const std::vector<std::filesystem::path>& paths, const FileReceiver& file,
-                std::span<const std::uint8_t> input = {}, const std::filesystem::path& room = {});
+                std::span<const std::uint8_t> input = {},
+                const std::filesystem::path& buffer_folder = {});
 
 }  // namespace clca::cli

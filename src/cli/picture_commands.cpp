@@ -21,8 +21,8 @@
 #include "cli/terminal.hpp"
 
 namespace clca::drawing {
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TimePicture::Axis, label, low, high)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TimePicture::Stage, name, begin)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SpaceTimePicture::Axis, label, low, high)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SpaceTimePicture::Stage, name, begin)
 }  // namespace clca::drawing
 
 namespace clca::cli {
@@ -36,7 +36,7 @@ struct RenderOptions {
   drawing::RedrawOptions redraw;
   fs::path folder;  ///< for the pictures
   // Of a picture over time.
-  drawing::SpaceTimeOptions over_time;
+  drawing::SpaceTimeOptions space_time;
   std::optional<double> slit;
   bool surface = false;
   SceneOptions scene;
@@ -72,7 +72,7 @@ scene::Scene scene_of(const fs::path& run, const RenderOptions& options) {
 
 /// The picture over time, if one is wanted.
 void set_space_time(RenderOptions& options) {
-  const auto& [file, column, slit] = options.over_time;
+  const auto& [file, column, slit] = options.space_time;
   if (file.empty()) {
     if (column || options.slit || options.surface) {
       throw drawing::RedrawError("--column, --slit and --surface need --space-time FILE.png");
@@ -135,7 +135,7 @@ void set_folders(std::vector<drawing::RunToDraw>& runs, const RenderOptions& opt
 }
 
 /// For _space_time.py.
-nlohmann::json json_of(const drawing::TimePicture& picture) {
+nlohmann::json json_of(const drawing::SpaceTimePicture& picture) {
   constexpr int kColors = 64;
   nlohmann::json json = {{"width", picture.width},
                          {"height", picture.height},
@@ -158,8 +158,8 @@ nlohmann::json json_of(const drawing::TimePicture& picture) {
   return json;
 }
 
-/// Axes and legend are those of figures.
-int draw_over_time(const drawing::TimePicture& picture, const fs::path& file) {
+/// By the Python package, with axes and legend as in figures. Returns the exit code.
+int write_space_time(const drawing::SpaceTimePicture& picture, const fs::path& file) {
   return run_package(
       "space_time", json_of(picture), {},
       [&](const std::string& /*name*/, std::span<const std::uint8_t> bytes) {
@@ -206,7 +206,8 @@ int render_run(RenderOptions options) {
   }
   const std::size_t drawn = drawing->draw(events);
   if (redraw.space_time && drawn > 0) {
-    if (const int code = draw_over_time(drawing->over_time(), redraw.space_time->file); code != 0) {
+    if (const int code = write_space_time(drawing->space_time(), redraw.space_time->file);
+        code != 0) {
       return code;
     }
   }
@@ -254,9 +255,9 @@ void add_choice_options(CLI::App* command, RenderOptions& options) {
 }
 
 void add_space_time_options(CLI::App* command, RenderOptions& options) {
-  add_option(command, "--space-time", options.over_time.file, "FILE",
+  add_option(command, "--space-time", options.space_time.file, "FILE",
              "Write one picture over time of a column or the free surface: FILE.png");
-  add_option(command, "--column", options.over_time.column, "X",
+  add_option(command, "--column", options.space_time.column, "X",
              "Over time: the column of the box at this x, in lattice spacings", finite_number());
   add_option(command, "--slit", options.slit, "WIDTH",
              "Over time: width of that column in lattice spacings; colours are means over it [1]",

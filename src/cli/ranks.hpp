@@ -20,7 +20,7 @@ inline int stop_signal_of(const tasks::Ranks* ranks) {
   return own != 0 || ranks == nullptr ? own : ranks->stop_signal();
 }
 
-/// All of them, in clca-mpi. In clca none: where mpirun has started it for a command that can be
+/// All ranks, in clca-mpi. In clca none: where mpirun has started it for a command that can be
 /// shared, and without --part, clca-mpi takes its place. `arguments`: of the command line, ending
 /// in a null pointer. Throws text::InputError if mpirun has started several and there is no
 /// clca-mpi.

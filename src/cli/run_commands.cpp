@@ -19,7 +19,7 @@ namespace {
 
 struct RunCommandOptions {
   SceneOptions scene;
-  run::RunOptions run;  ///< show_run() adds threads, reference, stop and pictures
+  run::RunOptions run;  ///< run_and_show() adds threads, reference, stop and pictures
   std::optional<std::string> until;
   std::optional<int> threads;
   std::string engine = "fast";
@@ -30,8 +30,8 @@ struct RunCommandOptions {
   bool is_other_rank() const { return run.ranks != nullptr && run.ranks->rank() > 0; }
 };
 
-/// As asked for. Otherwise one for grains, since it depends on the machine whether several are
-/// faster or slower; for a gas all of the machine, or one where ranks share it.
+/// Threads: as asked for, otherwise one for grains, since it depends on the machine whether
+/// several are faster or slower; for a gas all of the machine, or one where ranks share it.
 int threads_of(const RunCommandOptions& options, bool is_gas) {
   return options.threads.value_or(is_gas && options.run.ranks == nullptr ? machine_threads() : 1);
 }
@@ -68,7 +68,7 @@ std::string totals(const store::RunSummary& summary) {
 /// Calls `run_it(run::RunOptions, run::RunEvents)`, shows progress and results. Returns the exit
 /// code.
 template <class RunIt>
-int show_run(const RunCommandOptions& options, bool is_gas, RunIt run_it) {
+int run_and_show(const RunCommandOptions& options, bool is_gas, RunIt run_it) {
   run::RunOptions wanted = options.run;
   wanted.threads = threads_of(options, is_gas);
   wanted.reference = options.engine != "fast";
@@ -115,9 +115,10 @@ int run_one(const Scene& scene, RunCommandOptions options) {
     run::check_output(options.scene.file, options.run.folder);
   }
   constexpr bool kIsGas = std::is_same_v<Scene, scene::BoltzmannScene>;
-  return show_run(options, kIsGas, [&](const run::RunOptions& run, const run::RunEvents& events) {
-    return run::run(scene, run, events);
-  });
+  return run_and_show(options, kIsGas,
+                      [&](const run::RunOptions& run, const run::RunEvents& events) {
+                        return run::run(scene, run, events);
+                      });
 }
 
 int run_scene(const RunCommandOptions& options) {
@@ -157,9 +158,10 @@ int resume_run(const RunCommandOptions& options) {
   }
   check_memory(saved.scene, limit, threads_here(options));
   const bool is_gas = std::holds_alternative<scene::BoltzmannScene>(saved.scene);
-  return show_run(options, is_gas, [&](const run::RunOptions& run, const run::RunEvents& events) {
-    return run::resume(std::move(saved), run, events);
-  });
+  return run_and_show(options, is_gas,
+                      [&](const run::RunOptions& run, const run::RunEvents& events) {
+                        return run::resume(std::move(saved), run, events);
+                      });
 }
 
 void add_run_options(CLI::App* command, RunCommandOptions& options) {

@@ -102,19 +102,20 @@ struct ExplainOptions {
   std::string format = "text";
 };
 
-/// What a scene derives.
-struct Derived {
+/// What a scene adds to the explanation of names: its derived measures and its units.
+struct SceneAdditions {
   std::vector<scene::DerivedMeasure> measures;
   std::optional<scene::Conversion> units;
 };
 
-Derived derived_of(const std::string& file) {
+SceneAdditions scene_additions(const std::string& file) {
   if (file.empty()) {
     return {};
   }
   const scene::AnyScene any = scene::parse_any_file(file);
   const auto* scene = std::get_if<scene::Scene>(&any);
-  return scene == nullptr ? Derived() : Derived{scene->derived, scene::conversion(*scene)};
+  return scene == nullptr ? SceneAdditions()
+                          : SceneAdditions{scene->derived, scene::conversion(*scene)};
 }
 
 std::string text_of(const std::string& name, const std::string& title, const std::string& meaning,
@@ -149,7 +150,7 @@ std::string quantity_text(const std::string& name, const std::optional<scene::Co
 }
 
 /// A key of scenes, a quantity, or what a scene derives.
-std::string explained(const std::string& name, const Derived& derived) {
+std::string explained(const std::string& name, const SceneAdditions& derived) {
   const auto own = std::ranges::find(derived.measures, name, &scene::DerivedMeasure::name);
   if (own != derived.measures.end()) {
     return text_of(name, own->about.value_or(name), own->value,
@@ -181,7 +182,7 @@ std::string text_of(const ExplainOptions& options) {
   if (options.format == "quantities") {
     return record::quantities_table();
   }
-  const Derived derived = derived_of(options.scene);
+  const SceneAdditions derived = scene_additions(options.scene);
   std::vector<std::string> keys = options.keys;
   if (keys.empty()) {
     std::ranges::transform(derived.measures, std::back_inserter(keys),

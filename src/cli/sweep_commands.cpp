@@ -32,7 +32,7 @@ struct SweepCommandOptions {
   bool quiet = false;
 };
 
-/// Of this process, in bytes: ranks on one machine share its memory.
+/// Memory for this process, in bytes: ranks on one machine share its memory.
 double memory_of_rank(const SweepCommandOptions& options) {
   const double limit = memory_limit(options.scene);
   const tasks::Ranks* ranks = options.sweep.ranks;
@@ -62,8 +62,8 @@ void print_totals(const sweep::Progress& totals, double seconds, const std::stri
             some(left, ", {} interrupted or not begun"), seconds, folder);
 }
 
-/// Returns the exit code.
-int end_of(const sweep::Progress& totals, tasks::Ranks* ranks) {
+/// Tells what is missing.
+int exit_code_of(const sweep::Progress& totals, tasks::Ranks* ranks) {
   const std::size_t missing = totals.runs - totals.done - totals.failed;
   if (const int signal = stop_signal_of(ranks); signal != 0 && missing > 0) {
     return kSignalBase + signal;
@@ -121,7 +121,7 @@ int run_sweep(const SweepCommandOptions& options) {
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     print_totals(totals, seconds.count(), wanted.folder.string());
   }
-  return end_of(totals, wanted.ranks);
+  return exit_code_of(totals, wanted.ranks);
 }
 
 /// The program and its arguments, by words.
@@ -170,11 +170,11 @@ int launch(std::vector<std::string> command, const std::string& launcher,
   return kDone;
 }
 
-int calibrate(const std::string& study, const std::string& launcher,
+int calibrate(const std::string& study_file, const std::string& launcher,
               const SweepCommandOptions& options) {
   std::filesystem::path path = options.sweep.folder;
   if (path.empty()) {
-    path = "renders/" + std::filesystem::path(study).stem().string() + "-calibration";
+    path = "renders/" + std::filesystem::path(study_file).stem().string() + "-calibration";
   }
   const std::vector<std::string> command =
       launcher.empty() ? std::vector<std::string>() : launched(launcher);
@@ -182,7 +182,7 @@ int calibrate(const std::string& study, const std::string& launcher,
   folder.require_own();
   for (int step = 0;; ++step) {
     auto sweeps = nlohmann::json::array();
-    int code = run_package("calibrate", {{"step", step}, {"study", study}}, {path},
+    int code = run_package("calibrate", {{"step", step}, {"study", study_file}}, {path},
                            [&](const std::string& name, std::span<const std::uint8_t> bytes) {
                              if (name == "sweeps.json") {
                                sweeps = nlohmann::json::parse(bytes);
@@ -269,10 +269,10 @@ void add_calibrate_command(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
       "calibrate", "Find values of keys with which scenes give what was measured");
   auto options = std::make_shared<SweepCommandOptions>();
-  auto study = std::make_shared<std::string>();
+  auto study_file = std::make_shared<std::string>();
   command
       ->add_option(
-          "STUDY", *study,
+          "STUDY", *study_file,
           "File (YAML) with the tests, each a scene with its targets, and the keys to vary")
       ->required();
   command->add_option("-o,--output", options->sweep.folder,
@@ -292,11 +292,11 @@ void add_calibrate_command(CLI::App& program) {
       });
   add_memory_limit(command, options->scene, "Memory of all runs at a time");
   command->add_flag("--quiet", options->quiet, "Print the answer, warnings and errors only");
-  set_action(command, [command, options, study, launcher] {
+  set_action(command, [command, options, study_file, launcher] {
     if (!launcher->empty() && command->count("--jobs") == 0) {
       options->sweep.jobs = 1;
     }
-    return calibrate(*study, *launcher, *options);
+    return calibrate(*study_file, *launcher, *options);
   });
 }
 

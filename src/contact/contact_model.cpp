@@ -147,10 +147,10 @@ const EnergyExchange& ContactModel::exchange() const {
   return steps(mechanics()).exchange();
 }
 const std::vector<Contact>& ContactModel::pushes() const {
-  return steps(mechanics()).cuts().pushes;
+  return steps(mechanics()).remainder_cuts().pushes;
 }
 bool ContactModel::too_fast() const {
-  return steps(mechanics()).cuts().too_fast;
+  return steps(mechanics()).remainder_cuts().too_fast;
 }
 void ContactModel::set_vessel(const Vessel& vessel) {
   check_whole();

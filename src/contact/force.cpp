@@ -26,8 +26,8 @@ Eigen::Vector2d on_side(const lattice::Lattice& lattice, grains::Owner side,
   }
 }
 
-/// Sets point and branch: on the line of centres, divided by the radii of discs of the same areas;
-/// below the grain for a wall.
+/// Sets point and branch of a force: on the line of centres, divided by the radii of discs of the
+/// same areas; below the grain for a wall.
 void put_geometry(const grains::State& state, Force& force) {
   const grains::Particle& upper = state.particles[force.upper];
   const lattice::Shape& shape = state.shape(upper);
@@ -73,8 +73,8 @@ Sum sum_of(const Force& force) {
           .force_y = on_upper.y()};
 }
 
-void add_one(ForceSums& sums, Sum later) {
-  const auto [found, is_new] = sums.numbers.try_emplace(key(later), sums.sums.size());
+void add_sum(ForceSums& sums, Sum later) {
+  const auto [found, is_new] = sums.index_by_bodies.try_emplace(key(later), sums.sums.size());
   if (is_new) {
     sums.sums.push_back(later);
     return;
@@ -87,10 +87,10 @@ void add_one(ForceSums& sums, Sum later) {
 }
 
 /// Rebuilds the index of sums that were loaded.
-void number_sums(ForceSums& sums) {
-  if (sums.numbers.empty()) {
+void rebuild_index(ForceSums& sums) {
+  if (sums.index_by_bodies.empty()) {
     for (std::size_t i = 0; i < sums.sums.size(); ++i) {
-      sums.numbers.emplace(key(sums.sums[i]), i);
+      sums.index_by_bodies.emplace(key(sums.sums[i]), i);
     }
   }
 }
@@ -142,17 +142,17 @@ std::vector<Force> forces(const grains::State& grains, std::span<const Contact> 
 }
 
 void add(ForceSums& sums, std::span<const Force> forces_of_a_step) {
-  number_sums(sums);
+  rebuild_index(sums);
   for (const Force& force : forces_of_a_step) {
-    add_one(sums, sum_of(force));
+    add_sum(sums, sum_of(force));
   }
   ++sums.steps;
 }
 
 void add(ForceSums& sums, const ForceSums& later) {
-  number_sums(sums);
+  rebuild_index(sums);
   for (const Sum& sum : later.sums) {
-    add_one(sums, sum);
+    add_sum(sums, sum);
   }
   sums.steps += later.steps;
 }

@@ -10,28 +10,29 @@ namespace clca::contact {
 
 namespace {
 
-constexpr int kTurnBits = 64;
-constexpr std::int32_t kMaxCentre = 1 << 30;
+constexpr int kTurnBits = 64;                 // of Angle
+constexpr std::int32_t kMaxCentre = 1 << 30;  // in units of Vessel::centre_x
 
-std::int64_t nearest(double value, int bits) {
+/// to_fixed_point() of any size.
+std::int64_t to_long_fixed_point(double value, int bits) {
   return std::llround(std::ldexp(value, bits));
 }
 
 void set_centre(Vessel& vessel, const Eigen::Vector2d& centre) {
   require((centre.array().abs() <= std::ldexp(kMaxCentre, -kCentreBits)).all(),
           "the centre of the vessel is too far away");
-  vessel.centre_x = static_cast<std::int32_t>(nearest(centre.x(), kCentreBits));
-  vessel.centre_y = static_cast<std::int32_t>(nearest(centre.y(), kCentreBits));
+  vessel.centre_x = static_cast<std::int32_t>(to_long_fixed_point(centre.x(), kCentreBits));
+  vessel.centre_y = static_cast<std::int32_t>(to_long_fixed_point(centre.y(), kCentreBits));
 }
 
-constexpr Angle kQuarter = Angle{1} << 62U;
+constexpr Angle kQuarterTurn = Angle{1} << 62U;
 
-/// In 2^-30. By its series, as library versions differ between machines.
+/// Sine in 2^-30. By its series, as library versions differ between machines.
 std::int32_t sine(Angle angle) {
   constexpr int kLastPower = 15;
-  const bool falling = (angle & kQuarter) != 0;
-  const bool negative = (angle & 2 * kQuarter) != 0;
-  const double share = std::ldexp(static_cast<double>((angle % kQuarter) >> 9U), -53);
+  const bool falling = (angle & kQuarterTurn) != 0;
+  const bool negative = (angle & 2 * kQuarterTurn) != 0;
+  const double share = std::ldexp(static_cast<double>((angle % kQuarterTurn) >> 9U), -53);
   const double x = (falling ? 1 - share : share) * std::numbers::pi / 2;
   double sum = 1;
   for (int power = kLastPower; power > 1; power -= 2) {
@@ -42,10 +43,10 @@ std::int32_t sine(Angle angle) {
 }
 
 std::int32_t cosine(Angle angle) {
-  return sine(angle + kQuarter);
+  return sine(angle + kQuarterTurn);
 }
 
-Vector scaled_by(const UnitVector& unit, std::int32_t size) {
+Vector vector_along(const UnitVector& unit, std::int32_t size) {
   return {rounded(product(unit.x, size), kUnitBits), rounded(product(unit.y, size), kUnitBits)};
 }
 
@@ -55,7 +56,7 @@ Angle angle_of(double degrees) {
   require(std::isfinite(degrees), "an angle is no number");
   const double turns = degrees / 360;
   // Two bits fewer, as a full turn does not fit a signed number.
-  return static_cast<Angle>(nearest(turns - std::floor(turns), kTurnBits - 2)) << 2U;
+  return static_cast<Angle>(to_long_fixed_point(turns - std::floor(turns), kTurnBits - 2)) << 2U;
 }
 
 double degrees(Angle angle) {
@@ -91,7 +92,7 @@ Vessel tilting(const Vessel& vessel, Angle to, double degrees_per_step,
 Vessel rotating(const Vessel& vessel, double turns_per_step, const Eigen::Vector2d& centre) {
   require(std::abs(turns_per_step) <= kMaxTurnsPerStep, "a vessel turns too fast");
   Vessel result = at_rest(vessel);
-  const std::int64_t turn = nearest(turns_per_step, kTurnBits);
+  const std::int64_t turn = to_long_fixed_point(turns_per_step, kTurnBits);
   require(turn != 0, "a vessel does not turn");
   result.turn = static_cast<Angle>(turn);
   result.turn_steps = Vessel::kEndless;
@@ -107,7 +108,7 @@ Vessel shaken(const Vessel& vessel, double gamma, double cycles_per_step, bool s
   Vessel result = at_rest(vessel);
   result.strength = to_fixed_point(gamma, kRatioBits);
   result.sideways = sideways;
-  result.phase_step = static_cast<std::uint64_t>(nearest(cycles_per_step, kTurnBits));
+  result.phase_step = static_cast<std::uint64_t>(to_long_fixed_point(cycles_per_step, kTurnBits));
   require(result.phase_step > 0, "a vessel is shaken too slowly");
   return result;
 }
@@ -128,12 +129,12 @@ lattice::Direction down(const Vessel& vessel) {
 
 Acceleration acceleration(const Vessel& vessel, std::int32_t gravity, bool periodic) {
   const UnitVector along = gravity_unit(vessel);
-  Acceleration result = {.gravity = scaled_by(along, gravity)};
+  Acceleration result = {.gravity = vector_along(along, gravity)};
   // In the vessel grains feel the opposite of its acceleration, which is opposite to its
   // displacement.
   const std::int32_t strongest = rounded(product(gravity, vessel.strength), kRatioBits);
   const std::int32_t shaking = rounded(product(strongest, sine(vessel.phase)), kUnitBits);
-  const Vector swing = scaled_by(
+  const Vector swing = vector_along(
       vessel.sideways ? UnitVector{-along.y, along.x} : UnitVector{-along.x, -along.y}, shaking);
   result.gravity = {result.gravity.x + swing.x, result.gravity.y + swing.y};
   result.rotates = vessel.turn_steps > 0 && !periodic;

@@ -32,10 +32,10 @@ class SourceText {
     if (text_.size() > kMaxBytes) {
       fail({origin_, 1, 1}, "the text is larger than {} MiB", kMaxBytes >> 20U);
     }
-    characters_.reserve(text_.size() + 1);
+    characters_before_.reserve(text_.size() + 1);
     for (std::size_t i = 0; i < text_.size(); ++i) {
       const bool begins = (static_cast<unsigned char>(text_[i]) & 0xC0U) != 0x80;  // a character
-      characters_.push_back(characters_.back() + (begins ? 1 : 0));
+      characters_before_.push_back(characters_before_.back() + (begins ? 1 : 0));
       if (text_[i] == '\n') {
         line_starts_.push_back(i + 1);
       }
@@ -51,7 +51,8 @@ class SourceText {
     const std::size_t end = std::min(position, text_.size());
     const auto next = std::upper_bound(line_starts_.begin(), line_starts_.end(), end);
     const auto line = static_cast<std::size_t>(next - line_starts_.begin());
-    return {origin_, line, characters_[end] - characters_[line_starts_[line - 1]] + 1};
+    return {origin_, line,
+            characters_before_[end] - characters_before_[line_starts_[line - 1]] + 1};
   }
 
   /// Where the quote that opens at `begin` closes; the size of the text if it does not.
@@ -145,7 +146,7 @@ class SourceText {
   std::string_view text_;
   std::shared_ptr<const Origin> origin_;
   std::vector<std::size_t> line_starts_ = {0};
-  std::vector<std::uint32_t> characters_ = {0};  // before each byte: lines may be long
+  std::vector<std::uint32_t> characters_before_ = {0};  // each byte: lines may be long
 };
 
 constexpr std::size_t kMaxKeys = 10'000;  // of a map
@@ -186,13 +187,13 @@ class TreeBuilder final : public YAML::EventHandler {
 
   /// Translates a parser error.
   [[noreturn]] void explain(const YAML::Exception& error) const {
-    const auto level = std::find_if(open_.rbegin(), open_.rend(),
-                                    [](const Open& candidate) { return candidate.bracketed; });
-    if (level != open_.rend() && error.msg.ends_with("flow not found")) {
+    const auto level = std::find_if(open_levels_.rbegin(), open_levels_.rend(),
+                                    [](const OpenLevel& candidate) { return candidate.bracketed; });
+    if (level != open_levels_.rend() && error.msg.ends_with("flow not found")) {
       const char bracket = level->value.is(Value::Kind::map) ? '{' : '[';
       fail(level->value.location, "the '{}' is not closed, or a ',' is missing after it", bracket);
     }
-    if (level != open_.rend() && error.msg == "illegal flow end") {
+    if (level != open_levels_.rend() && error.msg == "illegal flow end") {
       const bool brace = rest(error.mark).starts_with('}');
       fail(location(error.mark), "a '{}' while a '{}' is still open", brace ? '}' : ']',
            brace ? '[' : '{');
@@ -206,12 +207,12 @@ class TreeBuilder final : public YAML::EventHandler {
   }
 
   void OnDocumentStart(const YAML::Mark& mark) override {
-    if (ended_) {
+    if (document_ended_) {
       fail(location(mark), "a second document, or text after the end of the first");
     }
   }
 
-  void OnDocumentEnd() override { ended_ = true; }
+  void OnDocumentEnd() override { document_ended_ = true; }
 
   void OnNull(const YAML::Mark& mark, YAML::anchor_t /*anchor*/) override {
     Value value;
@@ -219,8 +220,8 @@ class TreeBuilder final : public YAML::EventHandler {
     // For an empty value the mark is that of the next token.
     const std::string_view next = rest(mark);
     const bool written = next.starts_with('~') || next.starts_with('n') || next.starts_with('N');
-    if (!written && !open_.empty() && open_.back().entry) {
-      value.location = open_.back().entry->location;
+    if (!written && !open_levels_.empty() && open_levels_.back().entry) {
+      value.location = open_levels_.back().entry->location;
     }
     add(std::move(value));
   }
@@ -265,7 +266,7 @@ class TreeBuilder final : public YAML::EventHandler {
 
  private:
   /// An unfinished list or map.
-  struct Open {
+  struct OpenLevel {
     Value value;
     bool bracketed = false;
     std::optional<Entry> entry;                            // key read, value to come
@@ -281,7 +282,8 @@ class TreeBuilder final : public YAML::EventHandler {
     return source_.text().substr(position(mark));
   }
   bool awaits_key() const {
-    return !open_.empty() && open_.back().value.is(Value::Kind::map) && !open_.back().entry;
+    return !open_levels_.empty() && open_levels_.back().value.is(Value::Kind::map) &&
+           !open_levels_.back().entry;
   }
 
   /// "?" stands for no tag and "!" for quotes, but also for a bare '!' in the text.
@@ -304,28 +306,28 @@ class TreeBuilder final : public YAML::EventHandler {
   }
 
   void open(Value::Kind kind, const YAML::Mark& mark, bool bracketed) {
-    if (open_.size() >= kMaxDepth) {
+    if (open_levels_.size() >= kMaxDepth) {
       fail(location(mark), "nested deeper than {} levels", kMaxDepth);
     }
-    Open level;
+    OpenLevel level;
     level.value.kind = kind;
     level.value.location = location(mark);
     level.bracketed = bracketed;
-    open_.push_back(std::move(level));
+    open_levels_.push_back(std::move(level));
   }
 
   void close() {
-    Value value = std::move(open_.back().value);
-    open_.pop_back();
+    Value value = std::move(open_levels_.back().value);
+    open_levels_.pop_back();
     add(std::move(value));
   }
 
   void add(Value value) {
-    if (open_.empty()) {
+    if (open_levels_.empty()) {
       root_ = std::move(value);
     } else if (awaits_key()) {
       begin_entry(std::move(value));
-    } else if (Open& level = open_.back(); level.value.is(Value::Kind::list)) {
+    } else if (OpenLevel& level = open_levels_.back(); level.value.is(Value::Kind::list)) {
       level.value.items.push_back(std::move(value));
     } else {
       level.entry->value = std::move(value);
@@ -335,7 +337,7 @@ class TreeBuilder final : public YAML::EventHandler {
   }
 
   void begin_entry(Value key) {
-    Open& level = open_.back();
+    OpenLevel& level = open_levels_.back();
     if (!key.is(Value::Kind::scalar)) {
       if (!bad_key_) {
         bad_key_ = {key.location, fmt::format("a key is text, found {}", found(key))};
@@ -355,11 +357,11 @@ class TreeBuilder final : public YAML::EventHandler {
   }
 
   const SourceText& source_;
-  std::vector<Open> open_;
+  std::vector<OpenLevel> open_levels_;
   std::optional<Value> root_;
   // A key that is not text. Reported at the end, as an unclosed bracket also looks like one.
   std::optional<std::pair<TextLocation, std::string>> bad_key_;
-  bool ended_ = false;
+  bool document_ended_ = false;
 };
 
 }  // namespace

@@ -140,7 +140,7 @@ class Evaluator {
   }
 
   /// Puts numbers for names that have one into an expression.
-  void name_numbers(Value& value) const {
+  void put_numbers_for_names(Value& value) const {
     value.expression = value.text;
     value.text = with_numbers(value.text, [&](std::string_view name) {
       const auto& numbers = parser_.GetConst();
@@ -199,9 +199,9 @@ class Evaluator {
   }
 
   mu::Parser parser_;
-  std::vector<std::string_view> names_;
-  bool let_begins_ = false;
-  bool has_names_ = true;
+  std::vector<std::string_view> names_;  // under `let`, so far
+  bool let_begins_ = false;              // an expression under `let` has been reached
+  bool has_names_ = true;                // expressions may have names
 };
 
 /// Numbers in one form only; texts in quotes, and nothing as null. Keys stay as they are.
@@ -301,7 +301,8 @@ void evaluate_expressions(Value& root, const std::vector<std::string_view>& take
   }
   for (Entry& entry : root.entries) {
     if (entry.key == open) {
-      for_each_expression(entry.value, [&](Value& value) { evaluator.name_numbers(value); });
+      for_each_expression(entry.value,
+                          [&](Value& value) { evaluator.put_numbers_for_names(value); });
     } else if (entry.key != text) {
       for_each_expression(entry.value, evaluate);
     }

@@ -116,7 +116,7 @@ bool is_plain_integer(std::string_view text) {
          (text.size() == 1 || text.front() != '0');
 }
 
-/// The same with a fraction and an exponent; std::from_chars checks the rest.
+/// Such digits, with a fraction and an exponent or without; std::from_chars checks the rest.
 bool is_plain_number(std::string_view text) {
   const std::size_t sign = text.starts_with('-') ? 1 : 0;
   const std::size_t end = std::min(text.find_first_of(".eE"), text.size());

@@ -16,12 +16,12 @@ namespace clca::drawing {
 
 namespace {
 
-// Fixed, so that pictures of a sequence are comparable.
-constexpr int kMaxForceIndex = 8;  // overlapped sites
-constexpr double kLoad = 2;        // of a grain, in strongest forces of a contact
-constexpr double kFastest = 2;     // in highest velocities
-constexpr double kSpinning = 0.5;  // in spins of grains that roll that fast
-constexpr double kNeighbours = 6;  // of discs of one size
+// Higher ends of colour bars: fixed, so that pictures of a sequence are comparable.
+constexpr int kForceIndexBarEnd = 8;  // overlapped sites
+constexpr double kLoadBarEnd = 2;     // in OverlayScales::strongest_force
+constexpr double kSpeedBarEnd = 2;    // in OverlayScales::highest_velocity
+constexpr double kSpinBarEnd = 0.5;   // in OverlayScales::highest_spin
+constexpr double kContactBarEnd = 6;  // as many as touch a disc among discs of one size
 
 constexpr int kTileSamples = 4;  // along each axis of a pixel, as a picture made smaller has
 
@@ -70,16 +70,17 @@ std::vector<render::NamedColor> species_colors(const scene::Scene& scene) {
   return colors;
 }
 
-/// By id, `step_velocity` for a lattice spacing per step. Without velocities of the model: of the
-/// mean velocity since the window began, 0 for particles that have come since.
-std::vector<double> speeds(const View& view, const PictureHistory& history, double step_velocity) {
-  std::vector<double> result(view.state.particles.size(), 0);
-  if (view.contact) {
+/// Speeds by id, `step_velocity` for a lattice spacing per step. Without velocities of the model:
+/// of the mean velocity since the window began, 0 for particles that have come since.
+std::vector<double> speeds(const PictureContent& content, const PictureHistory& history,
+                           double step_velocity) {
+  std::vector<double> result(content.state.particles.size(), 0);
+  if (content.contact) {
     std::ranges::transform(
-        view.contact->velocities, result.begin(),
+        content.contact->velocities, result.begin(),
         [&](const Eigen::Vector2d& velocity) { return step_velocity * velocity.norm(); });
-  } else if (history.window->step() < view.state.step) {
-    const auto velocities = history.window->velocities(view.state);
+  } else if (history.window->step() < content.state.step) {
+    const auto velocities = history.window->velocities(content.state);
     std::ranges::transform(velocities, result.begin(), [&](const auto& velocity) {
       return velocity ? step_velocity * velocity->norm() : 0;
     });
@@ -88,27 +89,28 @@ std::vector<double> speeds(const View& view, const PictureHistory& history, doub
 }
 
 /// Angular velocities by id, radians per unit of time. `time_step`: in that unit.
-std::vector<double> spins(const View& view, double time_step) {
-  std::vector<double> result = view.contact->spins;
+std::vector<double> spins(const PictureContent& content, double time_step) {
+  std::vector<double> result = content.contact->spins;
   for (std::size_t id = 0; id < result.size(); ++id) {
-    const double radius = view.state.shape(view.state.particles[id]).diameter() / 2;
+    const double radius = content.state.shape(content.state.particles[id]).diameter() / 2;
     result[id] /= radius * time_step;
   }
   return result;
 }
 
 /// By id, the normal forces on each grain.
-std::vector<double> loads(const View& view, const OverlayScales& scales) {
-  std::vector<double> result = contact::loads(view.state.particles.size(), view.contact->forces);
-  const double grain_weight = scales.value_of(scene::kContactForceUnit, view.state);
+std::vector<double> loads(const PictureContent& content, const OverlayScales& scales) {
+  std::vector<double> result =
+      contact::loads(content.state.particles.size(), content.contact->forces);
+  const double grain_weight = scales.value_of(scene::kContactForceUnit, content.state);
   std::ranges::transform(result, result.begin(), [=](double load) { return grain_weight * load; });
   return result;
 }
 
 /// By id, the normal forces over the circumference of a disc of the grain's area.
-std::vector<double> pressures(const View& view, const OverlayScales& scales) {
-  const grains::State& state = view.state;
-  std::vector<double> result = contact::loads(state.particles.size(), view.contact->forces);
+std::vector<double> pressures(const PictureContent& content, const OverlayScales& scales) {
+  const grains::State& state = content.state;
+  std::vector<double> result = contact::loads(state.particles.size(), content.contact->forces);
   const double unit = scales.value_of(scene::kStressUnit, state);
   for (std::size_t id = 0; id < result.size(); ++id) {
     result[id] *= unit / (std::numbers::pi * state.shape(state.particles[id]).diameter());
@@ -118,25 +120,25 @@ std::vector<double> pressures(const View& view, const OverlayScales& scales) {
 
 }  // namespace
 
-View present_view(const scene::Scene& scene, const model::SceneModel& model,
-                  const record::Observers& observers) {
-  View view = {.state = model.state(),
-               .occupancy = model.grains().occupancy(),
-               .cycles = observers.find<record::CycleRecord>(),
-               .angle = model.vessel().angle};
+PictureContent present_content(const scene::Scene& scene, const model::SceneModel& model,
+                               const record::Observers& observers) {
+  PictureContent content = {.state = model.state(),
+                            .occupancy = model.grains().occupancy(),
+                            .cycles = observers.find<record::CycleRecord>(),
+                            .angle = model.vessel().angle};
   if (scene.model == scene::Model::contact) {
-    view.contact.emplace();
+    content.contact.emplace();
     if (scene::pictures_show_forces(scene)) {
-      view.contact->forces = observers.find<record::ContactRecord>()->shown(model);
+      content.contact->forces = observers.find<record::ContactRecord>()->shown_forces(model);
     }
     if (scene.output.frames->color_by == scene::ColorBy::speed) {
-      view.contact->velocities = model.velocities();
+      content.contact->velocities = model.velocities();
     }
     if (scene.output.frames->color_by == scene::ColorBy::spin) {
-      view.contact->spins = model.spins();
+      content.contact->spins = model.spins();
     }
   }
-  return view;
+  return content;
 }
 
 lattice::Lattice lattice_of(const scene::Scene& scene) {
@@ -144,7 +146,7 @@ lattice::Lattice lattice_of(const scene::Scene& scene) {
 }
 
 lattice::Rectangle view_of(const scene::Frames& frames, const lattice::Lattice& lattice) {
-  return frames.view.value_or(render::whole_box(lattice));
+  return frames.view.value_or(render::box_with_frame(lattice));
 }
 
 void begin_stage(PictureHistory& history, const scene::Scene& scene, const scene::Stage& stage,
@@ -186,11 +188,11 @@ double FramePainter::bytes(const scene::Scene& scene, double particles, int capt
                                     particles, captures);
 }
 
-CapturedFrame FramePainter::capture(const View& view, const PictureHistory& history) {
-  const std::uint64_t step = view.state.step;
-  render::Coloring colors = coloring(view, history);
-  DrawnOverlay drawn = overlay_of(frames_.overlay, view, history, scales_);
-  colors.legend.lines = std::move(drawn.keys);
+CapturedFrame FramePainter::capture(const PictureContent& content, const PictureHistory& history) {
+  const std::uint64_t step = content.state.step;
+  render::Coloring colors = coloring(content, history);
+  DrawnOverlay drawn = overlay_of(frames_.overlay, content, history, scales_);
+  colors.legend.lines = std::move(drawn.legend_lines);
   image::PngText text = scene_metadata(scene_);
   text["Stage"] = history.stage;
   text["Step"] = fmt::format("{}", step);
@@ -199,12 +201,12 @@ CapturedFrame FramePainter::capture(const View& view, const PictureHistory& hist
     text["Time"] = scales_.conversion->time_text(step);
     when = "t = " + text["Time"];
   }
-  return {.capture = painter_.capture(view.state, view.occupancy, colors),
+  return {.capture = painter_.capture(content.state, content.occupancy, colors),
           .caption = {.title = scene_.title,
                       .detail = fmt::format("{}, {}", history.stage, when),
                       .spacing = scene_.units ? scene_.units->spacing : 0},
           .overlay = std::move(drawn.overlay),
-          .turn = frames_.upright ? contact::degrees(view.angle) : 0,
+          .turn = frames_.upright ? contact::degrees(content.angle) : 0,
           .text = std::move(text)};
 }
 
@@ -236,8 +238,9 @@ std::vector<std::uint8_t> FramePainter::pdf(const CapturedFrame& frame) {
   return painter_.pdf(frame.capture, frame.caption, frame.overlay, frame.turn);
 }
 
-render::Coloring FramePainter::coloring(const View& view, const PictureHistory& history) const {
-  const grains::State& state = view.state;
+render::Coloring FramePainter::coloring(const PictureContent& content,
+                                        const PictureHistory& history) const {
+  const grains::State& state = content.state;
   const auto range = [this](double high) {
     return frames_.range ? statistics::Range{frames_.range->low, frames_.range->high}
                          : statistics::Range{0, high};
@@ -248,34 +251,35 @@ render::Coloring FramePainter::coloring(const View& view, const PictureHistory& 
     case scene::ColorBy::displacement:
       return render::color_by_displacement(state, range(history.displacement_scale));
     case scene::ColorBy::speed:
-      return render::color_by_value(state, speeds(view, history, scales_.step_velocity),
+      return render::color_by_value(state, speeds(content, history, scales_.step_velocity),
                                     fmt::format("speed ({})", scales_.velocity_unit.several),
-                                    range(kFastest * scales_.highest_velocity));
+                                    range(kSpeedBarEnd * scales_.highest_velocity));
     case scene::ColorBy::spin: {
-      const double high = kSpinning * scales_.highest_spin;
+      const double high = kSpinBarEnd * scales_.highest_spin;
       const auto ends = frames_.range ? range(high) : statistics::Range{-high, high};
-      return render::color_by_value(state, spins(view, scales_.conversion->time_step),
+      return render::color_by_value(state, spins(content, scales_.conversion->time_step),
                                     fmt::format("spin (radians/{})", scales_.conversion->time_unit),
                                     ends, true);
     }
     case scene::ColorBy::coordination: {
-      const std::vector<int> touched = measure::coordination(state, view.occupancy);
+      const std::vector<int> touched = measure::coordination(state, content.occupancy);
       return render::color_by_value(state, {touched.begin(), touched.end()},
-                                    "grains and walls touched", range(kNeighbours));
+                                    "grains and walls touched", range(kContactBarEnd));
     }
     case scene::ColorBy::id:
       return render::color_by_id(state);
     case scene::ColorBy::axis:
       return render::color_by_axis(state);
     case scene::ColorBy::force:
-      return view.contact ? render::color_by_value(
-                                state, loads(view, scales_),
-                                fmt::format("load ({})", scales_.unit_of(scene::kContactForceUnit)),
-                                range(kLoad * scales_.strongest_force))
-                          : render::color_by_force(state, view.occupancy, range(kMaxForceIndex));
+      return content.contact
+                 ? render::color_by_value(
+                       state, loads(content, scales_),
+                       fmt::format("load ({})", scales_.unit_of(scene::kContactForceUnit)),
+                       range(kLoadBarEnd * scales_.strongest_force))
+                 : render::color_by_force(state, content.occupancy, range(kForceIndexBarEnd));
     case scene::ColorBy::pressure:
       return render::color_by_value(
-          state, pressures(view, scales_),
+          state, pressures(content, scales_),
           fmt::format("pressure ({})", scales_.unit_of(scene::kStressUnit)),
           range(scales_.highest_pressure));
     case scene::ColorBy::species:

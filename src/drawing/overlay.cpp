@@ -19,9 +19,9 @@ namespace clca::drawing {
 
 namespace {
 
-/// Over the species.
+/// Mean over the species, without weights.
 template <class ValueOf>
-double mean(const scene::Scene& scene, ValueOf value_of) {
+double species_mean(const scene::Scene& scene, ValueOf value_of) {
   double sum = 0;
   for (const scene::Species& species : scene.species) {
     sum += static_cast<double>(value_of(species.shape));
@@ -29,7 +29,8 @@ double mean(const scene::Scene& scene, ValueOf value_of) {
   return sum / static_cast<double>(scene.species.size());
 }
 
-/// One of the unit, in SI units where there are any. `mean_mass`: see scene::Conversion.
+/// One `unit` of the contact model in SI units, where there are any; else 1.
+/// `mean_mass`: see scene::Conversion.
 double in_si(std::optional<scene::Conversion> conversion, std::string_view unit, double mean_mass) {
   if (!conversion) {
     return 1;
@@ -41,13 +42,14 @@ double in_si(std::optional<scene::Conversion> conversion, std::string_view unit,
 }  // namespace
 
 OverlayScales overlay_scales(const scene::Scene& scene) {
-  constexpr double kDiameters = 3;    // in the width of a cell of velocities
-  constexpr double kMostAcross = 30;  // cells along the longer side of the view
-  constexpr double kOfAutomaton = 0.5;
-  constexpr double kOfFreeFall = 0.5;
+  constexpr double kDiameters = 3;      // in the width of a cell of velocities
+  constexpr double kMostAcross = 30;    // cells along the longer side of the view
+  constexpr double kOfAutomaton = 0.5;  // spacings per step
+  constexpr double kOfFreeFall = 0.5;   // of the velocity at its end
   const scene::Frames& frames = *scene.output.frames;
-  const double mass = mean(scene, [](const lattice::Shape& shape) { return shape.size(); });
-  const double diameter = mean(scene, [](const lattice::Shape& shape) { return shape.diameter(); });
+  const double mass = species_mean(scene, [](const lattice::Shape& shape) { return shape.size(); });
+  const double diameter =
+      species_mean(scene, [](const lattice::Shape& shape) { return shape.diameter(); });
   const double width = frames.view ? frames.view->right - frames.view->left : scene.box.width;
   const double height = frames.view ? frames.view->top - frames.view->bottom : scene.box.height;
   const double least_cell = std::max(width, height) / kMostAcross;
@@ -65,12 +67,12 @@ OverlayScales overlay_scales(const scene::Scene& scene) {
   const double velocity =
       scene.model == scene::Model::contact ? kOfFreeFall * scene.contact.resolution : kOfAutomaton;
   scales.highest_velocity =
-      frames.velocity_scale.value_or(render::round_length(scales.step_velocity * velocity));
+      frames.velocity_scale.value_or(render::round_number_up_to(scales.step_velocity * velocity));
   if (conversion) {
     scales.highest_spin = 2 * scales.highest_velocity / (diameter * conversion->spacing);
   }
   const double grain_weight = in_si(conversion, scene::kContactForceUnit, mass);
-  scales.strongest_force = frames.force_scale.value_or(render::round_length(
+  scales.strongest_force = frames.force_scale.value_or(render::round_number_up_to(
       2 * grain_weight * scene::contact_parameters(scene).fall_height / diameter));
   scales.highest_pressure = scales.strongest_force / grain_weight *
                             in_si(conversion, scene::kStressUnit, mass) / diameter;
@@ -85,7 +87,7 @@ double OverlayScales::value_of(std::string_view unit, const grains::State& state
   return in_si(conversion, unit, contact::mean_mass(state));
 }
 
-double arrow_scale(double typical, const OverlayScales& scales) {
+double arrow_velocity_for(double typical, const OverlayScales& scales) {
   constexpr double kRest = 0.01;  // of the highest velocity
   return scales.arrow_velocity.value_or(
       typical > kRest * scales.highest_velocity ? typical : scales.highest_velocity);
@@ -128,37 +130,41 @@ void add_line(const grains::State& state, const grains::Particle& first, grains:
   lines.push_back({.from = {in, height}, .to = lattice.in_box(to), .strength = strength});
 }
 
-DrawnOverlay contact_forces(const View& view, const std::vector<contact::Force>& forces,
+DrawnOverlay contact_forces(const PictureContent& content,
+                            const std::vector<contact::Force>& forces,
                             const OverlayScales& scales) {
-  const double grain_weight = scales.value_of(scene::kContactForceUnit, view.state);
+  const double grain_weight = scales.value_of(scene::kContactForceUnit, content.state);
   std::vector<render::ForceLine> lines;
   for (const contact::Force& force : forces) {
-    add_line(view.state, view.state.particles[force.upper], force.other, force.point,
+    add_line(content.state, content.state.particles[force.upper], force.other, force.point,
              grain_weight * force.along_normal, lines);
   }
   const double strongest = scales.strongest_force;
   return {render::force_network(lines, strongest),
-          {render::force_key(strongest, fmt::format("{:g} {}", strongest,
-                                                    scales.unit_of(scene::kContactForceUnit)))}};
+          {render::force_legend(strongest, fmt::format("{:g} {}", strongest,
+                                                       scales.unit_of(scene::kContactForceUnit)))}};
 }
 
-DrawnOverlay weight(const View& view, measure::WeightRule rule, const OverlayScales& scales) {
-  const auto supported = measure::supported_grains(view.state, view.occupancy);
-  return contact_forces(view, measure::weight_paths(view.state, supported, rule).forces, scales);
+DrawnOverlay weight(const PictureContent& content, measure::WeightRule rule,
+                    const OverlayScales& scales) {
+  const auto supported = measure::supported_grains(content.state, content.occupancy);
+  return contact_forces(content, measure::weight_paths(content.state, supported, rule).forces,
+                        scales);
 }
 
-DrawnOverlay overlaps(const View& view) {
+DrawnOverlay overlaps(const PictureContent& content) {
   std::vector<render::ForceLine> lines;
-  for (const measure::OverlapContact& contact : measure::contacts(view.state, view.occupancy)) {
-    add_line(view.state, view.state.particles[contact.first], contact.second, contact.point,
+  for (const measure::OverlapContact& contact :
+       measure::contacts(content.state, content.occupancy)) {
+    add_line(content.state, content.state.particles[contact.first], contact.second, contact.point,
              static_cast<double>(contact.sites), lines);
   }
   return {render::force_network(lines, kMaxOverlapSites),
-          {render::force_key(kMaxOverlapSites,
-                             fmt::format("{:g} overlapped sites", kMaxOverlapSites))}};
+          {render::force_legend(kMaxOverlapSites,
+                                fmt::format("{:g} overlapped sites", kMaxOverlapSites))}};
 }
 
-DrawnOverlay arrows(const record::CycleRecord& cycles) {
+DrawnOverlay convection_arrows(const record::CycleRecord& cycles) {
   const measure::Convection* convection = cycles.convection();
   if (convection == nullptr || convection->cycles() == 0) {
     return {};
@@ -173,8 +179,8 @@ DrawnOverlay arrows(const record::CycleRecord& cycles) {
   }
   const double scale = std::max(kMinDisplacement, render::typical_length(field));
   return {render::arrow_field(field, cycles.cell(), scale),
-          {render::arrow_key(cycles.cell(), scale,
-                             {.one = "spacing per cycle", .several = "spacings per cycle"})}};
+          {render::arrow_legend(cycles.cell(), scale,
+                                {.one = "spacing per cycle", .several = "spacings per cycle"})}};
 }
 
 /// Arrows of the cells with enough grains. Their cost does not depend on the size of the box.
@@ -213,35 +219,36 @@ DrawnOverlay velocities(const grains::State& state, const measure::Snapshot& beg
                         const OverlayScales& scales) {
   const double cell = scales.velocity_cell;
   const std::vector<render::FieldArrow> field = velocity_arrows(state, begin, scales);
-  const double scale = arrow_scale(render::typical_length(field), scales);
+  const double scale = arrow_velocity_for(render::typical_length(field), scales);
   return {render::arrow_field(field, cell, scale),
-          {render::arrow_key(cell, scale, scales.velocity_unit)}};
+          {render::arrow_legend(cell, scale, scales.velocity_unit)}};
 }
 
 }  // namespace
 
-double typical_velocity(const View& view, const PictureHistory& history,
+double typical_velocity(const PictureContent& content, const PictureHistory& history,
                         const OverlayScales& scales) {
-  return render::typical_length(velocity_arrows(view.state, *history.window, scales));
+  return render::typical_length(velocity_arrows(content.state, *history.window, scales));
 }
 
-DrawnOverlay overlay_of(scene::Overlay overlay, const View& view, const PictureHistory& history,
-                        const OverlayScales& scales) {
+DrawnOverlay overlay_of(scene::Overlay overlay, const PictureContent& content,
+                        const PictureHistory& history, const OverlayScales& scales) {
   switch (overlay) {
     case scene::Overlay::forces:
-      return view.contact ? contact_forces(view, view.contact->forces, scales) : overlaps(view);
+      return content.contact ? contact_forces(content, content.contact->forces, scales)
+                             : overlaps(content);
     case scene::Overlay::arrows:
-      return view.cycles != nullptr ? arrows(*view.cycles) : DrawnOverlay();
+      return content.cycles != nullptr ? convection_arrows(*content.cycles) : DrawnOverlay();
     case scene::Overlay::velocity:
-      return velocities(view.state, *history.window, scales);
+      return velocities(content.state, *history.window, scales);
     case scene::Overlay::weight_inner:
-      return weight(view, measure::WeightRule::inner, scales);
+      return weight(content, measure::WeightRule::inner, scales);
     case scene::Overlay::weight_outer:
-      return weight(view, measure::WeightRule::outer, scales);
+      return weight(content, measure::WeightRule::outer, scales);
     case scene::Overlay::weight_pair:
-      return weight(view, measure::WeightRule::pair, scales);
+      return weight(content, measure::WeightRule::pair, scales);
     case scene::Overlay::weight_q:
-      return weight(view, measure::WeightRule::q, scales);
+      return weight(content, measure::WeightRule::q, scales);
     case scene::Overlay::none:
       break;
   }

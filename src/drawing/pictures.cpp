@@ -64,7 +64,7 @@ class Pictures : public record::Observer {
     }
     history_.last_step = state.step;
     CapturedFrame frame =
-        painter_.capture(present_view(scene_, now.model, now.observers), history_);
+        painter_.capture(present_content(scene_, now.model, now.observers), history_);
     begin_window(history_, scene_, state);
     writer_.start([this, folder = now.files->subfolder(store::kFramesFolder),
                    name = store::frame_name(scene_.name, state.step, scene::step_digits(scene_)),
@@ -95,7 +95,7 @@ double picture_bytes(const scene::Scene& scene, double particles) {
   }
   constexpr int kCaptures = 2;  // one on its way and a new one
   const bool has_forces = scene::pictures_show_forces(scene);
-  const bool has_paths = scene::is_of_weight(scene.output.frames->overlay);
+  const bool has_paths = scene::shows_weight_paths(scene.output.frames->overlay);
   const double lines = has_paths    ? measure::kSupportsPerGrain
                        : has_forces ? contact::kContactsPerGrain
                                     : 0;

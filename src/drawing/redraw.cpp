@@ -36,23 +36,23 @@ void require_different(const char* one, const fs::path& file, const char* other,
 void check_files(const RedrawOptions& options) {
   require_different("movie", options.movie, "contact sheet", options.sheet);
   if (options.space_time) {
-    const fs::path& over_time = options.space_time->file;
-    require_different("movie", options.movie, "picture over time", over_time);
-    require_different("contact sheet", options.sheet, "picture over time", over_time);
+    const fs::path& space_time = options.space_time->file;
+    require_different("movie", options.movie, "picture over time", space_time);
+    require_different("contact sheet", options.sheet, "picture over time", space_time);
   }
 }
 
 /// The same scales and distinct titles, so that they can be compared.
 void make_comparable(const std::vector<RunToDraw>& runs, const Drawings& drawings) {
-  RunDrawing::Scale common;
+  RunDrawing::ScaleEnds common;
   for (const auto& drawing : drawings) {
-    for (const auto& [name, end] : drawing->scale()) {
+    for (const auto& [name, end] : drawing->scale_ends()) {
       double& largest = common[name];
       largest = std::max(largest, end);
     }
   }
   for (std::size_t i = 0; i < drawings.size(); ++i) {
-    drawings[i]->set_scale(common);
+    drawings[i]->set_scale_ends(common);
     drawings[i]->set_title(fmt::format("{}: {}", drawings[i]->name(), runs[i].scene.title));
   }
 }
@@ -95,7 +95,7 @@ double picture_rate(const RedrawOptions& options, std::size_t moments) {
   return options.duration ? std::min(most, static_cast<double>(moments) / *options.duration) : most;
 }
 
-/// Those that a movie as long as wanted shows.
+/// Leaves the moments that a movie as long as wanted shows.
 void choose_evenly(std::vector<double>& moments, const RedrawOptions& options) {
   if (!options.duration) {
     return;
@@ -119,7 +119,7 @@ class MovieTarget {
  public:
   /// All pictures are as wide as those of all drawings side by side. Throws RedrawError for a file
   /// ending that is no movie format, render::MovieError, store::StoreError.
-  MovieTarget(const Drawings& drawings, const RedrawOptions& options, double rate)
+  MovieTarget(const Drawings& drawings, const RedrawOptions& options, double pictures_per_second)
       : file_(options.movie), path_(options.movie) {
     const auto format = render::movie_format(path_);
     if (!format) {
@@ -133,7 +133,8 @@ class MovieTarget {
       width += drawing->painter().width();
       height = std::max(height, drawing->painter().height());
     }
-    movie_.emplace(file_.temporary_path(), *format, width, height, rate, options.stop);
+    movie_.emplace(file_.temporary_path(), *format, width, height, pictures_per_second,
+                   options.stop);
   }
 
   void add(const std::vector<Picture>& pictures) {
@@ -271,9 +272,9 @@ class Redraw::Impl {
     std::size_t number = 0;
     for (; number < moments_.size() && !stop_asked(); ++number) {
       const std::vector<std::size_t> pictures = pictures_at(moments_[number]);
-      add_over_time(pictures.front());
+      add_to_space_time(pictures.front());
       draw_moment(number, pictures);
-      add_over_time(pictures.front() + 1);
+      add_to_space_time(pictures.front() + 1);
       if (events.progress && timer.due()) {
         estimate.update(static_cast<double>(number + 1) / static_cast<double>(moments_.size()));
         events.progress({number + 1, moments_.size(), estimate.seconds_left()});
@@ -292,7 +293,7 @@ class Redraw::Impl {
   }
 
   std::size_t moments() const { return moments_.size(); }
-  TimePicture over_time() { return space_time_->picture(); }
+  SpaceTimePicture space_time() { return space_time_->picture(); }
 
  private:
   /// Throws where a file cannot be written.
@@ -369,9 +370,9 @@ class Redraw::Impl {
   }
 
   /// Adds the pictures before this one to the picture over time, also those that no movie shows.
-  void add_over_time(std::size_t end) {
-    for (; space_time_ && over_time_ < end; ++over_time_) {
-      drawings_.front()->add_to(*space_time_, over_time_);
+  void add_to_space_time(std::size_t end) {
+    for (; space_time_ && frames_added_ < end; ++frames_added_) {
+      drawings_.front()->add_frame_to(*space_time_, frames_added_);
     }
   }
 
@@ -383,9 +384,9 @@ class Redraw::Impl {
   std::vector<std::vector<double>> times_;  // by run, of its pictures
   std::vector<double> moments_;
   std::optional<SpaceTime> space_time_;
-  std::size_t over_time_ = 0;          // pictures that it has
-  std::vector<std::size_t> captured_;  // by run, the last picture
-  std::vector<Picture> pictures_;      // likewise
+  std::size_t frames_added_ = 0;       // to space_time_
+  std::vector<std::size_t> captured_;  // by run, number of the last picture captured
+  std::vector<Picture> pictures_;      // by run, the last one drawn
   std::optional<MovieTarget> movie_;
   std::optional<SheetTarget> sheet_;
   tasks::Background writer_;  // last: at the end it waits for its thread, which uses the others
@@ -404,8 +405,8 @@ std::size_t Redraw::moments() const {
   return impl_->moments();
 }
 
-TimePicture Redraw::over_time() {
-  return impl_->over_time();
+SpaceTimePicture Redraw::space_time() {
+  return impl_->space_time();
 }
 
 }  // namespace clca::drawing

@@ -64,9 +64,9 @@ std::size_t nearest_frame(const std::vector<Frame>& frames, const RedrawOptions&
   return static_cast<std::size_t>(std::ranges::min_element(frames, {}, distance) - frames.begin());
 }
 
-/// Leaves the pictures of one stage, with one of its beginning.
-void leave_stage(std::vector<std::size_t>& pictures, const RunToDraw& run, const std::string& stage,
-                 const std::vector<Frame>& frames) {
+/// Keeps only the pictures of one stage, with one of its beginning.
+void keep_stage(std::vector<std::size_t>& pictures, const RunToDraw& run, const std::string& stage,
+                const std::vector<Frame>& frames) {
   const std::vector<std::string_view> names = text::names_of(run.scene.stages);
   const auto number = static_cast<std::size_t>(std::ranges::find(names, stage) - names.begin());
   if (number == names.size()) {
@@ -85,7 +85,7 @@ void leave_stage(std::vector<std::size_t>& pictures, const RunToDraw& run, const
   }
 }
 
-/// Those of the pictures of the run that the options select, or the nearest frame.
+/// The pictures of the run that the options select, or the nearest frame.
 std::vector<std::size_t> chosen(const RunToDraw& run, const RedrawOptions& options,
                                 const std::vector<Frame>& frames,
                                 const std::vector<std::size_t>& run_pictures) {
@@ -98,7 +98,7 @@ std::vector<std::size_t> chosen(const RunToDraw& run, const RedrawOptions& optio
   }
   std::vector<std::size_t> result = run_pictures;
   if (options.stage) {
-    leave_stage(result, run, *options.stage, frames);
+    keep_stage(result, run, *options.stage, frames);
   }
   std::erase_if(result, [&](std::size_t i) {
     return frames[i].step < options.from || frames[i].step > options.to;
@@ -203,14 +203,14 @@ RunDrawing::RunDrawing(const RunToDraw& run, const RedrawOptions& options, doubl
   }
 }
 
-RunDrawing::Scale RunDrawing::scale() const {
-  Scale scale;
+RunDrawing::ScaleEnds RunDrawing::scale_ends() const {
+  ScaleEnds ends;
   if (scene_.output.frames->color_by == scene::ColorBy::displacement) {
     std::set<std::size_t> stages;
     for (const std::size_t frame : chosen_) {
       stages.insert(trajectory_.frames()[frame].stage);
     }
-    double& end = scale[kDisplacement];
+    double& end = ends[kDisplacement];
     for (const std::size_t stage : stages) {
       PictureHistory history;
       drawing::begin_stage(history, scene_, scene_.stages[stage],
@@ -219,20 +219,20 @@ RunDrawing::Scale RunDrawing::scale() const {
     }
   }
   const OverlayScales scales = overlay_scales(scene_);
-  scale[kForce] = scales.strongest_force;
-  scale[scales.velocity_unit.several] = scales.highest_velocity;
-  scale[kCell] = scales.velocity_cell;
-  return scale;
+  ends[kForce] = scales.strongest_force;
+  ends[scales.velocity_unit.several] = scales.highest_velocity;
+  ends[kCell] = scales.velocity_cell;
+  return ends;
 }
 
-void RunDrawing::set_scale(const Scale& scale) {
+void RunDrawing::set_scale_ends(const ScaleEnds& ends) {
   scene::Frames& frames = *scene_.output.frames;
   if (frames.color_by == scene::ColorBy::displacement && !frames.range) {
-    frames.range = {0, scale.at(kDisplacement)};
+    frames.range = {0, ends.at(kDisplacement)};
   }
-  frames.force_scale = scale.at(kForce);
-  frames.velocity_scale = scale.at(overlay_scales(scene_).velocity_unit.several);
-  frames.velocity_cell = scale.at(kCell);
+  frames.force_scale = ends.at(kForce);
+  frames.velocity_scale = ends.at(overlay_scales(scene_).velocity_unit.several);
+  frames.velocity_cell = ends.at(kCell);
 }
 
 void RunDrawing::share_arrow_scale() {
@@ -242,17 +242,17 @@ void RunDrawing::share_arrow_scale() {
   OverlayScales& scales = painter_->scales();
   double highest = 0;
   for (std::size_t number = 0; number < pictures(); ++number) {
-    look_at(number, chosen_[number], [&](const View& view) {
-      highest = std::max(highest, typical_velocity(view, history_, scales));
+    look_at(number, chosen_[number], [&](const PictureContent& content) {
+      highest = std::max(highest, typical_velocity(content, history_, scales));
     });
   }
-  scales.arrow_velocity = arrow_scale(highest, scales);
+  scales.arrow_velocity = arrow_velocity_for(highest, scales);
 }
 
 CapturedFrame RunDrawing::capture(std::size_t number) {
   std::optional<CapturedFrame> frame;
   look_at(number, chosen_[number],
-          [&](const View& view) { frame = painter_->capture(view, history_); });
+          [&](const PictureContent& content) { frame = painter_->capture(content, history_); });
   return *std::move(frame);
 }
 
@@ -264,9 +264,9 @@ std::vector<Frame> RunDrawing::latest_frames() const {
   return result;
 }
 
-void RunDrawing::add_to(SpaceTime& space_time, std::size_t number) {
+void RunDrawing::add_frame_to(SpaceTime& space_time, std::size_t number) {
   look_at(number, latest(chosen_[number]),
-          [&](const View& view) { space_time.add(view, history_, number); });
+          [&](const PictureContent& content) { space_time.add(content, history_, number); });
 }
 
 std::uint64_t RunDrawing::step(std::size_t number) const {

@@ -22,10 +22,10 @@ class RunDrawing {
   RunDrawing(const RunToDraw& run, const RedrawOptions& options, double max_bytes);
 
   /// Ends of the scales of its pictures, by what they show and its unit.
-  using Scale = std::map<std::string, double>;
-  Scale scale() const;
-  /// `scale`: has at least the names of scale().
-  void set_scale(const Scale& scale);
+  using ScaleEnds = std::map<std::string, double>;
+  ScaleEnds scale_ends() const;
+  /// Has at least the names of scale_ends().
+  void set_scale_ends(const ScaleEnds& ends);
   /// Of the folder, such as `gate-15`.
   const std::string& name() const { return name_; }
   /// Shown above the pictures.
@@ -42,10 +42,10 @@ class RunDrawing {
   /// `number`: of the picture.
   CapturedFrame capture(std::size_t number);
 
-  /// Those of the pictures; where a stage ends with one, the frame at the beginning of the next.
+  /// The frames of the pictures; where a stage ends with one, that at the beginning of the next.
   std::vector<store::Trajectory::Frame> latest_frames() const;
-  /// Adds that frame of a picture.
-  void add_to(SpaceTime& space_time, std::size_t number);
+  /// Adds the frame of latest_frames() for a picture.
+  void add_frame_to(SpaceTime& space_time, std::size_t number);
 
   /// What the user should know of the choice of the frames; empty if nothing.
   const std::string& note() const { return note_; }
@@ -59,12 +59,12 @@ class RunDrawing {
 
  private:
   std::size_t first_frame(std::size_t stage) const;
-  /// The last frame of the same step.
+  /// The last frame of the step of `frame`.
   std::size_t latest(std::size_t frame) const;
   void begin_stage(std::size_t stage);
   /// Begins the window of velocities with the picture before, drawn or not, as the run does.
   void begin_window(std::size_t frame);
-  /// Calls `show` with the view of a frame that a picture shows.
+  /// Calls `show` with the content of a picture, taken from a frame.
   template <class Show>
   void look_at(std::size_t number, std::size_t frame, Show show);
 
@@ -73,7 +73,7 @@ class RunDrawing {
   grains::State initial_;
   store::Trajectory trajectory_;
   std::vector<std::size_t> run_pictures_;  // frames, with `every` of the scene
-  std::vector<std::size_t> chosen_;        // frames, among these
+  std::vector<std::size_t> chosen_;        // frames that are drawn, among run_pictures_
   std::vector<contact::Vessel> vessels_;   // by stage, at its start
   std::string note_;
   bool pdf_;

@@ -79,7 +79,7 @@ const SpaceTimeOptions& checked(const scene::Scene& scene, const SpaceTimeOption
   return options;
 }
 
-/// For an axis or colour bar of lengths up to this one, and how many of it a spacing has.
+/// The unit of an axis or colour bar of lengths up to `length`, and a spacing in this unit.
 std::pair<std::string, double> unit_for(const scene::Scene& scene, double length) {
   if (!scene.units) {
     return {"lattice spacings", 1};
@@ -89,8 +89,8 @@ std::pair<std::string, double> unit_for(const scene::Scene& scene, double length
   return {unit.name, unit.in_metre * spacing};
 }
 
-/// Time of a step and the label of its axis.
-TimePicture::Axis time_axis(const scene::Scene& scene, std::uint64_t from, std::uint64_t to) {
+/// The axis of the time from one step to another.
+SpaceTimePicture::Axis time_axis(const scene::Scene& scene, std::uint64_t from, std::uint64_t to) {
   if (const auto conversion = scene::conversion(scene)) {
     return {.label = fmt::format("time ({})", conversion->time_unit),
             .low = conversion->time(from),
@@ -99,8 +99,8 @@ TimePicture::Axis time_axis(const scene::Scene& scene, std::uint64_t from, std::
   return {.label = "step", .low = static_cast<double>(from), .high = static_cast<double>(to)};
 }
 
-TimePicture::Axis position_axis(const scene::Scene& scene, const SpaceTimeOptions& options,
-                                const lattice::Rectangle& part) {
+SpaceTimePicture::Axis position_axis(const scene::Scene& scene, const SpaceTimeOptions& options,
+                                     const lattice::Rectangle& part) {
   if (!options.column) {
     const auto [unit, spacing] = unit_for(scene, part.right - part.left);
     return {.label = fmt::format("x ({})", unit),
@@ -186,22 +186,23 @@ SpaceTime::SpaceTime(const scene::Scene& scene, const grains::State& initial,
                      const SpaceTimeOptions& options, std::vector<store::Trajectory::Frame> frames)
     : options_(checked(scene, options, frames)),
       frames_(std::move(frames)),
-      part_(shown_part(scene)),
+      shown_part_(shown_part(scene)),
       annotations_(scene.output.frames->caption),
-      scene_(pictured(scene, options_, part_)),
+      scene_(pictured(scene, options_, shown_part_)),
       painter_(scene_, initial, {}),
       means_(scene.output.frames->width.value_or(kUsualWidth),
-             rows_of(scene, options_, part_, painter_.height()), options_.column ? 3 : 2,
+             rows_of(scene, options_, shown_part_, painter_.height()), options_.column ? 3 : 2,
              static_cast<double>(frames_.front().step), static_cast<double>(frames_.back().step)) {}
 
-void SpaceTime::add(const View& view, const PictureHistory& history, std::size_t number) {
+void SpaceTime::add(const PictureContent& content, const PictureHistory& history,
+                    std::size_t number) {
   const std::uint64_t next = frames_[std::min(number + 1, frames_.size() - 1)].step;
   means_.add(static_cast<double>(frames_[number].step), static_cast<double>(next),
-             options_.column ? column(view, history) : surface(view.state));
+             options_.column ? column(content, history) : surface(content.state));
 }
 
-Eigen::ArrayXXd SpaceTime::column(const View& view, const PictureHistory& history) {
-  const Picture picture = painter_.rasterize(painter_.capture(view, history));
+Eigen::ArrayXXd SpaceTime::column(const PictureContent& content, const PictureHistory& history) {
+  const Picture picture = painter_.rasterize(painter_.capture(content, history));
   legend_ = legend_ ? render::common_legend(*legend_, picture.legend) : picture.legend;
   const lattice::Rectangle& seen = *scene_.output.frames->view;
   const image::PixelBox& box = painter_.view();
@@ -223,7 +224,7 @@ Eigen::ArrayXXd SpaceTime::column(const View& view, const PictureHistory& histor
 
 Eigen::ArrayXXd SpaceTime::surface(const grains::State& state) const {
   const std::vector<double> profile = measure::surface_profile(state);
-  const auto first = static_cast<std::size_t>(columns_in(scene_, part_).first);
+  const auto first = static_cast<std::size_t>(columns_in(scene_, shown_part_).first);
   Eigen::ArrayXXd result(2, means_.rows());
   for (int row = 0; row < means_.rows(); ++row) {
     const double height = profile[first + static_cast<std::size_t>(row)];
@@ -233,7 +234,7 @@ Eigen::ArrayXXd SpaceTime::surface(const grains::State& state) const {
 }
 
 template <class ColorOf>
-image::Image SpaceTime::content(ColorOf color_of) const {
+image::Image SpaceTime::image_of_means(ColorOf color_of) const {
   image::Image image(means_.columns(), means_.rows(), kWhite);
   for (int x = 0; x < image.width; ++x) {
     for (int row = 0; means_.is_known(x) && row < image.height; ++row) {
@@ -243,7 +244,7 @@ image::Image SpaceTime::content(ColorOf color_of) const {
   return image;
 }
 
-void SpaceTime::show_surface(TimePicture& picture) const {
+void SpaceTime::show_surface(SpaceTimePicture& picture) const {
   double highest = 0;
   bool bare = false;
   for (int x = 0; x < means_.columns(); ++x) {
@@ -262,20 +263,20 @@ void SpaceTime::show_surface(TimePicture& picture) const {
   if (bare) {
     picture.legend.patches = {{.label = "no grains", .color = kWhite}};
   }
-  picture.content = content([&](const Eigen::ArrayXd& mean) {
+  picture.content = image_of_means([&](const Eigen::ArrayXd& mean) {
     return mean[1] < kBare ? kWhite : render::map_color(mean[0] / mean[1] / highest);
   });
 }
 
-TimePicture SpaceTime::picture() {
+SpaceTimePicture SpaceTime::picture() {
   const std::uint64_t begin = frames_.front().step;
-  TimePicture picture = {
+  SpaceTimePicture picture = {
       .width = means_.columns(),
       .height = *scene_.output.frames->height,
       .annotations = annotations_,
       .title = scene_.output.frames->style == scene::PictureStyle::screen ? scene_.title : "",
       .time = time_axis(scene_, begin, frames_.back().step),
-      .position = position_axis(scene_, options_, part_),
+      .position = position_axis(scene_, options_, shown_part_),
       .text = scene_metadata(scene_)};
   for (std::size_t i = 0; i < frames_.size(); ++i) {
     if (i == 0 || frames_[i].stage != frames_[i - 1].stage) {
@@ -285,7 +286,7 @@ TimePicture SpaceTime::picture() {
   }
   if (options_.column) {
     picture.legend = legend_.value_or(render::Legend());
-    picture.content = content([](const Eigen::ArrayXd& mean) {
+    picture.content = image_of_means([](const Eigen::ArrayXd& mean) {
       return render::Rgb{channel(mean[0]), channel(mean[1]), channel(mean[2])};
     });
   } else {

@@ -36,6 +36,7 @@ class TimeMeans {
   Eigen::ArrayXd weights_;  // by column
 };
 
+/// Makes a space-time picture from frames of a run.
 class SpaceTime {
  public:
   /// `initial`: before the first stage. `frames`: those to show, in their order; each holds until
@@ -43,23 +44,24 @@ class SpaceTime {
   SpaceTime(const scene::Scene& scene, const grains::State& initial,
             const SpaceTimeOptions& options, std::vector<store::Trajectory::Frame> frames);
 
-  /// `view`: of the frame `number`.
-  void add(const View& view, const PictureHistory& history, std::size_t number);
+  /// `content`: of the frame `number`.
+  void add(const PictureContent& content, const PictureHistory& history, std::size_t number);
   /// Of the frames so far.
-  TimePicture picture();
+  SpaceTimePicture picture();
 
  private:
   /// Means over the width of the slit in the picture of a frame: red, green, blue.
-  Eigen::ArrayXXd column(const View& view, const PictureHistory& history);
+  Eigen::ArrayXXd column(const PictureContent& content, const PictureHistory& history);
   /// By column of the lattice: height in lattice spacings, and whether there are grains.
   Eigen::ArrayXXd surface(const grains::State& state) const;
+  /// `color_of`: the colour of means().mean().
   template <class ColorOf>
-  image::Image content(ColorOf color_of) const;
-  void show_surface(TimePicture& picture) const;
+  image::Image image_of_means(ColorOf color_of) const;
+  void show_surface(SpaceTimePicture& picture) const;
 
   SpaceTimeOptions options_;
   std::vector<store::Trajectory::Frame> frames_;
-  lattice::Rectangle part_;  // of the plane that is shown
+  lattice::Rectangle shown_part_;  // of the plane
   bool annotations_;
   scene::Scene scene_;  // its pictures show what lies in the slit
   FramePainter painter_;

@@ -15,8 +15,8 @@ lattice::Site in_box(const lattice::Lattice& lattice, lattice::Site site) {
   return {lattice.wrapped(site.column), site.row};
 }
 
-/// Sorted, each once.
-std::vector<lattice::Site> home_sites(const lattice::Lattice& lattice, const Wall& wall) {
+/// The sites of a wall at its initial position, sorted, each once.
+std::vector<lattice::Site> initial_sites(const lattice::Lattice& lattice, const Wall& wall) {
   std::vector<lattice::Site> sites;
   for (const lattice::Site site : wall.sites) {
     sites.push_back(in_box(lattice, site));
@@ -81,7 +81,7 @@ FootprintTable::FootprintTable(const State& state) {
 WallEdges::WallEdges(const State& state) : edges_(state.walls.size()) {
   for (std::size_t wall = 0; wall < state.walls.size(); ++wall) {
     if (const auto& motion = state.walls[wall].motion) {
-      const std::vector<lattice::Site> sites = home_sites(state.lattice, state.walls[wall]);
+      const std::vector<lattice::Site> sites = initial_sites(state.lattice, state.walls[wall]);
       edges_[wall] = {edge(state.lattice, sites, motion->direction),
                       edge(state.lattice, sites, opposite(motion->direction))};
     }

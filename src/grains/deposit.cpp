@@ -44,11 +44,11 @@ struct Room {
 
 std::vector<ColumnEnds> ends_by_column_of(const lattice::Shape& shape) {
   std::vector<ColumnEnds> ends_by_column;
-  for (const lattice::Axial part : shape.sites()) {  // sorted by x, then q
-    if (ends_by_column.empty() || ends_by_column.back().bottom.x != part.x) {
-      ends_by_column.push_back({part, part});
+  for (const lattice::Axial offset : shape.sites()) {  // sorted by x, then q
+    if (ends_by_column.empty() || ends_by_column.back().bottom.x != offset.x) {
+      ends_by_column.push_back({offset, offset});
     }
-    ends_by_column.back().top = part;
+    ends_by_column.back().top = offset;
   }
   return ends_by_column;
 }
@@ -67,7 +67,7 @@ IntegerRange range_where(int end, Inside inside) {
   return {low, after - 1};
 }
 
-/// Where particles may come to rest.
+/// Whether a particle may come to rest at a site.
 using Accept = std::function<bool(lattice::Site)>;
 
 class Deposit {
@@ -84,14 +84,14 @@ class Deposit {
       const int top = highest_taken(column);
       surface_[static_cast<std::size_t>(column)] = top + 1;
       if (in_region(column)) {
-        heights_ += lattice::position(lattice::Site{column, top}).y();
-        ++columns_;
+        height_sum_ += lattice::position(lattice::Site{column, top}).y();
+        ++column_count_;
       }
     }
   }
 
   /// Mean over the columns of the region of the highest taken site, in lattice spacings.
-  double level() const { return heights_ / columns_; }
+  double level() const { return height_sum_ / column_count_; }
 
   /// Returns false and changes nothing if there is no column where it fits and comes to rest at a
   /// site that is accepted.
@@ -140,8 +140,8 @@ class Deposit {
     room.columns = range_where(lattice.columns(), fits_across);
     for (const int parity : {0, 1}) {
       const auto fits_up = [&](int row) {
-        return std::ranges::all_of(shape.sites(), [&](lattice::Axial part) {
-          const lattice::Site site = lattice::Site{parity, row} + part;
+        return std::ranges::all_of(shape.sites(), [&](lattice::Axial offset) {
+          const lattice::Site site = lattice::Site{parity, row} + offset;
           const double y = lattice::position(site).y();
           return site.row >= 0 && site.row < lattice.rows() && y >= region_.bottom &&
                  y < region_.top;
@@ -178,7 +178,7 @@ class Deposit {
     return lowest <= rows.high ? std::optional(lowest) : std::nullopt;
   }
 
-  bool free(const Particle& particle, Direction direction) const {
+  bool is_free(const Particle& particle, Direction direction) const {
     lattice::Site target = particle.site() + unit(direction);
     target.column = state_.lattice.wrapped(target.column);
     return rooms_[particle.kind].contains(target) && box_.is_free(particle, direction);
@@ -195,11 +195,11 @@ class Deposit {
   /// bits that the particle has used.
   std::optional<Direction> way_down(const Particle& particle, std::uint32_t id,
                                     std::uint64_t& flips) const {
-    if (free(particle, Direction::down)) {
+    if (is_free(particle, Direction::down)) {
       return Direction::down;
     }
-    const bool right = free(particle, Direction::down_right);
-    const bool left = free(particle, Direction::down_left);
+    const bool right = is_free(particle, Direction::down_right);
+    const bool left = is_free(particle, Direction::down_left);
     if (!right && !left) {
       return std::nullopt;
     }
@@ -218,7 +218,7 @@ class Deposit {
     for (const ColumnEnds& ends : rooms_[particle.kind].ends_by_column) {
       int& surface = surface_[surface_column(particle.column + ends.top.x)];
       const int raised = std::max(surface, (particle.site() + ends.top).row + 1);
-      heights_ += raised - surface;  // a particle covers columns of the region only
+      height_sum_ += raised - surface;  // a particle covers columns of the region only
       surface = raised;
     }
   }
@@ -228,9 +228,10 @@ class Deposit {
   lattice::Rectangle region_;
   std::vector<Room> rooms_;   // of each kind
   std::vector<int> surface_;  // of each column: above the highest taken row
-  // Of the region: the sum of the heights of the highest taken sites, and the columns.
-  double heights_ = 0;
-  double columns_ = 0;
+  // Of the region: the sum over its columns of the heights of the highest taken sites, and their
+  // number.
+  double height_sum_ = 0;
+  double column_count_ = 0;
 };
 
 /// In a random orientation, or the next one that fits.

@@ -138,7 +138,7 @@ FillResult fill_region(Box& box, const lattice::Rectangle& region,
   return result;
 }
 
-FillResult fill_with(Box& box, const lattice::Rectangle& region, const Mixture& mixture) {
+FillResult fill_mixture(Box& box, const lattice::Rectangle& region, const Mixture& mixture) {
   const State& state = box.state;
   const std::size_t first = state.particles.size();
   Parts parts = {mixture.parts, {}};
@@ -174,17 +174,17 @@ std::vector<std::uint16_t> kinds_of(const State& state, std::size_t species) {
 
 bool fits(const Box& box, const Particle& particle) {
   const lattice::Lattice& lattice = box.state.lattice;
-  const auto& parts = box.state.shape(particle).sites();
-  return std::ranges::all_of(parts, [&](lattice::Axial part) {
-    const lattice::Site site = particle.site() + part;
+  const auto& sites = box.state.shape(particle).sites();
+  return std::ranges::all_of(sites, [&](lattice::Axial offset) {
+    const lattice::Site site = particle.site() + offset;
     return lattice.contains(site) && !box.occupancy.taken(lattice.index(site));
   });
 }
 
 bool lies_inside(const State& state, const Particle& particle, const lattice::Rectangle& region) {
-  const auto& parts = state.shape(particle).sites();
-  return std::ranges::all_of(parts, [&](lattice::Axial part) {
-    const lattice::Site site = particle.site() + part;
+  const auto& sites = state.shape(particle).sites();
+  return std::ranges::all_of(sites, [&](lattice::Axial offset) {
+    const lattice::Site site = particle.site() + offset;
     return region.contains(
         lattice::position(lattice::Site{state.lattice.wrapped(site.column), site.row}));
   });

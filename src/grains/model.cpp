@@ -247,11 +247,11 @@ FillResult Model::fill(const lattice::Rectangle& region, const Mixture& mixture)
   if (mixture.deposited) {
     check_deposits();
   }
-  return change_between_steps([&](Box& box) { return fill_with(box, region, mixture); });
+  return change_between_steps([&](Box& box) { return fill_mixture(box, region, mixture); });
 }
 
 void Model::check_deposits() const {
-  require(mechanics_->deposits(), "particles are deposited along a gravity that points down");
+  require(mechanics_->can_deposit(), "particles are deposited along a gravity that points down");
 }
 
 void Model::remove_wall(std::size_t wall) {

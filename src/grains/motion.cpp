@@ -19,8 +19,9 @@ std::int32_t rounded(const Ratio& ratio) {
   return static_cast<std::int32_t>((ratio.numerator + half) / ratio.denominator);
 }
 
-/// In 2^-20 lattice spacings, rounded towards zero. Long division, so that nothing overflows.
-std::int64_t fine(const Ratio& ratio) {
+/// `ratio` in 2^-20 lattice spacings, rounded towards zero. Long division, so that nothing
+/// overflows.
+std::int64_t in_motion_units(const Ratio& ratio) {
   constexpr std::int64_t kDigit = 1 << 10;
   static_assert(kDigit * kDigit == kMotionSpacing);
   std::int64_t result = ratio.numerator / ratio.denominator;
@@ -79,14 +80,15 @@ std::int64_t position(const Drive& drive, std::uint64_t clock) {
   const auto distance = static_cast<std::uint64_t>(drive.distance);
   return clock / drive.period >= distance
              ? drive.distance * kMotionSpacing
-             : fine({static_cast<std::int64_t>(clock), static_cast<std::int64_t>(drive.period)});
+             : in_motion_units(
+                   {static_cast<std::int64_t>(clock), static_cast<std::int64_t>(drive.period)});
 }
 std::int64_t position(const Wave& wave, std::uint64_t clock) {
-  return fine(offset_at(wave, clock));
+  return in_motion_units(offset_at(wave, clock));
 }
 std::int64_t position(const Path& path, std::uint64_t clock) {
   const PathSegment segment = segment_at(path, clock);
-  return segment.from * kMotionSpacing + fine(segment.rise);
+  return segment.from * kMotionSpacing + in_motion_units(segment.rise);
 }
 
 template <class Program>
@@ -121,13 +123,13 @@ int sign(std::int32_t value) {
 }
 
 template <class Program>
-int desired(const Program& program, const Travel& travel) {
+int desired_step_of(const Program& program, const Travel& travel) {
   return sign(target(program, travel.clock + 1) - travel.offset);
 }
-int desired(const Drive& drive, const Travel& travel) {
+int desired_step_of(const Drive& drive, const Travel& travel) {
   return travel.offset < drive.distance && (travel.clock + 1) % drive.period == 0 ? 1 : 0;
 }
-int desired(const Shake& shake, const Travel& travel) {
+int desired_step_of(const Shake& shake, const Travel& travel) {
   switch (travel.phase) {
     case Travel::Phase::rising:
       return travel.offset < shake.amplitude ? 1 : 0;
@@ -194,7 +196,8 @@ bool can_be_ahead(const WallMotion& motion, const Travel& travel, std::int64_t a
 }
 
 int desired_step(const WallMotion& motion, const Travel& travel) {
-  return std::visit([&](const auto& program) { return desired(program, travel); }, motion.program);
+  return std::visit([&](const auto& program) { return desired_step_of(program, travel); },
+                    motion.program);
 }
 
 bool is_over(const WallMotion& motion, const Travel& travel) {
@@ -213,7 +216,7 @@ int pending_step(const WallMotion& motion, const Travel& travel) {
     return travel.offset < drive->distance ? 1 : 0;
   }
   if (const auto* shake = std::get_if<Shake>(&motion.program)) {
-    return desired(*shake, travel);
+    return desired_step_of(*shake, travel);
   }
   const auto* path = std::get_if<Path>(&motion.program);
   const bool at_last =

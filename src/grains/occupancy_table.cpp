@@ -80,8 +80,8 @@ OccupancyTable::OccupancyTable(const State& state)
     if (!particle.present) {
       continue;
     }
-    for (const lattice::Axial part : state.shape(particle).sites()) {
-      const lattice::Site site = particle.site() + part;
+    for (const lattice::Axial offset : state.shape(particle).sites()) {
+      const lattice::Site site = particle.site() + offset;
       require(lattice.contains(site), "a particle leaves the box");
       put(*this, state, lattice.index(site), static_cast<std::uint32_t>(id));
     }

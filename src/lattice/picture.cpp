@@ -9,16 +9,16 @@ namespace clca::lattice {
 namespace {
 
 /// Which of `count` equal parts holds the point at this share of the whole.
-std::size_t index_of(double share, std::size_t count) {
+std::size_t part_of(double share, std::size_t count) {
   return std::min(static_cast<std::size_t>(share * static_cast<double>(count)), count - 1);
 }
 
-/// Of `count` rows or columns, that at a height or a distance from the left.
+/// Which of `count` rows of pixels is at this height, which of `count` columns at this x.
 std::size_t row_at(const Rectangle& box, double y, std::size_t count) {
-  return index_of((box.top - y) / (box.top - box.bottom), count);
+  return part_of((box.top - y) / (box.top - box.bottom), count);
 }
 std::size_t column_at(const Rectangle& box, double x, std::size_t count) {
-  return index_of((x - box.left) / (box.right - box.left), count);
+  return part_of((x - box.left) / (box.right - box.left), count);
 }
 
 void check_pixels(const std::vector<std::string>& rows) {

@@ -19,23 +19,23 @@ double distance(const Segment& segment, const Eigen::Vector2d& point) {
   return (point - segment.from - share * along).norm();
 }
 
-constexpr double kMaxCoordinate = 1e8;
+constexpr double kMaxCoordinate = 1e8;  // lattice spacings
 
 void check_coordinates(const Eigen::Vector2d& point) {
   require(std::abs(point.x()) < kMaxCoordinate && std::abs(point.y()) < kMaxCoordinate,
           "a point is too far from the lattice");
 }
 
-/// A part of the parameter range [0, 1]; empty if begin > end.
-struct Part {
+/// A range of t within [0, 1]; empty if begin > end.
+struct ParameterRange {
   double begin = 0;
   double end = 1;
 };
 
-/// The part of the path from `from` to `from + along` between `low` and `high`.
-Part part_between(double from, double along, double low, double high) {
+/// The t at which `from` + t `along` is between `low` and `high`.
+ParameterRange range_between(double from, double along, double low, double high) {
   if (along == 0) {
-    return low <= from && from <= high ? Part{} : Part{1, 0};
+    return low <= from && from <= high ? ParameterRange{} : ParameterRange{1, 0};
   }
   const double enter = (low - from) / along;
   const double leave = (high - from) / along;
@@ -51,10 +51,11 @@ std::vector<Site> chain_along(const SweptRegion& swept_region, const Segment& se
   const Eigen::Vector2d along = position(last) - start;
   constexpr double kBeyond = 2;  // further out lies no point nearest to a site of the swept region
   const RowRange rows = swept_region.all_rows();
-  const Part across =
-      part_between(start.x(), along.x(), kColumnPitch * swept_region.first_column() - kBeyond,
-                   kColumnPitch * swept_region.end_column() + kBeyond);
-  const Part upwards = part_between(start.y(), along.y(), rows.first - kBeyond, rows.end + kBeyond);
+  const ParameterRange across =
+      range_between(start.x(), along.x(), kColumnPitch * swept_region.first_column() - kBeyond,
+                    kColumnPitch * swept_region.end_column() + kBeyond);
+  const ParameterRange upwards =
+      range_between(start.y(), along.y(), rows.first - kBeyond, rows.end + kBeyond);
   const double begin = std::floor(std::max(across.begin, upwards.begin) * steps);
   const double end = std::ceil(std::min(across.end, upwards.end) * steps);
   std::vector<Site> chain;
@@ -141,7 +142,7 @@ void check(const Rectangle& rectangle) {
   }
 }
 
-Rectangle around(const Segment& segment) {
+Rectangle bounding_rectangle(const Segment& segment) {
   const double reach = segment.thickness + 1;
   const Eigen::Vector2d low = segment.from.cwiseMin(segment.to);
   const Eigen::Vector2d high = segment.from.cwiseMax(segment.to);
@@ -168,7 +169,7 @@ std::vector<Site> sites_along(const SweptRegion& swept_region, const Segment& se
   const Eigen::Vector2d along = segment.to - segment.from;
   const auto part_of_column = [&](int column) {
     const double x = kColumnPitch * column;
-    const Part part = part_between(segment.from.x(), along.x(), x - margin, x + margin);
+    const ParameterRange part = range_between(segment.from.x(), along.x(), x - margin, x + margin);
     if (part.begin > part.end) {
       return std::array{std::pair<double, double>(INFINITY, -INFINITY)};
     }

@@ -16,7 +16,7 @@ namespace clca::lattice {
 
 namespace {
 
-/// Whether one can go from each of the sites to each other one.
+/// Whether steps between neighbouring sites lead from each of the sites to each other one.
 bool are_connected(const std::vector<Axial>& sites) {
   std::set<Axial> unseen(sites.begin(), sites.end());
   std::vector<Axial> open = {sites.front()};

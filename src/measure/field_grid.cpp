@@ -74,7 +74,7 @@ struct CellMotion {
 
   bool is_sparse() const { return particles < Fluctuations::kMinParticles; }
   bool is_resting() const { return squares < kAtRest; }
-  bool counts() const { return !is_sparse() && !is_resting(); }
+  bool is_counted() const { return !is_sparse() && !is_resting(); }
   /// Squared deviation of one particle, corrected for the mean being that of its own cell.
   double energy(const Displacement& displacement) const {
     const auto count = static_cast<double>(particles);
@@ -100,12 +100,13 @@ std::vector<CellMotion> cell_motions(const std::vector<Displacement>& displaceme
   return cells;
 }
 
-/// Half the mean energy of the counted particles; 0 if there are none.
-double temperature(const std::vector<CellMotion>& cells) {
+/// Half the mean squared deviation of displacements from the mean of their cell, square spacings,
+/// over cells that count; 0 if none.
+double displacement_temperature(const std::vector<CellMotion>& cells) {
   double energies = 0;
   double particles = 0;
   for (const CellMotion& cell : cells) {
-    if (cell.counts()) {
+    if (cell.is_counted()) {
       const auto count = static_cast<double>(cell.particles);
       energies += cell.squares * count / (count - 1);
       particles += count;
@@ -280,10 +281,10 @@ void Fluctuations::add(const std::vector<Displacement>& displacements, const Gri
   for (const CellMotion& cell : cells) {
     (cell.is_sparse() ? sparse_ : cell.is_resting() ? resting_ : samples_) += cell.particles;
   }
-  const double scale = temperature(cells);
+  const double scale = displacement_temperature(cells);
   for (const Displacement& displacement : displacements) {
     const CellMotion& cell = cells[grid.index(displacement.from)];
-    if (cell.counts()) {
+    if (cell.is_counted()) {
       const double energy = cell.energy(displacement);
       ++counts_[bins_.find(energy / scale)];
       ++local_counts_[local_bin(cell, energy)];
@@ -299,7 +300,7 @@ std::vector<double> Fluctuations::shares_of(const std::vector<std::uint64_t>& co
   return shares;
 }
 
-double Fluctuations::of_all(std::uint64_t particles) const {
+double Fluctuations::share_of_all(std::uint64_t particles) const {
   const auto all = static_cast<double>(samples_ + resting_ + sparse_);
   return all > 0 ? static_cast<double>(particles) / all : 0;
 }

@@ -105,13 +105,14 @@ class Cone {
     return distance >= -kBehind - kRounding && lateral >= low_ - wider && lateral <= high_ + wider;
   }
 
-  Eigen::Vector2d ahead_;
+  Eigen::Vector2d ahead_;  // unit vectors
   Eigen::Vector2d side_;
   double period_ = 0;  // lattice spacings; 0: not periodic
-  double foremost_ = -kInfinity;
-  double low_ = kInfinity;
+  // Of the sites of the wall in the box, lattice spacings:
+  double foremost_ = -kInfinity;  // greatest coordinate along ahead_
+  double low_ = kInfinity;        // bounds along side_
   double high_ = -kInfinity;
-  double left_ = kInfinity;
+  double left_ = kInfinity;  // bounds of x
   double right_ = -kInfinity;
 };
 
@@ -184,9 +185,9 @@ constexpr double kMaxSites = 1e6;  // of a contact
 /// excess over it, beta = <f> log(1 + 1/m), and the Fisher information is m (1 + m).
 /// Treating whole sites as real numbers would bias beta if <f> is only a few sites.
 void fit_tail(ForceDistribution& distribution, const std::vector<double>& strengths,
-              Strength kind) {
+              StrengthKind kind) {
   const double mean = distribution.mean;
-  const bool whole = kind == Strength::whole_sites;
+  const bool whole = kind == StrengthKind::whole_sites;
   const double start = whole ? std::floor(mean) + 1 : mean;
   double excess = 0;
   for (const double strength : strengths) {
@@ -210,8 +211,8 @@ void fit_tail(ForceDistribution& distribution, const std::vector<double>& streng
 }
 
 void fill_bins(ForceDistribution& distribution, const std::vector<double>& strengths,
-               Strength kind) {
-  const bool whole = kind == Strength::whole_sites;
+               StrengthKind kind) {
+  const bool whole = kind == StrengthKind::whole_sites;
   const double width = whole ? 1 : kAveragedBin * distribution.mean;
   const double low = whole ? kFirstNumberLow : 0;
   const auto bin_of = [&](double strength) {
@@ -330,7 +331,7 @@ std::optional<double> penetration(const State& now, const Wall& wall,
 }
 
 std::optional<ForceDistribution> force_distribution(const std::vector<double>& strengths,
-                                                    Strength kind) {
+                                                    StrengthKind kind) {
   if (strengths.empty()) {
     return std::nullopt;
   }

@@ -33,7 +33,7 @@ LineMean mean_of(const std::vector<LineBlock>& blocks, Weigh weighted) {
     return {};
   }
   LineMean mean = {.value = total.sum / total.weight};
-  if (filled >= LineSums::kMost / 2) {
+  if (filled >= LineSums::kMaxBlocks / 2) {
     double scatter = 0;
     for (const LineBlock& block : blocks) {
       const auto [sum, weight] = weighted(block);
@@ -48,10 +48,10 @@ LineMean mean_of(const std::vector<LineBlock>& blocks, Weigh weighted) {
 
 }  // namespace
 
-LineBlock& LineSums::next(double steps) {
+LineBlock& LineSums::begin_observation(double steps) {
   const bool full = blocks_.empty() || blocks_.back().observations >= block_size_;
-  if (full && blocks_.size() == kMost) {
-    for (std::size_t pair = 0; pair < kMost / 2; ++pair) {
+  if (full && blocks_.size() == kMaxBlocks) {
+    for (std::size_t pair = 0; pair < kMaxBlocks / 2; ++pair) {
       LineBlock joined = std::move(blocks_[2 * pair]);
       const LineBlock& next = blocks_[2 * pair + 1];
       joined.observations += next.observations;
@@ -61,7 +61,7 @@ LineBlock& LineSums::next(double steps) {
       }
       blocks_[pair] = std::move(joined);
     }
-    blocks_.resize(kMost / 2);
+    blocks_.resize(kMaxBlocks / 2);
     block_size_ *= 2;
   }
   if (full) {
@@ -74,7 +74,7 @@ LineBlock& LineSums::next(double steps) {
 }
 
 bool LineSums::fit(std::size_t parts) const {
-  return parts_ == parts && blocks_.size() <= kMost && block_size_ > 0 &&
+  return parts_ == parts && blocks_.size() <= kMaxBlocks && block_size_ > 0 &&
          std::ranges::all_of(blocks_,
                              [=](const LineBlock& block) { return block.parts.size() == parts; });
 }
@@ -101,15 +101,14 @@ Line::Line(const grains::State& state, const Eigen::Vector2d& from, const Eigen:
                          [](const grains::Kind& kind) { return reach(kind.shape); });
 }
 
-/// Components across and along the line.
-Eigen::Vector2d Line::turned(const Eigen::Vector2d& vector) const {
+Eigen::Vector2d Line::across_and_along(const Eigen::Vector2d& vector) const {
   return {vector.dot(right_), vector.dot(direction_)};
 }
 
 std::optional<Line::Crossing> Line::crossing(const Eigen::Vector2d& from,
                                              const Eigen::Vector2d& to) const {
-  const Eigen::Vector2d start = turned(from - from_);
-  const Eigen::Vector2d end = turned(to - from_);
+  const Eigen::Vector2d start = across_and_along(from - from_);
+  const Eigen::Vector2d end = across_and_along(to - from_);
   if ((start.x() > kRounding) == (end.x() > kRounding)) {
     return std::nullopt;
   }
@@ -128,14 +127,14 @@ void Line::observe(const Snapshot& before, const grains::State& now,
   check_occupancy(now, occupancy);
   require(before.step() < now.step, "a line is observed after the snapshot");
   const auto steps = static_cast<double>(now.step - before.step());
-  LineBlock& block = sums.next(steps);
-  add_covering(occupancy, velocities, steps, block);
-  add_passing(before, now, block);
+  LineBlock& block = sums.begin_observation(steps);
+  add_covered_points(occupancy, velocities, steps, block);
+  add_passing_particles(before, now, block);
 }
 
-void Line::add_covering(const grains::Occupancy& occupancy,
-                        std::span<const std::optional<Eigen::Vector2d>> velocities, double steps,
-                        LineBlock& block) const {
+void Line::add_covered_points(const grains::Occupancy& occupancy,
+                              std::span<const std::optional<Eigen::Vector2d>> velocities,
+                              double steps, LineBlock& block) const {
   for (std::size_t part = 0; part < parts(); ++part) {
     LinePartSums& sums = block.parts[part];
     for (const std::size_t index : points_[part]) {
@@ -150,13 +149,14 @@ void Line::add_covering(const grains::Occupancy& occupancy,
       sums.covered += steps;
       if (const auto& velocity = velocities[grains::particle_id(owner)]) {
         sums.followed += steps;
-        sums.displacement += steps * turned(*velocity);
+        sums.displacement += steps * across_and_along(*velocity);
       }
     }
   }
 }
 
-void Line::add_passing(const Snapshot& before, const grains::State& now, LineBlock& block) const {
+void Line::add_passing_particles(const Snapshot& before, const grains::State& now,
+                                 LineBlock& block) const {
   for (std::size_t id = 0; id < now.particles.size(); ++id) {
     const grains::Particle& particle = now.particles[id];
     const std::optional<Displacement> path = before.path(now, id);
@@ -173,7 +173,7 @@ void Line::add_passing(const Snapshot& before, const grains::State& now, LineBlo
       const double start = right_.dot(from + shift - from_);
       const double end = right_.dot(to + shift - from_);
       if (std::min(start, end) <= radius && std::max(start, end) >= -radius) {
-        add_path(now.shape(particle), from + shift, to + shift, block);
+        add_particle_path(now.shape(particle), from + shift, to + shift, block);
       }
     }
   }
@@ -191,12 +191,12 @@ std::pair<int, int> Line::images(double low, double high, const lattice::Lattice
           static_cast<int>(std::floor((right - low) / width))};
 }
 
-void Line::add_path(const lattice::Shape& shape, const Eigen::Vector2d& from,
-                    const Eigen::Vector2d& to, LineBlock& block) const {
+void Line::add_particle_path(const lattice::Shape& shape, const Eigen::Vector2d& from,
+                             const Eigen::Vector2d& to, LineBlock& block) const {
   for (const lattice::Axial site : shape.sites()) {
     const Eigen::Vector2d offset = lattice::position(site) - shape.centroid();
     if (const auto passed = crossing(from + offset, to + offset)) {
-      add_site(*passed, block);
+      add_site_crossing(*passed, block);
     }
   }
   if (const auto passed = crossing(from, to)) {
@@ -205,9 +205,9 @@ void Line::add_path(const lattice::Shape& shape, const Eigen::Vector2d& from,
   }
 }
 
-/// A site counts over one spacing of the line: it has a width. Else parts in which one column more
-/// ends would have more flux.
-void Line::add_site(const Crossing& crossing, LineBlock& block) const {
+/// Adds a site that crosses the line. It has a width, and counts over one spacing: else parts in
+/// which one column more ends would have more flux.
+void Line::add_site_crossing(const Crossing& crossing, LineBlock& block) const {
   const double low = std::max(0.0, crossing.position - 0.5);
   const double high = std::min(length_, crossing.position + 0.5);
   const double density = (crossing.to_right ? 1 : -1) / (high - low);

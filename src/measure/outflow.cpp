@@ -14,20 +14,20 @@ namespace {
 
 using lattice::Site;
 
-/// The sites from which a particle can fall into an outlet.
+/// From where particles of one kind can fall into an outlet, and where these ways end.
 struct FallPaths {
   std::vector<bool> from;  ///< by index of the first site of the shape, which lies in the box
-  bool none = true;        ///< not even inside the outlet is room
-  /// Somewhere below the top of the box there is no way further up, as particles are in one.
+  bool none = true;        ///< there is no room even inside the outlet
+  /// At a site below the top of the box all ways up end, and a particle is in one of them.
   bool end_at_particle = false;
-  bool reach_top = false;  ///< of the box
+  bool reach_top = false;  ///< one of the sites is at the top of the box
 };
 
-/// The ways of particles of one kind.
-class Search {
+/// Finds the ways of particles of one kind into one outlet, upwards from it.
+class FallPathSearch {
  public:
-  Search(const grains::State& state, const grains::Occupancy& occupancy, std::uint16_t kind,
-         std::size_t outlet, lattice::Direction down)
+  FallPathSearch(const grains::State& state, const grains::Occupancy& occupancy, std::uint16_t kind,
+                 std::size_t outlet, lattice::Direction down)
       : state_(state),
         occupancy_(occupancy),
         kind_(kind),
@@ -39,7 +39,7 @@ class Search {
     }
   }
 
-  /// Of a particle with this reference site, which may lie outside the box.
+  /// Index of the first site of a particle, whose reference site may lie outside the box.
   std::size_t first_index(Site site) const { return state_.lattice.index(site + sites_.front()); }
 
   /// `past_particles`: only walls and the sides of the box are in the way. Sites above another
@@ -232,7 +232,7 @@ bool clogged(const grains::State& state, const grains::Occupancy& occupancy, std
     if (sites[kind].empty()) {
       continue;
     }
-    const Search search(state, occupancy, kind, outlet, down);
+    const FallPathSearch search(state, occupancy, kind, outlet, down);
     const FallPaths past = search.fall_paths(true);
     if (std::ranges::any_of(sites[kind],
                             [&](Site site) { return past.from[search.first_index(site)]; })) {

@@ -34,7 +34,7 @@ std::vector<RowBounds> row_bounds_by_column(const grains::State& state) {
   return bounds;
 }
 
-/// Of one side of a heap.
+/// Slope of one side of a heap, if there is one.
 struct FlankSlope {
   std::optional<double> degrees;
   bool uneven = false;

@@ -15,7 +15,7 @@ namespace {
 using Eigen::Vector2d;
 using Support = SupportedGrain::Support;
 
-constexpr double kLeastSlope = 0.05;  // of a normal against the horizontal
+constexpr double kMinNormalY = 0.05;  // of a unit normal: at least 2.9 degrees from the horizontal
 constexpr double kAligned = 1e-9;     // radians
 
 /// A force on a support.
@@ -57,9 +57,11 @@ const SupportAngle& chosen(const std::vector<SupportAngle>& all, WeightRule rule
   return rule == WeightRule::inner ? all.front() : all.back();
 }
 
-/// Adds to `outside` if the force points past all supports: friction would have to hold it.
-std::vector<SupportForce> along_two(const Vector2d& force, const SupportedGrain& grain,
-                                    WeightRule rule, std::uint64_t bits, std::size_t& outside) {
+/// The force as two along a support to its left and one to its right. Adds to `outside` if it
+/// points past all supports: friction would have to hold it.
+std::vector<SupportForce> forces_along_two(const Vector2d& force, const SupportedGrain& grain,
+                                           WeightRule rule, std::uint64_t bits,
+                                           std::size_t& outside) {
   const std::vector<SupportAngle> left = supports_on_side(force, grain.supports, -1);
   const std::vector<SupportAngle> right = supports_on_side(force, grain.supports, 1);
   if (left.empty() || right.empty()) {
@@ -80,9 +82,11 @@ std::vector<SupportForce> along_two(const Vector2d& force, const SupportedGrain&
           {other.support->body, cross_product(a, force) / both * b}};
 }
 
-/// `first`: number of the first draw, one for each support.
-std::vector<SupportForce> in_shares(const grains::State& state, const Vector2d& force,
-                                    const std::vector<Support>& supports, std::uint32_t first) {
+/// The vertical part of the force, in drawn shares. `first`: number of the first of the draws, one
+/// for each support.
+std::vector<SupportForce> forces_in_shares(const grains::State& state, const Vector2d& force,
+                                           const std::vector<Support>& supports,
+                                           std::uint32_t first) {
   constexpr double kDraws = 4503599627370496;  // 2^52
   std::vector<double> shares;
   for (std::uint32_t i = 0; i < supports.size(); ++i) {
@@ -99,8 +103,8 @@ std::vector<SupportForce> in_shares(const grains::State& state, const Vector2d& 
 }
 
 /// As a force of the contact model, with the same points on floor and walls.
-contact::Force as_contact(const grains::State& state, std::uint32_t id,
-                          const SupportForce& on_support) {
+contact::Force as_contact_force(const grains::State& state, std::uint32_t id,
+                                const SupportForce& on_support) {
   const grains::Particle& grain = state.particles[id];
   const Vector2d centre = grains::centre_in_box(state, grain);
   contact::Force result = {.upper = id, .other = on_support.body};
@@ -162,7 +166,7 @@ std::vector<SupportedGrain> supported_grains(const grains::State& state,
       }
       const Vector2d direction =
           body == contact::kFloor ? Vector2d(0, -1) : lattice::position(sum).normalized();
-      if (direction.y() < -kLeastSlope) {
+      if (direction.y() < -kMinNormalY) {
         grain.supports.push_back({body, direction});
       }
     }
@@ -187,17 +191,17 @@ WeightPaths weight_paths(const grains::State& state, const std::vector<Supported
     const auto sites = static_cast<double>(state.shape(state.particles[grain.id]).size());
     const Vector2d force = received[grain.id] - Vector2d(0, sites / mean_mass);
     const std::vector<SupportForce> all =
-        rule == WeightRule::q ? in_shares(state, force, grain.supports, draws)
-                              : along_two(force, grain, rule,
-                                          random::draw(state.seed, state.step, grain.id,
-                                                       random::Purpose::weight_pair),
-                                          result.outside);
+        rule == WeightRule::q ? forces_in_shares(state, force, grain.supports, draws)
+                              : forces_along_two(force, grain, rule,
+                                                 random::draw(state.seed, state.step, grain.id,
+                                                              random::Purpose::weight_pair),
+                                                 result.outside);
     draws += static_cast<std::uint32_t>(grain.supports.size());
     for (const SupportForce& on_support : all) {
       if (grains::is_particle(on_support.body)) {
         received[grains::particle_id(on_support.body)] += on_support.force;
       }
-      result.forces.push_back(as_contact(state, grain.id, on_support));
+      result.forces.push_back(as_contact_force(state, grain.id, on_support));
     }
   }
   return result;
@@ -230,7 +234,7 @@ std::vector<double> base_pressure(const Base& base, const std::vector<contact::F
   std::vector<double> bins(Base::kBins, 0);
   for (const contact::Force& force : forces) {
     const double position = (force.point.x() - base.left) / base.width() * Base::kBins;
-    if (!grains::is_particle(force.other) && force.normal.y() > kLeastSlope &&
+    if (!grains::is_particle(force.other) && force.normal.y() > kMinNormalY &&
         position >= -kRounding && position <= Base::kBins + kRounding) {
       share_out(position, Base::kBins,
                 [&](std::size_t bin, double share) { bins[bin] += share * force.on_upper().y(); });

@@ -61,7 +61,7 @@ double rotational_unit(double translational, double rotational) {
   return rotational > 0 ? rotational : translational;
 }
 
-void GasMember::count() {
+void GasMember::note_counts() {
   steps = gas->step;
   participations = gas->participations;
   hash = boltzmann::hash(*gas);
@@ -73,7 +73,7 @@ GasIntegrator::GasIntegrator(const scene::BoltzmannScene& scene)
       lasting_times_(lasting_times(scene)),
       keeps_lasting_(scene::retained_gas_bytes(scene) > 0),
       bins_(bins_of(scene)),
-      reference_(statistics::chi_square_shares(bins_, kGasDegrees)) {}
+      reference_shares_(statistics::chi_square_shares(bins_, kGasDegrees)) {}
 
 void GasIntegrator::integrate(GasMember& member, double restitution, std::uint64_t seed,
                               int threads,
@@ -99,7 +99,7 @@ void GasIntegrator::integrate(GasMember& member, double restitution, std::uint64
       member.lasting = member.gas;
     }
   }
-  member.count();
+  member.note_counts();
   if (member.observations.size() == times_.size()) {
     member.gas.reset();
   }
@@ -111,8 +111,9 @@ GasObservation GasIntegrator::observe(const boltzmann::Gas& gas, bool in_histogr
   observation.collisions = gas.collisions_per_particle();
   boltzmann::EnergyShares shares =
       boltzmann::energy_shares(gas.motions, observation.moments, bins_);
-  observation.dh_translational = statistics::hellinger_distance(shares.translational, reference_);
-  observation.dh_rotational = statistics::hellinger_distance(shares.rotational, reference_);
+  observation.dh_translational =
+      statistics::hellinger_distance(shares.translational, reference_shares_);
+  observation.dh_rotational = statistics::hellinger_distance(shares.rotational, reference_shares_);
   if (in_histograms) {
     observation.shares = std::move(shares);
   }

@@ -10,7 +10,7 @@ namespace clca::model {
 
 namespace {
 
-constexpr const char* kState = "state";
+constexpr const char* kState = "state";  // path of the columns of a state
 
 AnyModel make_model(const AnyRules& rules, ModelState state, const grains::Options& options) {
   if (const auto* contact = std::get_if<contact::Parameters>(&rules)) {
@@ -45,8 +45,8 @@ AnyRules rules_in(const scene::Scene& scene, const scene::Stage& stage) {
 
 /// Forces of contacts in the last step, with what grains that were held up passed on by their
 /// sites. One for each pair.
-std::vector<contact::Force> with_pushes(const contact::ContactModel& model,
-                                        std::span<const contact::Contact> contacts) {
+std::vector<contact::Force> forces_with_pushes(const contact::ContactModel& model,
+                                               std::span<const contact::Contact> contacts) {
   std::vector<contact::Force> of_contacts =
       contact::forces(model.grains(), contacts, model.gravity());
   if (model.pushes().empty()) {
@@ -141,12 +141,12 @@ void SceneModel::save(reflection::Columns& columns) const {
 }
 
 std::vector<contact::Force> SceneModel::forces() const {
-  return contact() != nullptr ? with_pushes(*contact(), contact()->state().contacts)
+  return contact() != nullptr ? forces_with_pushes(*contact(), contact()->state().contacts)
                               : std::vector<contact::Force>();
 }
 
 std::vector<contact::Force> SceneModel::wall_forces() const {
-  return contact() != nullptr ? with_pushes(*contact(), contact()->wall_contacts())
+  return contact() != nullptr ? forces_with_pushes(*contact(), contact()->wall_contacts())
                               : std::vector<contact::Force>();
 }
 

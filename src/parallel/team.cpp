@@ -37,31 +37,33 @@ std::optional<std::size_t> stack_size() {
   return static_cast<std::size_t>(number) << (kKibi * unit);
 }
 
-class Attributes {
+/// Attributes of threads that are started as OpenMP starts its own.
+class ThreadAttributes {
  public:
-  Attributes() {
+  ThreadAttributes() {
     ::pthread_attr_init(&attributes_);
     if (const auto size = stack_size()) {
       ::pthread_attr_setstacksize(&attributes_,
                                   *size);  // refuses what is too small, as OpenMP does
     }
   }
-  ~Attributes() { ::pthread_attr_destroy(&attributes_); }
-  Attributes(const Attributes&) = delete;
-  Attributes& operator=(const Attributes&) = delete;
+  ~ThreadAttributes() { ::pthread_attr_destroy(&attributes_); }
+  ThreadAttributes(const ThreadAttributes&) = delete;
+  ThreadAttributes& operator=(const ThreadAttributes&) = delete;
   const pthread_attr_t* get() const { return &attributes_; }
 
  private:
   pthread_attr_t attributes_{};
 };
 
-void* wait_at(void* gate) {
+void* wait_until_open(void* gate) {
   const std::lock_guard lock(*static_cast<std::mutex*>(gate));
   return nullptr;
 }
 
-/// What one caller has found startable, another must not take.
-std::mutex& one_at_a_time() {
+/// Held while threads are tried or started: what one caller has found startable, another must not
+/// take.
+std::mutex& thread_count_mutex() {
   static std::mutex mutex;
   return mutex;
 }
@@ -70,9 +72,9 @@ std::mutex& one_at_a_time() {
 /// regions have one thread, too.
 void prepare_forks() {
   static const int kFailed =
-      ::pthread_atfork([] { one_at_a_time().lock(); }, [] { one_at_a_time().unlock(); },
+      ::pthread_atfork([] { thread_count_mutex().lock(); }, [] { thread_count_mutex().unlock(); },
                        [] {
-                         one_at_a_time().unlock();
+                         thread_count_mutex().unlock();
                          ::omp_set_max_active_levels(0);
                        });
   if (kFailed != 0) {
@@ -81,8 +83,8 @@ void prepare_forks() {
 }
 
 /// How many of `most` threads can exist at once besides this one.
-int startable(int most) {
-  const Attributes attributes;
+int startable_besides(int most) {
+  const ThreadAttributes attributes;
   std::mutex gate;
   std::vector<pthread_t> started;
   started.reserve(static_cast<std::size_t>(most));
@@ -90,7 +92,7 @@ int startable(int most) {
     const std::lock_guard closed(gate);
     pthread_t thread{};
     while (static_cast<int>(started.size()) < most &&
-           ::pthread_create(&thread, attributes.get(), wait_at, &gate) == 0) {
+           ::pthread_create(&thread, attributes.get(), wait_until_open, &gate) == 0) {
       started.push_back(thread);
     }
   }
@@ -110,15 +112,15 @@ void check(int wanted) {
 
 int startable_threads(int wanted) {
   check(wanted);
-  const std::lock_guard lock(one_at_a_time());
-  return 1 + startable(wanted - 1);
+  const std::lock_guard lock(thread_count_mutex());
+  return 1 + startable_besides(wanted - 1);
 }
 
 int start_team(int wanted) {
   check(wanted);
-  const std::lock_guard lock(one_at_a_time());
+  const std::lock_guard lock(thread_count_mutex());
   // NOLINTNEXTLINE(clang-analyzer-deadcode.DeadStores): the region reads it
-  const int team = 1 + startable(wanted - 1);
+  const int team = 1 + startable_besides(wanted - 1);
   // Now, as limits may be reached later; regions of the same size then reuse these threads.
   int there = 0;
 #pragma omp parallel num_threads(team) reduction(+ : there)

@@ -17,9 +17,9 @@ namespace {
 fs::path own_file() {
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  static constexpr char kInIt = 0;
+  static constexpr char kInThisFile = 0;
   Dl_info info = {};
-  const bool found = ::dladdr(&kInIt, &info) != 0;
+  const bool found = ::dladdr(&kInThisFile, &info) != 0;
   const fs::path library = found ? fs::canonical(info.dli_fname, error) : fs::path();
   return library.extension() == ".so" ? library : program;
 }
@@ -46,14 +46,14 @@ fs::path data_folder(const fs::path& what) {
 }
 
 fs::path python() {
-  constexpr const char* kOfSystem = "/usr/bin/python3";
+  constexpr const char* kSystemPython = "/usr/bin/python3";
   std::error_code error;
   const char* chosen = std::getenv("CLCA_PYTHON");  // NOLINT(concurrency-mt-unsafe)
   if (chosen != nullptr && *chosen != '\0') {
     return chosen;
   }
-  if (fs::exists(kOfSystem, error)) {
-    return kOfSystem;
+  if (fs::exists(kSystemPython, error)) {
+    return kSystemPython;
   }
   if (const auto found = find_program("python3")) {
     return *found;

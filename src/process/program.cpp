@@ -28,7 +28,7 @@ namespace fs = std::filesystem;
 constexpr std::chrono::milliseconds kPause(5);
 constexpr int kUnknown = -1;  // exit code
 
-void rest() {
+void wait_briefly() {
   ::poll(nullptr, 0, static_cast<int>(kPause.count()));
 }
 
@@ -64,7 +64,7 @@ int nameless_file(const fs::path& folder) {
 }
 
 /// What the child needs between fork and exec, prepared before: no allocation is allowed there.
-struct Plan {
+struct ChildSetup {
   char* const* arguments;
   int folder;                  ///< file descriptor
   std::array<int, 3> streams;  ///< file descriptors for 0, 1 and 2
@@ -73,25 +73,25 @@ struct Plan {
 };
 
 /// Calls only async-signal-safe functions, since other threads may have held locks.
-[[noreturn]] void become(const Plan& plan) {
+[[noreturn]] void exec_program(const ChildSetup& setup) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (::getppid() != plan.parent) {
+  if (::getppid() != setup.parent) {
     ::_exit(127);  // too late for that signal
   }
   ::setpgid(0, 0);  // signals from the terminal are for the parent
   ::signal(SIGPIPE, SIG_DFL);
   // Moves them out of the way first: one may have the number that another needs.
-  const int report = ::fcntl(plan.report, F_DUPFD_CLOEXEC, 3);
-  std::array<int, 3> streams = plan.streams;
+  const int report = ::fcntl(setup.report, F_DUPFD_CLOEXEC, 3);
+  std::array<int, 3> streams = setup.streams;
   for (int& stream : streams) {
     stream = ::fcntl(stream, F_DUPFD_CLOEXEC, 3);
   }
-  if (::fchdir(plan.folder) == 0) {
+  if (::fchdir(setup.folder) == 0) {
     for (int number = 0; number < 3; ++number) {
       ::dup2(streams[static_cast<std::size_t>(number)], number);
     }
     ::close_range(3, ~0U, CLOSE_RANGE_CLOEXEC);
-    ::execv(plan.arguments[0], plan.arguments);
+    ::execv(setup.arguments[0], setup.arguments);
   }
   const int error = errno;
   [[maybe_unused]] const ssize_t written = ::write(report, &error, sizeof error);
@@ -115,16 +115,16 @@ pid_t start(const std::vector<std::string>& arguments, const ProgramOptions& opt
   if (::pipe2(report.numbers.data(), O_CLOEXEC) != 0) {
     fail("run " + arguments[0]);
   }
-  const Plan plan = {
+  const ChildSetup setup = {
       .arguments = argv.data(),
       .folder = folder.numbers[0],
-      .streams = {input, options.out != nullptr ? options.out->number() : STDOUT_FILENO,
-                  options.err != nullptr ? options.err->number() : STDERR_FILENO},
+      .streams = {input, options.out != nullptr ? options.out->descriptor() : STDOUT_FILENO,
+                  options.err != nullptr ? options.err->descriptor() : STDERR_FILENO},
       .parent = ::getpid(),
       .report = report.numbers[1]};
   const pid_t child = ::fork();
   if (child == 0) {
-    become(plan);
+    exec_program(setup);
   }
   if (child < 0) {
     fail("run " + arguments[0]);
@@ -169,7 +169,7 @@ OutputCapture::OutputCapture(const fs::path& folder)
   }
 }
 
-int OutputCapture::number() const {
+int OutputCapture::descriptor() const {
   return ::fileno(file_.get());
 }
 
@@ -230,7 +230,7 @@ int Program::wait() {
   close_input();
   while (child_ > 0 && !has_ended(WNOHANG)) {
     end_when_stopped();
-    rest();
+    wait_briefly();
   }
   if (code_ == kUnknown) {
     throw ProcessError(fmt::format(

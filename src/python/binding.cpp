@@ -25,7 +25,7 @@ LoadedScene::LoadedScene(const std::string& source, const std::optional<std::str
   run::complete(scene, file, run::default_memory_limit(), run::machine_threads());
 }
 
-std::string LoadedScene::place() const {
+std::string LoadedScene::usable_path() const {
   return std::filesystem::absolute(file) == absolute ? file : absolute.string();
 }
 
@@ -67,7 +67,7 @@ void add_scene(py::module_& module) {
           },
           "The scene with every default filled in.")
       .def_property_readonly("_origin", [](const LoadedScene& loaded) {
-        return py::make_tuple(py::bytes(loaded.place()), py::bytes(loaded.text));
+        return py::make_tuple(py::bytes(loaded.usable_path()), py::bytes(loaded.text));
       });
 }
 

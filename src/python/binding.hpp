@@ -34,7 +34,7 @@ struct LoadedScene : Held {
   scene::AnyScene scene;
 
   /// `file`, if that still leads to the same file, else `absolute`.
-  std::string place() const;
+  std::string usable_path() const;
 
   // Throw scene::SceneError for one of the other kind.
   const scene::Scene& of_grains() const;

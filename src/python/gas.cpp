@@ -30,7 +30,7 @@ class Gas : public Held {
             boltzmann::make_gas(scene::initial_condition(loaded.of_gas()), seed_))) {}
 
   const boltzmann::Gas& now() const {
-    Change::check(busy_);
+    BusyScope::check(busy_);
     if (failure_) {
       std::rethrow_exception(failure_);
     }
@@ -40,7 +40,7 @@ class Gas : public Held {
   /// Arrays of before keep what they had.
   void advance(double time) {
     now();
-    const Change change(busy_);
+    const BusyScope change(busy_);
     Interrupt interrupt;
     interrupt.during([&] {
       if (gas_.use_count() > 1) {
@@ -49,7 +49,7 @@ class Gas : public Held {
       try {
         boltzmann::advance(*gas_, process_, seed_, time, parallel::start_team(threads_),
                            [&](const boltzmann::Gas& /*gas*/) {
-                             interrupt.look_at_times();
+                             interrupt.look_now_and_then();
                              return *interrupt.stop() == 0;
                            });
       } catch (const std::invalid_argument&) {
@@ -62,7 +62,7 @@ class Gas : public Held {
   }
 
   /// Rows `first` and the two after it of the motions, one particle a row; no copy.
-  py::array part(int first) const {
+  py::array motion_rows(int first) const {
     const boltzmann::Gas& gas = now();
     constexpr auto kNumber = static_cast<py::ssize_t>(sizeof(double));
     return view(gas_, gas.motions.data() + first, py::dtype::of<double>(),
@@ -89,7 +89,7 @@ py::dict moments(const Gas& gas) {
 }  // namespace
 
 void add_gas(py::module_& module) {
-  constexpr int kSpin = 3;
+  constexpr int kSpin = 3;  // first row of spins
   py::class_<Gas>(module, "Gas")
       .def(py::init<const LoadedScene&, std::optional<int>>(), py::arg("scene"),
            py::arg("threads") = py::none())
@@ -101,10 +101,10 @@ void add_gas(py::module_& module) {
           "collisions", [](const Gas& gas) { return gas.now().collisions_per_particle(); },
           "Per particle, so far.")
       .def_property_readonly(
-          "velocities", [](const Gas& gas) { return gas.part(0); },
+          "velocities", [](const Gas& gas) { return gas.motion_rows(0); },
           "N x 3, in v0; no copy. `advance` leaves it as it is.")
       .def_property_readonly(
-          "spins", [](const Gas& gas) { return gas.part(kSpin); },
+          "spins", [](const Gas& gas) { return gas.motion_rows(kSpin); },
           "N x 3: surface velocities, in v0; no copy. `advance` leaves it as it is.")
       .def_property_readonly("moments", moments,
                              "By name: translational, rotational (<v^2>/3, <w^2>/3) ...")

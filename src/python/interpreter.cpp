@@ -11,7 +11,7 @@ namespace clca::python {
 
 namespace {
 
-/// Of this process.
+/// The end of Python in this process.
 struct End {
   std::atomic<bool> is_near = false;
   std::atomic<std::thread::id> thread;  ///< the one that goes on
@@ -23,8 +23,8 @@ struct End {
   }
 };
 
-/// How often this thread has given the interpreter up.
-int& works() {
+/// How many times this thread has given the interpreter up and not yet taken it back.
+int& release_depth() {
   thread_local int count = 0;
   return count;
 }
@@ -38,14 +38,14 @@ void come_to_end() {
   end.thread = std::this_thread::get_id();
   end.is_near = true;
   const pybind11::gil_scoped_release free;
-  for (int tries = 0; end.at_work > works() && tries < kTries; ++tries) {
+  for (int tries = 0; end.at_work > release_depth() && tries < kTries; ++tries) {
     std::this_thread::sleep_for(1ms);
   }
 }
 
 /// The other threads are not in the child.
 void forked() {
-  End::get().at_work = works();
+  End::get().at_work = release_depth();
 }
 
 }  // namespace
@@ -53,7 +53,7 @@ void forked() {
 void wait_at_end() {
   End& end = End::get();
   if (end.is_near && end.thread.load() != std::this_thread::get_id()) {
-    end.at_work -= works() > 0 ? 1 : 0;
+    end.at_work -= release_depth() > 0 ? 1 : 0;
     for (;;) {
       ::pause();
     }
@@ -61,7 +61,7 @@ void wait_at_end() {
 }
 
 Released::Released() : state_(PyEval_SaveThread()) {
-  ++works();
+  ++release_depth();
   ++End::get().at_work;
   wait_at_end();
 }
@@ -69,7 +69,7 @@ Released::Released() : state_(PyEval_SaveThread()) {
 Released::~Released() {
   wait_at_end();
   PyEval_RestoreThread(state_);
-  --works();
+  --release_depth();
   --End::get().at_work;
 }
 

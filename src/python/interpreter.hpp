@@ -61,16 +61,16 @@ class Interrupt {
       stop_ = SIGINT;
     }
   }
-  /// The same some ten times a second.
-  void look_at_times() {
+  /// look(), some ten times a second.
+  void look_now_and_then() {
     if (const auto now = Clock::now(); now >= due_) {
       look();
       due_ = now + kInterval;
     }
   }
-  /// As look_at_times(). Throws process::StoppedError after a signal whose handler raises.
+  /// As look_now_and_then(). Throws process::StoppedError after a signal whose handler raises.
   void check() {
-    look_at_times();
+    look_now_and_then();
     if (stop_ != 0) {
       throw process::StoppedError("stopped by a signal");
     }
@@ -106,16 +106,16 @@ class Interrupt {
 
 /// Marks an object as busy in a scope: changes by a signal handler or another thread are refused
 /// meanwhile, also where the lock of the interpreter is released.
-class Change {
+class BusyScope {
  public:
   /// `busy` is of the object.
-  explicit Change(bool& busy) : busy_(busy) {
+  explicit BusyScope(bool& busy) : busy_(busy) {
     check(busy);
     busy = true;
   }
-  ~Change() { busy_ = false; }
-  Change(const Change&) = delete;
-  Change& operator=(const Change&) = delete;
+  ~BusyScope() { busy_ = false; }
+  BusyScope(const BusyScope&) = delete;
+  BusyScope& operator=(const BusyScope&) = delete;
 
   static void check(bool busy) {
     if (busy) {

@@ -30,10 +30,10 @@ using Values = std::vector<std::string>;
 using VariedKeys = std::pair<Values, std::vector<Values>>;
 
 /// What runs tell while the interpreter is free: how far they are, and warnings.
-class Reported : public Interrupt {
+class Reporter : public Interrupt {
  public:
   /// `report`: None, or called as in _clca.pyi.
-  explicit Reported(const py::object& report) : report_(report) {}
+  explicit Reporter(const py::object& report) : report_(report) {}
 
   void report(const std::string& stage, std::uint64_t done, std::optional<std::uint64_t> of,
               std::optional<double> seconds_left) {
@@ -65,7 +65,7 @@ class Reported : public Interrupt {
 /// Calls `run_it`; the folder that it names.
 template <class RunIt>
 fs::path carry_out(run::RunOptions options, const py::object& report, RunIt run_it) {
-  Reported work(report);
+  Reporter work(report);
   fs::path used;
   work.during([&] {
     options.stop = work.stop();
@@ -91,7 +91,7 @@ int default_threads(const scene::AnyScene& scene) {
 fs::path run_scene(const LoadedScene& loaded, const fs::path& folder, std::optional<int> threads,
                    bool keep, bool overwrite, const py::object& report) {
   if (!keep) {
-    run::check_output(loaded.place(), folder);
+    run::check_output(loaded.usable_path(), folder);
   }
   return carry_out({.folder = folder,
                     .threads = threads.value_or(default_threads(loaded.scene)),
@@ -144,7 +144,7 @@ void sweep_scene(const std::string& source, const std::optional<std::string>& te
                  const std::vector<scene::Override>& overrides,
                  const std::vector<VariedKeys>& varied, std::vector<std::uint64_t> seeds,
                  const fs::path& folder, const std::optional<int>& jobs, const py::object& report) {
-  Reported work(report);
+  Reporter work(report);
   work.during([&] {
     check(varied, seeds);
     std::ranges::sort(seeds);

@@ -32,7 +32,7 @@ class Simulation : public run::Simulation, public Held {
 };
 
 std::uint64_t step(Simulation& simulation, std::uint64_t steps) {
-  const Change change(simulation.busy);
+  const BusyScope change(simulation.busy);
   Interrupt& interrupt = *simulation.interrupt;
   std::uint64_t taken = 0;
   interrupt.during([&] {
@@ -40,7 +40,7 @@ std::uint64_t step(Simulation& simulation, std::uint64_t steps) {
       simulation.step();
       ++taken;
       if (taken < steps) {  // between two calls Python looks itself
-        interrupt.look_at_times();
+        interrupt.look_now_and_then();
       }
     }
   });
@@ -48,7 +48,7 @@ std::uint64_t step(Simulation& simulation, std::uint64_t steps) {
 }
 
 void next_stage(Simulation& simulation) {
-  const Change change(simulation.busy);
+  const BusyScope change(simulation.busy);
   if (simulation.stage() + 1 == simulation.scene().stages.size()) {
     throw text::InputError(
         fmt::format("{} is the last stage", simulation.scene().stages[simulation.stage()].name));
@@ -137,7 +137,7 @@ scene::Frames frames_of(const scene::Scene& scene, std::vector<scene::Override> 
 }
 
 py::array picture_now(Simulation& simulation, const std::vector<scene::Override>& overrides) {
-  const Change change(simulation.busy);
+  const BusyScope change(simulation.busy);
   image::Image image;
   {
     const Released free;
@@ -146,7 +146,7 @@ py::array picture_now(Simulation& simulation, const std::vector<scene::Override>
   return pixels(image);
 }
 
-/// All of them as the model has them.
+/// All particles as the model has them.
 py::array particles(const Simulation& simulation) {
   const auto state = simulation.held_grains();
   return view(state, state->particles.data(), py::dtype::of<grains::Particle>(),

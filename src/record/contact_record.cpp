@@ -130,14 +130,14 @@ void ContactRecord::after_step(const StageView& now) {
   }
 }
 
-std::vector<contact::Force> ContactRecord::at_end(const model::SceneModel& model) const {
+std::vector<contact::Force> ContactRecord::stage_mean_forces(const model::SceneModel& model) const {
   return stage_.is_empty() ? model.forces() : stage_.means();
 }
 
-std::vector<contact::Force> ContactRecord::shown(const model::SceneModel& model) const {
+std::vector<contact::Force> ContactRecord::shown_forces(const model::SceneModel& model) const {
   const Recurring& recurring = pictures_.due ? pictures_ : frames_;
   const std::vector<contact::Force> now = model.forces();
-  std::vector<contact::Force> forces = at_end(model);
+  std::vector<contact::Force> forces = stage_mean_forces(model);
   if (recurring.due) {  // whether the stage ends then or not
     forces = recurring.window.is_empty() ? now : recurring.window.means();
   }

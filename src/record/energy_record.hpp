@@ -88,11 +88,11 @@ class EnergyRecord : public SavedObserver<EnergyRecord> {
   void prepare(const StageView& now) override { begin(now.stage, now.model); }
 
   bool is_closed_ = true;  // no sources, neither walls nor vessel move
-  double start_ = 0;
-  double fall_ = 0;  // of all grains by a lattice spacing
+  double start_ = 0;       // energy at the start of the stage
+  double fall_ = 0;        // energy of a fall of all grains by a lattice spacing
   contact::EnergyExchange exchanged_;
-  double lowest_ = 0;
-  double growth_ = 0;
+  double lowest_ = 0;  // energy of the stage less what came from outside, at its lowest
+  double growth_ = 0;  // greatest rise above it, over Growth::scale
   bool has_warned_ = false;
   bool has_been_too_fast_ = false;
   RestWatch rest_;  // of the stage

@@ -13,7 +13,7 @@ namespace {
 struct FieldRow {
   const StageView& now;
   const measure::FieldCell& cell;
-  double speed;  // unit of velocity
+  double velocity_unit;  // a spacing per step in the unit of velocities
 };
 
 TableOf<FieldRow> fields_table(const scene::Scene& /*scene*/) {
@@ -27,8 +27,11 @@ TableOf<FieldRow> fields_table(const scene::Scene& /*scene*/) {
            {{"particles", "Particles", "particles",
              "that began the window in the cell; between two cells half in each"},
             [](auto& row) { return row.cell.particles; }},
-           {kVelocity, [](auto& row) { return Eigen::Vector2d(row.cell.velocity * row.speed); }},
-           {kFluctuation, [](auto& row) { return row.cell.fluctuation * row.speed * row.speed; }}}};
+           {kVelocity,
+            [](auto& row) { return Eigen::Vector2d(row.cell.velocity * row.velocity_unit); }},
+           {kFluctuation, [](auto& row) {
+              return row.cell.fluctuation * row.velocity_unit * row.velocity_unit;
+            }}}};
 }
 
 struct EnergyBin {
@@ -55,7 +58,7 @@ class FieldRecord : public SavedObserver<FieldRecord> {
  public:
   explicit FieldRecord(const scene::Scene& scene)
       : fields_(*scene.output.fields),
-        speed_(velocity_unit(scene)),
+        velocity_unit_(velocity_unit(scene)),
         fields_table_(scene, fields_table(scene)),
         fluctuation_table_(scene, fluctuation_table(scene)) {}
 
@@ -89,7 +92,7 @@ class FieldRecord : public SavedObserver<FieldRecord> {
                  : store::MeasureValue();
     };
     const double energy = steps_ > 0 ? fluctuation_steps_ / static_cast<double>(steps_) : 0;
-    return {energy * speed_ * speed_,
+    return {energy * velocity_unit_ * velocity_unit_,
             distance(fluctuations_.shares()),
             distance(fluctuations_.local_shares()),
             static_cast<double>(fluctuations_.samples()),
@@ -117,7 +120,7 @@ class FieldRecord : public SavedObserver<FieldRecord> {
     const measure::Fields fields = window_->fields(state, fields_.cell);
     for (const measure::FieldCell& cell : fields.cells) {
       if (cell.particles > 0 || cell.packing > 0) {
-        fields_table_.add({now, cell, speed_});
+        fields_table_.add({now, cell, velocity_unit_});
       }
     }
     const std::uint64_t steps = state.step - window_begin_;
@@ -143,7 +146,7 @@ class FieldRecord : public SavedObserver<FieldRecord> {
     fluctuation_table_.write(now.files, now.stage.name);
   }
   scene::Fields fields_;
-  double speed_;  // unit of velocity
+  double velocity_unit_;  // a spacing per step in the unit of velocities
   std::optional<measure::FieldWindow> window_;
   measure::Fluctuations fluctuations_;  // over the complete windows of the stage
   std::uint64_t window_begin_ = 0;      // step

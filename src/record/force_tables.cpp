@@ -234,9 +234,9 @@ class ForceTables : public Observer {
       table->set_mean_mass(contact::mean_mass(now.model.state()));
     }
     if (const auto* contacts = now.observers.find<ContactRecord>()) {
-      add_forces(now, contacts->at_end(now.model));
+      add_forces(now, contacts->stage_mean_forces(now.model));
     } else {
-      add_overlaps(now, *now.observers.find<ForceRecord>());
+      add_overlaps(now, *now.observers.find<OverlapRecord>());
     }
     for (RunTable* table : tables()) {
       table->write(now.files, now.stage.name);
@@ -258,7 +258,7 @@ class ForceTables : public Observer {
                      .point = force.point,
                      .force = &force});
     }
-    add_bins(distribution(forces));
+    add_bins(normal_force_distribution(forces));
     add_loads(now, forces);
     add_walls(now.scene, forces);
     const double cell = now.observers.find<CycleRecord>()->cell();
@@ -309,7 +309,7 @@ class ForceTables : public Observer {
       walls_.add(row);
     }
   }
-  void add_overlaps(const StageView& now, const ForceRecord& record) {
+  void add_overlaps(const StageView& now, const OverlapRecord& record) {
     const grains::State& state = now.model.state();
     const Overlaps overlaps = measure::contacts(state, now.model.grains().occupancy());
     add_pairs(now.scene, overlaps, record);
@@ -332,7 +332,7 @@ class ForceTables : public Observer {
       walls_.add(row);
     }
   }
-  void add_pairs(const scene::Scene& scene, const Overlaps& overlaps, const ForceRecord& record) {
+  void add_pairs(const scene::Scene& scene, const Overlaps& overlaps, const OverlapRecord& record) {
     std::map<std::pair<std::uint32_t, grains::Owner>, ContactRow> rows;
     const auto row_of = [&](std::uint32_t first, grains::Owner second) -> ContactRow& {
       ContactRow& row = rows[{first, second}];

@@ -18,14 +18,15 @@ bool has_overlaps(const scene::Scene& scene) {
   });
 }
 
-std::optional<measure::ForceDistribution> distribution(const std::vector<contact::Force>& forces) {
+std::optional<measure::ForceDistribution> normal_force_distribution(
+    const std::vector<contact::Force>& forces) {
   std::vector<double> strengths;
   for (const contact::Force& force : forces) {
     if (grains::is_particle(force.other) && force.along_normal > 0) {
       strengths.push_back(force.along_normal);
     }
   }
-  return measure::force_distribution(strengths, measure::Strength::averaged);
+  return measure::force_distribution(strengths, measure::StrengthKind::averaged);
 }
 
 namespace {
@@ -53,7 +54,7 @@ Values contact_forces(const StageView& stage) {
   if (contacts == nullptr) {
     return {};
   }
-  const std::vector<contact::Force> forces = contacts->at_end(stage.model);
+  const std::vector<contact::Force> forces = contacts->stage_mean_forces(stage.model);
   const grains::State& state = stage.model.state();
   const auto grains = static_cast<double>(grains::present_count(state));
   double touching = 0;  // bodies of contacts that are grains
@@ -68,13 +69,13 @@ Values contact_forces(const StageView& stage) {
   const auto per_grain = [&](double sum) {
     return grains > 0 ? store::MeasureValue(sum / grains) : store::MeasureValue();
   };
-  const Values shape = values_of(distribution(forces));
+  const Values shape = values_of(normal_force_distribution(forces));
   return {per_grain(touching), shape[0], shape[1], per_grain(residual), per_grain(floor)};
 }
 
 /// Of walls that overlap grains.
 Values overlap_forces(const StageView& stage) {
-  const auto* overlaps = stage.observers.find<ForceRecord>();
+  const auto* overlaps = stage.observers.find<OverlapRecord>();
   if (overlaps == nullptr) {
     return {};
   }
@@ -110,7 +111,7 @@ Values overlap_forces(const StageView& stage) {
 }  // namespace
 
 ObserverKind overlaps_observer() {
-  return observer_kind<ForceRecord>(has_overlaps);
+  return observer_kind<OverlapRecord>(has_overlaps);
 }
 
 std::vector<QuantityGroup> force_quantities() {

@@ -14,10 +14,10 @@ namespace clca::record {
 bool has_overlaps(const scene::Scene& scene);
 
 /// Overlaps of a stage, averaged over steps.
-class ForceRecord : public SavedObserver<ForceRecord> {
+class OverlapRecord : public SavedObserver<OverlapRecord> {
  public:
   /// With scene::Output::contacts, contacts are averaged over time.
-  explicit ForceRecord(const scene::Scene& scene) : sampling_(scene.output.contacts) {}
+  explicit OverlapRecord(const scene::Scene& scene) : sampling_(scene.output.contacts) {}
 
   void after_step(const StageView& now) override {
     if (sampling_ && now.history.steps % sampling_->every == 0) {
@@ -29,9 +29,9 @@ class ForceRecord : public SavedObserver<ForceRecord> {
   std::optional<measure::ForceDistribution> distribution(
       const std::vector<measure::OverlapContact>& contacts) const {
     return sampling_ ? measure::force_distribution(measure::strengths(average_.means()),
-                                                   measure::Strength::averaged)
+                                                   measure::StrengthKind::averaged)
                      : measure::force_distribution(measure::strengths(contacts),
-                                                   measure::Strength::whole_sites);
+                                                   measure::StrengthKind::whole_sites);
   }
   const measure::ForceAverage& average() const { return average_; }
 
@@ -46,7 +46,8 @@ class ForceRecord : public SavedObserver<ForceRecord> {
   measure::ForceAverage average_;
 };
 
-/// Of the normal forces between grains; none without any.
-std::optional<measure::ForceDistribution> distribution(const std::vector<contact::Force>& forces);
+/// Distribution of the normal forces between grains; none without any.
+std::optional<measure::ForceDistribution> normal_force_distribution(
+    const std::vector<contact::Force>& forces);
 
 }  // namespace clca::record

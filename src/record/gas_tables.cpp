@@ -13,7 +13,7 @@ namespace clca::record {
 namespace {
 
 using GasScene = scene::BoltzmannScene;
-using statistics::Sample;
+using statistics::SampleStatistics;
 
 constexpr std::string_view kWithShear = "with shear";
 constexpr std::string_view kWithList = "with a list of `restitution`";
@@ -31,18 +31,18 @@ constexpr Quantity kPressureYy = {"p_yy", "Pressure p_yy", "mean pressure", "lik
 constexpr Quantity kShearStress = {"p_xy", "Shear stress p_xy", "mean pressure", "likewise"};
 
 /// What is observed of a gas at a time, with its first observation.
-struct GasMoment {
+struct ObservedGas {
   const model::GasObservation& now;
   const model::GasObservation& start;
 };
 struct GasValue {
   Quantity quantity;
-  double (*of)(const GasMoment& gas);
-  bool is_of_shear = false;
+  double (*of)(const ObservedGas& gas);
+  bool only_with_shear = false;
 };
 
 const std::vector<GasValue>& gas_values() {
-  using Gas = const GasMoment&;
+  using Gas = const ObservedGas&;
   static const std::vector<GasValue> kValues = {
       {kTranslational,
        [](Gas gas) { return gas.now.moments.translational / gas.start.moments.translational; }},
@@ -75,13 +75,13 @@ const std::vector<GasValue>& gas_values() {
 }
 
 bool has_value(const GasScene& scene, const GasValue& value) {
-  return !value.is_of_shear || scene.shear_rate > 0;
+  return !value.only_with_shear || scene.shear_rate > 0;
 }
 
-/// Over the ensemble.
-Sample estimate(const GasCase& gas_case, std::size_t number, const GasValue& value) {
+/// Mean of a value over the ensemble, with its error.
+SampleStatistics estimate(const GasCase& gas_case, std::size_t number, const GasValue& value) {
   std::vector<double> values;
-  for (const model::GasMember* member : gas_case.at(number)) {
+  for (const model::GasMember* member : gas_case.members_with(number)) {
     values.push_back(value.of({member->observations[number], member->observations.front()}));
   }
   return statistics::sample(values);
@@ -100,7 +100,7 @@ TableOf<GasRow> gas_series_table(const GasScene& scene) {
        {{kRestitution, [](auto& row) { return row.gases.restitution; }}}},
       {"", true, {{kGasTime, &GasRow::time}}}};
   for (const GasValue& value : gas_values()) {
-    columns.push_back({value.is_of_shear ? kWithShear : "",
+    columns.push_back({value.only_with_shear ? kWithShear : "",
                        has_value(scene, value),
                        {{value.quantity,
                          [&value](auto& row) { return estimate(row.gases, row.number, value); }}}});
@@ -113,7 +113,7 @@ struct GasBin {
   std::string energy;
   double lower;
   std::optional<double> upper;
-  Sample share;
+  SampleStatistics share;
   double reference;
 };
 
@@ -166,7 +166,7 @@ void add_bins(GasHistogram& table, const GasScene& scene, const GasCase& gas_cas
   const std::vector<double> reference = statistics::chi_square_shares(bins, model::kGasDegrees);
   for (std::size_t bin = 0; bin < bins.count(); ++bin) {
     std::vector<double> values;
-    for (const model::GasMember* member : gas_case.at(number)) {
+    for (const model::GasMember* member : gas_case.members_with(number)) {
       values.push_back((member->observations[number].shares.*kind)[bin]);
     }
     table.add({.restitution = gas_case.restitution,
@@ -185,7 +185,7 @@ void add_cooling(Closure& table, const GasScene& scene, const GasCase& gas_case)
   }
   const boltzmann::Law law = scene::process(scene, gas_case.restitution).law;
   std::vector<double> spins;
-  for (const model::GasMember* member : gas_case.at(0)) {
+  for (const model::GasMember* member : gas_case.members_with(0)) {
     spins.push_back(member->observations.front().moments.rotational);
   }
   const boltzmann::Temperatures start = {1, statistics::sample(spins).mean};
@@ -251,10 +251,10 @@ std::size_t GasCase::observations() const {
   return most;
 }
 
-std::vector<const model::GasMember*> GasCase::at(std::size_t number) const {
+std::vector<const model::GasMember*> GasCase::members_with(std::size_t observation) const {
   std::vector<const model::GasMember*> those;
   for (const model::GasMember& member : members) {
-    if (number < member.observations.size()) {
+    if (observation < member.observations.size()) {
       those.push_back(&member);
     }
   }
@@ -311,10 +311,10 @@ std::vector<store::NamedMeasure> gas_measures(const GasScene& scene, const GasCa
     return measures;
   }
   measures.emplace_back("time", model::gas_times(scene)[reached - 1].time);
-  measures.emplace_back("gases", static_cast<double>(gas_case.at(reached - 1).size()));
+  measures.emplace_back("gases", static_cast<double>(gas_case.members_with(reached - 1).size()));
   for (const GasValue& value : gas_values()) {
     if (has_value(scene, value)) {
-      const Sample mean = estimate(gas_case, reached - 1, value);
+      const SampleStatistics mean = estimate(gas_case, reached - 1, value);
       measures.emplace_back(value.quantity.key, mean.mean);
       if (scene.ensemble > 1) {
         measures.emplace_back(fmt::format("{}_se", value.quantity.key), mean.standard_error);

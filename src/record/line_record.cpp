@@ -14,11 +14,11 @@ namespace {
 struct LineRow {
   const scene::Line& line;
   const measure::LinePart& part;
-  double speed;      // unit of velocity
-  double mass_flux;  // unit of flux in SI, with a density
+  double velocity_unit;  // a spacing per step in the unit of velocities
+  double flux_unit;      // a site per step and spacing in kg/(s·m), with a density
 };
 
-statistics::Sample mean(const measure::LineMean& mean, double unit) {
+statistics::SampleStatistics mean(const measure::LineMean& mean, double unit) {
   return {.mean = mean.value * unit, .standard_error = mean.error * unit};
 }
 
@@ -34,9 +34,9 @@ TableOf<LineRow> lines_table(const scene::Scene& scene) {
        {{"flux", "Flux", "sites/(step·spacing)", "sites that pass"},
         [](auto& row) { return mean(row.part.flux, 1); }},
        {{"v_across", "Velocity across the line", "spacings/step", "mean of what lies on the line"},
-        [](auto& row) { return mean(row.part.across, row.speed); }},
+        [](auto& row) { return mean(row.part.across, row.velocity_unit); }},
        {{"v_along", "Velocity along the line", "spacings/step", "mean of what lies on the line"},
-        [](auto& row) { return mean(row.part.along, row.speed); }},
+        [](auto& row) { return mean(row.part.along, row.velocity_unit); }},
        {{"filling", "Filling", "",
          "share of the part that particles cover, of what no wall covers; 0 if walls cover all"},
         [](auto& row) { return row.part.filling; }},
@@ -46,7 +46,7 @@ TableOf<LineRow> lines_table(const scene::Scene& scene) {
       {{"with `units.density`",
         scene::has_density(scene),
         {{{"mass_flux", "Mass flux", "kg/(s·m)", "`flux` in SI units"},
-          [](auto& row) { return mean(row.part.flux, row.mass_flux); }}}}}};
+          [](auto& row) { return mean(row.part.flux, row.flux_unit); }}}}}};
 }
 
 /// Observes the lines at the steps that have rows in series.csv.
@@ -72,12 +72,12 @@ class LineRecord : public SavedObserver<LineRecord> {
     if (now.model.state().step > last_.step()) {
       observe(now);
     }
-    const double speed = velocity_unit(now.scene);
+    const double spacing_per_step = velocity_unit(now.scene);
     const auto units = scene::conversion(now.scene);
-    const double mass_flux = units && units->site ? units->mass_rate(1) / units->spacing : 0;
+    const double flux_unit = units && units->site ? units->mass_rate(1) / units->spacing : 0;
     for (std::size_t line = 0; line < lines_.size(); ++line) {
       for (const measure::LinePart& part : lines_[line].means(sums_[line])) {
-        table_.add({now.scene.lines[line], part, speed, mass_flux});
+        table_.add({now.scene.lines[line], part, spacing_per_step, flux_unit});
       }
     }
     table_.write(now.files, now.stage.name);

@@ -15,7 +15,7 @@ namespace {
 using Named = std::vector<store::NamedMeasure>;
 
 /// False with so many outlets and species that run.json would have too many measures.
-bool counts_apart(const scene::Scene& scene) {
+bool has_values_of_each(const scene::Scene& scene) {
   constexpr std::size_t kMostMeasures = 800;
   // Besides those of its species.
   const std::size_t of_outlet = scene::has_density(scene) ? 6 : 4;
@@ -92,11 +92,11 @@ std::string name_of(const Quantity& quantity, const scene::Outlet& outlet) {
   return std::string(quantity.key) + "." + outlet.name;
 }
 
-Named discharged_apart(const StageView& stage) {
+Named discharged_of_each(const StageView& stage) {
   const grains::State& state = stage.model.state();
   const scene::Scene& scene = stage.scene;
   Named results;
-  if (state.outlets.empty() || !counts_apart(scene)) {
+  if (state.outlets.empty() || !has_values_of_each(scene)) {
     return results;
   }
   std::vector<std::uint64_t> particles = measure::discharged_particles(state, scene.species.size());
@@ -126,7 +126,7 @@ std::vector<std::string> names_by_outlet(const scene::Scene& scene) {
   if (scene.outlets.size() == 1) {
     names.push_back("discharged." + scene.outlets.front().name);
   }
-  if (counts_apart(scene)) {
+  if (has_values_of_each(scene)) {
     for (const scene::Outlet& outlet : scene.outlets) {
       for (const auto& [quantity, none] : rates(scene, {})) {
         names.push_back(name_of(quantity, outlet));
@@ -139,7 +139,7 @@ std::vector<std::string> names_by_outlet(const scene::Scene& scene) {
 
 std::vector<std::string> discharge_names(const scene::Scene& scene) {
   std::vector<std::string> names;
-  if (!counts_apart(scene)) {
+  if (!has_values_of_each(scene)) {
     return names;
   }
   for (const scene::Outlet& outlet : scene.outlets) {
@@ -186,7 +186,7 @@ std::vector<QuantityGroup> outflow_quantities() {
              "of the particles, through outlets, in the stage"},
             kClogged},
            discharged,
-           discharged_apart}};
+           discharged_of_each}};
 }
 
 }  // namespace clca::record

@@ -169,9 +169,9 @@ std::optional<store::ColumnSummary> KnownQuantities::find(std::string_view key) 
                                 .unit = own->unit == "1" ? "" : shown_unit(own->unit, units),
                                 .meaning = own->value};
   }
-  const Quantity* known = of == Of::gas     ? find_gas_quantity(key)
-                          : of == Of::sweep ? find_sweep_quantity(key)
-                                            : find_quantity(key);
+  const Quantity* known = kind == Kind::gas     ? find_gas_quantity(key)
+                          : kind == Kind::sweep ? find_sweep_quantity(key)
+                                                : find_quantity(key);
   if (known == nullptr) {
     return std::nullopt;
   }
@@ -181,10 +181,10 @@ std::optional<store::ColumnSummary> KnownQuantities::find(std::string_view key) 
 }
 
 KnownQuantities known_quantities(const store::RunSummary& summary) {
-  using Of = KnownQuantities::Of;
-  return {.of = summary.kind == "boltzmann" ? Of::gas
-                : summary.kind == "sweep"   ? Of::sweep
-                                            : Of::run,
+  using Kind = KnownQuantities::Kind;
+  return {.kind = summary.kind == "boltzmann" ? Kind::gas
+                  : summary.kind == "sweep"   ? Kind::sweep
+                                              : Kind::run,
           .units = summary.units,
           .derived = summary.derived};
 }

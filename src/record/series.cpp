@@ -185,8 +185,8 @@ class SeriesRecord : public SavedObserver<SeriesRecord> {
   std::optional<Eigen::Vector2d> centre_;  // that the vessel turns about
   std::uint64_t steps_ = 0;
   std::vector<Load> loads_;    // by body
-  measure::Discharge before_;  // at the last row
-  measure::Discharge left_;    // after the last step
+  measure::Discharge before_;  // what had left the box at the last row
+  measure::Discharge left_;    // what had left it after the last step
 };
 
 /// None of an empty box.
@@ -206,9 +206,9 @@ std::optional<double> mean_height(const grains::State& state) {
 /// What a row is made of.
 struct SeriesRow {
   const StageView& now;
-  contact::Energy energy = {};           ///< of the contact model
-  const EnergyRecord* record = nullptr;  ///< likewise
-  const SeriesRecord* since = nullptr;   ///< since the last row
+  contact::Energy energy = {};              ///< of the contact model
+  const EnergyRecord* balance = nullptr;    ///< of the energy, likewise
+  const SeriesRecord* since_row = nullptr;  ///< forces and outflow since the last row
 
   const grains::State& state() const { return now.model.state(); }
 };
@@ -275,31 +275,31 @@ TableOf<SeriesRow> series_table(const scene::Scene& scene) {
          {{"potential_energy", "Potential energy", kEnergyUnit, ""},
           [](auto& row) { return row.energy.potential; }},
          {{"dissipated_energy", "Dissipated energy", kEnergyUnit, kSinceStage},
-          [](auto& row) { return row.record->dissipated(row.energy); }}}},
+          [](auto& row) { return row.balance->dissipated(row.energy); }}}},
        {"with `model: contact` and sources",
         is_contact(scene) && !scene.sources.empty(),
         {{{"source_energy", "Energy from sources", kEnergyUnit, kSinceStage},
-          [](auto& row) { return row.record->exchanged().sources; }}}},
+          [](auto& row) { return row.balance->exchanged().sources; }}}},
        {"with `model: contact` and outlets",
         is_contact(scene) && !scene.outlets.empty(),
         {{{"outlet_energy", "Energy through outlets", kEnergyUnit, kSinceStage},
-          [](auto& row) { return row.record->exchanged().outlets; }}}},
+          [](auto& row) { return row.balance->exchanged().outlets; }}}},
        {"with `model: contact` and walls that move",
         is_contact(scene) &&
             std::ranges::any_of(scene.walls,
                                 [](const scene::Wall& wall) { return wall.motion.has_value(); }),
         {{{"wall_work", "Work of walls", kEnergyUnit, kSinceStage},
-          [](auto& row) { return row.record->exchanged().walls; }}}},
+          [](auto& row) { return row.balance->exchanged().walls; }}}},
        {"with `units.density` and outlets",
         has_flow_rates(scene),
         {{{"mass_flow_rate", "Mass flow rate", "kg/s", kSinceRow},
-          [](auto& row) { return row.since->mass_flow_rate(); }},
+          [](auto& row) { return row.since_row->mass_flow_rate(); }},
          {{"particle_flow_rate", "Particle flow rate", "particles/s", kSinceRow},
-          [](auto& row) { return row.since->particle_flow_rate(); }}}},
+          [](auto& row) { return row.since_row->particle_flow_rate(); }}}},
        {"with a vessel in some stage",
         model::has_vessel(scene),
         {{{"vessel_work", "Work of the vessel", kEnergyUnit, kSinceStage},
-          [](auto& row) { return row.record->exchanged().vessel; }},
+          [](auto& row) { return row.balance->exchanged().vessel; }},
          {kVesselAngle,
           [](auto& row) { return contact::degrees(row.now.model.vessel().angle); }}}}}};
 }
@@ -325,7 +325,7 @@ std::vector<std::string> names_of_each(const scene::Scene& scene) {
 }
 
 /// Overlapping sites per wall: of all contacts that began there.
-std::vector<std::uint64_t> indices(const model::SceneModel& model) {
+std::vector<std::uint64_t> overlap_sites_by_wall(const model::SceneModel& model) {
   const grains::State& state = model.state();
   std::vector<std::uint64_t> sites(state.walls.size(), 0);
   if (state.pushes.empty()) {
@@ -344,7 +344,7 @@ std::vector<store::Cell> cells_of_each(const SeriesRow& row) {
   const scene::Scene& scene = row.now.scene;
   const grains::State& state = row.state();
   std::vector<store::Cell> cells;
-  const std::vector<std::uint64_t> sites = indices(row.now.model);
+  const std::vector<std::uint64_t> sites = overlap_sites_by_wall(row.now.model);
   for (std::size_t wall = 0; wall < state.walls.size(); ++wall) {
     if (state.walls[wall].motion) {
       cells.emplace_back(static_cast<double>(state.walls[wall].travel.offset));
@@ -360,7 +360,7 @@ std::vector<store::Cell> cells_of_each(const SeriesRow& row) {
     }
   }
   if (scene.output.series->forces) {
-    const std::vector<store::Cell> forces = row.since->force_cells();
+    const std::vector<store::Cell> forces = row.since_row->force_cells();
     cells.insert(cells.end(), forces.begin(), forces.end());
   }
   return cells;

@@ -156,9 +156,9 @@ void add(std::vector<store::NamedMeasure>& results, const std::optional<scene::M
     for (std::size_t i = 0; i < values.size(); ++i) {
       results.emplace_back(group.quantities[i].key, values[i]);
     }
-    if (group.apart != nullptr) {
-      const auto apart = group.apart(stage);
-      results.insert(results.end(), apart.begin(), apart.end());
+    if (group.values_of_each != nullptr) {
+      const auto values_of_each = group.values_of_each(stage);
+      results.insert(results.end(), values_of_each.begin(), values_of_each.end());
     }
   }
 }

@@ -26,7 +26,7 @@ void add_cell(std::vector<store::Cell>& cells, const std::string& text) {
   cells.emplace_back(text);
 }
 
-void add_cell(std::vector<store::Cell>& cells, const statistics::Sample& mean) {
+void add_cell(std::vector<store::Cell>& cells, const statistics::SampleStatistics& mean) {
   cells.emplace_back(mean.mean);
   cells.emplace_back(mean.standard_error);
 }
@@ -81,7 +81,7 @@ void RunTable::open(const store::OutputFolder& folder) {
 void RunTable::write_rows(std::size_t least) {
   if (!file_) {
     table_.take();
-  } else if (table_.waiting() > 0 && table_.waiting() >= least) {
+  } else if (table_.waiting_bytes() > 0 && table_.waiting_bytes() >= least) {
     const std::string header = bytes_ == 0 ? table_.header() : "";
     file_->append(header + table_.take());
     bytes_ = file_->bytes();

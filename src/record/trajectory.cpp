@@ -8,9 +8,9 @@ namespace clca::record {
 
 namespace {
 
-class TrajectoryOutput : public Observer {
+class TrajectoryObserver : public Observer {
  public:
-  explicit TrajectoryOutput(const scene::Scene& scene) : scene_(scene) {}
+  explicit TrajectoryObserver(const scene::Scene& scene) : scene_(scene) {}
   static double bytes(const scene::Scene& scene, double particles) {
     return store::TrajectoryWriter::bytes_for(scene, particles) +
            frame_bytes(scene, scene.output.trajectory->contacts, particles);
@@ -48,7 +48,7 @@ class TrajectoryOutput : public Observer {
     }
     store::ContactFrame contact{.velocities = now.model.velocities(), .spins = now.model.spins()};
     if (scene_.output.trajectory->contacts) {
-      contact.forces = now.observers.find<ContactRecord>()->shown(now.model);
+      contact.forces = now.observers.find<ContactRecord>()->shown_forces(now.model);
     }
     writer_->add(state, static_cast<std::size_t>(&now.stage - scene_.stages.data()), begins,
                  contact);
@@ -64,7 +64,7 @@ class TrajectoryOutput : public Observer {
 }  // namespace
 
 ObserverKind trajectory_observer() {
-  return observer_kind<TrajectoryOutput>(
+  return observer_kind<TrajectoryObserver>(
       [](const scene::Scene& scene) { return scene.output.trajectory.has_value(); });
 }
 

@@ -11,7 +11,7 @@ namespace clca::record {
 
 namespace {
 
-/// Of a stage, by rule; last, of the contact model, the forces that are there.
+/// Pressures on the base at the end of a stage: by each rule; last, by forces of the contact model.
 struct BasePressures {
   measure::Base base;
   std::vector<std::vector<double>> shares = {};  ///< measure::base_pressure
@@ -33,7 +33,7 @@ BasePressures base_pressures(const StageView& stage) {
     result.unsupported = paths.unsupported;
   }
   if (const auto* contacts = stage.observers.find<ContactRecord>()) {
-    add(contacts->at_end(stage.model));
+    add(contacts->stage_mean_forces(stage.model));
   }
   return result;
 }

@@ -28,7 +28,7 @@ constexpr double kIconRadius = 0.52;
 constexpr double kLineLength = 2.2;  // where the length tells nothing
 constexpr double kMaxLineWidth = 0.9;
 constexpr double kMaxArrowWidth = 0.27;  // the head is 3.4 times as wide as the shaft
-constexpr double kBeforeLabel = 0.35;
+constexpr double kBeforeLabel = 0.35;    // from the mark of an entry
 
 std::vector<Eigen::Vector2d> hexagon() {
   std::vector<Eigen::Vector2d> corners;
@@ -114,7 +114,7 @@ class Annotator {
     const double room = layout_.text_right - layout_.text_left;
     const double unit = spacing > 0 ? spacing : 1;
     const double shown =
-        round_length(std::min<double>(layout_.panel.width, room) / 5 / layout_.scale * unit);
+        round_number_up_to(std::min<double>(layout_.panel.width, room) / 5 / layout_.scale * unit);
     const double length = shown / unit;
     const LengthUnit metric = length_unit(shown);
     const Graphics::Text label =
@@ -280,10 +280,10 @@ class Annotator {
 
 }  // namespace
 
-double round_length(double length) {
-  const double decade = std::pow(10.0, std::floor(std::log10(length)));
+double round_number_up_to(double number) {
+  const double decade = std::pow(10.0, std::floor(std::log10(number)));
   for (const double factor : {5.0, 2.0}) {
-    if (factor * decade <= length) {
+    if (factor * decade <= number) {
       return factor * decade;
     }
   }
@@ -294,9 +294,9 @@ std::vector<double> ticks(double low, double high, int count) {
   if (!(high > low) || !std::isfinite(high - low)) {
     return {low};
   }
-  double step = round_length((high - low) / std::max(1, count - 1));
+  double step = round_number_up_to((high - low) / std::max(1, count - 1));
   if (std::floor(high / step) - std::ceil(low / step) + 1 > count) {
-    step = round_length(2.5001 * step);
+    step = round_number_up_to(2.5001 * step);
   }
   std::vector<double> result;
   const auto most = static_cast<std::size_t>(std::max(1, count));  // reached where i + 1 is i

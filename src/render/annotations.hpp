@@ -15,7 +15,7 @@ namespace clca::render {
 /// Round numbers from `low` to `high`, at most `count` of them.
 std::vector<double> ticks(double low, double high, int count);
 
-/// Draws them where `layout` has room for text.
+/// Draws captions, legend and scale bar where `layout` has room for text.
 void annotate(Graphics& graphics, const Layout& layout, const Caption& caption,
               const Legend& legend);
 

@@ -52,7 +52,7 @@ Rgb id_color(std::size_t id) {
 
 /// What `value_of` says of each present particle, by id.
 template <class Value, class ValueOf>
-std::vector<Value> of_each(const State& state, ValueOf value_of) {
+std::vector<Value> values_by_id(const State& state, ValueOf value_of) {
   std::vector<Value> values(state.particles.size());
   for (std::size_t id = 0; id < values.size(); ++id) {
     if (state.particles[id].present) {
@@ -65,7 +65,7 @@ std::vector<Value> of_each(const State& state, ValueOf value_of) {
 /// Icons of all species: their first shapes, the smaller ones smaller.
 std::vector<Legend::Patch> species_icons(std::span<const grains::Kind> kinds,
                                          std::span<const NamedColor> species) {
-  constexpr double kSmallest = 0.6;
+  constexpr double kSmallest = 0.6;  // icon, as a share of the largest
   std::vector<Legend::Patch> icons;
   double largest = 0;
   for (std::size_t number = 0; number < species.size(); ++number) {
@@ -74,7 +74,7 @@ std::vector<Legend::Patch> species_icons(std::span<const grains::Kind> kinds,
         kinds, [&](const grains::Kind& kind) { return kind.species == number; });
     if (first != kinds.end()) {
       for (const lattice::Axial corner : outline(first->shape)) {
-        icon.outline.push_back(place_of(corner));
+        icon.outline.push_back(position_from_halves(corner));
       }
       icon.size = first->shape.diameter();
       largest = std::max(largest, icon.size);
@@ -90,7 +90,7 @@ std::vector<Legend::Patch> species_icons(std::span<const grains::Kind> kinds,
 }  // namespace
 
 Coloring color_by_species(const State& state, std::span<const NamedColor> species) {
-  Coloring result = {.shades = of_each<std::uint16_t>(state, [&](std::size_t id) {
+  Coloring result = {.shades = values_by_id<std::uint16_t>(state, [&](std::size_t id) {
                        return state.kinds[state.particles[id].kind].species;
                      })};
   for (const NamedColor& named : species) {
@@ -144,7 +144,7 @@ Coloring color_by_layer(const State& state, int layers, const LayerRange& range)
         range.high > range.low ? (height - range.low) / (range.high - range.low) : 0;
     return std::clamp(share * layers, 0.0, static_cast<double>(layers - 1));
   };
-  Coloring result = {.shades = of_each<std::uint16_t>(state, layer_of)};
+  Coloring result = {.shades = values_by_id<std::uint16_t>(state, layer_of)};
   for (int layer = 0; layer < layers; ++layer) {
     result.palette.push_back(layer_color(layer, layers));
     result.legend.patches.push_back({layer_label(layer, layers), result.palette.back()});
@@ -161,7 +161,7 @@ Coloring color_by_value(const State& state, const std::vector<double>& values, s
   Legend::Bar bar = {
       .label = std::move(label), .low = range.low, .high = range.high, .diverging = diverging};
   Coloring result;
-  result.shades = of_each<std::uint16_t>(state, [&](std::size_t id) {
+  result.shades = values_by_id<std::uint16_t>(state, [&](std::size_t id) {
     bar.below = bar.below || values[id] < range.low;
     bar.above = bar.above || values[id] > range.high;
     return (kShades - 1) *
@@ -175,7 +175,7 @@ Coloring color_by_value(const State& state, const std::vector<double>& values, s
 }
 
 Coloring color_by_displacement(const State& state, const statistics::Range& range) {
-  const auto distances = of_each<double>(state, [&](std::size_t id) {
+  const auto distances = values_by_id<double>(state, [&](std::size_t id) {
     return lattice::position(state.particles[id].site() - state.origins[id]).norm();
   });
   return color_by_value(state, distances, "displacement (spacings)", range);
@@ -184,7 +184,7 @@ Coloring color_by_displacement(const State& state, const statistics::Range& rang
 Coloring color_by_force(const State& state, const grains::Occupancy& occupancy,
                         const statistics::Range& range) {
   constexpr Rgb kNone = {228, 230, 233};
-  const auto shared = of_each<double>(state, [&](std::size_t id) {
+  const auto shared = values_by_id<double>(state, [&](std::size_t id) {
     const grains::Particle& particle = state.particles[id];
     return std::ranges::count_if(state.shape(particle).sites(), [&](lattice::Axial part) {
       const std::size_t index = state.lattice.index(particle.site() + part);
@@ -201,7 +201,7 @@ Coloring color_by_force(const State& state, const grains::Occupancy& occupancy,
 }
 
 Coloring color_by_axis(const State& state) {
-  Coloring result = {.shades = of_each<std::uint16_t>(state, [&](std::size_t id) {
+  Coloring result = {.shades = values_by_id<std::uint16_t>(state, [&](std::size_t id) {
                        return baxter::axis_of(state.particles[id]);
                      })};
   for (const char* axis : {"axis upright", "60°", "120°"}) {
@@ -216,7 +216,7 @@ Coloring color_by_id(const State& state) {
   // steps, which close the circle to 1/2000.
   constexpr std::size_t kShades = std::size_t{3} * 987;
   Coloring result = {
-      .shades = of_each<std::uint16_t>(state, [](std::size_t id) { return id % kShades; })};
+      .shades = values_by_id<std::uint16_t>(state, [](std::size_t id) { return id % kShades; })};
   for (std::size_t id = 0; id < kShades; ++id) {
     result.palette.push_back(id_color(id));
   }

@@ -56,7 +56,7 @@ class Sheet {
         cell_width_(cell_width),
         text_size_(std::clamp(std::round(cell_width / 20.0), 9.0, 24.0)),
         own_text_size_(std::max(9.0, std::round(kOwnLegendSize * text_size_))),
-        letters_(font_problem().empty()),
+        has_font_(font_problem().empty()),
         legend_(legend_of_all(tiles)) {
     double top = em(titled ? kTitleStrip : kSheetGap);
     double height = cell_width * 9.0 / 16;  // of a row without pictures
@@ -105,7 +105,7 @@ class Sheet {
 
   void draw_text(Graphics& graphics, const std::string& text, double size, double room, double left,
                  double baseline) const {
-    if (letters_) {
+    if (has_font_) {
       graphics.draw_text(graphics.text(text, size, room), left, baseline, kInk);
     }
   }
@@ -113,7 +113,7 @@ class Sheet {
   void draw_legend(Graphics& graphics, const Legend& legend, double scale, double left, double top,
                    double room, double text_size) const {
     const auto pixels = [](double length) { return static_cast<int>(length); };
-    if (letters_) {
+    if (has_font_) {
       annotate(graphics,
                {.panel = {pixels(left), pixels(top), pixels(room), 0},
                 .scale = scale,
@@ -148,7 +148,7 @@ class Sheet {
   int cell_width_;
   double text_size_;
   double own_text_size_;  // of the legend of a tile
-  bool letters_;
+  bool has_font_;
   std::optional<Legend> legend_;  // of all tiles
   double height_ = 0;
   std::vector<double> tops_;  // of rows

@@ -47,12 +47,12 @@ Difference difference_of(const Image& first, const Image& second, int tolerance)
   result.picture = Image(first.width, first.height, Rgb{});
   for (int y = 0; y < first.height; ++y) {
     for (int x = 0; x < first.width; ++x) {
-      const int step = channel_difference(first.at(x, y), second.at(x, y));
-      result.largest = std::max(result.largest, step);
-      if (step > tolerance) {
+      const int change = channel_difference(first.at(x, y), second.at(x, y));
+      result.largest = std::max(result.largest, change);
+      if (change > tolerance) {
         include(result, x, y);
       }
-      result.picture.at(x, y) = step > tolerance ? kStrong : pale(first.at(x, y));
+      result.picture.at(x, y) = change > tolerance ? kStrong : pale(first.at(x, y));
     }
   }
   return result;

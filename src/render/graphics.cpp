@@ -165,7 +165,7 @@ struct Fonts {
 };
 
 /// Pango looks for fonts in two threads, and ends the program where it cannot start them.
-bool threads_are_free() {
+bool two_threads_can_start() {
   try {
     const std::jthread first([] {});
     const std::jthread second([] {});
@@ -402,7 +402,7 @@ std::string font_problem() {
   if (fonts == nullptr || fonts->nfont == 0) {
     return "no font for captions and legends: install DejaVu Sans (fonts-dejavu-core)";
   }
-  return threads_are_free()
+  return two_threads_can_start()
              ? ""
              : "no captions and legends: their text needs two threads, and none can be started";
 }

@@ -31,7 +31,7 @@ PixelBox picture_size(int width, int height, const lattice::Rectangle& view,
   constexpr double kMaxAspect = 4;
   const double view_aspect = (view.right - view.left) / (view.top - view.bottom);
   double aspect = view_aspect;
-  if (annotations != Annotations::none) {  // the same as in arrange(), with the text size that
+  if (annotations != Annotations::none) {  // the same as in layout_of(), with the text size that
                                            // follows from height or width
     const double strips = top_strip(annotations) + kBottomStrip;
     aspect = (1 - strips / kTextSizesInHeight) * view_aspect + 2 * kMargin / kTextSizesInHeight;
@@ -51,7 +51,7 @@ PixelBox picture_size(int width, int height, const lattice::Rectangle& view,
           .height = height > 0 ? height : even(std::sqrt(kArea / aspect))};
 }
 
-Layout arrange(int width, int height, const lattice::Rectangle& view, Annotations annotations) {
+Layout layout_of(int width, int height, const lattice::Rectangle& view, Annotations annotations) {
   const double wanted = std::min(height / kTextSizesInHeight, width / kTextSizesInWidth);
   const int letters = std::max(kMinTextSize, static_cast<int>(std::lround(wanted)));
   const bool room = width >= (2 * kMargin + kMinPanel) * letters &&
@@ -95,7 +95,7 @@ Style completed(Style style, const lattice::Lattice& lattice) {
                                   kMaxSupersampling));
   }
   if (style.view == lattice::Rectangle{}) {
-    style.view = whole_box(lattice);
+    style.view = box_with_frame(lattice);
   }
   const double width = style.view.right - style.view.left;
   const double height = style.view.top - style.view.bottom;
@@ -131,7 +131,7 @@ Projection projection_of(const lattice::Rectangle& view, const Layout& layout, i
           .outline_strength = std::clamp((layout.scale - kNone) / (kFull - kNone), 0.0, 1.0)};
 }
 
-lattice::Rectangle whole_box(const lattice::Lattice& lattice) {
+lattice::Rectangle box_with_frame(const lattice::Lattice& lattice) {
   const double width = lattice.columns() * lattice::kColumnPitch;
   const double frame = std::max(1.0, 0.005 * std::max(width, static_cast<double>(lattice.rows())));
   const double side = lattice.periodic() ? 0 : frame;

@@ -28,7 +28,7 @@ PixelBox picture_size(int width, int height, const lattice::Rectangle& view,
                       Annotations annotations);
 
 /// Fits `view` into a picture of width x height pixels, with space for annotations if requested.
-Layout arrange(int width, int height, const lattice::Rectangle& view, Annotations annotations);
+Layout layout_of(int width, int height, const lattice::Rectangle& view, Annotations annotations);
 
 /// `style` with its view, or the whole box if it has none, and its size. Throws RenderError for an
 /// invalid style.
@@ -37,7 +37,7 @@ Style completed(Style style, const lattice::Lattice& lattice);
 /// A particle in view.
 struct Body {
   std::uint16_t kind = 0;
-  lattice::Axial place;  ///< of the reference site, in half spacings
+  lattice::Axial place;  ///< of the reference site, in half spacings from site 0, 0
   Rgb fill;
 };
 

@@ -6,7 +6,7 @@
 
 #include "render/colors.hpp"
 
-/// Of icons: in thousandths, which are short.
+/// Corners of icons, in JSON in whole thousandths, which are short.
 template <>
 struct nlohmann::adl_serializer<Eigen::Vector2d> {
   static void to_json(json& to, const Eigen::Vector2d& point) {

@@ -138,12 +138,12 @@ void Movie::add(const Image& image) {
   if (!ffmpeg_.feed({bytes, sizeof(Rgb) * image.pixels.size()})) {
     fail(ffmpeg_.wait());
   }
-  any_ = true;
+  has_pictures_ = true;
 }
 
 void Movie::finish() {
   const int code = ffmpeg_.wait();
-  if (code != 0 || !any_) {
+  if (code != 0 || !has_pictures_) {
     fail(code);
   }
 }

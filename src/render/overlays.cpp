@@ -47,7 +47,7 @@ Overlay force_network(std::span<const ForceLine> lines, double strongest) {
   return overlay;
 }
 
-Legend::Line force_key(double strongest, std::string label) {
+Legend::Line force_legend(double strongest, std::string label) {
   return {std::move(label), strongest > 0 ? kMaxForceWidth : kMinForceWidth, 0, kForceColor, false};
 }
 
@@ -60,7 +60,7 @@ double typical_length(std::span<const FieldArrow> arrows) {
       squares += arrow.vector.squaredNorm();
     }
   }
-  return squares > 0 ? round_length(1.5 * squares / sum) : 0;
+  return squares > 0 ? round_number_up_to(1.5 * squares / sum) : 0;
 }
 
 Overlay arrow_field(std::span<const FieldArrow> arrows, double cell, double scale) {
@@ -79,11 +79,11 @@ Overlay arrow_field(std::span<const FieldArrow> arrows, double cell, double scal
   return overlay;
 }
 
-Legend::Line arrow_key(double cell, double scale, const UnitName& unit) {
+Legend::Line arrow_legend(double cell, double scale, const UnitName& unit) {
   if (!(scale > 0 && cell > 0)) {
     return {fmt::format("0 {}", unit.several), 0, 0, arrow_color(0), true};
   }
-  const double shown = round_length(scale);
+  const double shown = round_number_up_to(scale);
   const double share = shown / scale;
   return {fmt::format("{:g} {}", shown, shown == 1 ? unit.one : unit.several), kArrowWidth * cell,
           kArrowShare * cell * share, arrow_color(share), true};

@@ -81,11 +81,11 @@ struct Capture::Content {
   std::vector<Body> bodies;
 };
 
-struct Painter::Parts {
-  Parts(const Style& wanted, const lattice::Lattice& where, const std::vector<grains::Kind>& kinds)
+struct Painter::Impl {
+  Impl(const Style& wanted, const lattice::Lattice& where, const std::vector<grains::Kind>& kinds)
       : style(completed(wanted, where)),
         lattice(where),
-        layout(arrange(style.width, style.height, style.view, style.annotations)),
+        layout(layout_of(style.width, style.height, style.view, style.annotations)),
         projection(projection_of(style.view, layout, style.supersampling, style.height)),
         lookup(lattice, projection, style.supersampling, style.threads),
         walls(lattice, without_outlines(projection), 1, style.threads) {
@@ -94,7 +94,7 @@ struct Painter::Parts {
     }
     if (style.drawing == Drawing::polygons) {
       polygons = polygon_painter(projection, style.supersampling,
-                                 projection.samples_in(whole_box(lattice)), kinds);
+                                 projection.samples_in(box_with_frame(lattice)), kinds);
     }
   }
 
@@ -129,7 +129,7 @@ struct Painter::Parts {
   /// As vector graphics, but for the walls: those are a picture with a pixel for each sample.
   void draw_panel(Graphics& graphics, const Capture::Content& captured) const {
     graphics.draw_image(captured.walls, 0, 0, layout.panel.width, layout.panel.height);
-    const lattice::Rectangle box = whole_box(lattice);
+    const lattice::Rectangle box = box_with_frame(lattice);
     // Cairo counts pixels to 8 million.
     const Eigen::Vector2d size(layout.panel.width, layout.panel.height);
     const auto in_panel = [&](double x, double y) -> Eigen::Vector2d {
@@ -142,7 +142,7 @@ struct Painter::Parts {
       for (const Body& body : captured.bodies) {
         corners.clear();
         for (const lattice::Axial corner : outlines[body.kind]) {
-          corners.push_back(pixel(place_of(body.place + corner)));
+          corners.push_back(pixel(position_from_halves(body.place + corner)));
         }
         graphics.fill_polygon(corners, body.fill, projection.outline_width * layout.scale,
                               outline_color(body.fill, projection.outline_strength));
@@ -162,14 +162,14 @@ struct Painter::Parts {
 
 Painter::Painter(const Style& style, const lattice::Lattice& lattice,
                  const std::vector<grains::Kind>& kinds)
-    : parts_(std::make_unique<Parts>(style, lattice, kinds)) {}
+    : impl_(std::make_unique<Impl>(style, lattice, kinds)) {}
 Painter::~Painter() = default;
 Painter::Painter(Painter&&) noexcept = default;
 Painter& Painter::operator=(Painter&&) noexcept = default;
 
 Capture Painter::capture(const grains::State& state, const grains::Occupancy& occupancy,
                          const Coloring& coloring) {
-  if (state.lattice != parts_->lattice || state.kinds.size() != parts_->outlines.size()) {
+  if (state.lattice != impl_->lattice || state.kinds.size() != impl_->outlines.size()) {
     throw std::invalid_argument("the painter was made for another lattice or other kinds");
   }
   if (coloring.shades.size() != state.particles.size()) {
@@ -181,14 +181,14 @@ Capture Painter::capture(const grains::State& state, const grains::Occupancy& oc
     }
   }
   auto content = std::make_shared<Capture::Content>();
-  if (!parts_->polygons) {
-    content->panel = parts_->lookup.picture(state, occupancy, coloring);
+  if (!impl_->polygons) {
+    content->panel = impl_->lookup.picture(state, occupancy, coloring);
   }
-  if (parts_->polygons || parts_->style.vector) {
-    content->walls = parts_->walls.picture(
+  if (impl_->polygons || impl_->style.vector) {
+    content->walls = impl_->walls.picture(
         state, occupancy,
         {.shades = std::vector<std::uint16_t>(state.particles.size()), .palette = {kPaper}});
-    content->bodies = bodies_in_view(parts_->projection, state, coloring);
+    content->bodies = bodies_in_view(impl_->projection, state, coloring);
   }
   Capture capture = {.content = std::move(content), .legend = coloring.legend};
   add_walls(capture.legend, std::ranges::any_of(state.walls, moves));
@@ -197,16 +197,16 @@ Capture Painter::capture(const grains::State& state, const grains::Occupancy& oc
 
 Image Painter::rasterize(const Capture& captured, const Caption& caption, const Overlay& overlay,
                          double turn) {
-  const Style& style = parts_->style;
-  const PixelBox& box = parts_->layout.panel;
+  const Style& style = impl_->style;
+  const PixelBox& box = impl_->layout.panel;
   Graphics graphics(style.width, style.height);
   const Image polygons =
-      parts_->polygons ? means_over(captured.content->walls,
-                                    parts_->polygons(captured.content->bodies), style.supersampling)
-                       : Image();
-  const Image& panel = parts_->polygons ? polygons : captured.content->panel;
+      impl_->polygons ? means_over(captured.content->walls,
+                                   impl_->polygons(captured.content->bodies), style.supersampling)
+                      : Image();
+  const Image& panel = impl_->polygons ? polygons : captured.content->panel;
   const bool bare = overlay.strokes.empty() && overlay.fade == 0 && turn == 0;
-  parts_->draw(graphics, captured.legend, caption, overlay, turn, [&] {
+  impl_->draw(graphics, captured.legend, caption, overlay, turn, [&] {
     if (!bare) {
       graphics.draw_image(panel, 0, 0, box.width, box.height);
     }
@@ -221,8 +221,8 @@ Image Painter::rasterize(const Capture& captured, const Caption& caption, const 
 std::vector<std::uint8_t> Painter::pdf(const Capture& captured, const Caption& caption,
                                        const Overlay& overlay, double turn) {
   Graphics graphics(width(), height(), Graphics::Medium::page);
-  parts_->draw(graphics, captured.legend, caption, overlay, turn,
-               [&] { parts_->draw_panel(graphics, *captured.content); });
+  impl_->draw(graphics, captured.legend, caption, overlay, turn,
+              [&] { impl_->draw_panel(graphics, *captured.content); });
   return graphics.pdf(fmt::format("{}: {}", caption.title, caption.detail));
 }
 
@@ -243,15 +243,15 @@ double Painter::bytes_for(const Style& style, double particles, int captures) {
 }
 
 int Painter::width() const {
-  return parts_->style.width;
+  return impl_->style.width;
 }
 
 int Painter::height() const {
-  return parts_->style.height;
+  return impl_->style.height;
 }
 
 PictureView Painter::view() const {
-  return {parts_->layout.panel, parts_->layout.scale};
+  return {impl_->layout.panel, impl_->layout.scale};
 }
 
 Image Painter::draw(const grains::State& state, const grains::Occupancy& occupancy,

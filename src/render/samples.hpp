@@ -10,7 +10,7 @@
 
 namespace clca::render {
 
-/// Red, green and blue: 0x00RRGGBB.
+/// The colour of a sample, red, green and blue: 0x00RRGGBB.
 using Sample = std::uint32_t;
 
 constexpr Sample packed(Rgb color) {
@@ -26,8 +26,8 @@ constexpr Rgb unpacked(Sample color) {
 /// lowest row of them; the others are `pitch` apart.
 void set_means(std::span<Rgb> pixels, const Sample* samples, std::size_t pitch, int count);
 
-/// The mean of `samples`, row by row from the lower left. Where they are 0, `behind` is seen, which
-/// has a pixel for each of them.
+/// The picture of the means of `samples`, row by row from the lower left. Where they are 0,
+/// `behind` is seen, which has a pixel for each of them.
 Image means_over(const Image& behind, std::vector<Sample> samples, int count);
 
 }  // namespace clca::render

@@ -15,7 +15,7 @@ using grains::Owner;
 // All standing walls count as one owner, so that no outlines separate them; so do all moving walls.
 constexpr Owner kStandingWall = grains::kFree - 1;
 constexpr Owner kMovingWall = grains::kFree - 2;
-constexpr std::size_t kOthers = 3;  // these and kFree
+constexpr std::size_t kOthers = 3;  // owners that are no particles: these and kFree
 
 constexpr Sample kPackedPaper = packed(kPaper);
 
@@ -35,8 +35,8 @@ class SiteLookup::Colors {
       moving_.push_back(moves(wall));
     }
     const auto set = [this](Owner owner, Rgb fill, Rgb outline) {
-      colors_[place(owner)] = packed(fill);
-      colors_[place(owner) + 1] = packed(outline);
+      colors_[color_index(owner)] = packed(fill);
+      colors_[color_index(owner) + 1] = packed(outline);
     };
     set(grains::kFree, kPaper, kPaper);
     for (const bool moving : moving_) {  // so that the table tells of it
@@ -57,19 +57,19 @@ class SiteLookup::Colors {
   }
 
   const grains::Occupancy& occupancy() const { return occupancy_; }
-  /// The owner that its seams belong to.
-  Owner whole(Owner owner) const {
+  /// The owner that it counts as: all standing walls are one, all moving ones another.
+  Owner merged_owner(Owner owner) const {
     if (owner >= grains::kFree) {
       return owner;
     }
     const std::size_t wall = grains::wall_number(owner);
     return wall < moving_.size() && moving_[wall] ? kMovingWall : kStandingWall;
   }
-  /// That of whole(owner); of the outline after it.
-  static constexpr std::size_t place(Owner owner) {
+  /// Index into table() of the fill of a merged_owner(); that of its outline follows.
+  static constexpr std::size_t color_index(Owner owner) {
     return 2 * static_cast<std::size_t>(owner + static_cast<Owner>(kOthers));
   }
-  const std::vector<Sample>& all() const { return colors_; }
+  const std::vector<Sample>& table() const { return colors_; }
   const Sample* data() const { return colors_.data(); }
   /// All owners below it are standing walls.
   Owner least() const {
@@ -94,7 +94,7 @@ constexpr std::int32_t chosen(std::int32_t mask, std::int32_t yes, std::int32_t 
 
 /// Rows of the two kinds of columns in a row of samples.
 struct Rows {
-  std::int32_t even_up = 0, odd_up = 0;  // from that row on the left, in weight
+  std::int32_t even_up = 0, odd_up = 0;  // above even_row and odd_row at the left column, as kOne
   std::int32_t even_row = 0, odd_row = 0;
 };
 
@@ -107,14 +107,14 @@ struct Block {
   // Weights of the corners b and c of the lattice triangle (a, b, c) around a sample.
   Each<std::int32_t> weight_b, weight_c;
   Each<Owner> a, b, c;
-  Each<std::int32_t> place;
+  Each<std::int32_t> color_index;
 };
 
 /// `owner_at(i, right, row)`: of the site on that side of a sample, by the row of its left column;
-/// `odd`, `parts`: as in SiteLookup. Returns 0 if the corners of each sample have one owner.
+/// `odd`, `fractions`: as in SiteLookup. Returns 0 if the corners of each sample have one owner.
 template <class OwnerAt>
 Owner take_corners(Block& block, std::size_t count, const Rows& rows, const std::int32_t* odd,
-                   const std::int32_t* parts, Owner least, OwnerAt owner_at) {
+                   const std::int32_t* fractions, Owner least, OwnerAt owner_at) {
   constexpr std::int32_t kOne = std::int32_t{1} << 30;
   const std::int32_t even_up = rows.even_up;
   const std::int32_t other_up = rows.even_up ^ rows.odd_up;
@@ -122,14 +122,14 @@ Owner take_corners(Block& block, std::size_t count, const Rows& rows, const std:
   const std::int32_t other_row = rows.even_row ^ rows.odd_row;
   Owner unlike = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    const std::int32_t part = parts[i];
-    const std::int32_t above = (even_up ^ (other_up & odd[i])) - (part >> 1);
+    const std::int32_t fraction = fractions[i];
+    const std::int32_t above = (even_up ^ (other_up & odd[i])) - (fraction >> 1);
     const std::int32_t below = above >> 31;  // -1 or 0
     const std::int32_t up = above + (kOne & below);
     const std::int32_t row = (even_row ^ (other_row & odd[i])) + below;
-    const bool upper = part + up >= kOne;
-    block.weight_b[i] = upper ? kOne - up : part;
-    block.weight_c[i] = upper ? kOne - part : up;
+    const bool upper = fraction + up >= kOne;
+    block.weight_b[i] = upper ? kOne - up : fraction;
+    block.weight_c[i] = upper ? kOne - fraction : up;
     const Owner a = std::max(owner_at(i, upper, row + (upper ? 1 : 0)), least);
     const Owner b = std::max(owner_at(i, true, row), least);
     const Owner c = std::max(owner_at(i, false, row + 1), least);
@@ -142,8 +142,8 @@ Owner take_corners(Block& block, std::size_t count, const Rows& rows, const std:
 }
 
 /// Finds the owner of at least half of the weight, and whether the edge of its shape is near; puts
-/// the place of its colour, or of that of its outline, into `block.place`.
-void decide(Block& block, std::size_t count, std::int32_t width) {
+/// the index of its colour, or of that of its outline, into the block.
+void find_colors(Block& block, std::size_t count, std::int32_t width) {
   constexpr std::int32_t kOne = std::int32_t{1} << 30;
   constexpr std::int32_t kHalf = kOne / 2;
   for (std::size_t i = 0; i < count; ++i) {
@@ -161,7 +161,7 @@ void decide(Block& block, std::size_t count, std::int32_t width) {
     const Owner owner = chosen(mask(of_a >= kHalf), a, b_or_c);
     const std::int32_t most = std::max(of_a, std::max(of_b, weight_c));
     const std::int32_t line = mask(most - kHalf < width) & 1;
-    block.place[i] = 2 * (owner + static_cast<Owner>(kOthers)) + line;
+    block.color_index[i] = 2 * (owner + static_cast<Owner>(kOthers)) + line;
   }
 }
 
@@ -173,7 +173,7 @@ SiteLookup::SiteLookup(const lattice::Lattice& lattice, const Projection& projec
       projection_(projection),
       samples_(samples),
       threads_(threads),
-      box_(projection.samples_in(whole_box(lattice))),
+      box_(projection.samples_in(box_with_frame(lattice))),
       // The weight changes by one over the height of a lattice triangle, the column pitch.
       outline_width_(projection.outline_strength > 0
                          ? static_cast<std::int32_t>(in_units(
@@ -196,7 +196,7 @@ SiteLookup::SiteLookup(const lattice::Lattice& lattice, const Projection& projec
     const int rows_more = lattice::is_odd(column) ? 1 : 0;  // on the right, at the same height
     columns_.push_back({in_memory(column), in_memory(column + 1)});
     odd_.push_back(-rows_more);
-    parts_.push_back(static_cast<std::int32_t>(units & (kOne - 1)));
+    fractions_.push_back(static_cast<std::int32_t>(units & (kOne - 1)));
     const std::size_t here = columns_.size() - 1;
     if (blocks_.empty() || static_cast<std::size_t>(x) % Block::kSize == 0) {
       blocks_.push_back({here, here});
@@ -222,7 +222,7 @@ std::vector<std::uint8_t> SiteLookup::changed_blocks(const grains::Occupancy& oc
   const Owner* now = occupancy.inverted_owners().data();
   std::vector<std::uint8_t> changed;
   for (const BlockSpan& block : blocks_) {
-    bool same = !sites_.empty();
+    bool same = !owners_.empty();
     const int left = columns_[block.begin][0];
     const int right = columns_[block.end - 1][1];
     const int columns = left <= right ? right - left : right - left + lattice_.columns();
@@ -231,7 +231,7 @@ std::vector<std::uint8_t> SiteLookup::changed_blocks(const grains::Occupancy& oc
       // Two columns are interleaved.
       const std::size_t from = lattice_.index({there, low}) / 2 * 2;
       const std::size_t to = lattice_.index({there, high}) / 2 * 2 + 2;
-      same = std::equal(now + from, now + to, sites_.data() + from);
+      same = std::equal(now + from, now + to, owners_.data() + from);
     }
     changed.push_back(same ? 0 : 1);
   }
@@ -250,9 +250,9 @@ template <bool kNearBorder>
 void SiteLookup::draw_samples(const Colors& colors, const Height& height,
                               std::span<const std::uint8_t> changed, Sample* samples) const {
   // Sites of odd columns lie half a spacing higher.
-  const bool below = height.part < kHalf;
-  const Rows rows = {.even_up = height.part,
-                     .odd_up = height.part + (below ? kHalf : -kHalf),
+  const bool below = height.fraction < kHalf;
+  const Rows rows = {.even_up = height.fraction,
+                     .odd_up = height.fraction + (below ? kHalf : -kHalf),
                      .even_row = height.row,
                      .odd_row = height.row - (below ? 1 : 0)};
   const grains::Occupancy& occupancy = colors.occupancy();
@@ -279,23 +279,24 @@ void SiteLookup::draw_samples(const Colors& colors, const Height& height,
       return ~inverted[(is_right ? right[i] : left[i]) + lattice::Lattice::kRowPitch * row];
     };
     const Owner unlike = take_corners(block, count, rows, odd_.data() + begin,
-                                      parts_.data() + begin, least, owner_at);
+                                      fractions_.data() + begin, least, owner_at);
     if (unlike == 0 &&
         std::all_of(block.a.begin(), block.a.begin() + static_cast<std::ptrdiff_t>(count),
                     [&](Owner owner) { return owner == block.a[0]; })) {
-      std::fill_n(drawn, count, colors.data()[Colors::place(colors.whole(block.a[0]))]);
+      std::fill_n(drawn, count,
+                  colors.data()[Colors::color_index(colors.merged_owner(block.a[0]))]);
       continue;
     }
     if (least < kStandingWall) {
       for (std::size_t i = 0; i < count; ++i) {
-        block.a[i] = colors.whole(block.a[i]);
-        block.b[i] = colors.whole(block.b[i]);
-        block.c[i] = colors.whole(block.c[i]);
+        block.a[i] = colors.merged_owner(block.a[i]);
+        block.b[i] = colors.merged_owner(block.b[i]);
+        block.c[i] = colors.merged_owner(block.c[i]);
       }
     }
-    decide(block, count, outline_width_);
+    find_colors(block, count, outline_width_);
     for (std::size_t i = 0; i < count; ++i) {
-      drawn[i] = table[block.place[i]];
+      drawn[i] = table[block.color_index[i]];
     }
   }
 }
@@ -304,12 +305,12 @@ Image SiteLookup::picture(const grains::State& state, const grains::Occupancy& o
                           const Coloring& coloring) {
   const Colors colors(state, occupancy, coloring, projection_.outline_strength);
   const auto pitch = static_cast<std::size_t>(projection_.width);
-  if (colors.all() != colors_) {
-    colors_ = colors.all();
-    sites_.clear();
-    last_ = Image(projection_.width / samples_, projection_.height / samples_, kPaper);
+  if (colors.table() != colors_) {
+    colors_ = colors.table();
+    owners_.clear();
+    picture_ = Image(projection_.width / samples_, projection_.height / samples_, kPaper);
   }
-  Image& image = last_;
+  Image& image = picture_;
   constexpr int kRows = 16;  // of pixels
   parallel::FirstFailure failure;
 #pragma omp parallel for schedule(dynamic) num_threads(threads_)
@@ -360,7 +361,7 @@ Image SiteLookup::picture(const grains::State& state, const grains::Occupancy& o
   failure.rethrow();
   const auto now = occupancy.inverted_owners();
   if (now.size() <= image.pixels.size()) {  // otherwise nearly all changes from picture to picture
-    sites_.assign(now.begin(), now.end());
+    owners_.assign(now.begin(), now.end());
   }
   return image;
 }

@@ -38,10 +38,10 @@ class SiteLookup {
   static constexpr std::int32_t kOne = std::int32_t{1} << kFractionBits;
   static constexpr std::int32_t kHalf = kOne / 2;
 
-  /// Of a row of samples.
+  /// Height of a row of samples: the row of sites below it in even columns, and the fraction above.
   struct Height {
     int row = 0;
-    std::int32_t part = 0;
+    std::int32_t fraction = 0;
   };
   class Colors;
 
@@ -61,23 +61,23 @@ class SiteLookup {
   int threads_;
   PixelBox box_;
   // By column of samples in box_: the lattice columns around it, whether the left one is odd (-1 or
-  // 0), the part of the way between them, and the indices of their sites in row 0.
+  // 0), the fraction of the way between them, and the indices of their sites in row 0.
   std::vector<std::array<int, 2>> columns_;
   std::vector<std::int32_t> odd_;
-  std::vector<std::int32_t> parts_;
-  std::vector<std::int32_t> left_;   // from the first one of the block
-  std::vector<std::int32_t> right_;  // of that of the same axial height
+  std::vector<std::int32_t> fractions_;
+  std::vector<std::int32_t> left_;   // from that of the first column of the block
+  std::vector<std::int32_t> right_;  // in the axial row of the left one
   std::vector<Height> heights_;      // by row of samples in box_
-  std::int32_t outline_width_;       // in weight
+  std::int32_t outline_width_;       // in barycentric weight, as kOne
   struct BlockSpan {
     std::size_t begin = 0;  // in columns_
     std::size_t end = 0;
   };
   std::vector<BlockSpan> blocks_;
-  // Of the last picture.
+  // The last picture: its colours, owners by site, and pixels.
   std::vector<Sample> colors_;
-  std::vector<grains::Owner> sites_;
-  Image last_;
+  std::vector<grains::Owner> owners_;
+  Image picture_;
 };
 
 }  // namespace clca::render

@@ -34,7 +34,7 @@ constexpr double kAnySize = std::numeric_limits<double>::infinity();
 /// The gases of an ensemble that a rank advances.
 struct GasShare {
   double restitution = 1;
-  /// Of all members that have not begun, by number: each rank takes the next one when it is free.
+  /// Numbers of the members that have not begun: each rank takes the next one when it is free.
   std::vector<std::size_t> shared = {};
   /// Members that have begun in an earlier process, by number: for this rank alone.
   std::map<std::size_t, model::GasMember> begun = {};
@@ -42,7 +42,7 @@ struct GasShare {
   CLCA_FIELDS(restitution, shared, begun);
 };
 
-/// From one rank to another.
+/// A message from one rank to another.
 template <class T>
 tasks::Bytes packed(const T& value, const std::string& scene) {
   return store::checkpoint_bytes({.kind = "gas",
@@ -57,18 +57,18 @@ struct GasThreads {
   GasThreads(int threads, std::uint64_t ensemble, int ranks)
       : gases(std::min<std::uint64_t>(static_cast<std::uint64_t>(threads),
                                       1 + (ensemble - 1) / static_cast<std::uint64_t>(ranks))),
-        of_gas(std::max(1, threads / static_cast<int>(gases))) {}
+        per_gas(std::max(1, threads / static_cast<int>(gases))) {}
 
   std::size_t gases;
-  int of_gas;
+  int per_gas;
 };
 
 std::string case_name(double restitution) {
   return fmt::format("restitution-{}", restitution);
 }
 
-/// How far a gas of the case is.
-struct GasProgress {
+/// How far a member of the ensemble is.
+struct MemberProgress {
   std::atomic<double> time = 0;                   ///< while this process advances it, else 0
   std::atomic<std::uint64_t> participations = 0;  ///< so far, of any process
 };
@@ -106,32 +106,32 @@ class GasRun : public RunBase {
   std::vector<GasShare> shares_of(const record::GasCase& gas_case) const;
   tasks::Pool<bool>::Work work(record::GasCase& gas_case);
   /// Asks all gases of this process to stop for a checkpoint if that is due.
-  void look_at_checkpoint();
+  void check_if_save_is_due();
   void show_progress(double restitution);
   void finish_case(const record::GasCase& gas_case);
   /// Writes a checkpoint; no gas may change meanwhile.
   void save_course();
-  void warn();
+  void warn_of_long_step();
   bool is_done(const model::GasMember& member) const {
     return member.observations.size() == integrator_.times().size();
   }
-  bool complete(const record::GasCase& gas_case) const {
-    return gas_case.at(integrator_.times().size() - 1).size() == gas_case.members.size();
+  bool has_all_observations(const record::GasCase& gas_case) const {
+    return gas_case.members_with(integrator_.times().size() - 1).size() == gas_case.members.size();
   }
   /// How often a particle has collided so far, summed over all gases.
   std::uint64_t participations() const {
-    return std::transform_reduce(progress_.begin(), progress_.end(), participations_before_,
-                                 std::plus(),
-                                 [](const GasProgress& gas) { return gas.participations.load(); });
+    return std::transform_reduce(
+        progress_.begin(), progress_.end(), participations_before_, std::plus(),
+        [](const MemberProgress& gas) { return gas.participations.load(); });
   }
-  /// One of the literal scheme changes one particle, others change both.
+  /// Collisions so far: one of the literal scheme changes one particle, others change both.
   double collisions() const {
     const double changed = std::holds_alternative<boltzmann::Majorant>(scene_.scheme) ? 2 : 1;
     return static_cast<double>(participations()) / changed;
   }
 
   const scene::BoltzmannScene& scene_;
-  tasks::OneRank alone_;
+  tasks::OneRank alone_;  // for ranks_, where none are given
   tasks::Ranks& ranks_;
   GasThreads threads_;
   model::GasIntegrator integrator_;
@@ -139,29 +139,29 @@ class GasRun : public RunBase {
   std::uint64_t cases_logged_;               // by the lines of log.txt that were there
   std::uint64_t participations_before_ = 0;  // of the cases before
   std::uint64_t gases_done_ = 0;
-  std::vector<GasProgress> progress_;       // one for each member of a case
+  std::vector<MemberProgress> progress_;    // one for each member of a case
   std::mutex checkpoint_mutex_;             // of checkpoint_due_by_clock()
-  std::atomic<bool> saves_ = false;         // a checkpoint is due, once no gas is advanced here
+  std::atomic<bool> is_save_due_ = false;   // a checkpoint is written once no gas is advanced here
   std::atomic<int> startable_threads_ = 1;  // of each gas
-  std::thread::id thread_ = std::this_thread::get_id();
+  std::thread::id thread_ = std::this_thread::get_id();  // that made this object
   record::TimeEstimate forecast_;
   std::uint64_t steps_ = 0;
-  random::WordHash hash_;
+  random::WordHash hash_;  // of the state hashes of all gases
 };
 
 void GasRun::carry_out() {
   if (log_bytes() == 0) {
-    warn();
+    warn_of_long_step();
   }
   if (ranks_.size() > 1) {
     ranks_.begin(record::version());
   }
   const bool is_inline = threads_.gases == 1 && ranks_.size() == 1;  // gases advance in this thread
-  startable_threads_ = is_inline ? parallel::start_team(threads_.of_gas) : threads_.of_gas;
+  startable_threads_ = is_inline ? parallel::start_team(threads_.per_gas) : threads_.per_gas;
   run_cases();
 }
 
-void GasRun::warn() {
+void GasRun::warn_of_long_step() {
   const auto* literal = std::get_if<boltzmann::OgawaKato>(&scene_.scheme);
   if (literal == nullptr || literal->time_step <= boltzmann::OgawaKato().time_step) {
     return;
@@ -185,7 +185,7 @@ void GasRun::run_cases() {
     }
     record::GasCase& gas_case = course_.cases[i];
     run_case(gas_case);
-    if (!complete(gas_case)) {
+    if (!has_all_observations(gas_case)) {
       interrupt();
     }
     const bool last = i + 1 == scene_.restitutions.size();
@@ -202,7 +202,7 @@ void GasRun::run_case(record::GasCase& gas_case) {
   tell(fmt::format("restitution {}: {} gases of {} particles", gas_case.restitution,
                    gas_case.members.size(), scene_.particles));
   participations_before_ = participations();
-  progress_ = std::vector<GasProgress>(gas_case.members.size());
+  progress_ = std::vector<MemberProgress>(gas_case.members.size());
   for (std::size_t number = 0; number < gas_case.members.size(); ++number) {
     gases_done_ += is_done(gas_case.members[number]) ? 1 : 0;
     progress_[number].participations = gas_case.members[number].participations;
@@ -231,19 +231,19 @@ void GasRun::run_case(record::GasCase& gas_case) {
     if (stop_asked()) {
       pool.stop();
     }
-    look_at_checkpoint();
-    if (saves_ && pool.is_idle()) {
+    check_if_save_is_due();
+    if (is_save_due_ && pool.is_idle()) {
       save_course();
-      saves_ = false;
+      is_save_due_ = false;
     }
-    pool.set_starting(!saves_);
+    pool.allow_starts(!is_save_due_);
     if (progress_due()) {
       show_progress(gas_case.restitution);
     }
   }
 }
 
-/// By rank. Rank 0 has the members themselves.
+/// By rank; that of rank 0 has no copies of members, which it has itself.
 std::vector<GasShare> GasRun::shares_of(const record::GasCase& gas_case) const {
   std::vector<GasShare> shares(static_cast<std::size_t>(ranks_.size()),
                                {.restitution = gas_case.restitution});
@@ -270,11 +270,11 @@ tasks::Pool<bool>::Work GasRun::work(record::GasCase& gas_case) {
   };
   const auto advance = [this, &gas_case, end](std::size_t number, const std::atomic<int>& stop) {
     model::GasMember member = std::exchange(gas_case.members[number], {});
-    GasProgress& progress = progress_[number];
+    MemberProgress& progress = progress_[number];
     std::uint64_t step = member.gas ? member.gas->step : 0;
     const auto keep_going = [&](const model::GasMember& now) {
       if (now.gas->step != std::exchange(step, now.gas->step)) {
-        look_at_checkpoint();  // so there is a step between two of them
+        check_if_save_is_due();  // so there is a step between two of them
       }
       progress.time = now.gas->time;
       progress.participations = now.gas->participations;
@@ -282,7 +282,7 @@ tasks::Pool<bool>::Work GasRun::work(record::GasCase& gas_case) {
           progress_due()) {  // in the thread that called run()
         show_progress(gas_case.restitution);
       }
-      return stop == 0 && !stop_asked() && !saves_;
+      return stop == 0 && !stop_asked() && !is_save_due_;
     };
     integrator_.integrate(member, gas_case.restitution, boltzmann::member_seed(scene_.seed, number),
                           startable_threads_, keep_going);
@@ -300,17 +300,17 @@ tasks::Pool<bool>::Work GasRun::work(record::GasCase& gas_case) {
                 return end(number, std::move(member));
               },
           .begin = [this] {  // while there is memory for it
-            const int had = parallel::start_team(threads_.of_gas);
+            const int had = parallel::start_team(threads_.per_gas);
             int least = startable_threads_;
             while (had < least && !startable_threads_.compare_exchange_weak(least, had)) {
             }
           }};
 }
 
-void GasRun::look_at_checkpoint() {
+void GasRun::check_if_save_is_due() {
   const std::unique_lock lock(checkpoint_mutex_, std::try_to_lock);
-  if (lock && !saves_) {  // else a step later will do
-    saves_ = checkpoint_due_by_clock();
+  if (lock && !is_save_due_) {  // else a step later will do
+    is_save_due_ = checkpoint_due_by_clock();
   }
 }
 
@@ -320,7 +320,7 @@ void GasRun::show_progress(double restitution) {
   }
   double sum = 0;
   double latest = 0;
-  for (const GasProgress& gas : progress_) {
+  for (const MemberProgress& gas : progress_) {
     const double time = gas.time;
     sum += time;
     latest = std::max(latest, time);
@@ -384,7 +384,7 @@ void advance(GasShare share, const scene::BoltzmannScene& scene, const RunOption
     model::GasMember member =
         begun == share.begun.end() ? model::GasMember() : std::move(begun->second);
     integrator.integrate(member, share.restitution, boltzmann::member_seed(scene.seed, number),
-                         parallel::start_team(threads.of_gas),
+                         parallel::start_team(threads.per_gas),
                          [&](const model::GasMember& /*now*/) { return stop == 0; });
     return packed(member, "");
   };

@@ -22,6 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// A run that the scene begins with, and the state that it takes.
 struct OtherRun {
   scene::Scene scene;
   model::ModelState state;
@@ -31,7 +32,7 @@ struct OtherRun {
   throw scene::SceneError(fmt::format("{}: error: begin: {}", begin.location, reason));
 }
 
-OtherRun end_of(const fs::path& folder, const store::RunSummary& summary, double max_bytes) {
+OtherRun end_state_of(const fs::path& folder, const store::RunSummary& summary, double max_bytes) {
   if (summary.status != "done") {
     throw store::StoreError(
         fmt::format("the run in {} is {}, not done; continue it with clca resume", folder.string(),
@@ -63,8 +64,8 @@ OtherRun end_of(const fs::path& folder, const store::RunSummary& summary, double
 }
 
 /// The first frame of the step: before what the next stage begins with.
-OtherRun frame_of(const fs::path& folder, const store::RunSummary& summary, std::uint64_t step,
-                  double max_bytes) {
+OtherRun frame_state_of(const fs::path& folder, const store::RunSummary& summary,
+                        std::uint64_t step, double max_bytes) {
   scene::Scene scene = scene::parse_file(folder / store::kSceneFile);
   scene.name = summary.scene;
   const store::Trajectory trajectory(folder, scene, model::initial_state(scene), max_bytes);
@@ -83,8 +84,8 @@ OtherRun other_run(const scene::Begin& begin, double max_bytes) {
   try {
     const fs::path folder = begin.run;
     const store::RunSummary summary = store::read_summary(folder / store::kSummaryFile);
-    OtherRun run = begin.step ? frame_of(folder, summary, *begin.step, max_bytes)
-                              : end_of(folder, summary, max_bytes);
+    OtherRun run = begin.step ? frame_state_of(folder, summary, *begin.step, max_bytes)
+                              : end_state_of(folder, summary, max_bytes);
     const std::uint64_t found = model::hash(run.state);
     if (begin.state && *begin.state != found) {
       throw store::StoreError(
@@ -140,7 +141,7 @@ std::vector<std::size_t> present_ids(const grains::State& state) {
   return ids;
 }
 
-/// Of the grain that comes next, as if it were deposited.
+/// The axis of the grain that comes next, as if it were deposited.
 std::uint16_t random_axis(const grains::State& state) {
   const auto id = static_cast<std::uint32_t>(state.particles.size());
   return static_cast<std::uint16_t>(
@@ -192,7 +193,7 @@ void take_grains(const scene::Scene& scene, const OtherRun& other,
   }
 }
 
-/// Those in an outlet leave at once.
+/// Grains in an outlet leave at once.
 void remove_at_outlets(grains::State& state) {
   for (std::uint32_t id = 0; id < state.particles.size(); ++id) {
     if (grains::count_at_outlet(state, id)) {
@@ -202,7 +203,7 @@ void remove_at_outlets(grains::State& state) {
   }
 }
 
-/// `factor` times an integer of at most `most`.
+/// `factor` times `value`, rounded, from -`most` to `most`.
 std::int32_t scaled(double factor, std::int32_t value, double most) {
   return static_cast<std::int32_t>(std::llround(std::clamp(factor * value, -most, most)));
 }

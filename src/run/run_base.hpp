@@ -72,8 +72,9 @@ class RunBase {
   // Into log.txt and to the callbacks. Failure to write (full disk) does not stop the run.
   void info(const std::string& line) { note("info", line, events_.message); }
   void warning(const std::string& line) { note("warning", line, events_.warning); }
-  /// Written so far.
+  /// Bytes of log.txt written so far.
   std::uint64_t log_bytes() const { return log_->bytes(); }
+  /// To RunEvents::detail alone.
   void tell(const std::string& detail) const {
     if (events_.detail) {
       events_.detail(detail);
@@ -89,14 +90,14 @@ class RunBase {
   bool progress_due() { return progress_timer_.due(); }
   void interrupt() { is_complete_ = false; }
   bool is_complete() const { return is_complete_; }
-  /// Those that have ended.
+  /// Summaries of the stages that have ended.
   std::vector<store::StageSummary>& stages() { return stages_; }
   /// Whether a checkpoint is due after `step` steps.
   bool checkpoint_due(std::uint64_t step);
   bool checkpoint_due_by_clock() { return checkpoint_timer_ && checkpoint_timer_->due(); }
   /// Writes it in the background. Waits for the previous one and rethrows its error.
   void save(store::Checkpoint checkpoint);
-  /// Without fields.
+  /// What all runs save: a checkpoint without fields.
   store::Checkpoint checkpoint() const;
 
  private:

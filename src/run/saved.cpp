@@ -43,7 +43,8 @@ std::optional<store::RunSummary> finished(const store::RunFolder& folder) {
 }
 
 /// Whether a run that reached `now` can have recorded this history of what has left.
-bool has_left(const record::StageHistory& history, const grains::State& now, std::size_t species) {
+bool is_possible_outflow(const record::StageHistory& history, const grains::State& now,
+                         std::size_t species) {
   return history.outflow.precedes(measure::discharge(now)) &&
          std::equal(history.outlets.begin(), history.outlets.end(), now.outlets.begin(),
                     now.outlets.end(),
@@ -136,7 +137,7 @@ SavedParts saved_parts(const scene::Scene& scene, const SavedRun& saved) {
   parts.stages = store::parse_summary(saved.checkpoint.summary, "its summary").stages;
   const grains::State& grains = model::grains_of(parts.state);
   const auto columns_of_lattice = static_cast<std::size_t>(grains.lattice.columns());
-  if (!has_left(parts.history, grains, scene.species.size())) {
+  if (!is_possible_outflow(parts.history, grains, scene.species.size())) {
     throw reflection::Mismatch("what has left is not of this run");
   }
   if (parts.reached.stage >= scene.stages.size() || parts.stages.size() != parts.reached.stage ||

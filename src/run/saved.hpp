@@ -22,9 +22,10 @@ struct Reached {
   CLCA_FIELDS(stage, moving, stepped, updates, wall_seconds, step_seconds, log_bytes);
 };
 
+// Paths in a checkpoint.
 inline constexpr const char* kSavedReached = "course";
 inline constexpr const char* kSavedHistory = "stage";
-/// Which pictures are wanted: before the first step, and later.
+/// Paths of the wanted pictures: in a checkpoint before the first step, and in later ones.
 inline const std::string kWantedPictures = std::string(store::Checkpoint::kWanted) + "/pictures";
 inline constexpr const char* kSavedPictures = "outputs/wanted_pictures";
 

@@ -41,30 +41,30 @@ struct Simulation::Impl {
         options{.threads = parallel::start_team(threads)},
         interruption(std::move(interrupt)),
         model(std::make_shared<model::SceneModel>(scene, first_state(scene), options)),
-        observed(without_files(scene)),
+        observed_scene(without_files(scene)),
         course{.scene = scene,
                .model = model.get(),
-               .observers = record::Observers(record::observers_of(observed))} {
+               .observers = record::Observers(record::observers_of(observed_scene))} {
     begin_stage();
   }
 
   bool is_last() const { return course.reached.stage + 1 == scene.stages.size(); }
 
   image::Image picture(const scene::Frames& frames) {
-    if (!drawn_by || *drawn_by->scene.output.frames != frames) {
+    if (!scene_painter || *scene_painter->scene.output.frames != frames) {
       scene::Scene drawn = scene;
       drawn.output.frames = frames;
-      drawn_by.emplace(std::move(drawn), model->state());
+      scene_painter.emplace(std::move(drawn), model->state());
     }
-    const drawing::CapturedFrame frame = drawn_by->painter.capture(
-        drawing::present_view(drawn_by->scene, *model, course.observers), pictures);
+    const drawing::CapturedFrame frame = scene_painter->painter.capture(
+        drawing::present_content(scene_painter->scene, *model, course.observers), pictures);
     pictures.window.emplace(model->state());
-    return drawn_by->painter.rasterize(frame).image;
+    return scene_painter->painter.rasterize(frame).image;
   }
 
   /// Draws pictures that look the same way.
-  struct Drawing {
-    Drawing(scene::Scene drawn, const grains::State& state)
+  struct ScenePainter {
+    ScenePainter(scene::Scene drawn, const grains::State& state)
         : scene(std::move(drawn)), painter(scene, state, {}) {}
 
     scene::Scene scene;
@@ -73,7 +73,7 @@ struct Simulation::Impl {
 
   /// Carries out a change; after one that has failed, state and records do not fit together.
   template <class Change>
-  std::invoke_result_t<Change> whole(Change change) {
+  std::invoke_result_t<Change> guarded(Change change) {
     try {
       return change();
     } catch (...) {
@@ -117,11 +117,11 @@ struct Simulation::Impl {
   grains::Options options;
   std::function<void()> interruption;
   std::shared_ptr<model::SceneModel> model;
-  scene::Scene observed;
+  scene::Scene observed_scene;
   Course course;
   std::optional<StageEnd> end;
   drawing::PictureHistory pictures;
-  std::optional<Drawing> drawn_by;
+  std::optional<ScenePainter> scene_painter;
   std::exception_ptr failure;
 };
 
@@ -154,13 +154,13 @@ grains::StepReport Simulation::step() {
   if (is_over()) {
     throw std::logic_error("the last stage has ended");
   }
-  return impl_->whole([this] { return impl_->take_step(); });
+  return impl_->guarded([this] { return impl_->take_step(); });
 }
 void Simulation::next_stage() {
   if (live().is_last()) {
     throw std::logic_error("the last stage has no next one");
   }
-  impl_->whole([this] { impl_->begin_next_stage(); });
+  impl_->guarded([this] { impl_->begin_next_stage(); });
 }
 const grains::State& Simulation::grains() const {
   return live().model->state();

@@ -30,8 +30,9 @@ bool share_initial_site(const lattice::Lattice& lattice, const Wall& a, const Wa
 }
 
 /// The walls present in some stage that moves `mover`.
-std::vector<bool> companions(const Scene& scene, const std::vector<std::vector<bool>>& there,
-                             std::size_t mover) {
+std::vector<bool> walls_present_with(const Scene& scene,
+                                     const std::vector<std::vector<bool>>& there,
+                                     std::size_t mover) {
   std::vector<bool> result(scene.walls.size(), false);
   for (std::size_t i = 0; i < scene.stages.size(); ++i) {
     if (std::ranges::count(scene.stages[i].move, mover) > 0) {
@@ -159,7 +160,7 @@ void check_walls(const Scene& scene) {
       fail(mover, "no site of the box, {} wide and {} high, lies on its way", scene.box.width,
            scene.box.height);
     }
-    const std::vector<bool> met = companions(scene, there, i);
+    const std::vector<bool> met = walls_present_with(scene, there, i);
     for (std::size_t other = 0; other < scene.walls.size(); ++other) {
       if (met[other]) {
         check_pair(lattice, mover, way, scene.walls[other]);

@@ -17,11 +17,11 @@ namespace clca::scene {
 namespace {
 
 /// Walls that only the automaton has.
-void check_walls_of_model(const Place& root) {
+void check_walls_of_model(const PlacedValue& root) {
   const Scene& scene = root.scene;
   for (std::size_t i = 0; i < scene.walls.size(); ++i) {
-    const Place walls = root.at("walls");
-    const Place wall = walls.inside(walls.value.entries[i]);
+    const PlacedValue walls = root.at("walls");
+    const PlacedValue wall = walls.inside(walls.value.entries[i]);
     if (scene.model == Model::contact && scene.walls[i].passive == grains::Passive::overlap) {
       fail(wall.at("passive"),
            "model contact lets nothing overlap yet, model automaton does; remove it, or say "
@@ -59,7 +59,7 @@ void check_shapes(const Scene& scene, const Value& value) {
 }
 
 /// In a narrow periodic box two grains would touch on both sides, and have one contact.
-void check_periodic_width(const Place& box) {
+void check_periodic_width(const PlacedValue& box) {
   const Scene& scene = box.scene;
   if (!scene.box.periodic) {
     return;
@@ -81,12 +81,12 @@ void check_periodic_width(const Place& box) {
 }
 
 /// Checks stages once the time step is known.
-void check_vessels(const Place& stages) {
+void check_vessels(const PlacedValue& stages) {
   const Scene& scene = stages.scene;
   contact::Vessel vessel;
   for (std::size_t i = 0; i < scene.stages.size(); ++i) {
     const Stage& stage = scene.stages[i];
-    const Place fields = {stages.value.items[i], join_path(stages.path, stage.name), scene};
+    const PlacedValue fields = {stages.value.items[i], join_path(stages.path, stage.name), scene};
     if (stage.fill && stage.fill->method == FillMethod::deposition && vessel.angle != 0) {
       fail(fields.at("fill"),
            "deposition needs a vessel that stands upright; use 'method: random'");
@@ -105,7 +105,7 @@ void check_vessels(const Place& stages) {
 
 /// Refuses a thing under `key` for which `used(scene, index)` is false.
 template <class Use>
-void require_use(const Place& root, std::string_view key, std::string_view advice, Use used) {
+void require_use(const PlacedValue& root, std::string_view key, std::string_view advice, Use used) {
   const Value* things = root.find(key);
   for (std::size_t i = 0; things != nullptr && i < things->entries.size(); ++i) {
     const Entry& entry = things->entries[i];
@@ -116,7 +116,7 @@ void require_use(const Place& root, std::string_view key, std::string_view advic
 }
 
 template <class Items>
-void require_none(const Items& items, const Place& root, const char* key, const char* what) {
+void require_none(const Items& items, const PlacedValue& root, const char* key, const char* what) {
   if (!items.empty()) {
     fail(root.at(key),
          "nothing would be written; they {} at the steps of output.series, so remove its none, or "
@@ -125,26 +125,26 @@ void require_none(const Items& items, const Place& root, const char* key, const 
   }
 }
 
-bool opens(const Scene& scene, std::size_t source) {
+bool source_opens(const Scene& scene, std::size_t source) {
   return std::ranges::any_of(scene.stages, [source](const Stage& stage) {
     return std::ranges::count(stage.sources, source) > 0;
   });
 }
 
-bool stands_or_moves(const Scene& scene, std::size_t wall) {
+bool wall_stands_or_moves(const Scene& scene, std::size_t wall) {
   return !scene.walls[wall].motion || std::ranges::any_of(scene.stages, [wall](const Stage& stage) {
     return std::ranges::count(stage.move, wall) > 0;
   });
 }
 
-bool fills(const Scene& scene, std::size_t species) {
+bool fill_has_species(const Scene& scene, std::size_t species) {
   return std::ranges::any_of(scene.stages, [species](const Stage& stage) {
     return stage.fill && has_species(*stage.fill, species);
   });
 }
 
-bool appears(const Scene& scene, std::size_t species) {
-  return fills(scene, species) ||
+bool species_appears(const Scene& scene, std::size_t species) {
+  return fill_has_species(scene, species) ||
          std::ranges::any_of(scene.sources, [species](const Source& source) {
            return source.weights[species] > 0;
          });
@@ -157,7 +157,7 @@ bool lets_overlap(const Scene& scene) {
       scene.walls, [](const Wall& wall) { return wall.passive == grains::Passive::overlap; });
 }
 
-void check_weight_paths(const Place& place) {
+void check_weight_paths(const PlacedValue& place) {
   const Scene& scene = place.scene;
   const bool turns = std::ranges::any_of(
       scene.stages, [](const Stage& stage) { return stage.vessel.has_value(); });
@@ -168,7 +168,7 @@ void check_weight_paths(const Place& place) {
   }
 }
 
-void check_model(const Place& root) {
+void check_model(const PlacedValue& root) {
   const Model model = root.scene.model;
   if (model == Model::automaton) {
     return;
@@ -184,7 +184,7 @@ void check_model(const Place& root) {
   }
 }
 
-void check_time_step(const Place& root) {
+void check_time_step(const PlacedValue& root) {
   const Scene& scene = root.scene;
   if (scene.model != Model::contact) {
     return;
@@ -204,7 +204,7 @@ void check_time_step(const Place& root) {
   check_vessels(root.at("stages"));
 }
 
-void check_history(const Place& list) {
+void check_history(const PlacedValue& list) {
   const Scene& scene = list.scene;
   std::set<std::string_view> known;
   for (std::size_t i = 0; i < scene.stages.size(); ++i) {
@@ -215,10 +215,10 @@ void check_history(const Place& list) {
   }
   std::vector<bool> there = walls_present_at_start(scene);
   std::vector<const Stage*> since(scene.walls.size(), nullptr);  // null since the start
-  const auto refuse = [&](std::size_t wall, const Place& entry, std::string_view reason) {
+  const auto refuse = [&](std::size_t wall, const PlacedValue& entry, std::string_view reason) {
     fail(entry, "wall '{}' {}", scene.walls[wall].name, reason);
   };
-  const auto require = [&](std::size_t wall, const Place& entry) {
+  const auto require = [&](std::size_t wall, const PlacedValue& entry) {
     if (!there[wall] && since[wall] != nullptr) {
       refuse(wall, entry, fmt::format("is gone since stage '{}'", since[wall]->name));
     }
@@ -231,16 +231,16 @@ void check_history(const Place& list) {
   };
   for (std::size_t i = 0; i < scene.stages.size(); ++i) {
     const Stage& stage = scene.stages[i];
-    const Place fields = {list.value.items[i], join_path(list.path, stage.name), scene};
+    const PlacedValue fields = {list.value.items[i], join_path(list.path, stage.name), scene};
     // Calls change(wall, entry) for the walls in a list of the stage.
     const auto for_each = [&](std::string_view key, const std::vector<std::size_t>& walls,
                               const auto& change) {
       for (std::size_t k = 0; k < walls.size(); ++k) {
-        const Place entries = fields.at(key);
-        change(walls[k], Place{entries.value.items[k], entries.path, scene});
+        const PlacedValue entries = fields.at(key);
+        change(walls[k], PlacedValue{entries.value.items[k], entries.path, scene});
       }
     };
-    for_each("remove", stage.remove, [&](std::size_t wall, const Place& entry) {
+    for_each("remove", stage.remove, [&](std::size_t wall, const PlacedValue& entry) {
       if (std::ranges::count(stage.insert, wall) > 0) {
         refuse(wall, entry, "is under insert too");
       }
@@ -248,14 +248,14 @@ void check_history(const Place& list) {
       there[wall] = false;
       since[wall] = &stage;
     });
-    for_each("insert", stage.insert, [&](std::size_t wall, const Place& entry) {
+    for_each("insert", stage.insert, [&](std::size_t wall, const PlacedValue& entry) {
       if (there[wall]) {
         refuse(wall, entry, fmt::format("is there since stage '{}'", since[wall]->name));
       }
       there[wall] = true;
       since[wall] = &stage;
     });
-    for_each("move", stage.move, [&](std::size_t wall, const Place& entry) {
+    for_each("move", stage.move, [&](std::size_t wall, const PlacedValue& entry) {
       if (!scene.walls[wall].motion) {
         refuse(wall, entry, "has no motion");
       }
@@ -264,9 +264,9 @@ void check_history(const Place& list) {
   }
 }
 
-void check_use(const Place& root) {
+void check_use(const PlacedValue& root) {
   const Scene& scene = root.scene;
-  require_use(root, "walls", "name it under move in a stage", stands_or_moves);
+  require_use(root, "walls", "name it under move in a stage", wall_stands_or_moves);
   for (std::size_t i = 0; i < scene.walls.size(); ++i) {
     const std::string& name = scene.walls[i].name;
     if (name.find_first_not_of("0123456789") == std::string::npos) {
@@ -275,7 +275,7 @@ void check_use(const Place& root) {
            name);
     }
   }
-  require_use(root, "sources", "name it under sources in a stage", opens);
+  require_use(root, "sources", "name it under sources in a stage", source_opens);
   if (!scene.output.series) {
     require_none(scene.probes, root, "probes", "have rows");
     require_none(scene.lines, root, "lines", "are observed");
@@ -285,13 +285,13 @@ void check_use(const Place& root) {
   }
   bool any = !scene.sources.empty();
   for (std::size_t species = 0; species < scene.species.size(); ++species) {
-    any = any || fills(scene, species);
+    any = any || fill_has_species(scene, species);
   }
   if (!any) {
     fail(root.at("stages"),
          "no particles; give a stage a fill or a source, or begin with another run");
   }
-  require_use(root, "species", "give it a count in a fill, or a source", appears);
+  require_use(root, "species", "give it a count in a fill, or a source", species_appears);
 }
 
 }  // namespace clca::scene

@@ -157,7 +157,7 @@ bool holds_no_site(const Lattice& lattice, const Circle& circle) {
   return !any_site_in(SweptRegion(lattice), band_of(circle), [](Site) { return true; });
 }
 
-Rectangle around(const Circle& circle) {
+Rectangle bounding_rectangle(const Circle& circle) {
   const Ring ring = ring_of(circle);
   const double reach = ring.radius + ring.thickness + 1;
   return {ring.centre.x() - reach, ring.centre.y() - reach, ring.centre.x() + reach,

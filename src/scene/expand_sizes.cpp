@@ -12,9 +12,9 @@ namespace clca::scene {
 
 namespace {
 
-constexpr std::uint64_t kMaxWeightBesideSizes = 1000;
+constexpr std::uint64_t kMaxWeightBesideSizes = 1000;  // where a species has sizes
 
-/// From light to dark.
+/// The colour made lighter or darker: `darkness` is from 0 to 1.
 std::string shade(const image::Rgb& color, double darkness) {
   constexpr double kLightest = 0.6;  // share of white
   constexpr double kDarkest = 0.5;   // of black
@@ -59,26 +59,26 @@ class Expansion {
     species.entries = std::move(entries);
   }
 
-  bool empty() const { return families_.empty(); }
+  bool empty() const { return sized_species_.empty(); }
 
   /// Divides a count among the kinds in whole numbers, the largest first. What rounding takes from
   /// a kind, by number or by area as the law, goes to the next one, so that the mean changes
   /// little.
   void divide_counts(Value& counts, const std::string& path) {
-    divide(counts, [&](const Entry& entry, const Family& family) {
+    divide(counts, [&](const Entry& entry, const SizedSpecies& sized) {
       const double all = amount_in(entry, path, kMaxParticles);
-      if (all > 0 && all < static_cast<double>(family.kinds.size())) {
+      if (all > 0 && all < static_cast<double>(sized.kinds.size())) {
         fail(entry.value.location, "{}: expected at least {}, one of each kind, found {}",
-             join_path(path, entry.key), family.kinds.size(), all);
+             join_path(path, entry.key), sized.kinds.size(), all);
       }
-      std::vector<double> numbers(family.kinds.size());
+      std::vector<double> numbers(sized.kinds.size());
       double left = all;
       double carried = 0;
       for (std::size_t i = numbers.size() - 1; i > 0; --i) {
-        const SizeClass& kind = family.kinds[i];
-        carried += kind.share * all * kind.extent;
-        numbers[i] = std::clamp(std::round(carried / kind.extent), 0.0, left);
-        carried -= numbers[i] * kind.extent;
+        const SizeClass& kind = sized.kinds[i];
+        carried += kind.share * all * kind.weight_in_law;
+        numbers[i] = std::clamp(std::round(carried / kind.weight_in_law), 0.0, left);
+        carried -= numbers[i] * kind.weight_in_law;
         left -= numbers[i];
       }
       numbers.front() = left;
@@ -98,22 +98,22 @@ class Expansion {
     }
     const double scale = std::floor(static_cast<double>(kMaxSpeciesWeight) / largest);
     for (Entry& entry : weights.entries) {
-      if (!families_.contains(entry.key)) {
+      if (!sized_species_.contains(entry.key)) {
         entry.value = whole(scale * weight_of(entry), entry.value.location);
       }
     }
-    divide(weights, [&](const Entry& entry, const Family& family) {
+    divide(weights, [&](const Entry& entry, const SizedSpecies& sized) {
       const double weight = weight_of(entry);
       std::vector<double> numbers;
-      for (const SizeClass& kind : family.kinds) {
+      for (const SizeClass& kind : sized.kinds) {
         numbers.push_back(std::max(std::min(weight, 1.0), std::round(scale * weight * kind.share)));
       }
       return numbers;
     });
   }
 
-  /// Each species once.
-  Value all_alike(const TextLocation& location) const {
+  /// Each species with the weight 1.
+  Value equal_weights(const TextLocation& location) const {
     Value weights = Value::map(location);
     for (const std::string& name : names_) {
       weights.add(name, whole(1, location));
@@ -121,9 +121,10 @@ class Expansion {
     return weights;
   }
 
-  /// A species by its name becomes weights, too.
-  void divide_part(Value& part, const std::string& path) {
-    if (families_.contains(part.text)) {
+  /// The value of a colour in fill.picture: a species with sizes, or weights of species, becomes
+  /// weights of its kinds.
+  void divide_picture_part(Value& part, const std::string& path) {
+    if (sized_species_.contains(part.text)) {
       Value weights = Value::map(part.location);
       weights.add(part.text, whole(1, part.location));
       part = weights;
@@ -135,9 +136,9 @@ class Expansion {
 
   /// Of the species that are used, the kinds of which there are none.
   void leave_out_unused(Value& species) const {
-    for (const auto& [name, family] : families_) {
-      const auto is_unused = [&](const std::string& kind) { return !used_.contains(kind); };
-      const std::vector<std::string>& kinds = family.names;
+    for (const auto& [name, sized] : sized_species_) {
+      const auto is_unused = [&](const std::string& kind) { return !used_kinds_.contains(kind); };
+      const std::vector<std::string>& kinds = sized.names;
       if (!std::ranges::all_of(kinds, is_unused)) {
         std::erase_if(species.entries, [&](const Entry& entry) {
           return is_unused(entry.key) && std::ranges::find(kinds, entry.key) != kinds.end();
@@ -148,7 +149,7 @@ class Expansion {
 
  private:
   /// A species with sizes.
-  struct Family {
+  struct SizedSpecies {
     std::vector<std::string> names;
     std::vector<SizeClass> kinds;
   };
@@ -157,25 +158,25 @@ class Expansion {
                  std::vector<Entry>& entries) {
     const std::string path = join_path("species", entry.key);
     check_name(entry.key, entry.location, "species");
-    Family& family = families_[entry.key];
+    SizedSpecies& sized = sized_species_[entry.key];
     const Sizes law = sizes_type().read({sizes, join_path(path, "sizes"), scene});
-    family.kinds = size_classes(law);
+    sized.kinds = size_classes(law);
     // Blue, vermilion and green of the palette.
     constexpr std::array<image::Rgb, 3> kColors = {{{0, 114, 178}, {213, 94, 0}, {0, 158, 115}}};
-    image::Rgb color = kColors[(families_.size() - 1) % kColors.size()];
+    image::Rgb color = kColors[(sized_species_.size() - 1) % kColors.size()];
     if (const Value* own = entry.value.find("color")) {
       color = color_type().read({*own, join_path(path, "color"), Scene()});
     }
-    const std::size_t count = family.kinds.size();
+    const std::size_t count = sized.kinds.size();
     for (std::size_t i = 0; i < count; ++i) {
-      family.names.push_back(fmt::format("{}-{}", entry.key, i + 1));
-      Entry kind = {family.names.back(), entry.location, entry.value};
+      sized.names.push_back(fmt::format("{}-{}", entry.key, i + 1));
+      Entry kind = {sized.names.back(), entry.location, entry.value};
       const TextLocation& location = sizes.location;
       std::erase_if(kind.value.entries,
                     [](const Entry& key) { return key.key == "sizes" || key.key == "color"; });
       Value shape = Value::map(location);
       shape.add(law.shape == RoundShape::disc ? "disc" : "hexagon",
-                Value::scalar(fmt::format("{}", family.kinds[i].radius), location));
+                Value::scalar(fmt::format("{}", sized.kinds[i].radius), location));
       kind.value.add("shape", std::move(shape));
       kind.value.add("color",
                      Value::scalar(shade(color, count > 1 ? static_cast<double>(i) /
@@ -186,22 +187,22 @@ class Expansion {
     }
   }
 
-  /// Replaces each species with sizes by those of its kinds of which `numbers_of(entry, family)`
+  /// Replaces each species with sizes by those of its kinds of which `numbers_of(entry, sized)`
   /// says that there are any.
   template <class Numbers>
   void divide(Value& map, const Numbers& numbers_of) {
     std::vector<Entry> result;
     for (Entry& entry : map.entries) {
-      const auto family = families_.find(entry.key);
-      if (family == families_.end()) {
+      const auto sized = sized_species_.find(entry.key);
+      if (sized == sized_species_.end()) {
         result.push_back(std::move(entry));
         continue;
       }
-      const std::vector<std::string>& names = family->second.names;
-      const std::vector<double> numbers = numbers_of(entry, family->second);
+      const std::vector<std::string>& names = sized->second.names;
+      const std::vector<double> numbers = numbers_of(entry, sized->second);
       for (std::size_t i = 0; i < numbers.size(); ++i) {
         if (numbers[i] > 0) {
-          used_.insert(names[i]);
+          used_kinds_.insert(names[i]);
           result.push_back({names[i], entry.location, whole(numbers[i], entry.value.location)});
         }
       }
@@ -210,8 +211,8 @@ class Expansion {
   }
 
   std::vector<std::string> names_;  // of all species
-  std::map<std::string, Family> families_;
-  std::set<std::string> used_;  // kinds
+  std::map<std::string, SizedSpecies> sized_species_;
+  std::set<std::string> used_kinds_;
 };
 
 void expand_sizes_of_fill(Expansion& expansion, Value& fill, const std::string& path) {
@@ -225,7 +226,8 @@ void expand_sizes_of_fill(Expansion& expansion, Value& fill, const std::string& 
     for (const char* key : {"colors", "pixels"}) {
       if (Value* parts = picture->find(key)) {
         for (Entry& part : parts->entries) {
-          expansion.divide_part(part.value, fmt::format("{}.picture.{}.{}", path, key, part.key));
+          expansion.divide_picture_part(part.value,
+                                        fmt::format("{}.picture.{}.{}", path, key, part.key));
         }
       }
     }
@@ -257,7 +259,7 @@ void expand_sizes(Value& root, const Scene& scene) {
       }
       if (source.value.find("species") == nullptr) {
         source.value.entries.push_back(
-            {"species", source.location, expansion.all_alike(source.location)});
+            {"species", source.location, expansion.equal_weights(source.location)});
       }
       expansion.divide_weights(*source.value.find("species"),
                                join_path(join_path("sources", source.key), "species"));

@@ -101,12 +101,12 @@ std::vector<FoundKey> found_keys(std::string_view path) {
 
 std::string values_text(const AnyKey& key) {
   const bool is_value = key.default_value || may_be_none(key);
-  const std::string otherwise = key.required            ? "required"
-                                : key.otherwise.empty() ? ""
-                                : key.is_condition      ? key.otherwise
-                                : is_value              ? "default: " + key.otherwise
-                                                        : "if left out: " + key.otherwise;
-  return without_markup(key.type->allowed + (otherwise.empty() ? "" : "; " + otherwise));
+  const std::string phrase = key.required                 ? "required"
+                             : key.default_phrase.empty() ? ""
+                             : key.is_condition           ? key.default_phrase
+                             : is_value                   ? "default: " + key.default_phrase
+                                                          : "if left out: " + key.default_phrase;
+  return without_markup(key.type->allowed + (phrase.empty() ? "" : "; " + phrase));
 }
 
 std::string explained(const FoundKey& found) {
@@ -120,7 +120,7 @@ std::string explained(const FoundKey& found) {
   return text;
 }
 
-/// Those that `words` does not have yet.
+/// Adds the words that the schema allows and `words` does not have yet.
 void add_words(const Json& schema, std::vector<std::string>& words) {
   Json values = schema.value("enum", Json::array());
   if (schema.contains("const")) {
@@ -151,10 +151,10 @@ std::string row(const std::string& prefix, const AnyKey& key) {
   const std::string model =
       key.model ? fmt::format("with `model: {}`: ", name_of(kModelNames, *key.model)) : "";
   return fmt::format("| `{}{}` | {} | {} | {}{} |\n", prefix, key.name, cell(key.type->allowed),
-                     key.required ? "required" : cell(key.otherwise), model, cell(key.about));
+                     key.required ? "required" : cell(key.default_phrase), model, cell(key.about));
 }
 
-/// Wherever a number stands.
+/// Allows expressions wherever the schema has a number.
 void allow_expressions(Json& schema) {
   if (schema.is_object() && schema.contains("type") &&
       (schema["type"] == "number" || schema["type"] == "integer")) {

@@ -40,7 +40,7 @@ std::optional<Value> key_text(const AnyKey& key, const void* owner, const Scene&
 }
 
 /// Reads the key, or refuses it in another model.
-void read_key(const AnyKey& key, const Place& fields, void* owner) {
+void read_key(const AnyKey& key, const PlacedValue& fields, void* owner) {
   const Value* value = fields.find(key.name);
   if (key.model && *key.model != fields.scene.model) {
     if (value != nullptr) {
@@ -51,28 +51,28 @@ void read_key(const AnyKey& key, const Place& fields, void* owner) {
     }
     return;
   }
-  if (key.before) {
-    key.before(fields, owner);
+  if (key.action) {
+    key.action(fields, owner);
   }
   if (!key.access || (value == nullptr && !key.required)) {
     return;
   }
-  const Place place = fields.at(key.name);
+  const PlacedValue place = fields.at(key.name);
   if (void* result = key.access(owner, true)) {
     key.type->read_into(place, result);
   }
 }
 
-/// A map with these keys, and exactly one of some. `conditions`: further members.
+/// A map with these keys, and exactly one of some. `schema_members`: further members.
 Schema map_schema(const std::vector<AnyKey>& keys, const std::vector<std::string>& one_of,
-                  std::string_view conditions) {
+                  std::string_view schema_members) {
   std::vector<std::string> properties;
   std::vector<std::string> required;
   for (const AnyKey& key : keys) {
-    const bool says_default = !key.required && !key.otherwise.empty() && !key.default_value;
+    const bool says_default = !key.required && !key.default_phrase.empty() && !key.default_value;
     const std::string about =
         meaning(key) +
-        (says_default ? fmt::format(" (default: {})", without_markup(key.otherwise)) : "");
+        (says_default ? fmt::format(" (default: {})", without_markup(key.default_phrase)) : "");
     const Schema& schema = key.type->schema;
     const Schema values = may_be_none(key) ? any_of({word_schema("none"), schema}) : schema;
     properties.push_back(fmt::format(
@@ -95,7 +95,7 @@ Schema map_schema(const std::vector<AnyKey>& keys, const std::vector<std::string
     const std::string keys_of = fmt::format("{}", fmt::join(one_of, R"("]}, {"required": [")"));
     result = with(result, fmt::format(R"("oneOf": [{{"required": ["{}"]}}])", keys_of));
   }
-  return conditions.empty() ? result : with(result, conditions);
+  return schema_members.empty() ? result : with(result, schema_members);
 }
 
 struct PlacedKey {
@@ -203,7 +203,7 @@ std::string path_suggestion(const AnyKeys& top, std::string_view name) {
 
 bool may_be_none(const AnyKey& key) {
   return !key.required && !key.default_value &&
-         (key.otherwise == "none" || key.otherwise.starts_with("none:"));
+         (key.default_phrase == "none" || key.default_phrase.starts_with("none:"));
 }
 
 void leave_out_none(Value& value, const std::vector<AnyKey>& keys) {
@@ -254,19 +254,19 @@ std::string without_markup(std::string text) {
 }
 
 AnyKey any_key(std::string_view name, const Access& access, const AnyType& type,
-               std::string_view about, const void* otherwise) {
+               std::string_view about, const void* default_value) {
   AnyKey key = {.name = std::string(name),
                 .about = std::string(about),
                 .type = std::make_shared<const AnyType>(type),
                 .access = access};
-  if (otherwise != nullptr) {
-    key.default_value = type.text_of(otherwise, Scene());
-    key.otherwise = fmt::format("`{}`", flow_text(*key.default_value));
+  if (default_value != nullptr) {
+    key.default_value = type.text_of(default_value, Scene());
+    key.default_phrase = fmt::format("`{}`", flow_text(*key.default_value));
   }
   return key;
 }
 
-Access joined(const Access& first, const Access& second) {
+Access composed(const Access& first, const Access& second) {
   return [=](void* object, bool make) {
     void* between = first(object, make);
     return between != nullptr ? second(between, make) : nullptr;
@@ -274,16 +274,17 @@ Access joined(const Access& first, const Access& second) {
 }
 
 AnyType map_type(const std::vector<AnyKey>& keys, const std::vector<std::string>& one_of,
-                 const AnyAction& check, std::string_view conditions) {
+                 const AnyAction& check, std::string_view schema_members) {
   const auto all = std::make_shared<const std::vector<AnyKey>>(keys);
-  AnyType type = {.allowed = "map", .schema = map_schema(keys, one_of, conditions), .keys = all};
-  type.read_into = [=](const Place& fields, void* owner) {
+  AnyType type = {
+      .allowed = "map", .schema = map_schema(keys, one_of, schema_members), .keys = all};
+  type.read_into = [=](const PlacedValue& fields, void* owner) {
     check_keys(fields, names_of(*all));
     for (const AnyKey& key : *all) {
       read_key(key, fields, owner);
     }
     if (!one_of.empty()) {
-      fields.only(std::vector<std::string_view>(one_of.begin(), one_of.end()));
+      fields.only_key(std::vector<std::string_view>(one_of.begin(), one_of.end()));
     }
     if (check) {
       check(fields, owner);

@@ -35,7 +35,7 @@ Schema with(const Schema& schema, std::string_view more);
 
 /// Text that matches the pattern.
 Schema text_schema(std::string_view pattern);
-/// The same for text that need not be in quotes.
+/// Text that matches the pattern, in quotes or not.
 Schema scalar_schema(std::string_view pattern);
 Schema word_schema(std::string_view word);
 
@@ -50,21 +50,21 @@ Schema object_schema(const Schema& value, std::string_view pattern);
 
 /// A kind of values: how they are read, written and described.
 struct AnyType {
-  std::string allowed;
+  std::string allowed;  ///< Markdown: which values, such as `0 to 1`
   Schema schema;
   /// Into a default value of the type. Throws SceneError.
-  std::function<void(const Place& place, void* result)> read_into = {};
+  std::function<void(const PlacedValue& place, void* result)> read_into = {};
   std::function<Value(const void* value, const Scene& scene)> text_of = {};
   AnyKeys keys = {};           ///< of the map that a value is; null: none
   bool is_collection = false;  ///< a value has names or numbers above the keys
 };
 
-/// The same for values of a C++ type.
+/// A kind of values of one C++ type.
 template <class T>
 struct Type : AnyType {
   explicit Type(AnyType type) : AnyType(std::move(type)) {}
 
-  T read(const Place& place) const {
+  T read(const PlacedValue& place) const {
     T result = T();
     read_into(place, &result);
     return result;
@@ -72,9 +72,9 @@ struct Type : AnyType {
   Value text(const T& value, const Scene& scene) const { return text_of(&value, scene); }
 
   /// With a check of the values that have been read.
-  Type checked(void (*check)(const T& result, const Place& place)) const {
+  Type checked(void (*check)(const T& result, const PlacedValue& place)) const {
     Type type = *this;
-    type.read_into = [read = read_into, check](const Place& place, void* result) {
+    type.read_into = [read = read_into, check](const PlacedValue& place, void* result) {
       read(place, result);
       check(*static_cast<const T*>(result), place);
     };
@@ -82,7 +82,7 @@ struct Type : AnyType {
   }
 };
 
-/// `text(value, scene)` of an object, where the scene may be left out.
+/// AnyType::text_of from `text(value, scene)` or `text(value)` of the C++ type.
 template <class T, class Text>
 auto any_text(const Text& text) {
   return [text](const void* value, const Scene& scene) {
@@ -102,24 +102,25 @@ Type<T> own_type(std::string_view allowed, const Schema& schema, const Read& rea
   return Type<T>(
       AnyType{.allowed = std::string(allowed),
               .schema = schema,
-              .read_into = [read](const Place& place,
+              .read_into = [read](const PlacedValue& place,
                                   void* result) { *static_cast<T*>(result) = read(place); },
               .text_of = any_text<T>(text),
               .keys = keys});
 }
 
 /// Reads something into an owner, or checks it.
-using AnyAction = std::function<void(const Place& fields, void* owner)>;
+using AnyAction = std::function<void(const PlacedValue& fields, void* owner)>;
 template <class Owner>
-using Action = void (*)(const Place& fields, Owner& owner);
+using Action = void (*)(const PlacedValue& fields, Owner& owner);
 
 template <class Owner>
 AnyAction any_action(Action<Owner> action) {
   if (action == nullptr) {
     return {};
   }
-  return
-      [action](const Place& fields, void* owner) { action(fields, *static_cast<Owner*>(owner)); };
+  return [action](const PlacedValue& fields, void* owner) {
+    action(fields, *static_cast<Owner*>(owner));
+  };
 }
 
 /// From an object to a part of it; `make` puts a default one there first, if there is none. Null
@@ -131,18 +132,18 @@ struct AnyKey {
   std::string name;
   std::string about;                         ///< one phrase
   std::shared_ptr<const AnyType> type = {};  ///< of the value
-  Access access = {};  ///< from the owner to the value; null: only `before` reads, `text` writes it
-  std::string otherwise = {};               ///< what holds if it is left out, or a condition
-  bool is_condition = false;                ///< `otherwise` says when the key is given
-  std::optional<Value> default_value = {};  ///< the same, if it is a value
+  Access access = {};  ///< from the owner to the value; null: only `action` reads, `text` writes it
+  std::string default_phrase = {};          ///< what holds if the key is left out
+  bool is_condition = false;                ///< `default_phrase` says when the key is given
+  std::optional<Value> default_value = {};  ///< that of `default_phrase`, if it is a value
   bool required = false;
   std::optional<Model> model = {};  ///< the only one that has it
-  AnyAction before = {};            ///< what is done before it is read
+  AnyAction action = {};            ///< before the value is read; reads it where `access` is null
   /// Its value where that of the type is not written; none if it is left out.
   std::function<std::optional<Value>(const void* owner, const Scene& scene)> text = {};
 
   void describe_default(std::string_view phrase) {
-    otherwise = phrase;
+    default_phrase = phrase;
     default_value.reset();
   }
 };
@@ -172,8 +173,9 @@ struct Key : AnyKey {
     is_condition = true;
     return *this;
   }
-  Key& after(Action<Owner> action) {
-    before = any_action(action);
+  /// Done before the value is read; reads it where there is no access.
+  Key& with_action(Action<Owner> own) {
+    action = any_action(own);
     return *this;
   }
   /// Left out of the resolved scene where this does not hold.
@@ -206,7 +208,7 @@ struct Map {
   std::vector<std::string> one_of = {};  ///< of these keys exactly one is given
   /// What depends on several keys, once they have been read.
   Action<Owner> check = nullptr;
-  std::string_view conditions = {};  ///< the same as far as a schema can say it: members of it
+  std::string_view schema_members = {};  ///< of JSON Schema: what it can say of `check`
 };
 
 /// Paths of the keys of this name below `top`, the shortest first; `walls.NAME.motion` where a name
@@ -219,9 +221,9 @@ std::vector<std::string> paths_about(const AnyKeys& top, std::string_view word);
 /// `; did you mean 'rules.inertia'?` for a key of this or a similar name below `top`, or nothing.
 std::string path_suggestion(const AnyKeys& top, std::string_view name);
 
-/// Whether it is left out by `none` as its value, too.
+/// Whether the value `none` is as if the key is left out.
 bool may_be_none(const AnyKey& key);
-/// Removes the entries of such keys that have that value, at any depth.
+/// Removes entries whose value is `none` and whose key may_be_none(), at any depth.
 void leave_out_none(Value& value, const std::vector<AnyKey>& keys);
 
 /// Without backticks and addresses of links.
@@ -229,12 +231,12 @@ std::string without_markup(std::string text);
 /// What the key is for, without markup.
 std::string meaning(const AnyKey& key);
 
-/// `otherwise`: its default, if that is a value.
+/// `default_value`: null if the default is no value.
 AnyKey any_key(std::string_view name, const Access& access, const AnyType& type,
-               std::string_view about, const void* otherwise = nullptr);
+               std::string_view about, const void* default_value = nullptr);
 
-/// The second applied to what the first one returns.
-Access joined(const Access& first, const Access& second);
+/// The second access, to what the first one returns.
+Access composed(const Access& first, const Access& second);
 template <class Owner, class T>
 Access to_member(T Owner::*member) {
   return [member](void* owner, bool /*make*/) -> void* {
@@ -282,7 +284,7 @@ Key<Owner> key(std::string_view name, T Owner::*member, const Type<T>& type,
 template <class Owner, class T>
 Key<Owner> key(std::string_view name, std::optional<T> Owner::*member, const Type<T>& type,
                std::string_view about) {
-  return Key<Owner>(any_key(name, joined(to_member(member), to_optional<T>()), type, about));
+  return Key<Owner>(any_key(name, composed(to_member(member), to_optional<T>()), type, about));
 }
 
 /// A list that may be left out, and is where it is empty.
@@ -302,11 +304,11 @@ Key<Variant> alternative(std::string_view name, const Type<T>& type, std::string
   return Key<Variant>(any_key(name, to_alternative<Variant, T>(), type, about));
 }
 
-/// The same of a member of the Owner.
+/// One of several keys of which exactly one is given: `T` of a variant that is a member.
 template <class Owner, class Variant, class T>
 Key<Owner> alternative(std::string_view name, Variant Owner::*member, const Type<T>& type,
                        std::string_view about) {
-  const Access access = joined(to_member(member), to_alternative<Variant, T>());
+  const Access access = composed(to_member(member), to_alternative<Variant, T>());
   return Key<Owner>(any_key(name, access, type, about));
 }
 
@@ -315,7 +317,7 @@ template <class Owner>
 Keys<Owner> inlined(const Access& access, std::vector<AnyKey> keys) {
   for (AnyKey& key : keys) {
     if (key.access) {
-      key.access = joined(access, key.access);
+      key.access = composed(access, key.access);
     }
   }
   return Keys<Owner>(std::move(keys));
@@ -325,7 +327,7 @@ Keys<Owner> inlined(const Access& access, std::vector<AnyKey> keys) {
 /// another one.
 template <class Owner, class Variant, class Part>
 Key<Owner> inlined_alternative(Variant Owner::*member, const Key<Part>& part) {
-  const Access access = joined(to_member(member), to_alternative<Variant, Part>(true));
+  const Access access = composed(to_member(member), to_alternative<Variant, Part>(true));
   return Key<Owner>(inlined<Owner>(access, {part}).front());
 }
 
@@ -333,16 +335,16 @@ Key<Owner> inlined_alternative(Variant Owner::*member, const Key<Part>& part) {
 template <class Owner>
 Key<Owner> own_key(std::string_view name, const AnyType& type, std::string_view about,
                    Action<Owner> read = nullptr) {
-  return Key<Owner>(any_key(name, {}, type, about)).after(read);
+  return Key<Owner>(any_key(name, {}, type, about)).with_action(read);
 }
 
 AnyType map_type(const std::vector<AnyKey>& keys, const std::vector<std::string>& one_of,
-                 const AnyAction& check, std::string_view conditions);
+                 const AnyAction& check, std::string_view schema_members);
 
 /// A map as the value of a key.
 template <class Owner>
 Type<Owner> type_of(const Map<Owner>& map) {
-  return Type<Owner>(map_type(map.keys, map.one_of, any_action(map.check), map.conditions));
+  return Type<Owner>(map_type(map.keys, map.one_of, any_action(map.check), map.schema_members));
 }
 
 /// A map of which all that is left out is as in a member of the scene.
@@ -352,7 +354,7 @@ Type<Owner> with_defaults_of(Owner Scene::*member, Keys<Owner> keys) {
     key.describe_default("as in the scene");
   }
   Type<Owner> type = type_of<Owner>({.keys = keys});
-  type.read_into = [read = type.read_into, member](const Place& place, void* owner) {
+  type.read_into = [read = type.read_into, member](const PlacedValue& place, void* owner) {
     *static_cast<Owner*>(owner) = place.scene.*member;
     read(place, owner);
   };
@@ -366,11 +368,11 @@ Key<Owner> section(std::string_view name, const Map<Owner>& map, std::string_vie
       name, [](void* owner, bool /*make*/) { return owner; }, type_of(map), about));
 }
 
-/// A struct of which only this member is given.
+/// The type of a struct that is written as the value of one of its members.
 template <class Owner, class T>
 Type<Owner> as(T Owner::*member, const Type<T>& type) {
   Type<Owner> result(type);
-  result.read_into = [member, read = type.read_into](const Place& place, void* owner) {
+  result.read_into = [member, read = type.read_into](const PlacedValue& place, void* owner) {
     read(place, &(static_cast<Owner*>(owner)->*member));
   };
   result.text_of = [member, text = type.text_of](const void* owner, const Scene& scene) {

@@ -20,9 +20,9 @@ constexpr int kMaxQuantiles = 1000;
 constexpr double kMaxUniformBins = 10'000;
 constexpr double kMaxEnergy = 1e6;  // where uniform bins end at the most
 
-void read_restitutions(const Place& fields, BoltzmannScene& scene) {
+void read_restitutions(const PlacedValue& fields, BoltzmannScene& scene) {
   const Type<double> restitution = number(0, 1);
-  const Place place = fields.at("restitution");
+  const PlacedValue place = fields.at("restitution");
   scene.lists_restitutions = place.value.is(Value::Kind::list);
   scene.restitutions =
       scene.lists_restitutions
@@ -51,7 +51,7 @@ bool is_majorant(const BoltzmannScene& scene) {
 }
 
 /// Refuses a key that only the other scheme has.
-void refuse_key(const Place& fields, std::string_view key, const BoltzmannScene& scene) {
+void refuse_key(const PlacedValue& fields, std::string_view key, const BoltzmannScene& scene) {
   if (fields.find(key) != nullptr) {
     fail(fields.at(key), "only scheme: {} has it; leave it out, or change the scheme",
          name_of(kSchemeNames, 1 - scene.scheme.index()));
@@ -66,7 +66,7 @@ Type<boltzmann::Scheme> scheme_type() {
       [](const boltzmann::Scheme& scheme) { return scheme.index(); });
 }
 
-void check_block(const Place& fields, BoltzmannScene& scene) {
+void check_block(const PlacedValue& fields, BoltzmannScene& scene) {
   if (auto* ogawa_kato = std::get_if<boltzmann::OgawaKato>(&scene.scheme)) {
     ogawa_kato->quasi = scene.quasi;
   }
@@ -79,15 +79,17 @@ void check_block(const Place& fields, BoltzmannScene& scene) {
   scene.histograms = {0, scene.until};
 }
 
-void read_histograms(const Place& fields, BoltzmannScene& scene) {
+void read_histograms(const PlacedValue& fields, BoltzmannScene& scene) {
   if (fields.find("histograms") == nullptr) {
     return;
   }
   const double apart = kSameTime * scene.series_every;
   std::vector<double>& times = scene.histograms;
   times.clear();
-  const auto time = [&](const Place& place) { return read_number<double>(place, 0, scene.until); };
-  for (const Place& item : read_list(fields.at("histograms"), 0, kMaxHistograms, time)) {
+  const auto time = [&](const PlacedValue& place) {
+    return read_number<double>(place, 0, scene.until);
+  };
+  for (const PlacedValue& item : read_list(fields.at("histograms"), 0, kMaxHistograms, time)) {
     times.push_back(time(item));
     if (times.size() > 1 && times.back() - times[times.size() - 2] <= apart) {
       fail(item, "expected times that ascend by more than {}, found {} after {}", apart,
@@ -97,7 +99,7 @@ void read_histograms(const Place& fields, BoltzmannScene& scene) {
 }
 
 /// `q20`, of plain digits.
-QuantileBins read_quantiles(const Place& place) {
+QuantileBins read_quantiles(const PlacedValue& place) {
   const std::string_view text = place.value.text;
   const std::string_view number = text.substr(std::min<std::size_t>(1, text.size()));
   const auto count = text::number<int>(number);
@@ -115,7 +117,7 @@ Type<UniformBins> uniform_bins() {
                          fmt::format("at most `end`, and at most {} bins", kMaxUniformBins)),
                 required("end", &UniformBins::end, above_zero(kMaxEnergy),
                          "where the last bin begins, which has no end")},
-       .check = [](const Place& fields, UniformBins& bins) {
+       .check = [](const PlacedValue& fields, UniformBins& bins) {
          if (bins.width > bins.end || bins.end > kMaxUniformBins * bins.width) {
            fail(fields.at("width"),
                 "expected a number from {} to {} for at most {} bins up to {}, found {}",
@@ -181,7 +183,7 @@ Key<BoltzmannScene> boltzmann_block() {
            key("energy_ratio", &B::energy_ratio, number(0, 1e6), "C_e = I⟨ω²⟩/(m⟨v²⟩) at time 0"),
            key("scheme", &B::scheme, scheme_type(),
                "pairs in continuous time; or the time steps of the paper, which are biased")
-               .after([](const Place& fields, B& scene) {
+               .with_action([](const PlacedValue& fields, B& scene) {
                  const Value* given = fields.find("scheme");
                  if (given == nullptr || given->text == kSchemeNames.front().name) {
                    refuse_key(fields, "time_step", scene);
@@ -195,7 +197,7 @@ Key<BoltzmannScene> boltzmann_block() {
                                    "of `ogawa-kato` only: how many each particle draws in a step")),
            key("shear_rate", &B::shear_rate, number(0, 100),
                "of `majorant` only: velocity gradient of uniform shear flow, per unit of time")
-               .after([](const Place& fields, B& scene) {
+               .with_action([](const PlacedValue& fields, B& scene) {
                  if (!is_majorant(scene)) {
                    refuse_key(fields, "shear_rate", scene);
                  }
@@ -205,7 +207,7 @@ Key<BoltzmannScene> boltzmann_block() {
            key("ensemble", &B::ensemble, count(1, 10'000),
                "runs with seeds derived from `seed`, for means and their errors")},
       .check = check_block,
-      .conditions = R"(
+      .schema_members = R"(
         "anyOf": [{"required": ["friction"]}, {"required": ["roughness"]}],
         "dependencies": {
           "time_step": {"required": ["scheme"], "properties": {"scheme": {"const": "ogawa-kato"}}},
@@ -235,7 +237,7 @@ Key<BoltzmannScene> boltzmann_output() {
       "what is written during the run: [output of a Boltzmann run](#output-of-a-boltzmann-run)");
 }
 
-void check_rows(const Place& root, const BoltzmannScene& scene) {
+void check_rows(const PlacedValue& root, const BoltzmannScene& scene) {
   if (scene.until <= kMaxRows * scene.series_every) {
     return;
   }

@@ -21,7 +21,7 @@ using Weights = std::vector<std::uint32_t>;
 
 /// The name of a species, or weights by species.
 Type<Weights> part_type() {
-  return or_map("", R"({"type": "string"})", weights_type(), [](const Place& place) {
+  return or_map("", R"({"type": "string"})", weights_type(), [](const PlacedValue& place) {
     Weights weights(place.scene.species.size(), 0);
     weights[read_species(place)] = 1;
     return weights;
@@ -51,13 +51,13 @@ char pixel_of(image::Rgb color, const std::vector<image::Rgb>& colors) {
   return pixel;
 }
 
-/// Of the keys that stand for `rows` and `pixels`.
-void read_file(const Place& fields, FillPicture& picture) {
+/// Reads `file` and `colors`, which stand for `rows` and `pixels`.
+void read_file(const PlacedValue& fields, FillPicture& picture) {
   constexpr std::array<std::string_view, 2> kSources = {"file", "rows"};
-  if (fields.only(kSources) != "file") {
+  if (fields.only_key(kSources) != "file") {
     return;
   }
-  const Place place = fields.at("colors");
+  const PlacedValue place = fields.at("colors");
   const std::vector<Entry>& entries = read_map(place);
   if (entries.empty() || entries.size() > kMaxParts) {
     fail(place, "expected 1 to {} colours, found {}", kMaxParts, entries.size());
@@ -90,7 +90,7 @@ Type<Parts> pixels_type() {
   const Type<Weights> part = part_type();
   return own_type<Parts>(
       "map of letters", with(object_schema(part.schema, "^[A-Z]$"), R"("minProperties": 1)"),
-      [=](const Place& place) {
+      [=](const PlacedValue& place) {
         Parts weights;
         for (const Entry& entry : read_map(place)) {
           if (entry.key.size() != 1 || !is_part_letter(entry.key.front())) {
@@ -110,7 +110,7 @@ Type<Parts> pixels_type() {
       });
 }
 
-void check_part_weights(const Place& fields) {
+void check_part_weights(const PlacedValue& fields) {
   std::size_t parts = 0;
   for (const Stage& stage : fields.scene.stages) {
     parts += stage.fill && stage.fill->picture ? stage.fill->picture->weights.size() : 0;
@@ -123,7 +123,7 @@ void check_part_weights(const Place& fields) {
   }
 }
 
-void check_picture(const Place& fields, FillPicture& picture) {
+void check_picture(const PlacedValue& fields, FillPicture& picture) {
   const bool file = fields.find("file") != nullptr;
   const char* foreign = file ? "pixels" : "colors";
   if (fields.find(foreign) != nullptr) {
@@ -155,16 +155,16 @@ Type<FillPicture> picture() {
                     "of rows: by letter, a species or weights by species")
                     .with_condition("goes with `rows`")},
        .check = check_picture,
-       .conditions =
+       .schema_members =
            R"("oneOf": [{"required": ["file", "colors"]}, {"required": ["rows", "pixels"]}])"});
 }
 
-void check_keys_of_fill(const Place& fields, Fill& fill) {
-  fill.location = reference(fields);
+void check_keys_of_fill(const PlacedValue& fields, Fill& fill) {
+  fill.location = location_text(fields);
   if (!fill.level) {
     return;
   }
-  const Place level = fields.at("level");
+  const PlacedValue level = fields.at("level");
   if (fill.mix.empty() || fill.method != FillMethod::deposition) {
     fail(level, "needs a mix and 'method: deposition'");
   }

@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t kMaxExpressionLength = 1000;
 constexpr std::size_t kMaxDerived = 100;
 
-std::string read_expression(const Place& place) {
+std::string read_expression(const PlacedValue& place) {
   const Value& value = place.value;
   const bool is_line =
       value.is(Value::Kind::scalar) &&
@@ -33,19 +33,20 @@ Type<std::string> expression_type() {
 Type<DerivedMeasure> derived_type() {
   const Type<std::string> expression = expression_type();
   Type<DerivedMeasure> type = type_of<DerivedMeasure>(
-      {.keys = {required("value", &DerivedMeasure::value, expression,
-                         "an [expression](#expressions) of measures of the stage, of those derived "
-                         "before, of numbers under `let` and of keys of the scene by their paths"),
-                key("unit", &DerivedMeasure::unit, title_type(), "its unit; of a pure number 1"),
-                key("about", &DerivedMeasure::about, title_type(),
-                    "what it is, as axes and reports name it")
-                    .defaults_to("the name")}});
-  type = or_map("", expression.schema, type, [=](const Place& place) {
+      {.keys = {
+           required("value", &DerivedMeasure::value, expression,
+                    "an [expression](#expressions) of measures of the stage, of those derived "
+                    "before, of numbers under `let` and of keys of the scene by their paths"),
+           key("unit", &DerivedMeasure::unit, text_line_type(), "its unit; of a pure number 1"),
+           key("about", &DerivedMeasure::about, text_line_type(),
+               "what it is, as axes and reports name it")
+               .defaults_to("the name")}});
+  type = or_map("", expression.schema, type, [=](const PlacedValue& place) {
     DerivedMeasure derived;
     derived.value = expression.read(place);
     return derived;
   });
-  type.read_into = [read = type.read_into](const Place& place, void* derived) {
+  type.read_into = [read = type.read_into](const PlacedValue& place, void* derived) {
     read(place, derived);
     const Value* value = place.value.find("value");
     static_cast<DerivedMeasure*>(derived)->location =
@@ -54,10 +55,10 @@ Type<DerivedMeasure> derived_type() {
   return type;
 }
 
-void read_derived(const Place& place, Scene& scene) {
+void read_derived(const PlacedValue& place, Scene& scene) {
   static const Type<DerivedMeasure> kType = derived_type();
   for (const Entry& entry : read_map(place)) {
-    const Place inside = place.inside(entry);
+    const PlacedValue inside = place.inside(entry);
     if (!document::is_expression_name(entry.key)) {
       fail(entry.location,
            "{}: a name has up to {} letters, digits and '_', no digit first, and is not that of a "
@@ -75,7 +76,7 @@ void read_derived(const Place& place, Scene& scene) {
   }
 }
 
-void read_measures(const Place& fields, Scene& scene) {
+void read_measures(const PlacedValue& fields, Scene& scene) {
   for (const auto& named : kMeasureNames) {
     // Mixing takes time in each step; paths of weight are of beds at rest only.
     if (named.value != Measure::mixing && named.value != Measure::weight_paths) {
@@ -85,15 +86,15 @@ void read_measures(const Place& fields, Scene& scene) {
   if (fields.find("measure") == nullptr) {
     return;
   }
-  const Place place = fields.at("measure");
+  const PlacedValue place = fields.at("measure");
   if (place.value.is(Value::Kind::map)) {
     read_derived(place, scene);
     return;
   }
   const Type<Measure> word = choice(kMeasureNames);
   scene.measures.clear();
-  for (const Place& item : read_list(place, 0, kMeasureNames.size() + kMaxDerived,
-                                     [&](auto& item) { word.read(item); })) {
+  for (const PlacedValue& item : read_list(place, 0, kMeasureNames.size() + kMaxDerived,
+                                           [&](auto& item) { word.read(item); })) {
     if (item.value.is(Value::Kind::map)) {
       read_derived(item, scene);
       continue;

@@ -19,13 +19,13 @@ bool moves_in_cycles(const Scene& scene) {
 }
 
 /// In the automaton there are forces only where walls enter particles.
-void require_overlap(const Place& place, std::string_view what) {
+void require_overlap(const PlacedValue& place, std::string_view what) {
   if (!lets_overlap(place.scene)) {
     fail(place, "no {} without a wall that moves with passive: overlap", what);
   }
 }
 
-void check_view(const lattice::Rectangle& view, const Place& place) {
+void check_view(const lattice::Rectangle& view, const PlacedValue& place) {
   const Box& box = place.scene.box;
   if (view.right <= 0 || view.top <= 0 || view.left >= box.width || view.bottom >= box.height) {
     fail(place, "nothing of the box, {} wide and {} high, lies in {}", box.width, box.height,
@@ -34,9 +34,9 @@ void check_view(const lattice::Rectangle& view, const Place& place) {
 }
 
 /// What can be drawn depends on how walls move.
-void check_frames(const Place& fields, Frames& frames) {
+void check_frames(const PlacedValue& fields, Frames& frames) {
   const Scene& scene = fields.scene;
-  frames.location = reference(fields);
+  frames.location = location_text(fields);
   if (frames.color_by == ColorBy::force && scene.model != Model::contact) {
     require_overlap(fields.at("color_by"), "force");
   }
@@ -57,7 +57,7 @@ void check_frames(const Place& fields, Frames& frames) {
   if (frames.overlay == Overlay::forces && scene.model != Model::contact) {
     require_overlap(fields.at("overlay"), "forces");
   }
-  const bool of_weight = is_of_weight(frames.overlay);
+  const bool of_weight = shows_weight_paths(frames.overlay);
   if (of_weight) {
     check_weight_paths(fields.at("overlay"));
   }
@@ -79,7 +79,7 @@ void check_frames(const Place& fields, Frames& frames) {
 Type<statistics::Range> color_bar_ends() {
   using statistics::Range;
   const auto type = list_of_members("`[low, high]`", number(-1e9, 1e9), &Range::low, &Range::high);
-  return type.checked([](const statistics::Range& range, const Place& place) {
+  return type.checked([](const statistics::Range& range, const PlacedValue& place) {
     if (range.low >= range.high) {
       fail(place, "expected [low, high] with low < high, found [{}, {}]", range.low, range.high);
     }
@@ -154,7 +154,7 @@ Type<Fields> fields_type() {
                 key("every", &Fields::every, count(1, kMaxSteps), "steps of a window")}});
 }
 
-void check_contacts(const Place& fields, Contacts& contacts) {
+void check_contacts(const PlacedValue& fields, Contacts& contacts) {
   if (fields.scene.model != Model::contact) {
     require_overlap(fields, "contacts");
     return;
@@ -196,12 +196,12 @@ Type<Checkpoints> checkpoint_type() {
                                             "steps from one checkpoint to the next"),
                                         seconds_key()},
                                .check =
-                                   [](const Place& fields, Checkpoints& checkpoints) {
+                                   [](const PlacedValue& fields, Checkpoints& checkpoints) {
                                      if (!checkpoints.every && !checkpoints.seconds) {
                                        fail(fields, "expected every (steps), seconds or both");
                                      }
                                    },
-                               .conditions = R"("minProperties": 1)"});
+                               .schema_members = R"("minProperties": 1)"});
 }
 
 }  // namespace
@@ -233,7 +233,7 @@ Type<Output> output_type() {
                 key("checkpoint", &Output::checkpoint, or_none(checkpoint_type()),
                     "when the run saves a checkpoint, besides at its end and when it is stopped: "
                     "[output.checkpoint](#outputcheckpoint)")},
-       .check = [](const Place& /*fields*/, Output& output) {
+       .check = [](const PlacedValue& /*fields*/, Output& output) {
          if (output.frames && !output.frames->view) {
            output.frames->view = output.view;
          }

@@ -15,7 +15,7 @@ namespace clca::scene {
 namespace {
 
 constexpr std::size_t kMaxPicturePixels = 1'000'000;  // of a wall
-constexpr double kMaxPictureBytes = 1 << 24;
+constexpr double kMaxPictureFileBytes = 1 << 24;
 
 class PictureReader {
  public:
@@ -37,9 +37,9 @@ class PictureReader {
  private:
   void read(Value& value) {
     constexpr std::size_t kPixelRowBytes = 14;  // beside the pixels, in the resolved scene
-    std::shared_ptr<const PictureFile>& known = files_[file_at(folder_, value.text)];
+    std::shared_ptr<const PictureFile>& known = files_[absolute_path(folder_, value.text)];
     if (!known) {
-      known = std::make_shared<const PictureFile>(read_file(file_at(folder_, value.text)));
+      known = std::make_shared<const PictureFile>(read_file(absolute_path(folder_, value.text)));
     }
     const auto width = static_cast<std::size_t>(known->image.width);
     text_bytes_ += (width + kPixelRowBytes) * static_cast<std::size_t>(known->image.height);
@@ -52,7 +52,7 @@ class PictureReader {
 
   PictureFile read_file(const std::string& file) {
     try {
-      const auto bytes = text::read_file(file, std::min(kMaxPictureBytes, bytes_left_));
+      const auto bytes = text::read_file(file, std::min(kMaxPictureFileBytes, bytes_left_));
       bytes_left_ -= static_cast<double>(bytes.size());
       return {.image = image::decode_png(bytes, kMaxPicturePixels).image, .problem = {}};
     } catch (const std::runtime_error& error) {
@@ -62,7 +62,7 @@ class PictureReader {
 
   std::string folder_;
   std::map<std::string, std::shared_ptr<const PictureFile>> files_;
-  double bytes_left_ = 4 * kMaxPictureBytes;  // of all files of a scene
+  double bytes_left_ = 4 * kMaxPictureFileBytes;  // of all files of a scene
   std::size_t text_bytes_ = 0;
 };
 
@@ -75,7 +75,7 @@ bool is_dark(image::Rgb pixel) {
   return 299 * pixel.red + 587 * pixel.green + 114 * pixel.blue < 1000 * kMiddle;
 }
 
-void read_rows(const Place& fields, Picture& picture) {
+void read_rows(const PlacedValue& fields, Picture& picture) {
   if (fields.find("file") != nullptr && fields.find("rows") == nullptr) {
     picture.rows = rows_of(read_picture(fields.at("file")), [](image::Rgb color) {
       return is_dark(color) ? Picture::kDark : Picture::kLight;
@@ -100,7 +100,7 @@ Rows rows_of(const image::Image& image, const std::function<char(image::Rgb colo
   return rows;
 }
 
-const image::Image& read_picture(const Place& place) {
+const image::Image& read_picture(const PlacedValue& place) {
   const std::string file = file_path_type().read(place);
   const auto& picture = *static_cast<const PictureFile*>(place.value.attached.get());
   if (!picture.problem.empty()) {
@@ -113,10 +113,10 @@ Type<Rows> rows_type(bool (*allowed)(char letter), const std::string& about,
                      const std::string& pattern) {
   return own_type<Rows>(
       "list of texts", with(array_schema(text_schema(pattern)), R"("minItems": 1)"),
-      [=](const Place& place) {
+      [=](const PlacedValue& place) {
         Rows rows;
         std::size_t pixels = 0;
-        for (const Place& item : read_list(place, 1, kMaxPicturePixels)) {
+        for (const PlacedValue& item : read_list(place, 1, kMaxPicturePixels)) {
           const std::string& row = rows.emplace_back(read_text(item));
           if (row.empty() || row.size() != rows.front().size() ||
               !std::ranges::all_of(row, allowed)) {

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kMinLineLength = 1;  // lattice spacings
 
-void check_region(const lattice::Rectangle& region, const Place& place) {
+void check_region(const lattice::Rectangle& region, const PlacedValue& place) {
   const Box& box = place.scene.box;
   if (region.left < 0 || region.bottom < 0 || region.right > box.width || region.top > box.height) {
     fail(place, "expected a region in the box, {} wide and {} high, found {}", box.width,
@@ -18,7 +18,7 @@ void check_region(const lattice::Rectangle& region, const Place& place) {
   }
 }
 
-void check_end(const Eigen::Vector2d& end, const Place& place) {
+void check_end(const Eigen::Vector2d& end, const PlacedValue& place) {
   const Box& box = place.scene.box;
   // From one side of a periodic box to where it repeats.
   const double width = box.periodic ? lattice_of(box).size().x() : box.width;
@@ -28,7 +28,7 @@ void check_end(const Eigen::Vector2d& end, const Place& place) {
   }
 }
 
-void check_line(const Place& fields, Line& line) {
+void check_line(const PlacedValue& fields, Line& line) {
   check_end(line.from, fields.at("from"));
   check_end(line.to, fields.at("to"));
   const double length = (line.to - line.from).norm();
@@ -39,7 +39,7 @@ void check_line(const Place& fields, Line& line) {
   }
 }
 
-void check_source(const Place& fields, Source& source) {
+void check_source(const PlacedValue& fields, Source& source) {
   if (const auto* at = std::get_if<Eigen::Vector2d>(&source.position)) {
     const Box& box = fields.scene.box;
     if (!lattice_of(box).contains(lattice::nearest_site(*at))) {
@@ -79,8 +79,8 @@ Type<std::vector<Outlet>> outlets_type() {
   return by_name<Outlet>("outlets",
                          {.keys = {required("region", &Outlet::region, region(),
                                             "where particles are removed that lie wholly inside")},
-                          .check = [](const Place& fields, Outlet& outlet) {
-                            outlet.location = reference(fields.at("region"));
+                          .check = [](const PlacedValue& fields, Outlet& outlet) {
+                            outlet.location = location_text(fields.at("region"));
                           }});
 }
 

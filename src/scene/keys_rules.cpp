@@ -40,7 +40,7 @@ Keys<automaton::Rules> rules_keys() {
               "order within a class: by a draw for each particle, or for each direction")};
 }
 
-double read_spacing(const Place& place) {
+double read_spacing(const PlacedValue& place) {
   const std::optional<double> length = metres(place.value.text);
   if (!length || *length < kMinSpacing || *length > kMaxSpacing) {
     fail(
@@ -63,7 +63,7 @@ Type<int> sweeps() {
   Type<int> type = integer(2, 64);
   type.allowed += ", even";
   type.schema = with(type.schema, R"("multipleOf": 2)");
-  return type.checked([](const int& sweeps, const Place& place) {
+  return type.checked([](const int& sweeps, const PlacedValue& place) {
     if (sweeps % 2 != 0) {
       fail(place, "expected an even number, as every second sweep goes backwards, found '{}'",
            sweeps);

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kMaxTitleLength = 200;
 
-std::string read_title(const Place& place) {
+std::string read_title(const PlacedValue& place) {
   const std::string& title = read_text(place);
   const std::optional<std::size_t> characters = line_length(title);
   if (!characters) {
@@ -27,7 +27,7 @@ std::string read_title(const Place& place) {
 
 constexpr std::size_t kHashDigits = 16;
 
-std::uint64_t read_hash(const Place& place) {
+std::uint64_t read_hash(const PlacedValue& place) {
   constexpr int kHexadecimal = 16;
   const std::string& digits = read_text(place);
   const auto hash = text::number<std::uint64_t>(digits, kHexadecimal);
@@ -53,7 +53,7 @@ Type<Box> box_type() {
             key("periodic", &Box::periodic, yes_or_no(),
                 "what leaves on the right comes back on the left; the number of columns is made "
                 "even")},
-       .check = [](const Place& fields, Box& box) { box.location = reference(fields); }});
+       .check = [](const PlacedValue& fields, Box& box) { box.location = location_text(fields); }});
 }
 
 Type<Begin> begin_type() {
@@ -68,7 +68,9 @@ Type<Begin> begin_type() {
                     "hash of the state there: another one is refused. Runs note it in their "
                     "`scene.yaml`")
                     .defaults_to("any state")},
-       .check = [](const Place& fields, Begin& begin) { begin.location = reference(fields); }});
+       .check = [](const PlacedValue& fields, Begin& begin) {
+         begin.location = location_text(fields);
+       }});
 }
 
 /// What both kinds begin with. What stands under `let` is evaluated before the keys are read; the
@@ -76,8 +78,8 @@ Type<Begin> begin_type() {
 template <class AScene>
 Keys<AScene> first_keys() {
   static const std::string kVersionText = std::to_string(kVersion);
-  const auto check_version = [](const Place& fields, AScene& /*scene*/) {
-    const Place place = fields.at("clca");
+  const auto check_version = [](const PlacedValue& fields, AScene& /*scene*/) {
+    const PlacedValue place = fields.at("clca");
     if (place.value.quoted || place.value.text != kVersionText) {
       fail(place, "expected version {} of the format, found {}", kVersionText, found(place));
     }
@@ -95,7 +97,7 @@ Keys<AScene> first_keys() {
                        .schema = object_schema(R"({"type": "number"})", kExpressionNamePattern)},
                       "numbers with names, for [expressions](#expressions) in the place of numbers")
           .defaults_to("none"),
-      key("title", &AScene::title, title_type(), "one line for captions, figures and reports")
+      key("title", &AScene::title, text_line_type(), "one line for captions, figures and reports")
           .defaults_to("name of the file"),
       key("seed", &AScene::seed, count(0, std::numeric_limits<std::uint64_t>::max()),
           "seed of all draws: the same scene and seed give the same run, bit for bit")};
@@ -134,21 +136,21 @@ Keys<Scene> scene_keys() {
 
 /// A key of one model goes with that alone; without `model` it is the automaton.
 std::string model_conditions() {
-  std::vector<std::string> conditions;
+  std::vector<std::string> schema_members;
   for (const AnyKey& key : scene_keys()) {
     if (key.model) {
-      conditions.push_back(
+      schema_members.push_back(
           fmt::format(R"("{}": {{{}"properties": {{"model": {{"const": "{}"}}}}}})", key.name,
                       *key.model == Model::automaton ? "" : R"("required": ["model"], )",
                       name_of(kModelNames, *key.model)));
     }
   }
-  return fmt::format(R"("dependencies": {{{}}})", fmt::join(conditions, ", "));
+  return fmt::format(R"("dependencies": {{{}}})", fmt::join(schema_members, ", "));
 }
 
 }  // namespace
 
-Type<std::string> title_type() {
+Type<std::string> text_line_type() {
   return own_type<std::string>(
       fmt::format("1 to {} characters", kMaxTitleLength),
       fmt::format(R"({{"type": ["string", "number", "boolean"], "minLength": 1, "maxLength": {}}})",
@@ -159,7 +161,7 @@ Type<std::string> title_type() {
 const Type<Scene>& scene_type() {
   static const std::string kConditions = model_conditions();
   static const Type<Scene> kType =
-      type_of<Scene>({.keys = scene_keys(), .conditions = kConditions});
+      type_of<Scene>({.keys = scene_keys(), .schema_members = kConditions});
   return kType;
 }
 

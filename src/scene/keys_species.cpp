@@ -152,7 +152,7 @@ lattice::Shape build_checked(const ShapeSpec& spec) {
 Type<std::vector<int>> orientations() {
   static const std::vector<int> kAll = {0, 60, 120, 180, 240, 300};
   Type<int> angle =
-      integer(0, 360 - kDegreesPerSixth).checked([](const int& degrees, const Place& place) {
+      integer(0, 360 - kDegreesPerSixth).checked([](const int& degrees, const PlacedValue& place) {
         if (degrees % kDegreesPerSixth != 0) {
           fail(place, "expected a multiple of 60, found {}", degrees);
         }
@@ -161,7 +161,7 @@ Type<std::vector<int>> orientations() {
   const auto list = set_of(angle, 1, kAll.size(), flow_text);
   return own_type<std::vector<int>>(
       "list of 0, 60, 120, 180, 240, 300, or `any`", any_of({word_schema("any"), list.schema}),
-      [=](const Place& place) {
+      [=](const PlacedValue& place) {
         if (place.value.text == "any") {
           return kAll;
         }
@@ -175,7 +175,7 @@ Type<std::vector<int>> orientations() {
       });
 }
 
-image::Rgb read_color(const Place& place) {
+image::Rgb read_color(const PlacedValue& place) {
   const std::string& text = place.value.text;
   const bool hexadecimal = text.size() == 7 && text.front() == '#' &&
                            text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
@@ -189,7 +189,7 @@ image::Rgb read_color(const Place& place) {
 }
 
 /// A particle that met itself across a periodic boundary would block itself.
-void check_width(const Species& species, const Place& fields) {
+void check_width(const Species& species, const PlacedValue& fields) {
   const Box& box = fields.scene.box;
   if (!box.periodic) {
     return;
@@ -233,7 +233,7 @@ Type<std::vector<Species>> species_type() {
                    "factor of the chance that a void takes such a grain and not another beside it")
                    .of(Model::voids)},
       .one_of = {"shape", "sizes"}};
-  map.check = [](const Place& fields, Species& species) {
+  map.check = [](const PlacedValue& fields, Species& species) {
     try {
       species.shape = build_checked(species.shape_spec);
     } catch (const std::invalid_argument& error) {

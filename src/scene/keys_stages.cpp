@@ -10,7 +10,7 @@ namespace clca::scene {
 
 namespace {
 
-constexpr double kMaxVesselRate = 1e6;  // per unit of time
+constexpr double kMaxVesselRate = 1e6;  // degrees of a tilt, or turns, per unit of time
 
 /// An angle, or a map with the angle and how fast it is reached.
 Type<Tilt> tilt() {
@@ -21,7 +21,7 @@ Type<Tilt> tilt() {
                     .is_required()}});
   return or_map(
       angle.allowed, angle.schema, turn,
-      [=](const Place& place) { return Tilt{.to = angle.read(place), .rate = {}}; },
+      [=](const PlacedValue& place) { return Tilt{.to = angle.read(place), .rate = {}}; },
       [](const Tilt& tilt) {
         return tilt.rate ? std::nullopt : std::optional(Value::number(tilt.to));
       });
@@ -33,7 +33,7 @@ Type<Rotate> rotate() {
                          "turns per unit of time: anticlockwise, or clockwise below 0"),
                 key("centre", &Rotate::centre, point(), "what it turns about")
                     .defaults_to("the middle of the box")},
-       .check = [](const Place& fields, Rotate& rotate) {
+       .check = [](const PlacedValue& fields, Rotate& rotate) {
          if (fields.scene.box.periodic) {
            fail(fields, "a periodic box has no centre to turn about; say 'periodic: false'");
          }
@@ -63,10 +63,10 @@ const Wall* cyclic_wall(const Stage& stage, const Scene& scene) {
   return nullptr;
 }
 
-constexpr std::uint64_t kMaxCycleLength = 10'000'000;  // times kMaxSteps fits 64 bits
+constexpr std::uint64_t kMaxCycleSteps = 10'000'000;  // times kMaxSteps fits 64 bits
 
 /// Minimum steps of a cycle of the wall; 0 without cycles.
-std::uint64_t min_cycle(const Wall& wall) {
+std::uint64_t min_cycle_steps(const Wall& wall) {
   if (!wall.motion) {
     return 0;
   }
@@ -100,7 +100,7 @@ std::string why_never_at_rest(const Stage& stage, const Scene& scene) {
 }
 
 /// Why a stage until settled would never end, and a remedy; empty if it ends.
-std::string endless(const Stage& stage, const Scene& scene) {
+std::string why_endless(const Stage& stage, const Scene& scene) {
   if (const Wall* wall = cyclic_wall(stage, scene)) {
     return fmt::format(
         "while wall '{}' goes to and fro; end the stage after cycles or steps, or give max_steps",
@@ -116,7 +116,7 @@ std::string endless(const Stage& stage, const Scene& scene) {
 }
 
 /// Rejects cycles of a shake that waits for rest that never comes.
-void check_waits(const Stage& stage, const Place& until) {
+void check_waits(const Stage& stage, const PlacedValue& until) {
   const Scene& scene = until.scene;
   const std::string reason = why_never_at_rest(stage, scene);
   for (const std::size_t number : stage.move) {
@@ -132,7 +132,7 @@ void check_waits(const Stage& stage, const Place& until) {
 }
 
 /// Refuses fewer steps than the end takes, if they are given.
-void check_max_steps(const Place& fields, const Stage& stage, std::uint64_t least,
+void check_max_steps(const PlacedValue& fields, const Stage& stage, std::uint64_t least,
                      std::string_view reason) {
   if (fields.find("max_steps") != nullptr && stage.max_steps < least) {
     fail(fields.at("max_steps"), "{} is less than the {} steps {}", stage.max_steps, least, reason);
@@ -141,11 +141,11 @@ void check_max_steps(const Place& fields, const Stage& stage, std::uint64_t leas
 
 /// The end of a stage that has been read, and its `max_steps`, which may follow from it. Refuses
 /// ends that can never come.
-void check_until(const Place& fields, Stage& stage) {
+void check_until(const PlacedValue& fields, Stage& stage) {
   const Scene& scene = fields.scene;
   const Value* given = fields.find("until");
-  const Place until = {given != nullptr ? *given : fields.value, join_path(fields.path, "until"),
-                       scene};
+  const PlacedValue until = {given != nullptr ? *given : fields.value,
+                             join_path(fields.path, "until"), scene};
   const bool cycles = std::holds_alternative<UntilCycles>(stage.until);
   if (cycles && cyclic_wall(stage, scene) == nullptr && !vessel_has_cycles(stage)) {
     fail(until,
@@ -164,7 +164,7 @@ void check_until(const Place& fields, Stage& stage) {
     fail(until, "the cycles take {} steps; expected at most {}", least, kMaxSteps);
   }
   if (std::holds_alternative<UntilSettled>(stage.until)) {
-    if (const std::string reason = endless(stage, scene); !reason.empty()) {
+    if (const std::string reason = why_endless(stage, scene); !reason.empty()) {
       fail(until, "never comes to rest {}", reason);
     }
   }
@@ -192,7 +192,7 @@ Type<Until> end_type() {
            .of(Model::contact)});
 }
 
-UntilSettled read_settled(const Place& place) {
+UntilSettled read_settled(const PlacedValue& place) {
   constexpr std::array<std::string_view, 1> kSettled = {"settled"};
   if (place.value.text != kSettled.front()) {
     fail(place,
@@ -220,9 +220,9 @@ Type<Until> until_type() {
       });
 }
 
-void check_stage(const Place& fields, Stage& stage) {
+void check_stage(const PlacedValue& fields, Stage& stage) {
   if (fields.find("insert") != nullptr) {
-    stage.insert_location = reference(fields.at("insert"));
+    stage.insert_location = location_text(fields.at("insert"));
   }
   const automaton::Rules& rules = stage.rules ? *stage.rules : fields.scene.rules;
   if (stage.fill && stage.fill->method == FillMethod::deposition &&
@@ -275,19 +275,19 @@ std::uint64_t least_steps(const Stage& stage, const Scene& scene) {
   const auto* cycles = std::get_if<UntilCycles>(&stage.until);
   std::uint64_t longest = 0;
   for (std::size_t i = 0; cycles != nullptr && i < stage.move.size(); ++i) {
-    longest = std::max(longest, min_cycle(scene.walls[stage.move[i]]));
+    longest = std::max(longest, min_cycle_steps(scene.walls[stage.move[i]]));
   }
-  return cycles != nullptr ? cycles->cycles * std::min(longest, kMaxCycleLength) : 0;
+  return cycles != nullptr ? cycles->cycles * std::min(longest, kMaxCycleSteps) : 0;
 }
 
-void count_steps(Scene& scene, const Value& list) {
+void set_until_time_steps(Scene& scene, const Value& list) {
   for (std::size_t number = 0; number < scene.stages.size(); ++number) {
     Stage& stage = scene.stages[number];
     auto* until = std::get_if<UntilTime>(&stage.until);
     if (until == nullptr) {
       continue;
     }
-    const Place fields = {list.items[number], join_path("stages", stage.name), scene};
+    const PlacedValue fields = {list.items[number], join_path("stages", stage.name), scene};
     const double steps = steps_until(until->time, *conversion(scene));
     if (steps > static_cast<double>(kMaxSteps)) {
       fail(fields.at("until"), "it takes {:.3g} steps; expected at most {}", steps, kMaxSteps);
@@ -306,9 +306,9 @@ std::string stage_path(const Value& value, std::size_t number) {
 }
 
 Type<std::vector<Stage>> stages_type() {
-  auto type = list_of(type_of(stage_map()), 1, kMaxItems, [](const Place& item, std::size_t index) {
-    return stage_path(item.value, index);
-  });
+  auto type = list_of(
+      type_of(stage_map()), 1, kMaxItems,
+      [](const PlacedValue& item, std::size_t index) { return stage_path(item.value, index); });
   type.allowed = fmt::format("list of 1 to {} maps", kMaxItems);
   type.text_of = [text = type.text_of](const void* stages, const Scene& scene) {
     Value list = text(stages, scene);

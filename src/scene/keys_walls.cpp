@@ -10,13 +10,13 @@ namespace clca::scene {
 
 namespace {
 
-constexpr double kMaxThickness = 100;
+constexpr double kMaxThickness = 100;        // lattice spacings
 constexpr int kMaxOffset = 1'000'000;        // of a moving wall from home
 constexpr std::size_t kMaxPoints = 100'000;  // of a path
 
 using grains::WallMotion;
 
-void check_wave(const Place& fields, grains::Wave& wave) {
+void check_wave(const PlacedValue& fields, grains::Wave& wave) {
   const std::uint64_t least = grains::least_period(wave);
   if (wave.period < least) {
     fail(fields.at("period"),
@@ -42,7 +42,7 @@ Type<grains::Wave> wave() {
 
 Type<int> shake_amplitude() {
   Type<int> type = integer(1, kMaxOffset);
-  type.read_into = [read = type.read_into](const Place& place, void* amplitude) {
+  type.read_into = [read = type.read_into](const PlacedValue& place, void* amplitude) {
     if (place.value.text == "0") {
       fail(place, "expected a whole number from 1 to {}, found '0'; a shake of 0 does nothing",
            kMaxOffset);
@@ -67,11 +67,11 @@ Type<grains::Shake> shake() {
 
 using Point = grains::Path::Point;
 
-grains::Path read_points(const Place& place) {
+grains::Path read_points(const PlacedValue& place) {
   grains::Path way;
   Point before;
-  for (const Place& item : read_list(place, 1, kMaxPoints)) {
-    const std::vector<Place> pair = read_list(item, 2, 2);
+  for (const PlacedValue& item : read_list(place, 1, kMaxPoints)) {
+    const std::vector<PlacedValue> pair = read_list(item, 2, 2);
     const Point point = {.step = read_number<std::uint64_t>(pair[0], 1, kMaxSteps),
                          .offset = read_number(pair[1], -kMaxOffset, kMaxOffset)};
     if (point.step <= before.step) {
@@ -102,7 +102,7 @@ Type<grains::Path> path_type() {
       });
 }
 
-void check_program(const Place& fields, WallMotion& motion) {
+void check_program(const PlacedValue& fields, WallMotion& motion) {
   constexpr std::array<std::string_view, 5> kKeys = {"period", "distance", "wave", "shake", "path"};
   std::vector<std::string_view> given;
   std::ranges::copy_if(kKeys, std::back_inserter(given),
@@ -140,7 +140,7 @@ Type<WallMotion> motion_type() {
                     "from point to point, straight between them: steps increase, and nowhere is "
                     "it steeper than one site a step, counted from `[0, 0]`")},
        .check = check_program,
-       .conditions = R"(
+       .schema_members = R"(
          "oneOf": [{"required": ["distance"]}, {"required": ["wave"]}, {"required": ["shake"]},
                    {"required": ["path"]}],
          "dependencies": {"distance": ["direction"], "period": ["distance"]})"});
@@ -152,7 +152,7 @@ Type<lattice::Segment> line() {
                                     required("to", &Segment::to, point(), "the other end"),
                                     key("thickness", &Segment::thickness,
                                         length(number(0, kMaxThickness)), "thickness")},
-                           .check = [](const Place& fields, Segment& segment) {
+                           .check = [](const PlacedValue& fields, Segment& segment) {
                              if (segment.from == segment.to) {
                                fail(fields.at("to").value.location,
                                     "{}: from and to are the same point", fields.path);
@@ -175,7 +175,7 @@ Keys<Ring> ring_keys() {
               "outer radius less the inner one")};
 }
 
-void check_arc(const Place& fields, Arc& arc) {
+void check_arc(const PlacedValue& fields, Arc& arc) {
   if (arc.from >= arc.to || arc.to - arc.from >= 360) {
     fail(
         fields,
@@ -208,17 +208,18 @@ const Keys<WallPart>& forms() {
 }
 
 Type<std::vector<WallPart>> parts() {
-  auto type = list_of(one_of(forms()), 1, kMaxItems, [](const Place& item, std::size_t index) {
-    return join_path(item.path, std::to_string(index));
-  });
+  auto type =
+      list_of(one_of(forms()), 1, kMaxItems, [](const PlacedValue& item, std::size_t index) {
+        return join_path(item.path, std::to_string(index));
+      });
   type.allowed = fmt::format("list of 1 to {} of these forms", kMaxItems);
   return type;
 }
 
 /// Refuses a form without a site of the box. Only a wall that moves may be outside it at home.
-void check_part(const WallPart& part, const Place& fields) {
+void check_part(const WallPart& part, const PlacedValue& fields) {
   static const std::vector<std::string> kNames = names_of<std::string>(forms());
-  const Place place = fields.at(kNames[part.index()]);
+  const PlacedValue place = fields.at(kNames[part.index()]);
   const Box& box = fields.scene.box;
   if (const auto* rectangle = std::get_if<lattice::Rectangle>(&part)) {
     require_site(*rectangle, place);
@@ -228,8 +229,8 @@ void check_part(const WallPart& part, const Place& fields) {
   }
 }
 
-void check_wall(const Place& fields, Wall& wall) {
-  wall.location = reference(fields);
+void check_wall(const PlacedValue& fields, Wall& wall) {
+  wall.location = location_text(fields);
   if (wall.motion) {
     return;
   }
@@ -241,7 +242,7 @@ void check_wall(const Place& fields, Wall& wall) {
     check_part(wall.parts.front(), fields);
     return;
   }
-  const Place list = fields.at("parts");
+  const PlacedValue list = fields.at("parts");
   for (std::size_t i = 0; i < wall.parts.size(); ++i) {
     check_part(wall.parts[i],
                {list.value.items[i], join_path(list.path, std::to_string(i)), list.scene});
@@ -275,7 +276,7 @@ Type<std::vector<Wall>> walls_type() {
   return by_name<Wall>("walls", {.keys = keys,
                                  .one_of = one_of,
                                  .check = check_wall,
-                                 .conditions = R"("dependencies": {"passive": ["motion"]})"});
+                                 .schema_members = R"("dependencies": {"passive": ["motion"]})"});
 }
 
 }  // namespace clca::scene

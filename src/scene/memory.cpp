@@ -55,8 +55,8 @@ double particles_in(const Scene& scene, const Fill& fill) {
   return std::ceil(max_sites(lattice::SweptRegion(lattice_of(scene.box)), fill.region) / least);
 }
 
-/// By any method, or by one.
-double filled(const Scene& scene, std::optional<FillMethod> method = {}) {
+/// Particles of all fills, or of those of one method, at most.
+double filled_particles(const Scene& scene, std::optional<FillMethod> method = {}) {
   double sum = 0;
   for (const Stage& stage : scene.stages) {
     if (stage.fill && stage.fill->method == method.value_or(stage.fill->method)) {
@@ -67,7 +67,7 @@ double filled(const Scene& scene, std::optional<FillMethod> method = {}) {
 }
 
 /// Most particles that a source can emit while it is open.
-double emitted(const Scene& scene, std::size_t source) {
+double emitted_particles(const Scene& scene, std::size_t source) {
   double steps = 0;
   for (const Stage& stage : scene.stages) {
     if (std::ranges::find(stage.sources, source) != stage.sources.end()) {
@@ -111,7 +111,8 @@ double wall_sites_at_most(const lattice::Lattice& lattice, const Wall& wall) {
   double sum = 0;
   for (const WallPart& part : wall.parts) {
     const auto max_of = [&](const auto& form) {
-      return std::min({all, area(form) / lattice::kColumnPitch, max_sites(region, around(form))});
+      return std::min(
+          {all, area(form) / lattice::kColumnPitch, max_sites(region, bounding_rectangle(form))});
     };
     sum += std::visit(max_of, part);
   }
@@ -168,6 +169,7 @@ constexpr double kRowTextBytes = 512;
 constexpr double kBinBytes = 16;
 constexpr double kBinTextBytes = 128;
 
+/// Rows and bins that all gases keep until the end, and the text of their tables.
 double table_bytes(const BoltzmannScene& scene) {
   const double rows = scene.until / scene.series_every + 2;
   const auto* uniform = std::get_if<UniformBins>(&scene.bins);
@@ -189,14 +191,14 @@ constexpr double kSavedCopies = 3;
 Size size_of(const Scene& scene) {
   const lattice::Lattice lattice = lattice_of(scene.box);
   double particles =
-      filled(scene) + (scene.begin ? static_cast<double>(scene.begin->particles) : 0);
+      filled_particles(scene) + (scene.begin ? static_cast<double>(scene.begin->particles) : 0);
   for (std::size_t source = 0; source < scene.sources.size(); ++source) {
-    particles += emitted(scene, source);
+    particles += emitted_particles(scene, source);
   }
   if (scene.outlets.empty()) {  // all of them have to find room
     particles = std::min(particles, static_cast<double>(lattice.columns()) * lattice.rows());
   }
-  const double deposited = std::min(particles, filled(scene, FillMethod::deposition));
+  const double deposited = std::min(particles, filled_particles(scene, FillMethod::deposition));
   const double awake = particles - (1 - kAwakeOfDeposited) * deposited;
   const auto index_count = static_cast<double>(lattice.index_count());
   const double model =

@@ -11,9 +11,10 @@ namespace clca::scene {
 
 namespace {
 
-/// By the keys of the map. Throws SceneError where they belong to both kinds of scenes.
+/// Whether the scene is of the Boltzmann equation, by its keys. Throws SceneError where they belong
+/// to both kinds of scenes.
 bool is_boltzmann(const Value& root) {
-  const std::vector<std::string_view> automaton_keys = names_of(*scene_type().keys);
+  const std::vector<std::string_view> grain_keys = names_of(*scene_type().keys);
   const std::vector<std::string_view> boltzmann_keys = names_of(*boltzmann_type().keys);
   const auto first_of = [&](const auto& keys, const auto& other_keys) {
     return std::ranges::find_if(root.entries, [&](const Entry& entry) {
@@ -21,14 +22,14 @@ bool is_boltzmann(const Value& root) {
     });
   };
   const auto none = root.entries.end();
-  const auto automaton = first_of(automaton_keys, boltzmann_keys);
-  const auto boltzmann = first_of(boltzmann_keys, automaton_keys);
+  const auto automaton = first_of(grain_keys, boltzmann_keys);
+  const auto boltzmann = first_of(boltzmann_keys, grain_keys);
   if (automaton != none && boltzmann != none) {
     const auto [other, entry] = std::minmax(automaton, boltzmann);
     fail(entry->location,
          "'{}' does not go with '{}': a scene of the Boltzmann equation has the keys {}; one of "
          "grains has {}",
-         entry->key, other->key, fmt::join(boltzmann_keys, ", "), fmt::join(automaton_keys, ", "));
+         entry->key, other->key, fmt::join(boltzmann_keys, ", "), fmt::join(grain_keys, ", "));
   }
   // A misspelt `boltzmann` makes no scene of grains.
   const auto is_misspelt = [](const Entry& entry) {
@@ -53,7 +54,7 @@ std::string name_of_file(const std::string& file, const TextLocation& location) 
   return name;
 }
 
-/// Of the maps that hold one key out of several.
+/// Whether the path is that of a map that holds one key out of several.
 bool is_choice(const std::vector<std::string>& path) {
   return path.size() == 3 &&
          ((path[0] == "stages" && (path[2] == "until" || path[2] == "vessel")) ||
@@ -83,7 +84,7 @@ Scene read_scene(Value root, const std::string& file) {
   read_picture_files(root, std::filesystem::path(file).parent_path().string());
   scene.title = scene.name = name_of_file(file, {root.location.origin, 1, 1});
   scene.folder = std::filesystem::path(file).parent_path().string();
-  const Place place = {root, "", scene};
+  const PlacedValue place = {root, "", scene};
   scene_type().read_into(place, &scene);
   const bool is_observed = !scene.probes.empty() || !scene.lines.empty();
   if (is_observed && root.find_path("output.series") == nullptr) {
@@ -92,7 +93,7 @@ Scene read_scene(Value root, const std::string& file) {
   check_model(place);
   check_history(place.at("stages"));
   check_time_step(place);
-  count_steps(scene, *root.find("stages"));
+  set_until_time_steps(scene, *root.find("stages"));
   check_use(place);
   put_numbers_into_derived(scene);
   return scene;
@@ -102,7 +103,7 @@ BoltzmannScene read_boltzmann_scene(const Value& root, const std::string& file) 
   BoltzmannScene scene;
   scene.title = scene.name = name_of_file(file, {root.location.origin, 1, 1});
   const Scene none;
-  const Place place = {root, "", none};
+  const PlacedValue place = {root, "", none};
   boltzmann_type().read_into(place, &scene);
   check_rows(place, scene);
   const auto block = std::ranges::find_if(

@@ -22,7 +22,7 @@ std::string suggestion(const Entry& entry, std::string_view path,
   return here.empty() && (path.empty() || is_elsewhere) ? path_suggestion(all, entry.key) : here;
 }
 
-bool accepts(const std::function<void(const Place& place)>& read, const Place& place) {
+bool accepts(const std::function<void(const PlacedValue& place)>& read, const PlacedValue& place) {
   try {
     read(place);
     return true;
@@ -38,27 +38,28 @@ bool is_name_letter(char letter) {
 
 }  // namespace
 
-void unexpected(const Place& place, std::string_view allowed) {
+void throw_unexpected(const PlacedValue& place, std::string_view allowed) {
   fail(place, "expected {}, found {}", allowed, found(place));
 }
 
 template <class T>
-T read_number(const Place& place, T low, T high) {
+T read_number(const PlacedValue& place, T low, T high) {
   const auto number = number_in<T>(place.value);
   if (!number || *number < low || *number > high) {
-    unexpected(place, fmt::format("a {} from {} to {}",
-                                  std::is_integral_v<T> ? "whole number" : "number", low, high));
+    throw_unexpected(
+        place, fmt::format("a {} from {} to {}", std::is_integral_v<T> ? "whole number" : "number",
+                           low, high));
   }
   return *number;
 }
 
-template int read_number(const Place& place, int low, int high);
-template std::uint64_t read_number(const Place& place, std::uint64_t low, std::uint64_t high);
-template double read_number(const Place& place, double low, double high);
+template int read_number(const PlacedValue& place, int low, int high);
+template std::uint64_t read_number(const PlacedValue& place, std::uint64_t low, std::uint64_t high);
+template double read_number(const PlacedValue& place, double low, double high);
 
-const std::string& read_text(const Place& place) {
+const std::string& read_text(const PlacedValue& place) {
   if (!place.value.is(Value::Kind::scalar)) {
-    unexpected(place, "text");
+    throw_unexpected(place, "text");
   }
   return place.value.text;
 }
@@ -75,8 +76,8 @@ std::optional<std::size_t> line_length(std::string_view text) {
   return characters;
 }
 
-std::vector<Place> read_list(const Place& place, std::size_t least, std::size_t most,
-                             const std::function<void(const Place& item)>& read_item) {
+std::vector<PlacedValue> read_list(const PlacedValue& place, std::size_t least, std::size_t most,
+                                   const std::function<void(const PlacedValue& item)>& read_item) {
   const Value& value = place.value;
   if (!value.is(Value::Kind::list)) {
     const bool may_be_item = value.is(Value::Kind::scalar) && !value.quoted && least <= 1 &&
@@ -90,21 +91,21 @@ std::vector<Place> read_list(const Place& place, std::size_t least, std::size_t 
         least == most ? std::to_string(least) : fmt::format("{} to {}", least, most);
     fail(place, "expected {} items, found {}", range, size);
   }
-  std::vector<Place> items;
+  std::vector<PlacedValue> items;
   for (const Value& item : value.items) {
     items.push_back({item, place.path, place.scene});
   }
   return items;
 }
 
-const std::vector<Entry>& read_map(const Place& place) {
+const std::vector<Entry>& read_map(const PlacedValue& place) {
   if (!place.value.is(Value::Kind::map)) {
-    unexpected(place, "a map");
+    throw_unexpected(place, "a map");
   }
   return place.value.entries;
 }
 
-const std::vector<Entry>& read_named(const Place& place) {
+const std::vector<Entry>& read_named(const PlacedValue& place) {
   const std::vector<Entry>& entries = read_map(place);
   if (entries.size() > kMaxItems) {
     fail(place, "expected at most {}, found {}", kMaxItems, entries.size());
@@ -123,7 +124,7 @@ void check_name(const std::string& name, const TextLocation& location, std::stri
   }
 }
 
-std::size_t read_reference(const Place& place, std::string_view kind,
+std::size_t read_reference(const PlacedValue& place, std::string_view kind,
                            std::span<const std::string_view> names) {
   const std::string& name = read_text(place);
   const auto match = std::ranges::find(names, name);
@@ -135,7 +136,7 @@ std::size_t read_reference(const Place& place, std::string_view kind,
   return static_cast<std::size_t>(match - names.begin());
 }
 
-std::size_t read_word(const Place& place, std::span<const std::string_view> words) {
+std::size_t read_word(const PlacedValue& place, std::span<const std::string_view> words) {
   const Value& value = place.value;
   const auto match = std::ranges::find(words, value.text);
   if (match == words.end()) {
@@ -145,15 +146,15 @@ std::size_t read_word(const Place& place, std::span<const std::string_view> word
   return static_cast<std::size_t>(match - words.begin());
 }
 
-bool is_none(const Place& place) {
+bool is_none(const PlacedValue& place) {
   const bool none = place.value.text == "none";
   if (!none && !place.value.is(Value::Kind::map)) {
-    unexpected(place, "a map or none");
+    throw_unexpected(place, "a map or none");
   }
   return none;
 }
 
-bool is_word(const Place& place, std::string_view word, std::string_view phrase) {
+bool is_word(const PlacedValue& place, std::string_view word, std::string_view phrase) {
   const Value& value = place.value;
   if (value.text == word) {
     return true;
@@ -166,7 +167,7 @@ bool is_word(const Place& place, std::string_view word, std::string_view phrase)
   return false;
 }
 
-Place Place::at(std::string_view key) const {
+PlacedValue PlacedValue::at(std::string_view key) const {
   const Value* found = find(key);
   if (found == nullptr) {
     fail(*this, "key '{}' is missing", key);
@@ -174,17 +175,17 @@ Place Place::at(std::string_view key) const {
   return {*found, join_path(path, key), scene};
 }
 
-Place Place::inside(const Entry& entry) const {
+PlacedValue PlacedValue::inside(const Entry& entry) const {
   return {entry.value, join_path(path, entry.key), scene};
 }
 
-std::string reference(const Place& place) {
+std::string location_text(const PlacedValue& place) {
   return to_string(place.value.location);
 }
 
-void check_keys(const Place& map, std::span<const std::string_view> keys) {
+void check_keys(const PlacedValue& map, std::span<const std::string_view> keys) {
   if (!map.value.is(Value::Kind::map)) {
-    unexpected(map, fmt::format("a map (allowed: {})", fmt::join(keys, ", ")));
+    throw_unexpected(map, fmt::format("a map (allowed: {})", fmt::join(keys, ", ")));
   }
   for (const Entry& entry : map.value.entries) {
     if (std::ranges::find(keys, entry.key) == keys.end()) {
@@ -195,7 +196,7 @@ void check_keys(const Place& map, std::span<const std::string_view> keys) {
   }
 }
 
-std::string_view Place::only(std::span<const std::string_view> keys) const {
+std::string_view PlacedValue::only_key(std::span<const std::string_view> keys) const {
   std::vector<std::string_view> present;
   std::ranges::copy_if(keys, std::back_inserter(present),
                        [this](std::string_view key) { return find(key) != nullptr; });

@@ -34,7 +34,7 @@ bool pictures_show_forces(const Scene& scene) {
           frames->color_by == ColorBy::pressure);
 }
 
-bool is_of_weight(Overlay overlay) {
+bool shows_weight_paths(Overlay overlay) {
   return overlay == Overlay::weight_inner || overlay == Overlay::weight_outer ||
          overlay == Overlay::weight_pair || overlay == Overlay::weight_q;
 }

@@ -13,7 +13,7 @@ namespace clca::scene {
 const Type<Scene>& scene_type();
 const Type<BoltzmannScene>& boltzmann_type();
 
-Type<std::string> title_type();
+Type<std::string> text_line_type();
 /// The block of each model, and other keys of one model.
 Keys<Scene> model_blocks();
 /// Of a stage: what is left out is as in the scene.
@@ -38,10 +38,11 @@ struct Sizes {
 };
 
 struct SizeClass {
-  double radius = 0;    ///< as in DiscSpec or HexagonSpec
-  double extent = 1;    ///< of a particle: its sites for a law by area, else 1
-  double diameter = 0;  ///< of a circle of the same area
-  double share = 0;     ///< of the particles, by number; the sum is 1 but for rounding
+  double radius = 0;         ///< as in DiscSpec or HexagonSpec
+  double weight_in_law = 1;  ///< of a particle: its sites if the law is by area, else 1
+  /// Of the circle of equal area, spacings, as lattice::Shape::diameter(); not twice the radius.
+  double diameter = 0;
+  double share = 0;  ///< of the particles, by number; the sum is 1 but for rounding
 };
 
 /// The kinds of particles of the law, from the smallest to the largest. Of a list: those nearest to
@@ -75,11 +76,11 @@ Type<Checkpoints> gas_checkpoint_type();
 Key<BoltzmannScene> boltzmann_block();
 Key<BoltzmannScene> boltzmann_output();
 /// Refuses a series of too many rows.
-void check_rows(const Place& root, const BoltzmannScene& scene);
+void check_rows(const PlacedValue& root, const BoltzmannScene& scene);
 
-/// The steps of stages until a time, once all that the time step follows from has been read.
+/// Sets the steps of stages until a time, once all that the time step follows from has been read.
 /// `list` is what the stages were read from.
-void count_steps(Scene& scene, const Value& list);
+void set_until_time_steps(Scene& scene, const Value& list);
 
 /// Puts the numbers of keys that derived measures name into their expressions, once all has been
 /// read.
@@ -87,16 +88,17 @@ void put_numbers_into_derived(Scene& scene);
 
 /// Across stages: names are unique, and walls come, move and go in an order that can be. `list` is
 /// what the stages were read from.
-void check_history(const Place& list);
+void check_history(const PlacedValue& list);
 /// Whether a wall lets particles overlap.
 bool lets_overlap(const Scene& scene);
 /// Refuses paths of weight where particles may overlap or gravity may turn.
-void check_weight_paths(const Place& place);
+void check_weight_paths(const PlacedValue& place);
 /// Refuses what the model cannot do.
-void check_model(const Place& root);
+void check_model(const PlacedValue& root);
 /// Contact model: resolution, fall height (which may depend on stages) and vessels.
-void check_time_step(const Place& root);
-/// Checks the scene as a whole: every species, source and motion is used, and there are particles.
-void check_use(const Place& root);
+void check_time_step(const PlacedValue& root);
+/// Refuses species, sources, moving walls, probes and lines that nothing uses, walls that have the
+/// number of a particle as name, and a scene without particles.
+void check_use(const PlacedValue& root);
 
 }  // namespace clca::scene

@@ -17,12 +17,12 @@ constexpr double kMaxDiameter = 100;  // of a distribution of sizes
 constexpr std::size_t kMaxKinds = 64;
 
 constexpr double kCutQuantile = 2.5758293035489004;  // of the normal law, at half a percent
-// Functions of the machine's library may differ in the last bits.
+// Shares are whole multiples of it, as functions of the machine's library differ in the last bits.
 constexpr double kShareUnit = 1e-9;
 
 struct Diameter {
-  double value = 0;
-  double share = 0;
+  double value = 0;  ///< lattice spacings
+  double share = 0;  ///< of the law, by number or by area
 };
 
 double normal_below(double quantile) {
@@ -89,11 +89,11 @@ double largest_diameter(const Sizes& sizes) {
 
 SizeClass round_kind(double radius, double sites) {
   return {.radius = radius,
-          .extent = sites,
+          .weight_in_law = sites,
           .diameter = std::sqrt(4 * lattice::kColumnPitch * sites / std::numbers::pi)};
 }
 
-/// Two at least, up to the first one that is not smaller.
+/// Hexagons by size: two at least, up to the first with a diameter of `largest` or more.
 std::vector<SizeClass> hexagons(double largest) {
   std::vector<SizeClass> kinds;
   for (int radius = 0; radius < 2 || kinds.back().diameter < largest; ++radius) {
@@ -102,7 +102,7 @@ std::vector<SizeClass> hexagons(double largest) {
   return kinds;
 }
 
-/// Likewise. Squares of distances between sites are whole numbers.
+/// Discs, likewise. Squares of distances between sites are whole numbers.
 std::vector<SizeClass> discs(double largest) {
   const int reach = static_cast<int>(largest) + 2;  // more than the radius
   std::vector<int> sites(static_cast<std::size_t>(reach) * static_cast<std::size_t>(reach), 0);
@@ -137,7 +137,7 @@ Type<std::vector<double>> list(const Type<double>& number) {
   return type;
 }
 
-void check(const Place& fields, Sizes& sizes) {
+void check(const PlacedValue& fields, Sizes& sizes) {
   const bool list = sizes.law == SizeLaw::list;
   for (const char* key : {"mean", "sd", "kinds", "diameters", "shares"}) {
     const bool of_list = key == std::string_view("diameters") || key == std::string_view("shares");
@@ -158,7 +158,7 @@ void check(const Place& fields, Sizes& sizes) {
     fail(fields.at("mean"), "expected at least {:.3g}, the diameter of a single site, found {}",
          smallest, *sizes.mean);
   }
-  const Place sd = fields.at("sd");
+  const PlacedValue sd = fields.at("sd");
   if (sizes.law == SizeLaw::uniform && *sizes.mean <= *sizes.sd * std::sqrt(3.0)) {
     fail(sd, "expected less than {:.4g}, so that all diameters are above 0, found {}",
          *sizes.mean / std::sqrt(3.0), *sizes.sd);
@@ -192,8 +192,8 @@ std::vector<SizeClass> size_classes(const Sizes& sizes) {
   std::erase_if(kinds, [](const SizeClass& kind) { return kind.share <= 0; });
   double all = 0;
   for (SizeClass& kind : kinds) {
-    kind.extent = sizes.by == SharesBy::area ? kind.extent : 1;
-    kind.share /= kind.extent;
+    kind.weight_in_law = sizes.by == SharesBy::area ? kind.weight_in_law : 1;
+    kind.share /= kind.weight_in_law;
     all += kind.share;
   }
   double units = 0;

@@ -29,8 +29,8 @@ Type<T> ranged(const std::string& allowed, std::string_view type, const Json& lo
                const Json& highest, T low, T high) {
   const Json schema = {{"type", type}, {"minimum", lowest}, {"maximum", highest}};
   return own_type<T>(
-      allowed, schema.dump(), [=](const Place& place) { return read_number(place, low, high); },
-      kPlainText);
+      allowed, schema.dump(),
+      [=](const PlacedValue& place) { return read_number(place, low, high); }, kPlainText);
 }
 
 /// `10^12` for round large numbers.
@@ -45,9 +45,9 @@ std::string range(double low, double high) {
   return fmt::format("{} to {}", limit_text(low), limit_text(high));
 }
 
-std::string read_path(const Place& place) {
+std::string read_path(const PlacedValue& place) {
   const std::string& given = read_text(place);
-  std::string file = file_at(place.scene.folder, given);
+  std::string file = absolute_path(place.scene.folder, given);
   if (file.empty()) {
     fail(place, "expected a path of up to {} bytes of UTF-8, found {}", kMaxPathLength,
          text::shown(given));
@@ -55,7 +55,7 @@ std::string read_path(const Place& place) {
   return file;
 }
 
-std::string read_name(const Place& place) {
+std::string read_name(const PlacedValue& place) {
   const std::string& name = read_text(place);
   check_name(name, place.value.location, place.path);
   return name;
@@ -66,7 +66,7 @@ Type<std::vector<Number>> by_species(std::uint64_t high) {
   return own_type<std::vector<Number>>(
       fmt::format("0 to {} by species", high),
       fmt::format(R"({{"type": "object", "additionalProperties": {}}})", count(0, high).schema),
-      [high](const Place& place) {
+      [high](const PlacedValue& place) {
         std::vector<Number> numbers(place.scene.species.size(), 0);
         for (const Entry& entry : read_map(place)) {
           const Value species = Value::scalar(entry.key, entry.location);
@@ -88,7 +88,7 @@ Type<std::vector<Number>> by_species(std::uint64_t high) {
 
 }  // namespace
 
-std::size_t read_species(const Place& place) {
+std::size_t read_species(const PlacedValue& place) {
   return read_reference(place, "species", names_of(place.scene.species));
 }
 
@@ -97,10 +97,10 @@ Type<double> number(double low, double high) {
 }
 
 Type<double> above_zero(double high) {
-  const auto read = [high](const Place& place) {
+  const auto read = [high](const PlacedValue& place) {
     const auto number = number_in<double>(place.value);
     if (!number || *number <= 0 || *number > high) {
-      unexpected(place, fmt::format("a number above 0 and up to {}", high));
+      throw_unexpected(place, fmt::format("a number above 0 and up to {}", high));
     }
     return *number;
   };
@@ -124,7 +124,7 @@ std::optional<double> metres(std::string_view text) {
 Type<double> length(const Type<double>& number) {
   Type<double> type = number;
   type.schema = with(number.schema, R"("pattern": "^-?[0-9.][0-9.eE+-]* *(m|cm|mm|um)$")");
-  type.read_into = [number](const Place& place, void* result) {
+  type.read_into = [number](const PlacedValue& place, void* result) {
     constexpr double kDecimals = 1e6;  // 20.5 mm are 82 spacings of 0.25 mm, and not a little less
     const std::string_view text = place.value.text;
     const std::optional<double> length = metres(text);
@@ -168,10 +168,10 @@ Type<std::uint64_t> count(std::uint64_t low, std::uint64_t high) {
 }
 
 Type<bool> yes_or_no() {
-  const auto read = [](const Place& place) {
+  const auto read = [](const PlacedValue& place) {
     const Value& value = place.value;
     if (value.quoted || (value.text != "true" && value.text != "false")) {
-      unexpected(place, "true or false");
+      throw_unexpected(place, "true or false");
     }
     return value.text == "true";
   };
@@ -192,7 +192,7 @@ Type<lattice::Rectangle> rectangle() {
   const auto type = list_of_members(
       "`[left, bottom, right, top]`", length(number(-kMaxCoordinate, kMaxCoordinate)),
       &Rectangle::left, &Rectangle::bottom, &Rectangle::right, &Rectangle::top);
-  return type.checked([](const lattice::Rectangle& edges, const Place& place) {
+  return type.checked([](const lattice::Rectangle& edges, const PlacedValue& place) {
     if (edges.left >= edges.right || edges.bottom >= edges.top) {
       fail(place,
            "expected [left, bottom, right, top] with left < right and bottom < top, found {}",
@@ -205,7 +205,7 @@ std::string shown(const lattice::Rectangle& edges) {
   return fmt::format("[{}, {}, {}, {}]", edges.left, edges.bottom, edges.right, edges.top);
 }
 
-void require_site(const lattice::Rectangle& region, const Place& place) {
+void require_site(const lattice::Rectangle& region, const PlacedValue& place) {
   const Box& box = place.scene.box;
   if (holds_no_site(lattice_of(box), region)) {
     fail(place, "no site of the box, {} wide and {} high, lies in {}", box.width, box.height,
@@ -217,7 +217,7 @@ Type<lattice::Rectangle> region() {
   return rectangle().checked(require_site);
 }
 
-std::string file_at(const std::string& folder, const std::string& path) {
+std::string absolute_path(const std::string& folder, const std::string& path) {
   std::error_code error;
   std::string file = std::filesystem::absolute(std::filesystem::path(folder) / path, error)
                          .lexically_normal()
@@ -246,7 +246,7 @@ Type<std::vector<std::size_t>> counts_type(std::uint64_t high) {
 Type<std::vector<std::uint32_t>> weights_type() {
   auto type = by_species<std::uint32_t>(kMaxSpeciesWeight);
   type.schema = with(type.schema, R"("minProperties": 1)");
-  return type.checked([](const std::vector<std::uint32_t>& weights, const Place& place) {
+  return type.checked([](const std::vector<std::uint32_t>& weights, const PlacedValue& place) {
     if (std::ranges::all_of(weights, [](auto weight) { return weight == 0; })) {
       fail(place, "expected a weight above 0");
     }
@@ -257,7 +257,7 @@ Type<std::vector<std::size_t>> references(
     const std::string& kind, std::vector<std::string_view> (*names)(const Scene& scene)) {
   const auto reference = own_type<std::size_t>(
       "", name_type().schema,
-      [=](const Place& place) { return read_reference(place, kind, names(place.scene)); },
+      [=](const PlacedValue& place) { return read_reference(place, kind, names(place.scene)); },
       [=](std::size_t number, const Scene& scene) { return Value::name(names(scene)[number]); });
   auto type = set_of(reference, 0, kMaxItems);
   type.allowed = fmt::format("names of {}s", kind);

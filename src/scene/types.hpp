@@ -38,15 +38,16 @@ Type<lattice::Rectangle> rectangle();
 /// `[left, bottom, right, top]`
 std::string shown(const lattice::Rectangle& edges);
 /// Refuses a rectangle that holds no site of the box. Throws SceneError.
-void require_site(const lattice::Rectangle& region, const Place& place);
+void require_site(const lattice::Rectangle& region, const PlacedValue& place);
 /// A rectangle that holds at least one site of the box.
 Type<lattice::Rectangle> region();
 
 /// The path of a file or folder, as an absolute one: relative ones begin at the folder of the
 /// scene.
 Type<std::string> file_path_type();
-/// The same for a given folder; empty if it is too long or no text of one line.
-std::string file_at(const std::string& folder, const std::string& path);
+/// The absolute path of a file named in a scene of this folder; empty if it is too long, or no text
+/// of one line.
+std::string absolute_path(const std::string& folder, const std::string& path);
 
 /// "#rrggbb"
 Type<image::Rgb> color_type();
@@ -59,7 +60,7 @@ Type<std::vector<std::size_t>> references(
     const std::string& kind, std::vector<std::string_view> (*names)(const Scene& scene));
 
 /// The species of this name.
-std::size_t read_species(const Place& place);
+std::size_t read_species(const PlacedValue& place);
 /// Numbers by species: each a whole number from 0 to `high`; 0 for those not named.
 Type<std::vector<std::size_t>> counts_type(std::uint64_t high);
 /// The same with at least one above 0.
@@ -73,11 +74,11 @@ struct PictureFile {
   image::Image image;
   std::string problem;  ///< why it cannot be read; empty if it can
 };
-/// Its rows from the top, with a letter for each pixel.
+/// The rows of a picture from the top, with a letter for each pixel.
 std::vector<std::string> rows_of(const image::Image& image,
                                  const std::function<char(image::Rgb color)>& letter);
 /// The pixels of a PNG file that the value names, as it has been read. Throws SceneError.
-const image::Image& read_picture(const Place& place);
+const image::Image& read_picture(const PlacedValue& place);
 /// The key of such a file, in the place of `rows`: a run folder has no other file.
 template <class Owner>
 Key<Owner> picture_file_key(Action<Owner> read) {
@@ -97,11 +98,11 @@ Type<std::vector<std::string>> rows_type(bool (*allowed)(char letter), const std
 template <class T>
 Type<std::optional<T>> or_word(const std::string& word, std::string_view between,
                                const Type<T>& type,
-                               const std::function<bool(const Place& place)>& is_word) {
+                               const std::function<bool(const PlacedValue& place)>& is_word) {
   return own_type<std::optional<T>>(
       fmt::format("`{}`{}{}", word, between, type.allowed),
       any_of({word_schema(word), type.schema}),
-      [=](const Place& place) {
+      [=](const PlacedValue& place) {
         return is_word(place) ? std::nullopt : std::optional<T>(type.read(place));
       },
       [=](const std::optional<T>& value, const Scene& scene) {
@@ -116,7 +117,7 @@ Type<std::optional<T>> or_none(const Type<T>& type) {
   return or_word("none", ", ", type, is_none);
 }
 
-using PathOfItem = std::string (*)(const Place& item, std::size_t index);
+using PathOfItem = std::string (*)(const PlacedValue& item, std::size_t index);
 /// A list of `least` to `most` such values; `path_of` an item in messages is that of the list
 /// unless it is given.
 template <class T>
@@ -124,9 +125,9 @@ Type<std::vector<T>> list_of(const Type<T>& item, std::size_t least, std::size_t
                              PathOfItem path_of = nullptr) {
   AnyType type = {.allowed = {}, .schema = array_schema(item.schema, least, most)};
   // Into the list of the scene itself, as items may look at those before them.
-  type.read_into = [=](const Place& place, void* result) {
+  type.read_into = [=](const PlacedValue& place, void* result) {
     std::size_t index = 0;
-    for (Place& entry : read_list(place, least, most, [&](auto& one) { item.read(one); })) {
+    for (PlacedValue& entry : read_list(place, least, most, [&](auto& one) { item.read(one); })) {
       entry.path = path_of == nullptr ? entry.path : path_of(entry, index++);
       item.read_into(entry, &static_cast<std::vector<T>*>(result)->emplace_back());
     }
@@ -152,7 +153,7 @@ Type<std::vector<Owner>> by_name(const std::string& section, const Type<Owner>& 
       .schema = with(object_schema(thing.schema, kNamePattern),
                      fmt::format(R"("maxProperties": {}{})", kMaxItems,
                                  least > 0 ? fmt::format(R"(, "minProperties": {})", least) : ""))};
-  type.read_into = [=](const Place& place, void* result) {  // likewise
+  type.read_into = [=](const PlacedValue& place, void* result) {  // into the list, as in list_of()
     auto& things = *static_cast<std::vector<Owner>*>(result);
     for (const Entry& entry : read_named(place)) {
       Owner& added = things.emplace_back();
@@ -187,7 +188,7 @@ template <class T, class Other, class From, class To>
 Type<T> converted(std::string_view allowed, const Type<Other>& type, const From& from,
                   const To& to) {
   return own_type<T>(
-      allowed, type.schema, [=](const Place& place) { return from(type.read(place)); },
+      allowed, type.schema, [=](const PlacedValue& place) { return from(type.read(place)); },
       [=](const T& value, const Scene& scene) { return type.text(to(value), scene); }, type.keys);
 }
 
@@ -212,7 +213,7 @@ Type<T> or_map(std::string_view allowed, const Schema& other, const Type<T>& map
                std::type_identity_t<std::optional<Value> (*)(const T& value)> text = nullptr) {
   return own_type<T>(
       fmt::format("{}, or map", allowed), any_of({other, map.schema}),
-      [=](const Place& place) {
+      [=](const PlacedValue& place) {
         return place.value.is(Value::Kind::map) ? map.read(place) : T(read(place));
       },
       [=](const T& value, const Scene& scene) {
@@ -230,9 +231,10 @@ Type<std::vector<T>> set_of(const Type<T>& item, std::size_t least, std::size_t 
                             const std::string& advice = {}) {
   Type<std::vector<T>> type = list_of(item, least, most);
   type.schema = with(type.schema, kUnique);
-  type.read_into = [=](const Place& place, void* result) {
+  type.read_into = [=](const PlacedValue& place, void* result) {
     std::set<T> known;
-    for (const Place& entry : read_list(place, least, most, [&](auto& one) { item.read(one); })) {
+    for (const PlacedValue& entry :
+         read_list(place, least, most, [&](auto& one) { item.read(one); })) {
       const T value = item.read(entry);
       if (!known.insert(value).second) {
         fail(entry, "{} is named twice{}", shown(entry.value), advice);
@@ -248,7 +250,7 @@ template <class T>
 Type<std::optional<T>> word_or_value(const std::string& word, const Type<T>& type,
                                      const std::string& phrase) {
   return or_word(word, ", or ", type,
-                 [=](const Place& place) { return is_word(place, word, phrase); });
+                 [=](const PlacedValue& place) { return is_word(place, word, phrase); });
 }
 
 /// One of the words.
@@ -258,7 +260,7 @@ Type<T> choice(const std::array<Named<T>, kCount>& names) {
   return own_type<T>(
       fmt::format("`{}`", fmt::join(all, "`, `")),
       fmt::format(R"({{"enum": ["{}"]}})", fmt::join(all, R"(", ")")),
-      [&names](const Place& place) { return names[read_word(place, words(names))].value; },
+      [&names](const PlacedValue& place) { return names[read_word(place, words(names))].value; },
       [&names](const T& value) { return Value::scalar(std::string(name_of(names, value))); });
 }
 

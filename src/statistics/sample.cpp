@@ -28,12 +28,12 @@ double bisect(double low, double high, double probability, int degrees) {
 
 }  // namespace
 
-Sample sample(const std::vector<double>& values) {
+SampleStatistics sample(const std::vector<double>& values) {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   std::vector<double> finite;
   std::copy_if(values.begin(), values.end(), std::back_inserter(finite),
                [](double value) { return std::isfinite(value); });
-  Sample result = {kNone, kNone, kNone, finite.size(), kNone, kNone};
+  SampleStatistics result = {kNone, kNone, kNone, finite.size(), kNone, kNone};
   if (finite.empty()) {
     return result;
   }

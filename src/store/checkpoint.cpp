@@ -233,25 +233,26 @@ Checkpoint parse_checkpoint(Bytes file, double max_bytes) {
   return checkpoint;
 }
 
-void write_checkpoint(const OutputFolder& folder, const Checkpoint& checkpoint, Previous previous) {
+void write_checkpoint(const OutputFolder& folder, const Checkpoint& checkpoint,
+                      PreviousCheckpoint previous) {
   AtomicFile file = folder.create(kCheckpointFile);
   file.write(checkpoint_bytes(checkpoint));
   file.flush();
-  if (previous == Previous::kept) {
-    folder.rename(kCheckpointFile, kCheckpointBefore);
+  if (previous == PreviousCheckpoint::kept) {
+    folder.rename(kCheckpointFile, kPreviousCheckpointFile);
   }
   folder.flush();
   file.finish();
 }
 
 void remove_checkpoints(const OutputFolder& folder) {
-  folder.remove(kCheckpointBefore);
+  folder.remove(kPreviousCheckpointFile);
   folder.remove(kCheckpointFile);
 }
 
 std::optional<FoundCheckpoint> read_checkpoint(const fs::path& run_folder, double max_bytes) {
   const fs::path newest = run_folder / kCheckpointFile;
-  const fs::path one_before = run_folder / kCheckpointBefore;
+  const fs::path one_before = run_folder / kPreviousCheckpointFile;
   if (!fs::exists(newest) && !fs::exists(one_before)) {
     return std::nullopt;
   }

@@ -16,7 +16,7 @@
 
 namespace clca::store {
 
-inline constexpr mode_t kReadableByAll = 0666;  // less what the umask takes away
+inline constexpr mode_t kNewFileMode = 0666;  // less what the umask takes away
 
 /// Throws StoreError: `cannot WHAT PATH: REASON`.
 [[noreturn]] void fail(std::string_view what, const std::filesystem::path& path,

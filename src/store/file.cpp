@@ -77,7 +77,7 @@ AtomicFile::AtomicFile(const fs::path& path, std::function<void()> flush_later)
   do {  // before it is locked, another process may lock it as abandoned, and remove it
     const fs::path temporary = state_->path.parent_path() / new_temporary_name();
     constexpr int kFlags = O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC;
-    state_->file = Descriptor(::open(temporary.c_str(), kFlags, kReadableByAll));
+    state_->file = Descriptor(::open(temporary.c_str(), kFlags, kNewFileMode));
     if (!state_->file.is_open()) {
       fail("write", path);
     }
@@ -158,7 +158,7 @@ void make_folder(const fs::path& folder) {
   }
 }
 
-void look_anew(const fs::path& folder) {
+void refresh_folder(const fs::path& folder) {
   for (const fs::path& directory : {folder.parent_path(), folder}) {
     // To open a folder asks the server.
     const Descriptor opened(::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));

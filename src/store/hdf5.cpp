@@ -18,8 +18,8 @@ namespace hdf5 {
 
 namespace {
 
-/// A child process gets the library between two calls, and free.
-std::mutex& library() {
+/// One thread at a time uses the library. A child process gets it between two calls, and free.
+std::mutex& library_mutex() {
   static std::mutex mutex;
   static const int kFailed =
       ::pthread_atfork([] { mutex.lock(); }, [] { mutex.unlock(); }, [] { mutex.unlock(); });
@@ -33,7 +33,7 @@ std::mutex& library() {
 /// too, so it stays as it was found.
 class Session {
  public:
-  Session() : lock_(library()) {
+  Session() : lock_(library_mutex()) {
     check(H5Eget_auto2(H5E_DEFAULT, &report_, &report_data_), "errors");
     check(H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr), "errors");
   }
@@ -66,8 +66,8 @@ void add_text(const Handle& object, const char* name, const std::string& text) {
   check(H5Awrite(attribute.id(), type.id(), &characters), "attribute");
 }
 
-/// Properties of a file in memory.
-Handle in_memory() {
+/// Access properties of a file that is only in memory.
+Handle memory_file_access() {
   constexpr std::size_t kGrowth = 1U << 18U;
   Handle access = properties(H5P_FILE_ACCESS);
   check(H5Pset_fapl_core(access.id(), kGrowth, false), "memory driver");
@@ -75,7 +75,7 @@ Handle in_memory() {
 }
 
 /// The library takes two files of one name for one; one that could not be closed keeps its name.
-std::string new_name() {
+std::string new_file_name() {
   static std::uint64_t count = 0;
   return fmt::format("clca-image-{}", ++count);
 }
@@ -83,10 +83,10 @@ std::string new_name() {
 /// A copy of such bytes as a file to be read, within a Session.
 Handle open_image(std::span<const std::uint8_t> bytes) {
   constexpr const char* kNone = "it is no HDF5 file";
-  const Handle access = in_memory();
+  const Handle access = memory_file_access();
   check(H5Pset_file_image(access.id(), const_cast<std::uint8_t*>(bytes.data()), bytes.size()),
         kNone);
-  return {H5Fopen(new_name().c_str(), H5F_ACC_RDONLY, access.id()), H5Fclose, kNone};
+  return {H5Fopen(new_file_name().c_str(), H5F_ACC_RDONLY, access.id()), H5Fclose, kNone};
 }
 
 }  // namespace
@@ -134,8 +134,9 @@ std::vector<std::uint8_t> image(const std::filesystem::path& path,
                                 const std::function<void(const Handle& file)>& fill) {
   try {
     const Session session;
-    const Handle file(H5Fcreate(new_name().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, in_memory().id()),
-                      H5Fclose, "file");
+    const Handle file(
+        H5Fcreate(new_file_name().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, memory_file_access().id()),
+        H5Fclose, "file");
     fill(file);
     check(H5Fflush(file.id(), H5F_SCOPE_GLOBAL), "flush");
     const ssize_t size = H5Fget_file_image(file.id(), nullptr, 0);
@@ -158,7 +159,7 @@ using hdf5::Handle;
 namespace {
 
 /// Properties of a dataset of numbers.
-Handle layout(hsize_t rows, hsize_t columns, std::size_t number_bytes) {
+Handle creation_properties(hsize_t rows, hsize_t columns, std::size_t number_bytes) {
   constexpr std::size_t kSmall = 4096;         // bytes that are not worth compressing
   constexpr hsize_t kChunkNumbers = 1U << 16;  // in a chunk
   constexpr unsigned kDeflateLevel = 1;  // more costs time and gains little on shuffled numbers
@@ -291,7 +292,7 @@ void hdf5::add(const Handle& file, const Hdf5Dataset& dataset) {
           using Item = typename T::value_type;
           const hsize_t rows = values->size() / dataset.columns;
           write_dataset(file, dataset, number_type<Item>(), space_of(rows, dataset.columns),
-                        layout(rows, dataset.columns, sizeof(Item)), values->data());
+                        creation_properties(rows, dataset.columns, sizeof(Item)), values->data());
         }
       },
       dataset.values);
@@ -321,7 +322,7 @@ void read_hdf5(const std::filesystem::path& path, const FileKind& kind,
   }
 }
 
-void end_without_hdf5() {
+void disable_hdf5_exit() {
   H5dont_atexit();
 }
 

@@ -99,9 +99,9 @@ hid_t number_type() {
   return Types::of(T());
 }
 
-/// Rows and columns, and more dimensions, of a dataset; none: a single value.
+/// The dataspace of a dataset with these dimensions; none: a single value.
 Handle space_of(const std::vector<hsize_t>& extent);
-/// Of rows of so many numbers: a list of them if it is one.
+/// The dataspace of rows of so many numbers; of one number it has one dimension.
 Handle space_of(hsize_t rows, std::size_t columns);
 
 /// Adds a dataset without its values, and the groups of its path, with the attributes `units` (of a
@@ -119,7 +119,7 @@ std::vector<std::uint8_t> image(const std::filesystem::path& path,
 
 }  // namespace hdf5
 
-inline constexpr double kAnyBytes = 1e18;
+inline constexpr double kNoByteLimit = 1e18;
 
 /// Reads these datasets of a file whose checksum is right. `max_bytes`: memory limit for three
 /// copies of the file, and the data.

@@ -70,7 +70,7 @@ void require_folder_or_nothing(const fs::path& folder) {
 
 Descriptor opened(const fs::path& file, int flags) {
   return Descriptor(
-      ::open(file.c_str(), flags | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, kReadableByAll));
+      ::open(file.c_str(), flags | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, kNewFileMode));
 }
 
 /// The id of the process that holds the lock, from /proc/locks; empty if unknown.
@@ -416,7 +416,7 @@ void GrowingFile::append(std::string_view text) {
 FolderLock::FolderLock(const fs::path& folder) {
   const fs::path file = folder / ".clca.lock";
   constexpr int kFlags = O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC;
-  Descriptor opened(::open(file.c_str(), kFlags, kReadableByAll));
+  Descriptor opened(::open(file.c_str(), kFlags, kNewFileMode));
   if (!opened.is_open()) {
     refuse_lock(file, std::strerror(errno));
   }

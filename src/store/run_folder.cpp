@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kMuchMemory = 1 << 30;
+constexpr double kMaxCheckpointBytes = 1 << 30;  // to see which run it is of
 
 /// The step in the name of a frame; none for other names.
 std::optional<std::uint64_t> step_of(const std::string& name) {
@@ -42,7 +42,8 @@ std::string time_of(const fs::path& file) {
 }
 
 bool is_of_run(const OutputFolder& files) {
-  return files.owns(kSummaryFile) || files.owns(kCheckpointFile) || files.owns(kCheckpointBefore);
+  return files.owns(kSummaryFile) || files.owns(kCheckpointFile) ||
+         files.owns(kPreviousCheckpointFile);
 }
 
 }  // namespace
@@ -107,7 +108,7 @@ std::optional<EarlierRun> RunFolder::earlier_run() const {
   }
   earlier.unfinished = true;
   try {
-    const auto found = read_checkpoint(path(), kMuchMemory);
+    const auto found = read_checkpoint(path(), kMaxCheckpointBytes);
     earlier.unfinished = found && !found->checkpoint.is_start();
     if (!found && !has_summary) {
       throw StoreError(problem.empty() ? "it has neither run.json nor a checkpoint" : problem);
@@ -128,7 +129,7 @@ std::optional<EarlierRun> RunFolder::earlier_run() const {
 
 // run.json first, so that the rest is not mistaken for a complete run.
 void RunFolder::start_over(const Checkpoint& start) const {
-  write_checkpoint(folder_, start, Previous::replaced);
+  write_checkpoint(folder_, start, PreviousCheckpoint::replaced);
   folder_.clear(kSummaryFile, kCheckpointFile);
 }
 

@@ -129,12 +129,12 @@ std::string Table::to_csv() const {
   return header() + rows_;
 }
 
-const std::vector<std::string>* ReadTable::find(const std::string& name) const {
+const std::vector<std::string>* ParsedTable::find(const std::string& name) const {
   const auto found = std::ranges::find(names, name);
   return found == names.end() ? nullptr : &cells[static_cast<std::size_t>(found - names.begin())];
 }
 
-std::vector<double> ReadTable::numbers(const std::string& name) const {
+std::vector<double> ParsedTable::numbers(const std::string& name) const {
   const std::vector<std::string>* column = find(name);
   if (column == nullptr) {
     throw StoreError(fmt::format("cannot read {}: no column '{}'", file.string(), name));
@@ -151,10 +151,10 @@ std::vector<double> ReadTable::numbers(const std::string& name) const {
   return values;
 }
 
-ReadTable read_table(const std::filesystem::path& file, double max_bytes) {
+ParsedTable read_table(const std::filesystem::path& file, double max_bytes) {
   const auto bytes = read_whole(file, max_bytes);
   CellReader reader(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-  ReadTable table = {.file = file, .names = reader.row(), .cells = {}};
+  ParsedTable table = {.file = file, .names = reader.row(), .cells = {}};
   std::set<std::string_view> known;
   for (const std::string& name : table.names) {
     if (name.empty() || !known.insert(name).second) {

@@ -49,17 +49,17 @@ std::vector<Column> read_columns(const std::filesystem::path& path, TrajectoryPa
   return columns;
 }
 
-/// They have the rows that the frames say.
+/// Throws StoreError unless the columns have as many rows as the frames say.
 void check_rows(const std::filesystem::path& path, const std::vector<Column>& columns,
-                const Extents& extents) {
+                const RowCounts& row_counts) {
   for (const Column& column : columns) {
     const std::size_t numbers =
         std::visit([](const auto* list) { return list->size(); }, column.values);
     const std::size_t rows = numbers / column.columns;
     const bool missing = column.may_be_missing && numbers == 0;
-    if (!missing && rows != extents[column.axis]) {
-      refuse_part(path,
-                  fmt::format("{} has {} rows, not {}", column.path, rows, extents[column.axis]));
+    if (!missing && rows != row_counts[column.row_kind]) {
+      refuse_part(path, fmt::format("{} has {} rows, not {}", column.path, rows,
+                                    row_counts[column.row_kind]));
     }
   }
 }
@@ -76,10 +76,10 @@ std::string type_name() {
 }
 
 std::string shape_text(const Column& column) {
-  std::string text = kAxisNames.at(static_cast<std::size_t>(column.axis));
+  std::string text = kRowKindNames.at(static_cast<std::size_t>(column.row_kind));
   for (std::size_t i = 0; i < column.row.size(); ++i) {
-    text +=
-        column.axis == Axis::frames && i == 0 ? " x walls" : fmt::format(" x {}", column.row[i]);
+    text += column.row_kind == RowKind::frames && i == 0 ? " x walls"
+                                                         : fmt::format(" x {}", column.row[i]);
   }
   return text;
 }
@@ -138,7 +138,7 @@ std::vector<std::filesystem::path> find_parts(const std::filesystem::path& run_f
 
 void check_parts(const std::filesystem::path& run_folder) {
   for (const std::filesystem::path& part : find_parts(run_folder)) {
-    read_hdf5(part, kTrajectoryKind, {}, kAnyBytes);
+    read_hdf5(part, kTrajectoryKind, {}, kNoByteLimit);
   }
 }
 
@@ -149,7 +149,7 @@ Layout layout_of(const scene::Scene& scene) {
           .contacts = trajectory && trajectory->contacts};
 }
 
-Extents& Extents::operator+=(const Extents& other) {
+RowCounts& RowCounts::operator+=(const RowCounts& other) {
   std::transform(rows_.begin(), rows_.end(), other.rows_.begin(), rows_.begin(), std::plus());
   return *this;
 }
@@ -165,18 +165,18 @@ RowSpan RowRanges::rows_of(std::size_t frame) const {
   return {start, start + count[frame]};
 }
 
-Extents PartFrames::extents() const {
-  Extents extents;
-  extents[Axis::frames] = step.size();
-  extents[Axis::particles] = sum_of(particles.count);
-  extents[Axis::origins] = sum_of(origins.count);
-  extents[Axis::pushes] = sum_of(pushes.count);
-  extents[Axis::contacts] = sum_of(contacts.count);
-  return extents;
+RowCounts PartFrames::row_counts() const {
+  RowCounts row_counts;
+  row_counts[RowKind::frames] = step.size();
+  row_counts[RowKind::particles] = sum_of(particles.count);
+  row_counts[RowKind::origins] = sum_of(origins.count);
+  row_counts[RowKind::pushes] = sum_of(pushes.count);
+  row_counts[RowKind::contacts] = sum_of(contacts.count);
+  return row_counts;
 }
 
 void TrajectoryPart::add(const grains::State& state, std::size_t stage, std::size_t first_origin,
-                         const Extents& before, const ContactFrame& contact) {
+                         const RowCounts& before, const ContactFrame& contact) {
   for (std::size_t id = 0; id < state.particles.size(); ++id) {
     const grains::Particle& particle = state.particles[id];
     if (!particle.present) {
@@ -219,24 +219,24 @@ void TrajectoryPart::add(const grains::State& state, std::size_t stage, std::siz
   frames.step.push_back(state.step);
   frames.stage.push_back(static_cast<std::uint32_t>(stage));
   frames.entered.push_back(static_cast<std::uint32_t>(state.particles.size()));
-  frames.particles.end_frame(before[Axis::particles], rows.id.size());
-  frames.origins.end_frame(before[Axis::origins], origins.id.size());
-  frames.pushes.end_frame(before[Axis::pushes], rows.pushed.size());
-  frames.contacts.end_frame(before[Axis::contacts], rows.upper.size());
+  frames.particles.end_frame(before[RowKind::particles], rows.id.size());
+  frames.origins.end_frame(before[RowKind::origins], origins.id.size());
+  frames.pushes.end_frame(before[RowKind::pushes], rows.pushed.size());
+  frames.contacts.end_frame(before[RowKind::contacts], rows.upper.size());
 }
 
 std::vector<Column> TrajectoryPart::columns(const Layout& layout) {
   std::vector<Column> all;
-  const auto columns = [&all](Axis axis, Use use) {
-    return [&all, axis, use](const char* path, Hdf5Dataset::Values values, const char* text,
-                             const char* unit = "", const std::vector<std::size_t>& row = {},
-                             bool may_be_missing = false) {
+  const auto columns = [&all](RowKind row_kind, Use use) {
+    return [&all, row_kind, use](const char* path, Hdf5Dataset::Values values, const char* text,
+                                 const char* unit = "", const std::vector<std::size_t>& row = {},
+                                 bool may_be_missing = false) {
       const std::size_t width =
           std::accumulate(row.begin(), row.end(), std::size_t{1}, std::multiplies<>());
-      all.push_back({{path, values, width, {unit, text}, may_be_missing}, axis, use, row});
+      all.push_back({{path, values, width, {unit, text}, may_be_missing}, row_kind, use, row});
     };
   };
-  const auto of_frames = columns(Axis::frames, Use::index);
+  const auto of_frames = columns(RowKind::frames, Use::index);
   of_frames("frames/step", &frames.step, "of the whole run", "steps");
   of_frames("frames/stage", &frames.stage, "which of `scene/stages`, from 0");
   of_frames("frames/entered", &frames.entered, "particles that had entered; ids are below this");
@@ -253,13 +253,13 @@ std::vector<Column> TrajectoryPart::columns(const Layout& layout) {
     of_frames("frames/contacts", &frames.contacts.count, "rows of the frame in `contacts`");
   }
 
-  const auto of_origins = columns(Axis::origins, Use::index);
+  const auto of_origins = columns(RowKind::origins, Use::index);
   of_origins("origins/id", &origins.id,
              "of the particle; all in the first frame of a stage, later the new ones");
   of_origins("origins/site", &origins.site,
              "column and row where it was when the stage began or it entered", "sites", {2});
 
-  const auto of_particles = columns(Axis::particles, Use::rows);
+  const auto of_particles = columns(RowKind::particles, Use::rows);
   of_particles("particles/id", &rows.id, "for life; ascending in a frame, without those gone");
   of_particles("particles/site", &rows.site,
                "column and row of the reference site; the column, as nothing else, counts on "
@@ -276,7 +276,7 @@ std::vector<Column> TrajectoryPart::columns(const Layout& layout) {
                  "spacings/step", {}, true);
   }
 
-  const auto of_pushes = columns(Axis::pushes, Use::rows);
+  const auto of_pushes = columns(RowKind::pushes, Use::rows);
   of_pushes("pushes/pushed", &rows.pushed, "id of a particle that was pushed");
   of_pushes("pushes/pusher", &rows.pusher,
             "by whom: a particle, or -2 for the first wall, -3 for the second ...");
@@ -284,14 +284,14 @@ std::vector<Column> TrajectoryPart::columns(const Layout& layout) {
   of_pushes("pushes/direction", &rows.push_direction, "0 to 5 clockwise from up");
 
   if (layout.walls > 0) {
-    const auto of_walls = columns(Axis::frames, Use::rows);
+    const auto of_walls = columns(RowKind::frames, Use::rows);
     of_walls("walls/present", &rows.wall_present, "1 where the wall is there", "", {layout.walls});
     of_walls("walls/offset", &rows.wall_offset, "from home along its motion", "sites",
              {layout.walls});
   }
 
   if (layout.contacts) {
-    const auto of_contacts = columns(Axis::contacts, Use::rows);
+    const auto of_contacts = columns(RowKind::contacts, Use::rows);
     of_contacts("contacts/upper", &rows.upper, "id of a particle");
     of_contacts("contacts/other", &rows.other,
                 "what it touches: a particle, -2 for the first wall, -3 for the second ..., or "
@@ -309,23 +309,23 @@ std::vector<Column> TrajectoryPart::columns(const Layout& layout) {
                 "weights of a grain of mean mass", {2});
   }
 
-  const auto more_of_particles = columns(Axis::particles, Use::derived);
+  const auto more_of_particles = columns(RowKind::particles, Use::derived);
   more_of_particles("particles/species", &rows.species, "which of `scene/species`");
   more_of_particles("particles/position", &rows.position, "x, y of the centre of mass, in the box",
                     "spacings", {2});
   if (layout.walls > 0) {
-    columns(Axis::frames, Use::derived)("walls/position", &rows.wall_position, "x, y from home",
-                                        "spacings", {layout.walls, 2});
+    columns(RowKind::frames, Use::derived)("walls/position", &rows.wall_position, "x, y from home",
+                                           "spacings", {layout.walls, 2});
   }
   return all;
 }
 
-void SiteSets::begin() {
+void SiteSets::begin_set() {
   first.push_back(sites.size() / 2);
   size.push_back(0);
 }
 
-void SiteSets::add(int one, int other) {
+void SiteSets::add_site(int one, int other) {
   sites.push_back(one);
   sites.push_back(other);
   ++size.back();
@@ -345,15 +345,15 @@ SceneTables::SceneTables(const scene::Scene& scene, const grains::State& state)
     kind_species.push_back(kind.species);
     const Eigen::Vector2d centre = kind.shape.centroid();
     kind_centre.insert(kind_centre.end(), {centre.x(), centre.y()});
-    kind_sites.begin();
+    kind_sites.begin_set();
     for (const lattice::Axial site : kind.shape.sites()) {
-      kind_sites.add(site.x, site.q);
+      kind_sites.add_site(site.x, site.q);
     }
   }
   for (const grains::Wall& wall : state.walls) {
-    wall_sites.begin();
+    wall_sites.begin_set();
     for (const lattice::Site site : wall.sites) {
-      wall_sites.add(site.column, site.row);
+      wall_sites.add_site(site.column, site.row);
     }
   }
 }
@@ -417,7 +417,7 @@ TrajectoryPart read_index(const std::filesystem::path& path, const SceneTables& 
   if (part.frames.step.empty()) {
     refuse_part(path, "no frames");
   }
-  check_rows(path, columns, part.frames.extents());
+  check_rows(path, columns, part.frames.row_counts());
   return part;
 }
 
@@ -425,7 +425,7 @@ PartRows read_rows(const std::filesystem::path& path, const PartFrames& frames,
                    const Layout& layout, double max_bytes) {
   TrajectoryPart part;
   const auto columns = read_columns(path, part, layout, Use::rows, max_bytes, {});
-  check_rows(path, columns, frames.extents());
+  check_rows(path, columns, frames.row_counts());
   return std::move(part.rows);
 }
 

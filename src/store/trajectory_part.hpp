@@ -33,12 +33,12 @@ std::vector<std::filesystem::path> find_parts(const std::filesystem::path& run_f
 
 /// Concatenated sets of sites.
 struct SiteSets {
-  std::vector<std::uint64_t> first;
-  std::vector<std::uint32_t> size;
-  std::vector<std::int32_t> sites;  ///< two numbers each
+  std::vector<std::uint64_t> first;  ///< by set: number of its first site
+  std::vector<std::uint32_t> size;   ///< by set
+  std::vector<std::int32_t> sites;   ///< of all sets: two numbers each
 
-  void begin();
-  void add(int one, int other);
+  void begin_set();
+  void add_site(int one, int other);
   bool operator==(const SiteSets&) const = default;
 };
 
@@ -75,18 +75,23 @@ struct Layout {
 Layout layout_of(const scene::Scene& scene);
 
 /// What the rows of a dataset are.
-enum class Axis : std::uint8_t { frames, particles, origins, pushes, contacts };
-inline constexpr std::array kAxisNames = {"frames", "particles", "origins", "pushes", "contacts"};
+enum class RowKind : std::uint8_t { frames, particles, origins, pushes, contacts };
+inline constexpr std::array kRowKindNames = {"frames", "particles", "origins", "pushes",
+                                             "contacts"};
 
 /// Numbers of rows.
-class Extents {
+class RowCounts {
  public:
-  std::uint64_t& operator[](Axis axis) { return rows_.at(static_cast<std::size_t>(axis)); }
-  std::uint64_t operator[](Axis axis) const { return rows_.at(static_cast<std::size_t>(axis)); }
-  Extents& operator+=(const Extents& other);
+  std::uint64_t& operator[](RowKind row_kind) {
+    return rows_.at(static_cast<std::size_t>(row_kind));
+  }
+  std::uint64_t operator[](RowKind row_kind) const {
+    return rows_.at(static_cast<std::size_t>(row_kind));
+  }
+  RowCounts& operator+=(const RowCounts& other);
 
  private:
-  std::array<std::uint64_t, kAxisNames.size()> rows_ = {};
+  std::array<std::uint64_t, kRowKindNames.size()> rows_ = {};
 };
 
 /// What a dataset is read for.
@@ -99,7 +104,7 @@ enum class Use : std::uint8_t {
 /// A dataset with the meaning of its rows, and their shape (none: one number). The numbers of a row
 /// are contiguous.
 struct Column : Hdf5Dataset {
-  Axis axis;
+  RowKind row_kind;
   Use use;
   std::vector<std::size_t> row;
 };
@@ -130,8 +135,8 @@ struct PartFrames {
   RowRanges pushes;
   RowRanges contacts;
 
-  /// As the counts have it.
-  Extents extents() const;
+  /// Rows of the part, by the counts of its frames.
+  RowCounts row_counts() const;
 };
 
 /// Origins of particles new since the last frame; of all in the first frame of a stage.
@@ -171,10 +176,10 @@ struct TrajectoryPart {
   PartOrigins origins;
   PartRows rows;
 
-  /// Adds a frame. `before`: extents of the previous parts. Stores origins of the particles with
+  /// Adds a frame. `before`: row_counts of the previous parts. Stores origins of the particles with
   /// ids from `first_origin` on.
   void add(const grains::State& state, std::size_t stage, std::size_t first_origin,
-           const Extents& before, const ContactFrame& contact);
+           const RowCounts& before, const ContactFrame& contact);
   /// This object must outlive the list. Earlier versions did not write what may be missing.
   std::vector<Column> columns(const Layout& layout);
 };

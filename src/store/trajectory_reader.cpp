@@ -20,7 +20,7 @@ namespace clca::store {
 /// A part, of which frames and origins are kept: enough to find others.
 struct IndexedPart {
   std::filesystem::path path;
-  Extents before;  ///< of the parts before
+  RowCounts before;  ///< of the parts before
   TrajectoryPart content;
 
   double bytes() const {
@@ -66,8 +66,8 @@ void require_in_frame(bool well, const IndexedPart& part, std::uint64_t step, co
   }
 }
 
-void check_ranges(const IndexedPart& part, const RowRanges& ranges, Axis axis) {
-  std::uint64_t first = part.before[axis];
+void check_ranges(const IndexedPart& part, const RowRanges& ranges, RowKind row_kind) {
+  std::uint64_t first = part.before[row_kind];
   for (std::size_t frame = 0; frame < ranges.first.size(); ++frame) {
     require(ranges.first[frame] == first, part, "rows of frames do not follow each other");
     first += ranges.count[frame];
@@ -98,12 +98,12 @@ class Trajectory::Impl {
         most_entered_(max_particles(fixed_, max_bytes)),
         bytes_left_(max_bytes) {
     const SceneTables tables(scene, fixed_);
-    Extents before;
+    RowCounts before;
     for (const std::filesystem::path& path : find_parts(run_folder)) {
       const IndexedPart& part = parts_.emplace_back(
           IndexedPart{path, before, read_index(path, tables, layout_, bytes_left_)});
       add_frames(part, tables.stages.size());
-      before += part.content.frames.extents();
+      before += part.content.frames.row_counts();
       bytes_left_ -= part.bytes();
     }
   }
@@ -205,10 +205,10 @@ class Trajectory::Impl {
                        "needs more memory than the limit");
       frames_.push_back(next);
     }
-    check_ranges(part, frames.particles, Axis::particles);
-    check_ranges(part, frames.origins, Axis::origins);
-    check_ranges(part, frames.pushes, Axis::pushes);
-    check_ranges(part, frames.contacts, Axis::contacts);
+    check_ranges(part, frames.particles, RowKind::particles);
+    check_ranges(part, frames.origins, RowKind::origins);
+    check_ranges(part, frames.pushes, RowKind::pushes);
+    check_ranges(part, frames.contacts, RowKind::contacts);
     check_ids(part, part.content.origins.id, frames.origins);
   }
 
@@ -219,9 +219,9 @@ class Trajectory::Impl {
     }
     const auto after = std::upper_bound(
         parts_.begin(), parts_.end(), frame,
-        [](std::size_t f, const IndexedPart& part) { return f < part.before[Axis::frames]; });
+        [](std::size_t f, const IndexedPart& part) { return f < part.before[RowKind::frames]; });
     const IndexedPart& part = *std::prev(after);
-    return {&part, frame - static_cast<std::size_t>(part.before[Axis::frames])};
+    return {&part, frame - static_cast<std::size_t>(part.before[RowKind::frames])};
   }
 
   /// The same, with the rows of the part in rows_.

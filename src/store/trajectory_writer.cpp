@@ -37,10 +37,10 @@ Dimensions shape_of(const Column& column, std::uint64_t rows) {
 }
 
 /// Maps the rows of all parts, in order, into one dataset.
-void add_dataset(const Handle& file, const Column& column, const std::vector<Extents>& parts) {
+void add_dataset(const Handle& file, const Column& column, const std::vector<RowCounts>& parts) {
   std::uint64_t rows = 0;
-  for (const Extents& part : parts) {
-    rows += part[column.axis];
+  for (const RowCounts& part : parts) {
+    rows += part[column.row_kind];
   }
   const Handle whole = hdf5::space_of(shape_of(column, rows));
   const Handle creation = hdf5::properties(H5P_DATASET_CREATE);
@@ -61,7 +61,7 @@ void add_dataset(const Handle& file, const Column& column, const std::vector<Ext
       column.values);
   Dimensions start(1 + column.row.size(), 0);
   for (std::size_t part = 0; part < parts.size(); ++part) {
-    const std::uint64_t of_part = parts[part][column.axis];
+    const std::uint64_t of_part = parts[part][column.row_kind];
     if (of_part == 0) {
       continue;
     }
@@ -79,9 +79,9 @@ void add_dataset(const Handle& file, const Column& column, const std::vector<Ext
   hdf5::make_dataset(file, column, type, whole, creation);
 }
 
-/// Writes `trajectory.h5`: virtual datasets over parts with these extents, and a link to group
+/// Writes `trajectory.h5`: virtual datasets over parts with these row_counts, and a link to group
 /// `scene` of the first part. At least one part. Throws StoreError.
-void write_index(const OutputFolder& run_folder, const std::vector<Extents>& parts,
+void write_index(const OutputFolder& run_folder, const std::vector<RowCounts>& parts,
                  const std::vector<Column>& columns) {
   const auto add_all = [&](const Handle& file) {
     for (const Column& column : columns) {
@@ -158,20 +158,20 @@ class TrajectoryWriter::Impl {
       }
     };
     folder.write(name, with_header(kTrajectoryKind, hdf5::image(folder.path(name), add_all)));
-    count(unwritten_part_.frames.extents());
+    count(unwritten_part_.frames.row_counts());
     unwritten_part_ = {};
     write_index(run_folder_, parts_, columns_);
   }
 
-  Written written() const { return {.parts = parts_.size(), .frames = written_[Axis::frames]}; }
+  Written written() const { return {.parts = parts_.size(), .frames = written_[RowKind::frames]}; }
 
  private:
-  void count(const Extents& part) {
+  void count(const RowCounts& part) {
     parts_.push_back(part);
     written_ += part;
   }
 
-  /// Reads the extents of the kept parts.
+  /// Reads the row_counts of the kept parts.
   void take_up(const Written& kept) {
     const std::vector<std::filesystem::path> parts = find_parts(run_folder_.path());
     if (parts.size() < kept.parts) {
@@ -179,11 +179,11 @@ class TrajectoryWriter::Impl {
                   "missing, though the run had written it");
     }
     for (std::size_t part = 0; part < kept.parts; ++part) {
-      const PartFrames frames = read_index(parts[part], tables_, layout_, kAnyBytes).frames;
-      count(frames.extents());
+      const PartFrames frames = read_index(parts[part], tables_, layout_, kNoByteLimit).frames;
+      count(frames.row_counts());
       entered_ = frames.entered.back();
     }
-    if (const std::uint64_t frames = written_[Axis::frames]; frames != kept.frames) {
+    if (const std::uint64_t frames = written_[RowKind::frames]; frames != kept.frames) {
       throw StoreError(fmt::format("cannot go on with {}: {} frames where the run had written {}",
                                    (run_folder_.path() / kTrajectoryFolder).string(), frames,
                                    kept.frames));
@@ -193,8 +193,8 @@ class TrajectoryWriter::Impl {
   OutputFolder run_folder_;
   SceneTables tables_;
   Layout layout_;
-  std::vector<Extents> parts_;
-  Extents written_;
+  std::vector<RowCounts> parts_;
+  RowCounts written_;
   std::size_t entered_ = 0;  // particles that had entered in the last frame
   TrajectoryPart unwritten_part_;
   std::vector<Column> columns_;  // of it
@@ -210,9 +210,10 @@ double TrajectoryWriter::bytes_for(const scene::Scene& scene, double particles) 
   double frame = 0;
   TrajectoryPart part;
   for (const Column& column : part.columns(layout_of(scene))) {
-    const double rows = column.axis == Axis::frames     ? 1
-                        : column.axis == Axis::contacts ? contact::kContactsPerGrain * particles
-                                                        : particles;
+    const double rows = column.row_kind == RowKind::frames ? 1
+                        : column.row_kind == RowKind::contacts
+                            ? contact::kContactsPerGrain * particles
+                            : particles;
     const std::size_t number_bytes =
         std::visit([](const auto* list) { return sizeof(list->front()); }, column.values);
     frame += rows * static_cast<double>(column.columns * number_bytes);

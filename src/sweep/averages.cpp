@@ -26,7 +26,7 @@ using Names = std::vector<std::string>;
 constexpr double kNoMean = std::numeric_limits<double>::quiet_NaN();
 
 /// A table of runs that is averaged. Rows are the same where groups and positions are.
-struct Averaged {
+struct AveragedTable {
   std::string begin;  ///< of the file name: the table, or what comes before a stage
   Names groups;       ///< columns of names
   Names positions;    ///< columns of numbers
@@ -35,13 +35,14 @@ struct Averaged {
   bool is_by_step() const { return positions.front() == "step"; }
 };
 
-const std::vector<Averaged>& averaged_tables() {
-  static const std::vector<Averaged> kAll = {{"series", {"stage"}, {"step"}, {"time"}},
-                                             {"probes", {"stage", "probe"}, {"step"}, {"time"}},
-                                             {"cycles", {"stage"}, {"cycle"}, {"step", "time"}},
-                                             {"profile-", {}, {"x"}},
-                                             {"lines-", {"line"}, {"position", "x", "y"}},
-                                             {"weight_paths-", {}, {"base_position"}, {"x"}}};
+const std::vector<AveragedTable>& averaged_tables() {
+  static const std::vector<AveragedTable> kAll = {
+      {"series", {"stage"}, {"step"}, {"time"}},
+      {"probes", {"stage", "probe"}, {"step"}, {"time"}},
+      {"cycles", {"stage"}, {"cycle"}, {"step", "time"}},
+      {"profile-", {}, {"x"}},
+      {"lines-", {"line"}, {"position", "x", "y"}},
+      {"weight_paths-", {}, {"base_position"}, {"x"}}};
   return kAll;
 }
 
@@ -58,7 +59,7 @@ struct Curve {
 };
 
 /// A table of one run.
-struct ReadCurves {
+struct RunCurves {
   std::map<std::string, std::vector<double>> columns = {};  ///< with means
   std::vector<Names> groups = {};                           ///< in their order
   std::map<Names, Curve> curves = {};
@@ -79,10 +80,10 @@ std::map<std::string, std::uint64_t> stage_starts(const store::RunSummary& summa
 }
 
 /// Adds the names of the columns with means to `columns`. Throws store::StoreError.
-ReadCurves read_curves(const Averaged& what, const fs::path& file, const store::RunSummary& summary,
-                       Names& columns) {
-  const store::ReadTable table = store::read_table(file);
-  ReadCurves result;
+RunCurves read_curves(const AveragedTable& what, const fs::path& file,
+                      const store::RunSummary& summary, Names& columns) {
+  const store::ParsedTable table = store::read_table(file);
+  RunCurves result;
   for (const std::string& name : table.names) {
     if (!has_name(what.groups, name) && !has_name(what.positions, name) &&
         !has_name(what.others, name) && !name.ends_with(record::kErrorEnding)) {
@@ -181,11 +182,11 @@ struct Means {
   std::vector<MeanRow> rows = {};
 };
 
-void add_rows(Means& means, const Averaged& what, const Variant& variant,
-              const scene::Conversion* units, const std::vector<ReadCurves>& runs,
+void add_rows(Means& means, const AveragedTable& what, const Variant& variant,
+              const scene::Conversion* units, const std::vector<RunCurves>& runs,
               const Names& group) {
   std::vector<const Curve*> curves;
-  for (const ReadCurves& run : runs) {
+  for (const RunCurves& run : runs) {
     const auto curve = run.curves.find(group);
     if (curve == run.curves.end()) {
       return;  // not all runs have come so far
@@ -212,7 +213,7 @@ void add_rows(Means& means, const Averaged& what, const Variant& variant,
                              ? kNoMean
                              : value_at(numbers->second, *curves[run], position));
       }
-      const statistics::Sample found = statistics::sample(values);
+      const statistics::SampleStatistics found = statistics::sample(values);
       const bool is_known = found.count == values.size();  // all runs have a number
       row.means.insert(row.means.end(), {is_known ? found.mean : kNoMean,
                                          is_known ? found.standard_error : kNoMean});
@@ -221,7 +222,7 @@ void add_rows(Means& means, const Averaged& what, const Variant& variant,
 }
 
 /// The table; none if a varied number has the name of a column, or there is nothing.
-std::optional<store::Table> mean_table(const Averaged& what, const Names& keys, Means means) {
+std::optional<store::Table> mean_table(const AveragedTable& what, const Names& keys, Means means) {
   const bool has_time = what.is_by_step() && means.has_time;
   Names position = what.groups;
   position.insert(position.end(), what.positions.begin(), what.positions.end());
@@ -248,7 +249,7 @@ std::optional<store::Table> mean_table(const Averaged& what, const Names& keys, 
 }
 
 /// `series`, or `profile-flow` for each stage of some run.
-std::set<std::string> tables_of(const Averaged& what, const std::vector<Result>& results) {
+std::set<std::string> tables_of(const AveragedTable& what, const std::vector<Result>& results) {
   if (!what.begin.ends_with('-')) {
     return {what.begin};
   }
@@ -269,9 +270,9 @@ std::vector<NamedTable> mean_tables(
     const std::function<void(const std::string& line)>& warning) {
   std::vector<NamedTable> tables;
   const std::size_t seeds = plan.request.seeds.size();
-  const auto add_means = [&](Means& means, const Averaged& what, const std::string& file,
+  const auto add_means = [&](Means& means, const AveragedTable& what, const std::string& file,
                              std::size_t variant) {
-    std::vector<ReadCurves> runs;
+    std::vector<RunCurves> runs;
     const scene::Conversion* units = nullptr;
     for (std::size_t run = variant * seeds; run < (variant + 1) * seeds; ++run) {
       const fs::path path = folder_of(run) / store::table_name(file);
@@ -294,7 +295,7 @@ std::vector<NamedTable> mean_tables(
       }
     }
   };
-  for (const Averaged& what : averaged_tables()) {
+  for (const AveragedTable& what : averaged_tables()) {
     for (const std::string& file : tables_of(what, results)) {
       Means means;
       for (std::size_t variant = 0; variant < plan.variants.size(); ++variant) {

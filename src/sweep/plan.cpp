@@ -19,14 +19,14 @@ namespace clca::sweep {
 
 namespace {
 
-/// With its first values.
+/// The option of a variation, with its first values.
 std::string shown(const Variation& variation) {
   return "--vary " + text::shortened(fmt::format("{}={}", fmt::join(variation.keys, ","),
                                                  fmt::join(variation.rows.front(), ",")));
 }
 
 /// A name under let goes with and without the path.
-std::string plain(const std::string& key) {
+std::string without_let(const std::string& key) {
   return key.starts_with("let.") ? key.substr(std::string_view("let.").size()) : key;
 }
 
@@ -40,13 +40,13 @@ void check_keys(const Request& request) {
       if (key == "seed") {
         refuse("the seeds of a sweep are given by --seeds");
       }
-      if (!keys.insert(plain(key)).second) {
+      if (!keys.insert(without_let(key)).second) {
         refuse("the key varies twice; give all its values at once, with commas between");
       }
     }
   }
   for (const scene::Override& text : request.overrides) {
-    const std::string key = plain(text.substr(0, text.find('=')));
+    const std::string key = without_let(text.substr(0, text.find('=')));
     if (key == "seed" || keys.contains(key)) {
       throw scene::SceneError(fmt::format(
           "--set {}: error: {}", text::shortened(text),
@@ -56,7 +56,7 @@ void check_keys(const Request& request) {
 }
 
 /// How many combinations there are.
-std::size_t combinations(const Request& request) {
+std::size_t combination_count(const Request& request) {
   std::size_t count = 1;
   for (const Variation& variation : request.variations) {
     count *= variation.rows.size();
@@ -161,7 +161,7 @@ std::string file_name(const std::string& text) {
 
 Plan plan(Request request, double max_bytes, const std::function<void()>& interrupt) {
   check_keys(request);
-  const std::size_t count = combinations(request);
+  const std::size_t count = combination_count(request);
   if (!request.text) {
     request.text = scene::scene_text(request.scene);
   }

@@ -49,8 +49,8 @@ struct EarlierRun {
 std::optional<EarlierRun> earlier_run(const std::filesystem::path& folder,
                                       const scene::Scene& scene, run::WantedPictures pictures);
 
-/// A run that has ended.
-struct FinishedRun {
+/// How a run has ended.
+struct RunOutcome {
   Result result;
   std::vector<std::string> warnings;
   std::string store_error;  ///< something could not be written; empty: all was
@@ -61,14 +61,14 @@ struct FinishedRun {
 
 /// Executes a run in its folder, or goes on with it where it was stopped or killed. `progress` may
 /// be empty.
-FinishedRun execute_run(const scene::Scene& scene, const std::filesystem::path& folder,
-                        const Options& options, run::WantedPictures pictures,
-                        const std::atomic<int>* stop,
-                        std::function<void(const run::Progress&)> progress);
+RunOutcome execute_run(const scene::Scene& scene, const std::filesystem::path& folder,
+                       const Options& options, run::WantedPictures pictures,
+                       const std::atomic<int>* stop,
+                       std::function<void(const run::Progress&)> progress);
 
 /// From one process to another.
-tasks::Bytes to_bytes(const FinishedRun& run);
-FinishedRun finished_run(const tasks::Bytes& bytes);
+tasks::Bytes to_bytes(const RunOutcome& run);
+RunOutcome run_outcome(const tasks::Bytes& bytes);
 
 /// The varied values of a combination. Spreadsheets take text that begins with one of =+-@ for a
 /// formula; a quote in front keeps it text.
@@ -94,7 +94,7 @@ std::vector<NamedTable> mean_tables(
     const std::function<std::filesystem::path(std::size_t run)>& folder_of,
     const std::function<void(const std::string& line)>& warning);
 
-/// The runs shown, row by row.
+/// The runs that the overview shows, row by row.
 struct Selection {
   std::vector<std::size_t> runs;
   int columns = 1;

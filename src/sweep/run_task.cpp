@@ -31,7 +31,7 @@ bool has_pictures(const fs::path& folder, const scene::Scene& scene, std::uint64
 
 /// Reads the summary of the run in a folder; none if it is not there, cut off or not to be read.
 std::optional<store::RunSummary> summary_in(const fs::path& folder) {
-  store::look_anew(folder);
+  store::refresh_folder(folder);
   try {
     return store::read_summary(folder / store::kSummaryFile);
   } catch (const store::StoreError&) {
@@ -109,11 +109,11 @@ std::optional<EarlierRun> earlier_run(const fs::path& folder, const scene::Scene
   return earlier;
 }
 
-FinishedRun execute_run(const scene::Scene& scene, const std::filesystem::path& folder,
-                        const Options& options, run::WantedPictures pictures,
-                        const std::atomic<int>* stop,
-                        std::function<void(const run::Progress&)> progress) {
-  FinishedRun finished;
+RunOutcome execute_run(const scene::Scene& scene, const std::filesystem::path& folder,
+                       const Options& options, run::WantedPictures pictures,
+                       const std::atomic<int>* stop,
+                       std::function<void(const run::Progress&)> progress) {
+  RunOutcome finished;
   finished.result.status = Status::failed;
   try {
     std::error_code unknown;
@@ -143,7 +143,7 @@ FinishedRun execute_run(const scene::Scene& scene, const std::filesystem::path& 
   return finished;
 }
 
-tasks::Bytes to_bytes(const FinishedRun& run) {
+tasks::Bytes to_bytes(const RunOutcome& run) {
   return store::checkpoint_bytes({.kind = "finished run",
                                   .scene_name = "",
                                   .scene = "",
@@ -151,10 +151,10 @@ tasks::Bytes to_bytes(const FinishedRun& run) {
                                   .fields = reflection::encode(run)});
 }
 
-FinishedRun finished_run(const tasks::Bytes& bytes) {
+RunOutcome run_outcome(const tasks::Bytes& bytes) {
   constexpr double kAnySize = std::numeric_limits<double>::infinity();
   const store::Checkpoint content = store::parse_checkpoint(bytes, kAnySize);
-  FinishedRun run;
+  RunOutcome run;
   reflection::decode(content.fields, kAnySize, run);
   if (run.result.status == Status::done) {
     run.result.summary = store::parse_summary(content.summary, "a run of another rank");

@@ -48,7 +48,7 @@ void prepare_drawing(const Plan& plan) {
   }
 }
 
-/// The same for all ranks that do the same runs in the same way.
+/// For Ranks::begin(): the same for all ranks that do the same runs in the same way.
 std::string command(const Plan& plan, const Options& options) {
   const Part part = options.part.value_or(Part());
   return fmt::format("sweep {}",
@@ -143,7 +143,7 @@ class Sweep {
   }
 
  private:
-  using Pool = tasks::Pool<FinishedRun>;
+  using Pool = tasks::Pool<RunOutcome>;
 
   std::filesystem::path folder_of(std::size_t run) const {
     return run_folder(files_.path(), plan_.name(run));
@@ -191,8 +191,8 @@ class Sweep {
     return remaining;
   }
 
-  FinishedRun carry_out(std::size_t run, const std::atomic<int>& stop) {
-    FinishedRun finished =
+  RunOutcome carry_out(std::size_t run, const std::atomic<int>& stop) {
+    RunOutcome finished =
         execute_run(plan_.scene(run), folder_of(run), options_, pictures_of(plan_, options_, run),
                     &stop, [&](const run::Progress& progress) {
                       const std::lock_guard lock(mutex_);
@@ -211,15 +211,15 @@ class Sweep {
         wanted, ranks_, runs,
         {.carry_out = [this](std::size_t run, const auto& stop) { return carry_out(run, stop); },
          .result = [](std::size_t /*run*/,
-                      const tasks::Bytes& answer) { return finished_run(answer); }},
+                      const tasks::Bytes& answer) { return run_outcome(answer); }},
         options_.stop);
-    if (pool.at_a_time() < wanted) {
+    if (pool.tasks_at_a_time() < wanted) {
       events_.warning(fmt::format("only {} of {} runs at a time, as no more threads can be started",
-                                  pool.at_a_time(), wanted));
+                                  pool.tasks_at_a_time(), wanted));
     }
     while (!pool.finished()) {
       for (auto& [run, finished] : pool.take_finished(kPause)) {
-        take(run, std::move(finished));
+        take_outcome(run, std::move(finished));
       }
       if (!store_error_.empty()) {
         pool.stop();
@@ -235,7 +235,7 @@ class Sweep {
     tell_shares(pool.carried_out());
   }
 
-  void take(std::size_t run, FinishedRun finished) {
+  void take_outcome(std::size_t run, RunOutcome finished) {
     const std::string name = plan_.name(run);
     for (const std::string& warning : finished.warnings) {
       events_.warning(fmt::format("{}: {}", name, warning));
@@ -309,7 +309,7 @@ class Sweep {
     const auto done = std::ranges::find(results_, Status::done, &Result::status);
     auto known =
         record::known_quantities(done != results_.end() ? done->summary : store::RunSummary());
-    known.of = record::KnownQuantities::Of::sweep;
+    known.kind = record::KnownQuantities::Kind::sweep;
     std::vector<store::TableSummary> summaries;
     for (const auto* list : {&tables, &means}) {
       for (const auto& [name, table] : *list) {
@@ -324,7 +324,7 @@ class Sweep {
   /// Every so often, and never for more than a small part of the time.
   void refresh_tables() {
     constexpr std::chrono::seconds kInterval(5);
-    constexpr int kShare = 20;
+    constexpr int kShare = 20;  // writing takes a 20th of the time at most
     const Clock::time_point now = Clock::now();
     if (options_.part || !tables_stale_ || now < tables_due_) {
       return;
@@ -352,7 +352,7 @@ class Sweep {
   const Plan& plan_;
   const Options& options_;
   const Events& events_;
-  tasks::OneRank alone_;
+  tasks::OneRank alone_;  // for ranks_, where none are given
   tasks::Ranks& ranks_;
   store::OutputFolder files_;
   std::optional<store::FolderLock> lock_;
@@ -362,7 +362,7 @@ class Sweep {
   bool retries_in_use_ = false;         // those have been queued again
   std::vector<std::size_t> elsewhere_;  // under way in other processes
   Progress progress_;
-  std::mutex mutex_;                                // of the next
+  std::mutex mutex_;                                // of under_way_
   std::map<std::size_t, run::Progress> under_way_;  // in threads of this process
   std::string store_error_;                         // the first
   Clock::time_point start_ = Clock::now();

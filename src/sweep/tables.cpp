@@ -34,9 +34,9 @@ double number(const store::MeasureValue& value) {
   return answer != nullptr ? static_cast<double>(*answer) : kNone;
 }
 
-/// Of several runs, the number of steps of a stage among them; none of a run that is not done.
-struct AllMeasures {
-  explicit AllMeasures(std::span<const Result> results) : of_runs(results.size()) {
+/// The measures of each run, with the steps of each stage; empty for a run that is not done.
+struct MeasuresByRun {
+  explicit MeasuresByRun(std::span<const Result> results) : of_runs(results.size()) {
     std::set<Key> known;
     for (std::size_t run = 0; run < results.size(); ++run) {
       if (results[run].status != Status::done) {
@@ -94,7 +94,7 @@ void add_until_clog(store::Table& table, std::vector<store::Cell> row, const std
 
 void add_statistics(store::Table& table, const std::vector<std::string>& values,
                     std::span<const Result> results) {
-  const AllMeasures measures(results);
+  const MeasuresByRun measures(results);
   std::map<Key, Column> columns;
   for (const Measures& of_run : measures.of_runs) {
     for (const auto& [key, value] : of_run) {
@@ -106,7 +106,7 @@ void add_statistics(store::Table& table, const std::vector<std::string>& values,
   constexpr std::string_view kClogged = "clogged";
   for (const auto& [stage, measure] : measures.keys) {
     const Column& column = columns[{stage, measure}];
-    const statistics::Sample found = statistics::sample(column.values);
+    const statistics::SampleStatistics found = statistics::sample(column.values);
     const auto [low, high] = column.answers ? statistics::share_interval(found.mean, found.count)
                                             : std::pair(found.mean - found.standard_error,
                                                         found.mean + found.standard_error);
@@ -138,7 +138,7 @@ std::vector<store::Cell> value_cells(const std::vector<std::string>& values) {
 }
 
 NamedTable runs_table(const Plan& plan, const std::vector<Result>& results) {
-  const AllMeasures measures(results);
+  const MeasuresByRun measures(results);
   std::vector<std::string> names;
   for (const auto& [stage, measure] : measures.keys) {
     names.push_back(fmt::format("{}.{}", stage, measure));

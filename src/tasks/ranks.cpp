@@ -37,7 +37,7 @@ void Ranks::begin(const std::string& command, const std::string& failure) {
 }
 
 void Ranks::hand_out(const std::function<Bytes(int rank)>& work) {
-  restart();
+  reset_counter();
   for (int other = 1; other < size() && !is_dismissed_; ++other) {
     send(other, 0, work(other));
   }

@@ -19,8 +19,9 @@ namespace {
 constexpr std::array<lattice::Direction, 3> kDownward = {
     lattice::Direction::down, lattice::Direction::down_left, lattice::Direction::down_right};
 
-/// By kDownward.
+/// By kDownward: whether the void there claims a grain.
 using Claims = std::array<bool, kDownward.size()>;
+/// By kDownward: weights of a grain for the voids below it, or of the grains above a void.
 using Weights = std::array<std::uint64_t, kDownward.size()>;
 
 std::uint64_t weight(double straight, double sieve) {
@@ -46,7 +47,7 @@ class Steps final : public grains::OneSiteSteps {
     const std::vector<Claims> claims = this->claims();
     std::vector<std::pair<std::uint32_t, grains::Move>> moves;
     for (std::uint32_t id = 0; id < claims.size(); ++id) {
-      if (const grains::Move move = granted(id, claims[id]); move != grains::kRest) {
+      if (const grains::Move move = granted_move(id, claims[id]); move != grains::kRest) {
         moves.emplace_back(id, move);
       }
     }
@@ -55,6 +56,7 @@ class Steps final : public grains::OneSiteSteps {
   }
 
  private:
+  /// The owner of the site from which `downward` leads to this one.
   grains::Owner above(lattice::Site site, lattice::Direction downward) {
     return box().occupancy.owner(state().lattice.index(site + unit(opposite(downward))));
   }
@@ -67,7 +69,7 @@ class Steps final : public grains::OneSiteSteps {
       for (int row = 0; row < lattice.rows(); ++row) {
         const lattice::Site site = {column, row};
         const grains::Owner grain =
-            box().occupancy.taken(lattice.index(site)) ? grains::kFree : claimed(site);
+            box().occupancy.taken(lattice.index(site)) ? grains::kFree : claimed_grain(site);
         for (std::size_t i = 0; grain != grains::kFree && i < kDownward.size(); ++i) {
           if (above(site, kDownward[i]) == grain) {
             result[grains::particle_id(grain)][i] = true;
@@ -80,7 +82,7 @@ class Steps final : public grains::OneSiteSteps {
 
   /// The grain that the void at this site claims: one of the three above it, in proportion to their
   /// weights. kFree if they have none.
-  grains::Owner claimed(lattice::Site site) {
+  grains::Owner claimed_grain(lattice::Site site) {
     Weights weights{};
     for (std::size_t i = 0; i < kDownward.size(); ++i) {
       if (const grains::Owner grain = above(site, kDownward[i]); grains::is_particle(grain)) {
@@ -98,7 +100,7 @@ class Steps final : public grains::OneSiteSteps {
 
   /// Where a grain goes that these voids claim: straight down first; a coin decides between the
   /// others.
-  grains::Move granted(std::uint32_t id, const Claims& claims) {
+  grains::Move granted_move(std::uint32_t id, const Claims& claims) {
     std::size_t chosen = claims[0] ? 0 : claims[1] ? 1 : 2;
     if (!claims[chosen]) {
       return grains::kRest;

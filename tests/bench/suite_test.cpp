@@ -30,7 +30,7 @@ class SuiteTest : public ::testing::Test {
     return testing::run_program(arguments,
                                 {.folder = folder_.path().string(), .program = CLCA_SUITE});
   }
-  store::ReadTable table(const std::string& name) const {
+  store::ParsedTable table(const std::string& name) const {
     return store::read_table(folder_.path() / "out" / (name + ".csv"));
   }
 
@@ -40,7 +40,7 @@ class SuiteTest : public ::testing::Test {
 TEST_F(SuiteTest, EveryCaseIsMeasuredForAllThreadsAndTiesAndWithoutSleeping) {
   const auto result = suite({"--sizes", "540", "--threads", "2"});
   ASSERT_EQ(result.code, 0) << result.err;
-  const store::ReadTable rows = table("automaton");
+  const store::ParsedTable rows = table("automaton");
   ASSERT_THAT(*rows.find("case"), SizeIs(4 * 2 * 3));
   EXPECT_THAT(rows.numbers("step_s_best"), Each(Gt(0)));
   EXPECT_THAT(rows.numbers("effective_per_s"), Each(Gt(0)));
@@ -63,7 +63,7 @@ TEST_F(SuiteTest, TheStepsOfAllSharesTogetherMoveAsManyAsTheRun) {
   ASSERT_EQ(suite({"--sizes", "300", "--threads", "1", "--cases", "settling,collapse"}).code, 0);
   using Key = std::tuple<std::string, std::string, std::string>;
   const auto moved = [&](const char* name) {
-    const store::ReadTable rows = table(name);
+    const store::ParsedTable rows = table(name);
     std::map<Key, double> sums;
     for (std::size_t row = 0; row < rows.rows(); ++row) {
       sums[{(*rows.find("case"))[row], (*rows.find("ties"))[row], (*rows.find("sleeping"))[row]}] +=
@@ -77,7 +77,7 @@ TEST_F(SuiteTest, TheStepsOfAllSharesTogetherMoveAsManyAsTheRun) {
 
 TEST_F(SuiteTest, AFallingStepTouchesNoLessThanItsParticles) {
   ASSERT_EQ(suite({"--sizes", "2000", "--threads", "1", "--cases", "falling"}).code, 0);
-  const store::ReadTable rows = table("phases");
+  const store::ParsedTable rows = table("phases");
   ASSERT_THAT(*rows.find("phase"), SizeIs(4));
   for (const double bytes : rows.numbers("run_bytes")) {
     EXPECT_GT(bytes, 2 * 12 * 2000.0 * 32);  // read and written, 12 bytes each, 32 steps
@@ -87,7 +87,7 @@ TEST_F(SuiteTest, AFallingStepTouchesNoLessThanItsParticles) {
 
 TEST_F(SuiteTest, ThePhasesOfAStepAddUp) {
   ASSERT_EQ(suite({"--sizes", "2000", "--threads", "1", "--cases", "falling"}).code, 0);
-  const store::ReadTable rows = table("profile");
+  const store::ParsedTable rows = table("profile");
   const auto shares = rows.numbers("share");
   const auto variants = table("automaton").rows();
   EXPECT_EQ(shares.size(), 4 * variants);
@@ -100,7 +100,7 @@ TEST_F(SuiteTest, ThePhasesOfAStepAddUp) {
 
 TEST_F(SuiteTest, LimitsOfTheMachineAreMeasuredUpToTheWorkingSetThatIsAskedFor) {
   ASSERT_EQ(suite({"--sizes", "100", "--threads", "2", "--cases", "idle"}).code, 0);
-  const store::ReadTable rows = table("machine");
+  const store::ParsedTable rows = table("machine");
   EXPECT_THAT(*rows.find("quantity"), SizeIs(4 + 4 + 4));  // 16, 64, 256, 1024 KiB
   EXPECT_THAT(rows.numbers("working_set_bytes"), Each(Le(1 << 20)));
   EXPECT_THAT(rows.numbers("value"), Each(Gt(0)));

@@ -11,7 +11,7 @@ namespace {
 namespace fuzz = clca::fuzz;
 namespace store = clca::store;
 
-std::string written(const store::ReadTable& read) {
+std::string written(const store::ParsedTable& read) {
   store::Table table(read.names);
   for (std::size_t row = 0; row < read.rows(); ++row) {
     std::vector<store::Cell> cells;
@@ -23,7 +23,7 @@ std::string written(const store::ReadTable& read) {
   return table.to_csv();
 }
 
-void read_numbers(const store::ReadTable& table) {
+void read_numbers(const store::ParsedTable& table) {
   for (const std::string& name : table.names) {
     try {
       fuzz::require(table.numbers(name).size() == table.rows(), "not a number for each row");
@@ -33,10 +33,10 @@ void read_numbers(const store::ReadTable& table) {
   }
 }
 
-void require_same_again(const store::ReadTable& table, const fuzz::ScratchFile& file) {
+void require_same_again(const store::ParsedTable& table, const fuzz::ScratchFile& file) {
   try {
     file.hold(written(table));
-    const store::ReadTable again = store::read_table(file.path());
+    const store::ParsedTable again = store::read_table(file.path());
     fuzz::require(again.names == table.names && again.cells == table.cells, "another table");
   } catch (const store::StoreError& error) {
     fuzz::found(error.what());
@@ -49,7 +49,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const fuzz::ScratchFile file;
   file.hold({data, size});
   try {
-    const store::ReadTable table = store::read_table(file.path());
+    const store::ParsedTable table = store::read_table(file.path());
     read_numbers(table);
     require_same_again(table, file);
   } catch (const store::StoreError&) {

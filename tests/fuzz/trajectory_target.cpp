@@ -62,11 +62,11 @@ using Parts = std::array<store::TrajectoryPart, 2>;
 
 Parts parts_of(const std::vector<fuzz::SmallFrame>& frames) {
   Parts parts;
-  store::Extents before;
+  store::RowCounts before;
   std::size_t entered = 0;
   for (std::size_t frame = 0; frame < frames.size(); ++frame) {
     const auto& [state, stage, begins] = frames[frame];
-    before = frame < kFramesInFirst ? store::Extents() : parts.front().frames.extents();
+    before = frame < kFramesInFirst ? store::RowCounts() : parts.front().frames.row_counts();
     parts.at(frame < kFramesInFirst ? 0 : 1).add(state, stage, begins ? 0 : entered, before, {});
     entered = state.particles.size();
   }
@@ -89,18 +89,18 @@ void change_values(const store::Column& column, std::vector<T>& values, fuzz::Ch
 }
 
 /// As long as the numbers of rows have it, which follow each other.
-void make_fit(store::TrajectoryPart& part, const store::Extents& before) {
+void make_fit(store::TrajectoryPart& part, const store::RowCounts& before) {
   constexpr std::uint64_t kMaxRows = 10'000;
   const auto follow = [](store::RowRanges& ranges, std::uint64_t first) {
     ranges.count.resize(ranges.first.size());
     std::exclusive_scan(ranges.count.begin(), ranges.count.end(), ranges.first.begin(), first);
   };
-  follow(part.frames.particles, before[store::Axis::particles]);
-  follow(part.frames.origins, before[store::Axis::origins]);
-  follow(part.frames.pushes, before[store::Axis::pushes]);
-  const store::Extents extents = part.frames.extents();
+  follow(part.frames.particles, before[store::RowKind::particles]);
+  follow(part.frames.origins, before[store::RowKind::origins]);
+  follow(part.frames.pushes, before[store::RowKind::pushes]);
+  const store::RowCounts row_counts = part.frames.row_counts();
   for (const store::Column& column : part.columns(kLayout)) {
-    const std::size_t numbers = column.columns * std::min(extents[column.axis], kMaxRows);
+    const std::size_t numbers = column.columns * std::min(row_counts[column.row_kind], kMaxRows);
     std::visit([numbers](auto* values) { values->resize(numbers); }, column.values);
   }
 }
@@ -110,7 +110,8 @@ using Omitted = std::size_t;
 constexpr std::size_t kColumns = 25;
 
 /// Changes and says which dataset is to be left out of that part.
-Omitted change(store::TrajectoryPart& part, const store::Extents& before, fuzz::Choices& choices) {
+Omitted change(store::TrajectoryPart& part, const store::RowCounts& before,
+               fuzz::Choices& choices) {
   for (std::size_t changes = choices.up_to(6); changes > 0; --changes) {
     const std::vector<store::Column> columns = part.columns(kLayout);
     const std::size_t number = choices.up_to(kColumns - 1);
@@ -211,7 +212,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   fuzz::Choices choices({data, size});
   Parts parts = whole;
   folder.hold(0, file_of(parts[0], change(parts[0], {}, choices)));
-  folder.hold(1, file_of(parts[1], change(parts[1], parts[0].frames.extents(), choices)));
+  folder.hold(1, file_of(parts[1], change(parts[1], parts[0].frames.row_counts(), choices)));
   const double limit = kMaxLimit - static_cast<double>(choices.up_to(kMaxLimit));
   const fuzz::MemoryMeter meter;
   const std::size_t sound = read(folder, parts, limit);

@@ -163,7 +163,7 @@ INSTANTIATE_TEST_SUITE_P(Pictures, Golden, ::testing::ValuesIn(golden_cases()),
                          });
 
 /// A picture over time of a silo that runs out.
-image::Image over_time(std::optional<double> column) {
+image::Image space_time(std::optional<double> column) {
   const testing::ScratchFolder folder;
   const scene::Scene scene = scene::parse_file(
       fs::path(CLCA_SOURCE_DIR) / "scenes" / "silo-discharge.yaml",
@@ -176,12 +176,12 @@ image::Image over_time(std::optional<double> column) {
                          {.space_time = drawing::SpaceTimeOptions{
                               .file = folder.path() / "over-time.png", .column = column}});
   redraw.draw();
-  return redraw.over_time().content;
+  return redraw.space_time().content;
 }
 
 TEST(GoldenOverTime, AColumnAndTheSurfaceAreAsBlessed) {
-  compare_or_bless("space-time-column", over_time(52), true);
-  compare_or_bless("space-time-surface", over_time({}), true);
+  compare_or_bless("space-time-column", space_time(52), true);
+  compare_or_bless("space-time-surface", space_time({}), true);
 }
 
 /// The state with some small particle, that has room above, one spacing higher.

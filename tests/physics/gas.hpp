@@ -80,7 +80,7 @@ inline void expect_near(const std::string& what, double measured, double expecte
 /// The same for the mean of an ensemble: within 4 standard errors, and `systematic`.
 inline void expect_mean(const std::string& what, const std::vector<double>& values, double expected,
                         double expected_error = 0, double systematic = 0) {
-  const statistics::Sample measured = sample(values);
+  const statistics::SampleStatistics measured = sample(values);
   expect_near(what, measured.mean, expected,
               4 * std::hypot(measured.standard_error, expected_error) + systematic);
 }

@@ -76,7 +76,7 @@ stages:
 
 struct Run {
   store::RunSummary summary;
-  store::ReadTable series;
+  store::ParsedTable series;
 
   std::vector<double> column(const std::string& name) const { return series.numbers(name); }
   double last(const std::string& name) const { return column(name).back(); }

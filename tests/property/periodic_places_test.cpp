@@ -85,7 +85,7 @@ void look_at_tables(const fs::path& folder, Places& places) {
     if (file.path().extension() != ".csv") {
       continue;
     }
-    const store::ReadTable table = store::read_table(file.path());
+    const store::ParsedTable table = store::read_table(file.path());
     if (table.find("x") == nullptr) {
       continue;
     }
@@ -123,12 +123,12 @@ void look_at_pictures(const store::Trajectory& trajectory, bool contact, Places&
   scales.strongest_force = 1;
   for (std::size_t frame = 0; frame < trajectory.frames().size(); ++frame) {
     const grains::State state = trajectory.state(frame);
-    drawing::View view = {.state = state, .occupancy = grains::Occupancy(state)};
+    drawing::PictureContent content = {.state = state, .occupancy = grains::Occupancy(state)};
     if (contact) {
-      view.contact = trajectory.contact_frame(frame);
+      content.contact = trajectory.contact_frame(frame);
     }
     const drawing::DrawnOverlay drawn =
-        drawing::overlay_of(scene::Overlay::forces, view, {}, scales);
+        drawing::overlay_of(scene::Overlay::forces, content, {}, scales);
     for (const render::Stroke& stroke : drawn.overlay.strokes) {
       places.require(stroke.from.x(), stroke.from.y(), "the beginning of a line");
       places.require(stroke.to.x(), stroke.to.y(), "the end of a line");

@@ -81,7 +81,7 @@ class SimulationTest(ScratchTest):
                 self.assertEqual(getattr(simulation.frame, name), getattr(frames[2], name))
             for name in ("ids", "positions", "velocities", "angular_velocities", "displacements", "species", "orientation"):
                 numpy.testing.assert_array_equal(getattr(simulation.frame, name), getattr(frames[2], name))
-            self.assertEqual([kind.name for kind in simulation.kinds], [kind.name for kind in frames._look.kinds])
+            self.assertEqual([kind.name for kind in simulation.kinds], [kind.name for kind in frames._facts.kinds])
             self.assertEqual(list(simulation.walls), ["gate"])
 
     def test_particles_are_views_that_follow_the_steps(self):

@@ -76,8 +76,8 @@ std::uint64_t steps_of(const store::RunSummary& summary, const std::string& stag
   return stage_of(summary, stage).steps;
 }
 
-statistics::Sample sample(const std::vector<double>& values) {
-  const statistics::Sample result = statistics::sample(values);
+statistics::SampleStatistics sample(const std::vector<double>& values) {
+  const statistics::SampleStatistics result = statistics::sample(values);
   EXPECT_EQ(result.count, values.size()) << "not all values are numbers";
   return result;
 }

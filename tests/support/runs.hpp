@@ -38,7 +38,7 @@ double measure_of(const store::RunSummary& summary, const std::string& stage,
 std::uint64_t steps_of(const store::RunSummary& summary, const std::string& stage);
 
 /// Fails the test if a value is not finite.
-statistics::Sample sample(const std::vector<double>& values);
+statistics::SampleStatistics sample(const std::vector<double>& values);
 
 /// A column of a CSV file with a header line.
 std::vector<double> csv_column(const std::filesystem::path& file, const std::string& column);

@@ -34,7 +34,7 @@ class ThreadRanks {
       const std::lock_guard lock(all_.mutex_);
       return all_.next_++;
     }
-    void restart() override {
+    void reset_counter() override {
       const std::lock_guard lock(all_.mutex_);
       all_.next_ = 0;
     }

@@ -16,8 +16,13 @@ using grains::Options;
 /// Directions in which particles move by themselves: gravity and its two neighbours, or all six.
 enum class Candidates : std::uint8_t { downward, all };
 
-/// Classes of moves in the update order.
-enum class UpdateClass : std::uint8_t { rest, inertia, gravity };
+/// Classes of moves in the update order; a move belongs to the first of Rules::update_priority that
+/// fits.
+enum class UpdateClass : std::uint8_t {
+  rest,     ///< the particle rested in the step before
+  inertia,  ///< the direction is that of the step before
+  gravity,  ///< the direction is that of gravity
+};
 
 /// How movers of one class that want the same site are ordered: each particle by a draw of its
 /// own, or all movers of one direction together, the directions by a draw per class and step.

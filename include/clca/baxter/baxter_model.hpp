@@ -14,14 +14,14 @@ inline constexpr int kMaxPower = 6;
 inline constexpr double kMaxGravity = 1000;
 
 struct Rules {
-  int power = 3;       ///< of the energy of unlike velocities, 0 to kMaxPower
+  int power = 3;       ///< exponent of the energy of unlike velocities, 0 to kMaxPower
   double gravity = 3;  ///< energy of a grain that does not go down where it can, to kMaxGravity
   double like_axes = 0.01;  ///< in [0, 1]: factor of the energy of neighbours with equal axes
 
   bool operator==(const Rules&) const = default;
 };
 
-/// Axes of a grain: a times 60 degrees clockwise from the vertical.
+/// Number of axes of a grain: axis a is a times 60 degrees clockwise from the vertical.
 inline constexpr std::uint16_t kAxes = 3;
 /// Kinds 3 s, 3 s + 1 and 3 s + 2 are species s along its three axes.
 constexpr std::uint16_t axis_of(const grains::Particle& particle) {

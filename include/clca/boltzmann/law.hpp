@@ -20,7 +20,7 @@ struct Law {
 /// Throws std::invalid_argument unless the numbers are in these ranges.
 void check(const Law& law);
 
-/// Friction without sliding: constant tangential restitution.
+/// Law::friction without sliding: constant tangential restitution.
 inline constexpr double kNoSlidingLimit = 1e300;
 
 }  // namespace clca::boltzmann

@@ -46,6 +46,7 @@ inline double expected_heating(const OgawaKato& scheme, double time) {
 
 using Scheme = std::variant<Majorant, OgawaKato>;
 
+/// What advances a gas.
 struct Process {
   Law law;
   Scheme scheme;

@@ -17,20 +17,21 @@ using grains::Options;
 /// Rotation of grains: none, with rolling resistance, or free.
 enum class Rolling : std::uint8_t { none, resistance, free };
 
-/// Of all coefficients of friction: the largest that the rule can tell from more.
+/// Largest coefficient of friction and of rolling friction: more does not fit the whole numbers of
+/// the rule.
 inline constexpr double kMaxFriction = 16384;
 
 struct Parameters {
-  double friction = 0.4;       ///< between grains
+  double friction = 0.4;       ///< coefficient between grains
   double wall_friction = 0.4;  ///< of walls that have none of their own, and of the box
-  /// By wall: a friction of its own. May be shorter than the list of walls.
+  /// By wall: its own coefficient; none: wall_friction. May be shorter than the list of walls.
   std::vector<std::optional<double>> friction_by_wall = {};
   Rolling rolling = Rolling::resistance;
-  /// For Rolling::resistance; multiplied by the radius, as in discrete element models.
+  /// For Rolling::resistance: largest moment over the normal force and the reduced radius.
   double rolling_friction = 0.5;
   double restitution = 0.4;  ///< in [0, 1)
   int sweeps = 2;            ///< over all contacts in a step, forwards and backwards in turn
-  double resolution = 0.4;   ///< sites a step after a fall of the bed's height; sets the time step
+  double resolution = 0.4;   ///< speed after a fall by fall_height, in sites a step: sets gravity()
   /// Fall height in lattice spacings. 0: estimated, of a scene from its fills
   /// (scene::contact_parameters), else from the height of the box (default_fall_height).
   double fall_height = 0;
@@ -42,12 +43,12 @@ struct Parameters {
 inline constexpr double kMinGravity = 0x1p-20;
 inline constexpr double kMaxGravity = 0.25;
 
-/// Fall height that stands for 0 in a box of this height: the same, but at least kMinFallHeight.
-inline constexpr double kMinFallHeight = 10;  // lattice spacings
+inline constexpr double kMinFallHeight = 10;  ///< of default_fall_height(), in lattice spacings
+/// Fall height where Parameters have 0: the height of the box, but at least kMinFallHeight.
 double default_fall_height(double box_height);
 
 /// Gravity in lattice spacings per step squared, a multiple of 2^-23. Throws std::invalid_argument
-/// unless resolution and fall height are positive and give a value within these bounds.
+/// unless resolution and fall height are positive and give kMinGravity to kMaxGravity.
 double gravity(const Parameters& parameters);
 
 /// 64-bit hash of everything that a run changes; the same on every machine.
@@ -66,7 +67,7 @@ void check_valid(const State& state);
 /// Bytes that the model takes for so many grains, besides their particles.
 double step_bytes(double grains);
 
-/// Of the grains, in units of a site's mass, gravity and the lattice spacing.
+/// Energy of the grains. Unit: mass of a site x gravity x lattice spacing.
 struct Energy {
   double kinetic = 0;
   /// For the present direction of gravity; 0 if all centres of mass are at the height of the lower
@@ -79,7 +80,8 @@ struct Energy {
 /// `gravity` in lattice spacings per step squared.
 Energy energy(const State& state, double gravity);
 
-/// Energy that the grains exchange with all else. What remains of a change is dissipated.
+/// Energy that the grains exchange with all else, in the unit of Energy. What their energy changes
+/// by beyond it is dissipated.
 struct EnergyExchange {
   double sources = 0;  ///< energy of the grains that enter
   double outlets = 0;  ///< energy of the grains that leave
@@ -105,23 +107,24 @@ class ContactModel : public grains::Model {
 
   /// Has grains(), and costs more than that, as it also updates the list of contacts.
   const State& state() const;
-  /// Those of state(), at less cost; by id.
+  /// The velocities in state(), at less cost; by id.
   const std::vector<Velocity<>>& velocities() const;
-  /// Of the last step: those with walls and sides of the box, maybe others, too.
+  /// Contacts of the last step with walls and sides of the box, maybe others, too.
   std::vector<Contact> wall_contacts() const;
   const Vessel& vessel() const;
   /// In lattice spacings per step squared.
   double gravity() const;
-  /// Nothing moved in the last two steps, and all velocities were small: what the contacts have is
-  /// no impact.
+  /// Nothing moved in the last two steps, and all velocities were small: impulses of contacts are
+  /// those of rest, not of impacts.
   bool quiet() const;
-  /// As energy() of state(), without its costs.
+  /// The same as contact::energy() of state(), without the cost of state().
   Energy energy() const;
-  /// In the last step.
+  /// What was exchanged in the last step.
   const EnergyExchange& exchange() const;
 
-  /// Of the last step: what grains that were held up passed on by their sites, see collide_blocked.
-  /// `impact` is the impulse along a direction of the lattice; a pair may have several.
+  /// Collisions of the last step between grains that were held up and what was in their way, see
+  /// collide_blocked(). `impact` is the impulse along a direction of the lattice; a pair may have
+  /// several.
   const std::vector<Contact>& pushes() const;
   /// In the last step a grain was faster than it can move, and lost velocity.
   bool too_fast() const;

@@ -13,7 +13,7 @@ namespace clca::contact {
 
 /// The force between a grain and another body, in weights of a grain of mean mass.
 struct Force {
-  std::uint32_t upper = 0;
+  std::uint32_t upper = 0;                           ///< id, see Contact::upper
   grains::Owner other = 0;                           ///< a grain, a wall or a side of the box
   Eigen::Vector2d point = Eigen::Vector2d::Zero();   ///< of contact, in the box, lattice spacings
   Eigen::Vector2d normal = Eigen::Vector2d::Zero();  ///< of length 1, towards the upper grain
@@ -33,7 +33,7 @@ struct Force {
 
 /// Forces of all contacts, in their order. `gravity` in lattice spacings per step squared.
 std::vector<Force> forces(const State& state, double gravity);
-/// The same of contacts of these grains.
+/// Forces of these contacts of the grains, in the order of the contacts.
 std::vector<Force> forces(const grains::State& grains, std::span<const Contact> contacts,
                           double gravity);
 
@@ -41,14 +41,14 @@ std::vector<Force> forces(const grains::State& grains, std::span<const Contact> 
 struct ForceSums {
   /// Bytes for so many contacts.
   static double bytes_for(double contacts) {
-    constexpr double kNode = sizeof(decltype(numbers)::value_type) + 4 * sizeof(void*);
+    constexpr double kNode = sizeof(decltype(index_by_bodies)::value_type) + 4 * sizeof(void*);
     return contacts * (grains::kListRoom * sizeof(Sum) + kNode);
   }
 
   struct Sum {
     std::uint32_t upper = 0;
     grains::Owner other = 0;
-    // From the last step in which they touched.
+    // From the last step in which they touched: Force::point (lattice spacings), normal and branch.
     double place_x = 0;
     double place_y = 0;
     double normal_x = 0;
@@ -65,7 +65,8 @@ struct ForceSums {
   };
   std::vector<Sum> sums = {};  ///< two bodies have one
   std::uint64_t steps = 0;
-  std::unordered_map<std::uint64_t, std::size_t> numbers = {};  ///< in `sums`, by the two bodies
+  /// Index in `sums`, by the two bodies.
+  std::unordered_map<std::uint64_t, std::size_t> index_by_bodies = {};
 
   CLCA_FIELDS(sums, steps);
 };

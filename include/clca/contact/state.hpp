@@ -13,15 +13,15 @@ namespace clca::contact {
 /// Velocities and lengths are integers in units of 2^-23 lattice spacings (per step). With 2^-20,
 /// rounding would let the forces of a bed at rest drift until a contact slides.
 inline constexpr int kFractionBits = 23;
-inline constexpr std::int32_t kSpacing = 1 << kFractionBits;
+inline constexpr std::int32_t kSpacing = 1 << kFractionBits;  ///< a lattice spacing
 
 // Bounds far above any useful run, so that no product overflows.
 inline constexpr std::int32_t kMaxVelocity = 16 * kSpacing;  ///< velocities and spins
-inline constexpr std::int32_t kMaxRemainder =
-    8 * kSpacing;  ///< remainders; a step leaves at most 2 spacings along any direction
-inline constexpr std::int32_t kMaxImpulse = 1 << 29;  ///< impulses
+/// A step leaves at most 2 spacings along any direction.
+inline constexpr std::int32_t kMaxRemainder = 8 * kSpacing;
+inline constexpr std::int32_t kMaxImpulse = 1 << 29;  ///< in the unit of Impulse
 
-/// Cartesian, in 2^-23 lattice spacings.
+/// Cartesian vector, in 2^-23 lattice spacings.
 struct Vector {
   std::int32_t x = 0;
   std::int32_t y = 0;
@@ -84,15 +84,17 @@ struct Contact {
   grains::Owner other = 0;
   UnitVector normal = {};  ///< towards the upper grain, in the last step
   Impulse<> impulse = {};
-  /// Of an impact that was solved on its own in the last step, and what its sweeps had left in a
-  /// small group. The next step does not begin with it. The normal sum of both is not negative.
+  /// Impulse of the last step that the next one does not begin with: of an impact that was solved
+  /// on its own, and what the sweeps had left in a small group. The normal impulses of `impulse`
+  /// and `impact` have a sum that is not negative.
   Impulse<> impact = {};
 
   bool operator==(const Contact&) const = default;
   CLCA_FIELDS(upper, other, normal, impulse, impact);
 };
 
-/// Contacts per grain of a packing; in lists that double there is room for the 3 of a crystal.
+/// Contacts per grain of a packing, for estimates of memory; lists that double have room for the 3
+/// of a crystal.
 inline constexpr double kContactsPerGrain = 2;
 
 struct State {
@@ -110,7 +112,7 @@ struct State {
   /// True if walls or grains were changed from outside: contacts are sorted anew.
   bool changed = true;
   std::uint64_t unmoved_steps = 0;  ///< in a row: no wall and no anchor of a grain moved
-  std::uint64_t quiet_steps = 0;    ///< in a row: nothing moved by a site, or had much velocity
+  std::uint64_t quiet_steps = 0;    ///< in a row: nothing moved by a site, and no grain was fast
   Vessel vessel = {};
 
   bool operator==(const State&) const = default;

@@ -14,7 +14,7 @@ namespace clca::contact {
 /// Anticlockwise angle in 2^-64 turns; a full turn is 0.
 using Angle = std::uint64_t;
 
-/// From finite degrees, to the precision of a double.
+/// The angle of finite degrees, to the precision of a double.
 Angle angle_of(double degrees);
 /// In [-180, 180).
 double degrees(Angle angle);
@@ -25,16 +25,16 @@ struct Vessel {
       std::numeric_limits<std::uint64_t>::max();  ///< number of steps
 
   Angle angle = 0;               ///< from upright
-  Angle turn = 0;                ///< in a step, while it turns; clockwise ones wrap around
-  std::uint64_t turn_steps = 0;  ///< for which it still turns
+  Angle turn = 0;                ///< change of angle in a step; clockwise ones wrap around
+  std::uint64_t turn_steps = 0;  ///< steps for which it still turns
   std::int32_t centre_x = 0;     ///< of turning, in 2^-8 lattice spacings
   std::int32_t centre_y = 0;
   /// Peak acceleration of shaking divided by gravity, in 2^-16.
   std::int32_t strength = 0;
   bool sideways = false;           ///< shaken across gravity, not along it
-  std::uint64_t phase = 0;         ///< of turning without end or shaking, in 2^-64 cycles
-  std::uint64_t phase_step = 0;    ///< in a step
-  std::uint64_t whole_cycles = 0;  ///< of these since it began
+  std::uint64_t phase = 0;         ///< of endless turning or of shaking, in 2^-64 cycles
+  std::uint64_t phase_step = 0;    ///< change of phase in a step
+  std::uint64_t whole_cycles = 0;  ///< since endless turning or shaking began
 
   bool operator==(const Vessel&) const = default;
   CLCA_FIELDS(angle, turn, turn_steps, centre_x, centre_y, strength, sideways, phase, phase_step,
@@ -68,7 +68,7 @@ Angle angle_after(const Vessel& vessel, std::uint64_t steps);
 
 /// Unit vector of gravity without shaking.
 Eigen::Vector2d gravity_direction(const Vessel& vessel);
-/// The lattice direction nearest to it, in whole numbers.
+/// The lattice direction nearest to gravity without shaking; found in whole numbers.
 lattice::Direction down(const Vessel& vessel);
 
 /// Throws std::invalid_argument for a vessel that none of these functions can make.

@@ -31,7 +31,7 @@ class RedrawError : public text::InputError {
 
 /// A run to be drawn.
 struct RunToDraw {
-  /// That of the run with its `frames` as they should be now; `every` applies to the frames of the
+  /// The scene of the run, with `frames` as they should be now; `every` applies to frames of the
   /// trajectory. Each stage begins and ends with a picture.
   scene::Scene scene;
   std::filesystem::path folder;                      ///< of the run
@@ -46,7 +46,7 @@ scene::Scene drawn_scene(const std::filesystem::path& folder,
 /// The picture of a step of the trajectory, within `max_bytes` of memory. Throws as Redraw.
 image::Image picture(RunToDraw run, std::uint64_t step, double max_bytes);
 
-/// A picture over time.
+/// Which space-time picture: a column of the box or its free surface over time.
 struct SpaceTimeOptions {
   std::filesystem::path file = {};    ///< a PNG file, that the caller writes
   std::optional<double> column = {};  ///< x, lattice spacings; none: the free surface
@@ -57,8 +57,8 @@ struct RedrawOptions {
   bool pdf = false;                  ///< pictures one by one, else PNG
   std::filesystem::path movie = {};  ///< see render::movie_format; empty: none
   int frames_per_second = 25;        ///< of the movie
-  /// Of the movie, seconds: of more pictures than it needs it has some, evenly chosen; if there are
-  /// less, it shows less per second. None: it has all.
+  /// Length of the movie, seconds: of more pictures than it needs it has some, evenly chosen; of
+  /// fewer, it shows fewer per second. None: it has all.
   std::optional<double> duration = {};
   std::filesystem::path sheet = {};                 ///< a PNG file; empty: none
   int columns = 4;                                  ///< of the sheet of one run
@@ -74,7 +74,7 @@ struct RedrawOptions {
 };
 
 /// A line of the box or its free surface over time, without axes.
-struct TimePicture {
+struct SpaceTimePicture {
   struct Axis {
     std::string label;  ///< with the unit
     double low = 0;
@@ -102,7 +102,7 @@ struct RedrawProgress {
   std::optional<double> seconds_left;
 };
 
-/// All optional.
+/// What Redraw::draw() calls; all optional.
 struct RedrawEvents {
   std::function<void(const RedrawProgress&)> progress = {};
   std::chrono::milliseconds progress_interval{100};  ///< least time between two of them
@@ -127,8 +127,8 @@ class Redraw {
   std::size_t draw(const RedrawEvents& events = {});
   /// Number of times or steps at which there is a picture; of a single run, of all its pictures.
   std::size_t moments() const;
-  /// After draw(), if it was asked for: of the frames so far.
-  TimePicture over_time();
+  /// After draw(), if it was asked for: the space-time picture of the frames so far.
+  SpaceTimePicture space_time();
 
  private:
   class Impl;

@@ -23,7 +23,7 @@ class Mechanics;
 /// the next particle drawn has no room, or up to a level. A picture divides the region into parts
 /// with proportions of their own; a particle belongs to the part that its reference site lies in.
 struct Mixture {
-  /// Of each part: weights by species, one for each, not all zero.
+  /// Weights of each part: one for each species, not all zero.
   std::vector<std::vector<std::uint32_t>> parts = {};
   /// Pixels that cover the region, from the top: kFirstPart is the first part, and so on; others
   /// stay empty. None: the first part is everywhere.
@@ -42,7 +42,7 @@ double trial_bytes(double sites, double orientations);
 /// How many particles a fill has placed.
 struct FillResult {
   std::vector<std::size_t> placed;  ///< per species
-  bool complete = true;
+  bool complete = true;             ///< false if some of the counts had no room
 };
 
 /// Wall-clock seconds of each phase of a step, summed over steps. Phases are in the order in which
@@ -74,6 +74,7 @@ void check_valid(const Options& options);
 
 /// Results of one step.
 struct StepReport {
+  // Numbers of particles.
   std::size_t moved = 0;
   std::size_t emitted = 0;
   std::size_t removed = 0;
@@ -89,6 +90,7 @@ class Model {
   Model(const Model&) = delete;
   Model& operator=(const Model&) = delete;
 
+  /// The state of the grains.
   const State& grains() const;
   const Occupancy& occupancy() const;
   /// The lattice direction nearest to gravity.
@@ -145,7 +147,7 @@ class Model {
   void check_deposits() const;
 
   std::unique_ptr<Mechanics> mechanics_;
-  bool half_changed_ = false;
+  bool half_changed_ = false;  // a change has failed halfway
 };
 
 }  // namespace clca::grains

@@ -42,7 +42,7 @@ struct Wave {
   bool operator==(const Wave&) const = default;
 };
 
-/// Steps of a period, for each site of amplitude, in which a wave moves one site a step at most.
+/// Shortest period for each site of amplitude, in steps: the wave moves one site a step at most.
 inline constexpr std::uint64_t kSineSteps = 7;
 inline constexpr std::uint64_t kTriangleSteps = 4;
 inline std::uint64_t least_period(const Wave& wave) {
@@ -86,6 +86,7 @@ inline bool is_steep(const Path::Point& from, const Path::Point& to) {
 /// A lattice spacing in the unit of positions that are finer than sites.
 inline constexpr std::int64_t kMotionSpacing = 1 << 20;
 
+/// The motion of a wall along a direction, by a program.
 struct WallMotion {
   lattice::Direction direction = lattice::Direction::up;
   std::variant<Drive, Wave, Shake, Path> program;

@@ -44,7 +44,7 @@ class Occupancy {
 
   Occupancy() = default;
 
-  std::shared_ptr<const OccupancyTable> table_;  // none: that of a model
+  std::shared_ptr<const OccupancyTable> table_;  // null for the occupancy of a model
   // Of the table:
   std::span<Owner> inverted_owners_;
   std::span<Owner> second_owners_;  // empty if nothing may overlap

@@ -119,8 +119,8 @@ struct Source {
 /// Removes and counts every particle that is wholly inside.
 struct Outlet {
   lattice::Rectangle region = {};
-  std::uint64_t particles = 0;
-  std::uint64_t sites = 0;
+  std::uint64_t particles = 0;  ///< removed so far
+  std::uint64_t sites = 0;      ///< of these particles
 
   bool operator==(const Outlet&) const = default;
   CLCA_FIELDS(particles, sites);
@@ -146,12 +146,12 @@ struct State {
 };
 
 // For estimates of memory, in bytes.
-inline constexpr double kListRoom = 2;  ///< of a list that doubles, over what it holds, at most
+inline constexpr double kListRoom = 2;  ///< largest ratio of a list that doubles to what it holds
 inline constexpr double kParticleBytes = kListRoom * (sizeof(Particle) + sizeof(lattice::Site));
 
 /// Centre of mass in lattice spacings; counted on across a periodic boundary, as the column is.
 Eigen::Vector2d centre(const State& state, const Particle& particle);
-/// The same in the box. Every image of a particle gives the same bits.
+/// Centre of mass within a periodic box: the same bits for every image of a particle.
 Eigen::Vector2d centre_in_box(const State& state, const Particle& particle);
 
 /// Number of particles in the box.

@@ -52,11 +52,10 @@ constexpr Axial operator-(Site to, Site from) {
   return {to.column - from.column, (to.row - (to.column >> 1)) - (from.row - (from.column >> 1))};
 }
 
-/// Index of a site of a shape relative to that of the reference site.
-/// Valid for reference columns of one parity only.
+/// From a reference site to another site. Valid for reference columns of one parity only.
 struct Offset {
-  std::int32_t linear = 0;
-  std::int32_t column = 0;
+  std::int32_t linear = 0;  ///< difference of the indices
+  std::int32_t column = 0;  ///< difference of the columns
 
   bool operator==(const Offset&) const = default;
 };
@@ -104,6 +103,7 @@ class Lattice {
             static_cast<int>(row % column_size_) - 1};
   }
 
+  /// The column that a periodic box has in place of this one; in another box the column itself.
   int wrapped(int column) const {
     if (!periodic_) {
       return column;

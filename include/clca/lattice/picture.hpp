@@ -10,7 +10,7 @@ namespace clca::lattice {
 
 /// Pixels of equal size that cover a rectangle.
 struct Picture {
-  Rectangle box;
+  Rectangle box;  ///< what the pixels cover
   /// From the top, all of one length, at least one character long; of a wall, kDark and kLight.
   std::vector<std::string> rows;
 
@@ -30,8 +30,8 @@ std::vector<Site> sites_in(const SweptRegion& swept_region, const Picture& pictu
 /// Whether sites_in() is empty.
 bool holds_no_site(const Lattice& lattice, const Picture& picture);
 
-/// A rectangle that contains all the sites.
-inline Rectangle around(const Picture& picture) {
+/// A rectangle that contains all sites of the picture.
+inline Rectangle bounding_rectangle(const Picture& picture) {
   return picture.box;
 }
 

@@ -104,11 +104,11 @@ struct Segment {
   }
 };
 
-/// A rectangle that contains all the sites.
-inline Rectangle around(const Rectangle& rectangle) {
+/// A rectangle that contains all sites of a rectangle or a straight wall.
+inline Rectangle bounding_rectangle(const Rectangle& rectangle) {
   return rectangle;
 }
-Rectangle around(const Segment& segment);
+Rectangle bounding_rectangle(const Segment& segment);
 
 /// Whether `test` holds for a site of the region inside `rectangle`: tries them column by column
 /// from the left, upwards, until it does.

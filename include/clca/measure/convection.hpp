@@ -73,11 +73,11 @@ class Convection {
   };
   /// Sums over one half of the bed; positions relative to its middle at the floor of the box.
   struct HalfBedSums {
-    double weight = 0;
-    Eigen::Vector2d place = Eigen::Vector2d::Zero();
-    Eigen::Vector2d drift = Eigen::Vector2d::Zero();
-    double cross = 0;   // of place and drift
-    double square = 0;  // of place
+    double weight = 0;                                // sites, by which the sums are weighted
+    Eigen::Vector2d place = Eigen::Vector2d::Zero();  // positions at the start of the cycle
+    Eigen::Vector2d drift = Eigen::Vector2d::Zero();  // displacements in the cycle
+    double cross = 0;                                 // vector products of both
+    double square = 0;                                // squared positions
 
     void add(const Eigen::Vector2d& at, const Displacement& displacement, double sites);
     double rotation() const;
@@ -89,8 +89,8 @@ class Convection {
   std::optional<CycleStart> begin_;
   std::uint64_t cycles_ = 0;
   std::vector<Mean> cells_;
-  Mean inside_;
-  Mean at_walls_;
+  Mean inside_;                        // of particles in the middle third of the width
+  Mean at_walls_;                      // of those in the outer sixths
   std::array<HalfBedSums, 2> halves_;  // left, right
 };
 

@@ -111,16 +111,16 @@ class Fluctuations {
   std::uint64_t samples() const { return samples_; }
   /// Share of all particles left out because their cell was at rest or moved rigidly: X would be 0
   /// or, with T of the cell, undefined.
-  double resting_share() const { return of_all(resting_); }
+  double resting_share() const { return share_of_all(resting_); }
   /// Share of all particles that were left out as sparse.
-  double sparse_share() const { return of_all(sparse_); }
+  double sparse_share() const { return share_of_all(sparse_); }
 
   bool has_all_bins() const { return counts_.size() == kBins && local_counts_.size() == kBins; }
   CLCA_FIELDS(counts_, local_counts_, samples_, resting_, sparse_);
 
  private:
   std::vector<double> shares_of(const std::vector<std::uint64_t>& counts) const;
-  double of_all(std::uint64_t particles) const;
+  double share_of_all(std::uint64_t particles) const;
 
   statistics::Bins bins_ = statistics::Bins::equiprobable(kBins, 2);
   std::vector<std::uint64_t> counts_ = std::vector<std::uint64_t>(kBins);

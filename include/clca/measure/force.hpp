@@ -79,7 +79,7 @@ std::optional<double> penetration(const grains::State& now, const grains::Wall& 
                                   const std::vector<double>& surface_at_start);
 
 /// Whole sites at one moment, real numbers as averages.
-enum class Strength : std::uint8_t { whole_sites, averaged };
+enum class StrengthKind : std::uint8_t { whole_sites, averaged };
 
 struct ForceBin {
   double low = 0;  ///< sites
@@ -105,7 +105,7 @@ struct ForceDistribution {
 /// For strengths in sites; none if the list is empty. Throws std::invalid_argument unless all are
 /// in (0, 10^6).
 std::optional<ForceDistribution> force_distribution(const std::vector<double>& strengths,
-                                                    Strength kind);
+                                                    StrengthKind kind);
 
 /// Averages the strength of each contact over samples; a contact absent from a sample counts as 0.
 class ForceAverage {

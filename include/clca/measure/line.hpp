@@ -39,17 +39,17 @@ struct LineBlock {
 };
 
 /// Sums over all observations of a line, in blocks for standard errors. Each block but the last has
-/// the same number of observations: when there are kMost, they are joined in pairs.
+/// the same number of observations: when there are kMaxBlocks, they are joined in pairs.
 class LineSums {
  public:
-  static constexpr std::size_t kMost = 16;  ///< blocks
+  static constexpr std::size_t kMaxBlocks = 16;
 
-  static double bytes_for(double parts) { return parts * kMost * sizeof(LinePartSums); }
+  static double bytes_for(double parts) { return parts * kMaxBlocks * sizeof(LinePartSums); }
 
   explicit LineSums(std::size_t parts = 0) : parts_(parts) {}
 
-  /// The block that an observation over `steps` steps belongs to.
-  LineBlock& next(double steps);
+  /// Counts an observation over `steps` steps; returns the block that it is to be added to.
+  LineBlock& begin_observation(double steps);
   const std::vector<LineBlock>& blocks() const { return blocks_; }
 
   /// False if these cannot be sums of a line of so many parts.
@@ -65,7 +65,7 @@ class LineSums {
 /// A mean over time; NaN if there was nothing to average.
 struct LineMean {
   double value = std::numeric_limits<double>::quiet_NaN();
-  /// Standard error by the scatter of the blocks; NaN with fewer than kMost / 2 of them.
+  /// Standard error by the scatter of the blocks; NaN with fewer than kMaxBlocks / 2 of them.
   double error = std::numeric_limits<double>::quiet_NaN();
 };
 
@@ -110,15 +110,16 @@ class Line {
   };
 
   double part_length() const { return length_ / static_cast<double>(parts()); }
-  Eigen::Vector2d turned(const Eigen::Vector2d& vector) const;
+  Eigen::Vector2d across_and_along(const Eigen::Vector2d& vector) const;
   std::optional<Crossing> crossing(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const;
-  void add_covering(const grains::Occupancy& occupancy,
-                    std::span<const std::optional<Eigen::Vector2d>> velocities, double steps,
-                    LineBlock& block) const;
-  void add_passing(const Snapshot& before, const grains::State& now, LineBlock& block) const;
-  void add_path(const lattice::Shape& shape, const Eigen::Vector2d& from, const Eigen::Vector2d& to,
-                LineBlock& block) const;
-  void add_site(const Crossing& crossing, LineBlock& block) const;
+  void add_covered_points(const grains::Occupancy& occupancy,
+                          std::span<const std::optional<Eigen::Vector2d>> velocities, double steps,
+                          LineBlock& block) const;
+  void add_passing_particles(const Snapshot& before, const grains::State& now,
+                             LineBlock& block) const;
+  void add_particle_path(const lattice::Shape& shape, const Eigen::Vector2d& from,
+                         const Eigen::Vector2d& to, LineBlock& block) const;
+  void add_site_crossing(const Crossing& crossing, LineBlock& block) const;
   std::pair<int, int> images(double low, double high, const lattice::Lattice& lattice) const;
 
   Eigen::Vector2d from_;

@@ -13,7 +13,7 @@ namespace clca::measure {
 /// lattice spacings: the top of the highest particle site, 0 if there is none.
 std::vector<double> surface_profile(const grains::State& state);
 
-/// The same in a frame in which gravity points down: heights above the lowest site, from the
+/// The profile in a frame in which gravity points down: heights above the lowest site, from the
 /// leftmost site on.
 /// `down` is a unit vector. Not for periodic boxes; empty if there are no particles.
 std::vector<double> surface_profile(const grains::State& state, const Eigen::Vector2d& down);

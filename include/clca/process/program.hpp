@@ -31,7 +31,7 @@ class OutputCapture {
   /// `folder`: of the file; none: in memory. Throws ProcessError.
   explicit OutputCapture(const std::filesystem::path& folder = {});
   /// File descriptor for writing.
-  int number() const;
+  int descriptor() const;
   /// Everything written so far.
   std::vector<std::uint8_t> bytes() const;
   /// To read it from the beginning.

@@ -7,37 +7,38 @@ namespace clca::random {
 
 /// What a draw decides. Draws of one particle in one step differ by purpose.
 enum class Purpose : std::uint32_t {
-  scatter = 1,
-  inertia = 2,
-  coin = 3,
-  tie = 4,
-  direction_order = 5,
+  // For models of grains.
+  scatter = 1,          ///< whether a particle takes any free direction
+  inertia = 2,          ///< whether it keeps its direction
+  coin = 3,             ///< which of two directions at one angle to gravity
+  tie = 4,              ///< order of movers of one class
+  direction_order = 5,  ///< order of two directions at one angle to gravity; contact model, too
   fill_position = 6,
   source_species = 8,
   source_position = 9,
-  scatter_direction = 10,
-  passive = 11,
+  scatter_direction = 10,  ///< which free direction
+  passive = 11,            ///< among equal directions of a particle that was pushed or has pushed
   deposit_species = 12,
-  deposit_kind = 13,
+  deposit_kind = 13,  ///< orientation
   deposit_column = 14,
-  deposit_coin = 15,
-  source_remainder = 16,
-  void_choice = 17,
-  void_coin = 18,
-  weight_pair = 19,
-  weight_share = 20,
-  equal_energy = 21,
-  contested_site = 22,
+  deposit_coin = 15,      ///< down to the left or to the right
+  source_remainder = 16,  ///< of the contact model
+  void_choice = 17,       ///< which grain a void claims
+  void_coin = 18,         ///< which of two voids gets a grain
+  weight_pair = 19,       ///< which two supports carry a grain, measure::weight_paths
+  weight_share = 20,      ///< share of a support in a weight, likewise
+  equal_energy = 21,      ///< of the Baxter model: among choices of equal energy
+  contested_site = 22,    ///< of the Baxter model: who gets it
   // For the Boltzmann equation.
   member = 32,  ///< seed of a member of an ensemble
   initial_velocity = 33,
   initial_spin = 34,
-  regroup = 35,    ///< which particles meet in a step
-  candidate = 36,  ///< pairs that may collide
-  normal = 37,     ///< second of a pair, and line of centres
-  partner = 38,    ///< of the scheme of Ogawa & Kato
-  lattice_shift = 39,
-  last_candidate = 40,
+  regroup = 35,         ///< which particles meet in a step
+  candidate = 36,       ///< pairs that may collide
+  normal = 37,          ///< second of a pair, and line of centres
+  partner = 38,         ///< of the scheme of Ogawa & Kato
+  lattice_shift = 39,   ///< of a lattice rule
+  last_candidate = 40,  ///< whether a fraction of a candidate becomes one
 };
 
 /// 64 uniform bits from Philox4x32-10 (Salmon et al. 2011): key = seed, counter = the rest.

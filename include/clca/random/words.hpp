@@ -12,7 +12,7 @@ namespace clca::random {
 
 using Words = std::array<std::uint32_t, 4>;
 
-/// The counter of a draw without its purpose.
+/// The counter of a draw without its purpose; what group and item are, the purpose defines.
 struct Counter {
   std::uint32_t step = 0;
   std::uint32_t group = 0;

@@ -23,15 +23,15 @@ struct Quantity {
   bool of_floor = false;  ///< along or above the floor of the vessel: says little if it is turned
 };
 
-/// Of the columns with standard errors of means, in the units of these.
+/// Ends the names of columns with standard errors of means, in the units of these.
 inline constexpr std::string_view kErrorEnding = "_se";
 
-/// Of a run of grains or a sweep, also of one outlet or wall, KEY.OUTLET, and of a part of a
-/// vector, KEYx; null if there is none of this key.
+/// The quantity of a key: of a run of grains or a sweep, also of one outlet or wall, KEY.OUTLET,
+/// and of a part of a vector, KEYx; null if there is none of this key.
 const Quantity* find_quantity(std::string_view key);
-/// Of a gas.
+/// The quantity of a key of a gas; null if there is none.
 const Quantity* find_gas_quantity(std::string_view key);
-/// Of the tables of a sweep over runs of grains.
+/// The quantity of a column of tables of a sweep over runs of grains; null if there is none.
 const Quantity* find_sweep_quantity(std::string_view key);
 
 /// A name in run.json or in tables, and what it stands for.
@@ -46,9 +46,9 @@ std::vector<NamedQuantity> named_quantities();
 
 /// What is known of the quantities of one run or sweep.
 struct KnownQuantities {
-  enum class Of : std::uint8_t { run, gas, sweep };
+  enum class Kind : std::uint8_t { run, gas, sweep };
 
-  Of of = Of::run;
+  Kind kind = Kind::run;
   std::optional<scene::Conversion> units = {};
   std::vector<scene::DerivedMeasure> derived = {};
 

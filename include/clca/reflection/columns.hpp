@@ -22,7 +22,7 @@ using Column =
     std::variant<std::vector<std::uint8_t>, std::vector<std::uint16_t>, std::vector<std::uint32_t>,
                  std::vector<std::uint64_t>, std::vector<std::int32_t>, std::vector<double>,
                  std::vector<std::int64_t>>;
-using Columns = std::map<std::string, Column>;
+using Columns = std::map<std::string, Column>;  ///< by path
 
 /// Columns that do not belong to the value: one is missing, too short, of other numbers.
 class Mismatch : public std::runtime_error {
@@ -46,7 +46,7 @@ constexpr auto stored(T value) {
 template <class T>
 using Stored = decltype(stored(T()));
 
-/// What the elements of a container add to its path.
+/// What is added to the path of a container for its elements.
 template <class T>
 constexpr const char* item_name() {
   if constexpr (Leaf<T>) {
@@ -78,7 +78,7 @@ class Walk {
   template <class T>
   void walk(const std::string& path, const std::vector<T*>& values) {
     using Value = std::remove_const_t<T>;
-    if constexpr (Listed<Value>) {
+    if constexpr (HasFields<Value>) {
       for_each_field<Value>([&](std::string_view name, auto part) {
         walk_parts(path + (path.empty() ? "" : "/") + std::string(name), values, part);
       });
@@ -252,8 +252,8 @@ class Decoder : public Walk<Decoder> {
     return *column;
   }
 
-  /// Of `count` containers, whose items may be allocated afterwards: none is more than the memory
-  /// that is left allows.
+  /// The sizes of `count` containers, whose items may then be allocated: their sum is no more than
+  /// the memory that is left allows.
   std::vector<std::uint64_t> read_sizes(const std::string& path, std::size_t count,
                                         std::size_t item_bytes) {
     const auto& sizes = find<std::uint64_t>(path + "/size", count);
@@ -275,7 +275,7 @@ template <class T>
 void encode(const std::string& path, const T& value, Columns& columns) {
   detail::Encoder(columns).walk(path, std::vector<const T*>{&value});
 }
-template <Listed T>
+template <HasFields T>
 Columns encode(const T& value) {
   Columns columns;
   encode("", value, columns);
@@ -289,7 +289,7 @@ template <class T>
 void decode(const std::string& path, const Columns& columns, double max_bytes, T& value) {
   detail::Decoder(columns, max_bytes).walk(path, std::vector<T*>{&value});
 }
-template <Listed T>
+template <HasFields T>
 void decode(const Columns& columns, double max_bytes, T& value) {
   decode("", columns, max_bytes, value);
 }

@@ -20,7 +20,7 @@ void hash(random::WordHash& words, const T& value) {
   }
 }
 
-template <Listed T>
+template <HasFields T>
 void hash(random::WordHash& words, const T& value);
 
 template <class T>
@@ -47,14 +47,14 @@ void hash(random::WordHash& words, const T& values) {
   }
 }
 
-template <Listed T>
+template <HasFields T>
 void hash(random::WordHash& words, const T& value) {
   std::apply([&](const auto&... field) { (hash(words, field), ...); }, value.fields());
 }
 
 }  // namespace detail
 
-template <Listed T>
+template <HasFields T>
 std::uint64_t hash(const T& value) {
   random::WordHash words;
   detail::hash(words, value);

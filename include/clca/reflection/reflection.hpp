@@ -34,17 +34,19 @@
 
 namespace clca::reflection {
 
+/// What fills one column: a number, a truth value, an enumeration.
 template <class T>
 concept Leaf = std::is_arithmetic_v<T> || std::is_enum_v<T>;
 
+/// A struct with CLCA_FIELDS.
 template <class T>
-concept Listed = requires {
+concept HasFields = requires {
   T::kFieldNames;
 };
 
 /// Calls `visit(name, part)` for each field: its name, without the underscore at the end of a
 /// private one, and a function that gives its address in a value.
-template <Listed T, class Visit>
+template <HasFields T, class Visit>
 void for_each_field(const Visit& visit) {
   std::string_view names = T::kFieldNames;
   const auto next_name = [&names] {
@@ -60,10 +62,11 @@ void for_each_field(const Visit& visit) {
 }
 
 namespace detail {
+/// Whether T is an instance of the template `Of`.
 template <class T, template <class...> class Of>
-inline constexpr bool kIs = false;
+inline constexpr bool kIsInstance = false;
 template <class... Parts, template <class...> class Of>
-inline constexpr bool kIs<Of<Parts...>, Of> = true;
+inline constexpr bool kIsInstance<Of<Parts...>, Of> = true;
 template <class T>
 inline constexpr bool kIsArray = false;
 template <class T, std::size_t kSize>
@@ -71,16 +74,16 @@ inline constexpr bool kIsArray<std::array<T, kSize>> = true;
 }  // namespace detail
 
 template <class T>
-concept Optional = detail::kIs<T, std::optional>;
+concept Optional = detail::kIsInstance<T, std::optional>;
 template <class T>
-concept Pair = detail::kIs<T, std::pair>;
+concept Pair = detail::kIsInstance<T, std::pair>;
 template <class T>
 concept Array = detail::kIsArray<T>;
 template <class T>
-concept Map = detail::kIs<T, std::map>;
+concept Map = detail::kIsInstance<T, std::map>;
 /// std::vector or std::string.
 template <class T>
-concept Vector = detail::kIs<T, std::vector> || std::same_as<T, std::string>;
+concept Vector = detail::kIsInstance<T, std::vector> || std::same_as<T, std::string>;
 /// Of numbers, with a size that is known only when it runs.
 template <class T>
 concept DynamicArray = requires {
@@ -89,7 +92,7 @@ concept DynamicArray = requires {
 };
 
 /// Adds the fields of another value to those of one: numbers, or Eigen's vectors.
-template <Listed T>
+template <HasFields T>
 void add_fields(T& to, const T& other) {
   for_each_field<T>([&](std::string_view, auto part) { *part(to) += *part(other); });
 }

@@ -16,7 +16,7 @@
 namespace clca::render {
 
 /// Where a point of the lattice of half spacings is, in lattice spacings.
-inline Eigen::Vector2d place_of(lattice::Axial half_spacings) {
+inline Eigen::Vector2d position_from_halves(lattice::Axial half_spacings) {
   return lattice::position(half_spacings) / 2;
 }
 
@@ -30,7 +30,7 @@ struct Trapezoid {
   lattice::Axial right_low, right_high;
 };
 
-/// Of the body of `shape`, seen from its reference site: one outline, since shapes connect and have
+/// The outline of the body of `shape`, from its reference site: one, since shapes connect and have
 /// no holes. Corners are bond midpoints, where the inner angle is 120 or 240 degrees.
 Outline outline(const lattice::Shape& shape);
 

@@ -22,10 +22,10 @@ Rgb palette_color(std::size_t number);
 /// The perceptually uniform colour map viridis at `share` in [0, 1], clamped.
 Rgb map_color(double share);
 
-/// Of a map with a pale middle at 0, blue below and red above, `value` in [-1, 1], clamped.
+/// The colour of `value`, clamped to [-1, 1], in a map pale at 0, blue below and red above.
 Rgb diverging_color(double value);
 
-/// Of a colour bar, at a share of the way from its lower to its higher end.
+/// The colour of a colour bar, at a share of the way from its lower to its higher end.
 Rgb bar_color(const Legend::Bar& bar, double share);
 
 struct NamedColor {
@@ -44,9 +44,9 @@ struct LayerRange {
 /// Range over the present particles and all that the `sources` (State::sources) may emit.
 LayerRange layer_range(const grains::State& state, std::span<const std::size_t> sources = {});
 
-/// Particles have one of a few colours.
+/// The colour of each particle, one of a palette.
 struct Coloring {
-  std::vector<std::uint16_t> shades;  ///< by id: which of the palette, of present particles
+  std::vector<std::uint16_t> shades;  ///< by id: index into the palette; 0 of absent ones
   std::vector<Rgb> palette = {};
   Legend legend = {};
 };

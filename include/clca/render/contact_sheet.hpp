@@ -9,7 +9,7 @@
 
 namespace clca::render {
 
-/// A picture of a contact sheet; a view of width 0 is a missing one.
+/// A picture of a contact sheet: the pixels of its view alone. One of width 0 is missing.
 struct Tile {
   Image view = {};
   double scale = 1;  ///< pixels a lattice spacing
@@ -17,10 +17,10 @@ struct Tile {
   std::string label = {};
 };
 
-/// In pixels, for about the same width of all sheets.
+/// Width of the cells of a sheet, in pixels, so that all sheets are about as wide.
 int cell_width(int columns);
 
-/// Of the tile of a view, in pixels: `width` wide, or less where the view is tall.
+/// Size of the tile of a view, in pixels: `width` wide, or less where the view is tall.
 PixelBox tile_size(double view_width, double view_height, int width);
 
 /// The tile of a picture, its view resized to tile_size().

@@ -57,16 +57,16 @@ std::optional<Legend> common_legend(const Legend& first, const Legend& second);
 
 /// JSON, as pictures carry it.
 std::string to_text(const Legend& legend);
-/// Empty where the text is none of to_text().
+/// The legend in a text of to_text(); an empty one for other text.
 Legend legend_of(const std::string& text);
 
-/// Largest of 1, 2 and 5 times a power of ten not above `length` (positive).
-double round_length(double length);
+/// The largest of 1, 2 and 5 times a power of ten not above a positive number.
+double round_number_up_to(double number);
 
-/// Of lengths in metres.
+/// A unit of lengths.
 struct LengthUnit {
   const char* name = "";
-  double in_metre = 1;  ///< how many of them
+  double in_metre = 1;  ///< how many of it are a metre
 };
 /// The largest of m, mm and µm in which the length is at least 1.
 LengthUnit length_unit(double metres);

@@ -17,7 +17,7 @@ class MovieError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// `mp4`: H.264 for any player; `webm`: VP9. For ever again: `apng`, an animated PNG, without loss;
+/// `mp4`: H.264 for any player; `webm`: VP9. In a loop: `apng`, an animated PNG, without loss;
 /// `webp`; `gif`, of 256 colours a picture.
 enum class MovieFormat : std::uint8_t { mp4, webm, apng, webp, gif };
 
@@ -33,7 +33,7 @@ class Movie {
   /// Once `stop` is not zero, ffmpeg gets 5 s to finish what it has.
   Movie(const std::filesystem::path& file, MovieFormat format, int width, int height,
         double frames_per_second, const std::atomic<int>* stop = nullptr);
-  /// One that is not finished remains incomplete.
+  /// The file of a movie that is not finished remains incomplete.
   ~Movie() = default;
   Movie(const Movie&) = delete;
   Movie& operator=(const Movie&) = delete;
@@ -50,7 +50,7 @@ class Movie {
 
   int width_;
   int height_;
-  bool any_ = false;  // picture so far
+  bool has_pictures_ = false;
   process::OutputCapture errors_;
   process::Program ffmpeg_;
 };

@@ -39,7 +39,7 @@ struct ForceLine {
 Overlay force_network(std::span<const ForceLine> lines, double strongest);
 
 /// Legend entry of a force network: the line of a contact of strength `strongest`.
-Legend::Line force_key(double strongest, std::string label);
+Legend::Line force_legend(double strongest, std::string label);
 
 /// A vector at the centre of a cell (lattice spacings), in any unit.
 struct FieldArrow {
@@ -47,8 +47,8 @@ struct FieldArrow {
   Eigen::Vector2d vector;
 };
 
-/// A round length about that of the arrows, the longer ones first of all: so that one of them spans
-/// about a cell. 0 where there is none.
+/// A scale for arrow_field(): a round number up to 1.5 times the mean length of the arrows,
+/// weighted by length. 0 where there is none.
 double typical_length(std::span<const FieldArrow> arrows);
 
 /// Arrows centred in cells `cell` spacings wide; one of length `scale` spans 0.9 cells. Those that
@@ -62,6 +62,6 @@ struct UnitName {
 };
 
 /// Legend entry of an arrow field: a round length up to `scale`, labelled with `unit`.
-Legend::Line arrow_key(double cell, double scale, const UnitName& unit);
+Legend::Line arrow_legend(double cell, double scale, const UnitName& unit);
 
 }  // namespace clca::render

@@ -62,8 +62,8 @@ class Painter {
   /// For states on `lattice` with `kinds`. Throws RenderError.
   Painter(const Style& style, const lattice::Lattice& lattice,
           const std::vector<grains::Kind>& kinds);
-  /// Bytes that one takes at most for so many particles, with so many captures at a time. The style
-  /// has a view.
+  /// Bytes that a painter takes at most for so many particles, with so many captures at a time.
+  /// The style has a view.
   static double bytes_for(const Style& style, double particles, int captures);
   ~Painter();
   Painter(const Painter&) = delete;
@@ -93,12 +93,12 @@ class Painter {
              const Coloring& coloring, const Caption& caption, const Overlay& overlay = {});
 
  private:
-  struct Parts;
-  std::unique_ptr<Parts> parts_;
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
 };
 
-/// The box with its frame: floor and side walls a few spacings thick.
-lattice::Rectangle whole_box(const lattice::Lattice& lattice);
+/// The rectangle of the box and its frame: floor and side walls a few spacings thick.
+lattice::Rectangle box_with_frame(const lattice::Lattice& lattice);
 
 /// Checks the settings of OpenGL in the environment, selects single-threaded rasterisation, unless
 /// LP_NUM_THREADS is set, and loads the driver. Throws RenderError.

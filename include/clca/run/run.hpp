@@ -60,7 +60,7 @@ struct RunOptions {
   const std::atomic<int>* stop = nullptr;
   /// Wall-clock seconds after which the run stops in the same way.
   std::optional<double> time_limit = {};
-  /// Of the pictures that the scene asks for.
+  /// Which of the pictures that the scene asks for.
   WantedPictures pictures = WantedPictures::all;
   /// Also replaces an interrupted run in the folder.
   bool overwrite = false;

@@ -28,7 +28,7 @@ class Simulation {
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;
 
-  /// With what it begins with.
+  /// The scene, with the hash and the number of particles of the state that it begins with.
   const scene::Scene& scene() const;
   /// Number of the stage, from 0.
   std::size_t stage() const;
@@ -44,10 +44,10 @@ class Simulation {
   void next_stage();
 
   const grains::State& grains() const;
-  /// The same, which stays in its place while it is held: then the next stage works on a copy.
+  /// grains(), which stay in their place while held: then the next stage works on a copy.
   /// While a source is open, a copy.
   std::shared_ptr<const grains::State> held_grains() const;
-  /// Of the contact model, in the last step.
+  /// Velocities, spins and forces of the contact model in the last step.
   store::ContactFrame contact_frame() const;
   /// As RunSummary::state_hash.
   std::uint64_t hash() const;

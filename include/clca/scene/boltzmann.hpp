@@ -18,8 +18,8 @@ struct QuantileBins {
   int count = 20;
 };
 struct UniformBins {
-  double width = 0.5;
-  double end = 15;
+  double width = 0.5;  ///< of the energy X = v²/T
+  double end = 15;     ///< where the last bin begins
 };
 using BinsSpec = std::variant<QuantileBins, UniformBins>;
 

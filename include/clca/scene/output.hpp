@@ -37,6 +37,7 @@ struct DerivedMeasure {
 
 enum class ColorBy : std::uint8_t {
   species,
+  /// Layers of equal thickness, by height at the start of the stage or where a source emitted it.
   stage_layer,
   displacement,
   speed,
@@ -48,7 +49,8 @@ enum class ColorBy : std::uint8_t {
   pressure
 };
 enum class Drawing : std::uint8_t { automatic, polygons, lookup };  ///< how: see render::Drawing
-/// `velocity`: mean since the last picture; weight_*: by the rules of measure::WeightRule.
+/// What is drawn over the grains. `velocity`: mean since the last picture; weight_*: by the rules
+/// of measure::WeightRule.
 enum class Overlay : std::uint8_t {
   none,
   forces,
@@ -62,6 +64,7 @@ enum class Overlay : std::uint8_t {
 /// `print`: for papers, without title and moment.
 enum class PictureStyle : std::uint8_t { screen, print };
 
+/// Pictures that a run draws.
 struct Frames {
   std::uint64_t every = 10;
   std::optional<int> width = {};  ///< pixels; none: follows the aspect of the view
@@ -87,6 +90,7 @@ struct Frames {
   bool operator==(const Frames&) const = default;
 };
 
+/// Rows of series.csv.
 struct Series {
   std::uint64_t every = 1;
   bool forces = false;  ///< of Model::contact: on each wall and side of the box

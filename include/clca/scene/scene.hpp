@@ -149,10 +149,10 @@ struct Line {
 /// automaton::Automaton::fill and deposit.
 enum class FillMethod : std::uint8_t { random, deposition };
 
-/// Parts of a region, each with weights by species; by pixel.
+/// Divides the region of a fill into parts, one for each letter of the picture.
 struct FillPicture {
   std::vector<std::string> rows;                       ///< as in grains::Mixture
-  std::map<char, std::vector<std::uint32_t>> weights;  ///< by pixel
+  std::map<char, std::vector<std::uint32_t>> weights;  ///< of species, by letter
 };
 
 /// Has counts, or a mix, or a picture: without counts the region is filled until it is full.
@@ -185,7 +185,7 @@ struct UntilTime {
 };
 using Until = std::variant<UntilSettled, UntilSteps, UntilDischarged, UntilCycles, UntilTime>;
 
-/// None if the fill has counts.
+/// The mixture of a fill; none if it has counts.
 std::optional<grains::Mixture> mixture_of(const Fill& fill);
 /// Whether the fill places particles of the species.
 bool has_species(const Fill& fill, std::size_t species);
@@ -210,7 +210,7 @@ struct VesselShake {
   double amplitude = 0;  ///< in lattice spacings
   bool sideways = false;
 };
-/// Of Model::contact.
+/// Motion of the vessel of Model::contact.
 using VesselMotion = std::variant<Tilt, Rotate, VesselShake>;
 
 inline constexpr std::uint64_t kMaxSteps = 1'000'000'000'000;
@@ -268,14 +268,14 @@ struct Scene {
   Output output;
 };
 
-/// Of the steps in file names, at least six, so that the names are in the order of the steps. A
-/// stage without a number of steps counts where its `max_steps` is above the default.
+/// Number of digits of the steps in file names, at least six, so that the names are in the order of
+/// the steps. A stage without a number of steps counts where its `max_steps` is above the default.
 int step_digits(const Scene& scene);
 
 /// Steps that the end of a stage takes at least; 0 if that is not known.
 std::uint64_t least_steps(const Stage& stage, const Scene& scene);
 
-bool is_of_weight(Overlay overlay);
+bool shows_weight_paths(Overlay overlay);
 /// Whether its pictures show forces of the contact model.
 bool pictures_show_forces(const Scene& scene);
 /// Whether its pictures show velocities that follow from the positions of particles at the picture

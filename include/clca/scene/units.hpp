@@ -19,10 +19,10 @@ inline constexpr std::string_view kMomentUnit = "spacings × weights of a site";
 inline constexpr std::string_view kContactForceUnit = "grain weights";
 inline constexpr std::string_view kStressUnit = "grain weights/spacing";
 
-/// What one of another unit is.
+/// An SI unit in the place of a unit of the model.
 struct SiUnit {
   std::string_view name;
-  double value = 1;  ///< one of the other unit, in this one
+  double value = 1;  ///< the unit of the model, in this one
 };
 
 /// A site of a grain, in SI units.
@@ -39,7 +39,7 @@ struct Conversion {
   double spacing = 1;                 ///< a lattice spacing, in the unit of length
   double time_step = 1;               ///< in the unit of time
   std::optional<SiteMass> site = {};  ///< if the scene has units with a density
-  double mean_mass = 1;               ///< sites of the grain whose weight is a unit
+  double mean_mass = 1;  ///< in sites, of a grain: its weight is the unit of contact forces
 
   /// Time of a step, in the unit of time.
   double time(std::uint64_t steps) const { return static_cast<double>(steps) * time_step; }
@@ -49,11 +49,11 @@ struct Conversion {
   double velocity(double spacings_per_step) const {
     return spacings_per_step * spacing / time_step;
   }
-  /// Of so many sites in a step, in kilograms per second; of a scene with a density.
+  /// Kilograms per second of so many sites per step; only with a density.
   double mass_rate(double sites_per_step) const { return sites_per_step / time_step * site->mass; }
   /// N, J, N m or N/m for the units above; none for another one, or without a density.
   std::optional<SiUnit> si(std::string_view unit) const;
-  /// In that SI unit, if there is one; else the value itself.
+  /// A value with this unit, in its SI unit if there is one; else the value itself.
   double in_si(double value, std::string_view unit) const;
 };
 

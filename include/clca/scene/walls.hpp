@@ -25,8 +25,8 @@ bool holds_no_site(const lattice::Lattice& lattice, const Circle& circle);
 bool holds_no_site(const lattice::Lattice& lattice, const lattice::Rectangle& rectangle);
 bool holds_no_site(const lattice::Lattice& lattice, const lattice::Segment& segment);
 
-/// A rectangle that contains all the sites.
-lattice::Rectangle around(const Circle& circle);
+/// A rectangle that contains all sites of the circle.
+lattice::Rectangle bounding_rectangle(const Circle& circle);
 
 /// The region that enters the box as the wall moves; for a standing wall, the box.
 lattice::SweptRegion swept_region_of(const lattice::Lattice& lattice, const Wall& wall);

@@ -15,9 +15,9 @@ struct Range {
   bool operator==(const Range&) const = default;
 };
 
-/// NaN if there are too few values: any statistic of none, a spread of one; also if they are so
-/// large that their sum, or that of their squares, is no finite number.
-struct Sample {
+/// Statistics of some values. NaN if there are too few: any statistic of none, a spread of one;
+/// also if they are so large that their sum, or that of their squares, is no finite number.
+struct SampleStatistics {
   double mean = 0;
   double standard_deviation = 0;  ///< of the sample, over n - 1
   double standard_error = 0;      ///< of the mean
@@ -26,8 +26,8 @@ struct Sample {
   double most = 0;
 };
 
-/// Over the finite values, in order.
-Sample sample(const std::vector<double>& values);
+/// Statistics of the finite values, in order.
+SampleStatistics sample(const std::vector<double>& values);
 
 /// Lower and upper end of the interval of one standard error for a share found among `count`
 /// answers of yes and no. By E. B. Wilson, J. Am. Stat. Assoc. 22, 209 (1927): within 0 and 1, and

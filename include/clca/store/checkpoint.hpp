@@ -47,15 +47,16 @@ std::vector<std::uint8_t> checkpoint_bytes(const Checkpoint& checkpoint);
 Checkpoint parse_checkpoint(std::span<const std::uint8_t> file, double max_bytes);
 
 inline constexpr const char* kCheckpointFile = "checkpoint.clca";
-inline constexpr const char* kCheckpointBefore = "checkpoint-previous.clca";
+inline constexpr const char* kPreviousCheckpointFile = "checkpoint-previous.clca";
 
 /// What becomes of the newest checkpoint before another one is written.
-enum class Previous : std::uint8_t { kept, replaced };
+enum class PreviousCheckpoint : std::uint8_t { kept, replaced };
 
 /// Writes a checkpoint, after all that was written before it is on the disk; one that is kept is
-/// renamed to kCheckpointBefore. One complete checkpoint exists at any moment. Throws StoreError.
+/// renamed to kPreviousCheckpointFile. One complete checkpoint exists at any moment. Throws
+/// StoreError.
 void write_checkpoint(const OutputFolder& folder, const Checkpoint& checkpoint,
-                      Previous previous = Previous::kept);
+                      PreviousCheckpoint previous = PreviousCheckpoint::kept);
 /// Removes both, the older first. Throws StoreError.
 void remove_checkpoints(const OutputFolder& folder);
 

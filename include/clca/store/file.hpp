@@ -65,7 +65,7 @@ void make_folder(const std::filesystem::path& folder);
 
 /// Lets files be found that other machines have just made in a folder, or with it. NFS may say for
 /// a minute that there is nothing where this machine has looked before.
-void look_anew(const std::filesystem::path& folder);
+void refresh_folder(const std::filesystem::path& folder);
 
 /// All bytes of a regular file. Throws StoreError, also for other kinds of files and more than
 /// `max_bytes`.

@@ -32,7 +32,7 @@ class OutputFolder {
   /// Throws if clca did not make the folder and there are files in it. One of the name `beside` may
   /// be there.
   void require_own(const std::string& beside = "") const;
-  /// The same; makes the folder if needed, and the manifest.
+  /// As require_own(), then makes the folder, if needed, and the manifest.
   void make_own(const std::string& beside = "") const;
   /// Whether the manifest lists the file, and it is there.
   bool owns(const std::string& name) const;
@@ -59,7 +59,7 @@ class OutputFolder {
  private:
   friend class GrowingFile;
   struct State;
-  /// The path of a file that is listed, and whose folders are there.
+  /// Lists a file in the manifest and makes its folders; returns its path.
   std::filesystem::path prepared(const std::string& name) const;
   /// Truncates the file to `bytes`. Returns false if it has fewer. A missing file has no bytes.
   bool truncate(const std::string& name, std::uint64_t bytes) const;

@@ -83,8 +83,8 @@ struct RunSummary {
   std::optional<scene::Conversion> units = {};  ///< of the contact model
   std::optional<BoxSummary> box = {};           ///< of a run of grains
   std::vector<scene::DerivedMeasure> derived = {};
-  double wall_seconds = 0;
-  double step_seconds = 0;  ///< of wall_seconds, in steps of the automaton
+  double wall_seconds = 0;  ///< of the run, by the clock
+  double step_seconds = 0;  ///< of wall_seconds, in steps of the model
   double rate = 0;          ///< see rate_key
   std::uint64_t state_hash = 0;
   std::string compiler;

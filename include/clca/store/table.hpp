@@ -24,7 +24,7 @@ class Table {
   std::string to_csv() const;
 
   /// Bytes that take() would return.
-  std::size_t waiting() const { return rows_.size(); }
+  std::size_t waiting_bytes() const { return rows_.size(); }
   /// Returns the rows added since the last call.
   std::string take() { return std::exchange(rows_, {}); }
   std::string header() const;
@@ -36,7 +36,7 @@ class Table {
 };
 
 /// A table that was read. Cells are text; empty if there is no value.
-struct ReadTable {
+struct ParsedTable {
   std::filesystem::path file;
   std::vector<std::string> names;               ///< of the columns, all different
   std::vector<std::vector<std::string>> cells;  ///< by column, then row
@@ -53,6 +53,6 @@ inline constexpr double kMaxTableBytes = 1 << 30;
 
 /// Reads a table as written by Table. Throws StoreError with file and line for anything else: a
 /// truncated file, a row of wrong length, a misplaced quote, more than `max_bytes`.
-ReadTable read_table(const std::filesystem::path& file, double max_bytes = kMaxTableBytes);
+ParsedTable read_table(const std::filesystem::path& file, double max_bytes = kMaxTableBytes);
 
 }  // namespace clca::store

@@ -118,6 +118,6 @@ void check_parts(const std::filesystem::path& run_folder);
 
 /// Lets the HDF5 library end with the process without writing what is left of files that could not
 /// be written: it would crash. For a program that owns its process, before it uses the library.
-void end_without_hdf5();
+void disable_hdf5_exit();
 
 }  // namespace clca::store

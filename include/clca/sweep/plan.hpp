@@ -57,7 +57,7 @@ struct Plan {
 
   /// All that vary, in the order of the variations.
   std::vector<std::string> keys() const;
-  /// Of the scenes; empty where it varies.
+  /// Title of the scenes; empty where it varies.
   std::string title() const;
   std::size_t run_count() const { return variants.size() * request.seeds.size(); }
   const Variant& variant(std::size_t run) const { return variants[run / request.seeds.size()]; }
@@ -69,7 +69,7 @@ struct Plan {
   std::string name(std::size_t run) const;
 };
 
-/// Of all scenes of a plan, the version of clca and `more`: the same in every process.
+/// A hash of all scenes of a plan, the version of clca and `more`: the same in every process.
 std::uint64_t hash_of(const Plan& plan, std::string_view more);
 
 /// Parses every combination. `max_bytes`: for the state of another run that they begin with. Throws

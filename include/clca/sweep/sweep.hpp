@@ -55,7 +55,7 @@ struct RunUnderWay {
 struct Progress {
   std::size_t runs = 0;    ///< of the part, if there is one
   std::size_t done = 0;    ///< with those of an earlier sweep
-  std::size_t reused = 0;  ///< those
+  std::size_t reused = 0;  ///< of those done, by an earlier sweep
   std::size_t failed = 0;
   std::size_t elsewhere = 0;   ///< under way in another process that is no rank of this sweep
   double runs_per_second = 0;  ///< over the runs of this sweep

@@ -65,7 +65,7 @@ class Pool {
   Pool& operator=(const Pool&) = delete;
 
   /// Tasks at a time in this process.
-  std::size_t at_a_time() const { return std::max<std::size_t>(threads_.size(), 1); }
+  std::size_t tasks_at_a_time() const { return std::max<std::size_t>(threads_.size(), 1); }
 
   /// A task of this process alone. They are started in this order, before those that are shared.
   void add(std::size_t task) { own_.push_back(task); }
@@ -77,7 +77,7 @@ class Pool {
   }
   bool is_stopped() const { return stop_tasks_ != 0; }
   /// Lets this process begin further tasks or not.
-  void set_starting(bool starts) { starts_ = starts; }
+  void allow_starts(bool starts) { may_start_ = starts; }
   /// Whether none is under way here.
   bool is_idle() const { return under_way_ == 0; }
   /// True if nothing is left to do or, after stop(), nothing is under way.
@@ -140,24 +140,24 @@ class Pool {
     std::unique_lock lock(mutex_);
     ++begun_;
     changed_.notify_all();
-    while (changed_.wait(lock, over, [this] { return !started_.empty(); })) {
-      const std::size_t task = started_.front();
-      started_.pop_front();
+    while (changed_.wait(lock, over, [this] { return !queued_.empty(); })) {
+      const std::size_t task = queued_.front();
+      queued_.pop_front();
       lock.unlock();
       carry_out(task, stop_tasks_);
       lock.lock();
     }
   }
 
-  /// Tasks that can be started now. Without threads the one before is to be taken first.
-  std::size_t idle() {
+  /// How many tasks can be started now. Without threads the one before is to be taken first.
+  std::size_t free_places() {
     const std::lock_guard lock(mutex_);
-    return at_a_time() - (under_way_ - (threads_.empty() ? 0 : ended_.size()));
+    return tasks_at_a_time() - (under_way_ - (threads_.empty() ? 0 : ended_.size()));
   }
 
   void start_tasks() {
-    while (starts_ && stop_tasks_ == 0 && idle() > 0) {
-      const std::optional<std::size_t> task = next();
+    while (may_start_ && stop_tasks_ == 0 && free_places() > 0) {
+      const std::optional<std::size_t> task = next_task();
       if (!task) {
         return;
       }
@@ -167,12 +167,12 @@ class Pool {
         continue;
       }
       const std::lock_guard lock(mutex_);
-      started_.push_back(*task);
+      queued_.push_back(*task);
       changed_.notify_all();
     }
   }
 
-  std::optional<std::size_t> next() {
+  std::optional<std::size_t> next_task() {
     if (own_.empty() && has_shared_) {
       const std::uint64_t number = ranks_.next();
       has_shared_ = number < shared_.size();
@@ -198,7 +198,7 @@ class Pool {
     changed_.notify_all();
   }
 
-  /// Waits for at most so long for the first.
+  /// Results of tasks that have ended here; waits for the first, at most so long.
   std::vector<Finished> take_ended(std::chrono::microseconds most) {
     std::unique_lock lock(mutex_);
     changed_.wait_for(lock, most, [this] { return !ended_.empty() || failure_; });
@@ -227,17 +227,17 @@ class Pool {
   std::vector<std::size_t> shared_;
   bool has_shared_;  // of which no rank has begun
   Work work_;
-  std::deque<std::size_t> own_;  // waiting
+  std::deque<std::size_t> own_;  // of this process alone, waiting
   const std::atomic<int>* stop_asked_;
   std::atomic<int> stop_tasks_ = 0;
-  bool starts_ = true;
+  bool may_start_ = true;
   std::size_t under_way_ = 0;  // with those that have ended and are not taken yet
   std::vector<std::size_t> carried_out_;
   int others_at_work_;
   std::mutex mutex_;  // of all below but the threads
   std::condition_variable_any changed_;
-  std::size_t begun_ = 0;            // threads
-  std::deque<std::size_t> started_;  // tasks that no thread has begun
+  std::size_t begun_ = 0;           // threads
+  std::deque<std::size_t> queued_;  // tasks that no thread has begun
   std::vector<Finished> ended_;
   std::exception_ptr failure_;
   std::vector<std::jthread> threads_;  // last: at the end it waits for them, which use the rest

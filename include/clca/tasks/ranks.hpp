@@ -25,7 +25,7 @@ class StartError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// All of them, seen from one. Called by one thread only.
+/// All ranks, seen from one. Called by one thread only.
 ///
 /// All ranks call begin(). Rank 0 then sends work to each, as often as there is any, and at last
 /// dismisses them. Of their work they send the results, each under the number of its task, and at
@@ -47,8 +47,8 @@ class Ranks {
 
   /// The next number of a counter that all ranks share, from 0 on.
   virtual std::uint64_t next() = 0;
-  /// Sets it to 0. By rank 0, while no other rank works.
-  virtual void restart() = 0;
+  /// Sets the counter of next() to 0. By rank 0, while no other rank works.
+  virtual void reset_counter() = 0;
   /// Messages from one rank to another arrive in their order.
   virtual void send(int to, std::uint64_t number, const Bytes& bytes) = 0;
   /// The next message, if one has arrived.
@@ -95,7 +95,7 @@ class OneRank : public Ranks {
   int size() const override { return 1; }
   int on_this_machine() const override { return 1; }
   std::uint64_t next() override { return next_++; }
-  void restart() override { next_ = 0; }
+  void reset_counter() override { next_ = 0; }
   void send(int /*to*/, std::uint64_t /*number*/, const Bytes& /*bytes*/) override {}
   std::optional<Message> receive() override { return std::nullopt; }
 

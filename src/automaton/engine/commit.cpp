@@ -10,7 +10,7 @@ namespace clca::automaton {
 
 namespace {
 
-/// Windows whose particles are woken together, soon after they were changed.
+/// Number of windows whose particles are woken together, soon after they were changed.
 constexpr std::size_t kWakeBatch = 64;
 
 std::size_t site_index(const lattice::Lattice& lattice, const MoveProposal& proposal,
@@ -18,7 +18,8 @@ std::size_t site_index(const lattice::Lattice& lattice, const MoveProposal& prop
   return lattice.at(lattice.index(proposal.site), proposal.site.column, offset);
 }
 
-std::size_t offset_of(std::int32_t offset) {
+/// For sums of indices, which wrap round.
+std::size_t index_offset(std::int32_t offset) {
   return static_cast<std::size_t>(std::ptrdiff_t{offset});
 }
 
@@ -54,13 +55,13 @@ void change_sites(World& world, StripWorker& worker, const MoveProposal& proposa
   const std::size_t index = world.state.lattice.index(proposal.site);
   for (const Exchanges& exchanges : footprint.exchanges[proposal.move]) {
     for (const Exchange exchange : exchanges) {
-      occupancy.store_owner(index + offset_of(exchange.entered), grains::as_owner(proposal.id));
-      occupancy.store_owner(index + offset_of(exchange.left), grains::kFree);
+      occupancy.store_owner(index + index_offset(exchange.entered), grains::as_owner(proposal.id));
+      occupancy.store_owner(index + index_offset(exchange.vacated), grains::kFree);
     }
   }
 }
 
-/// The same across the periodic boundary.
+/// What change_sites() does, also across the periodic boundary.
 void change_sites_one_by_one(World& world, StripWorker& worker, const MoveProposal& proposal,
                              const WindowedFootprint& footprint) {
   wake_by_sites(world, worker, proposal, footprint);
@@ -76,7 +77,7 @@ void change_sites_one_by_one(World& world, StripWorker& worker, const MovePropos
   change(footprint.trail[proposal.move], grains::kFree);
 }
 
-std::uint32_t count(std::uint64_t sites) {
+std::uint32_t site_count(std::uint64_t sites) {
   return sites == 0 ? 0 : static_cast<std::uint32_t>(std::popcount(sites));
 }
 
@@ -84,7 +85,7 @@ std::uint32_t count(std::uint64_t sites) {
 
 // Movers in one direction never want the same site. So those along gravity, mostly the many,
 // reserve nothing: they only look for the reservations of the others.
-void Engine::reserve(StripWorker& worker) {
+void Engine::reserve_sites(StripWorker& worker) {
   for (StripWorker& each : in_parallel_ ? std::span(&worker, 1) : std::span(workers_)) {
     each.awake.clear();  // all are examined
     each.next_awake = 0;
@@ -102,17 +103,17 @@ void Engine::find_conflicts(StripWorker& worker) {
   for_each_proposal(worker, &Proposals::falling, [&](MoveProposal& proposal) {
     for_each_lead(proposal, [&](Corner at, std::uint64_t sites) {
       if (const std::uint64_t both = reserved_.window(at) & sites; both != 0) {
-        proposal.contest(count(both));
+        proposal.contest(site_count(both));
         contested_.set(at, both, proposal.access);
       }
     });
   });
 }
 
-std::uint32_t Engine::contested_lead(const MoveProposal& proposal) const {
+std::uint32_t Engine::contested_count(const MoveProposal& proposal) const {
   std::uint32_t result = 0;
   for_each_lead(proposal, [&](Corner at, std::uint64_t sites) {
-    result += count(contested_.window(at) & sites);
+    result += site_count(contested_.window(at) & sites);
   });
   return result;
 }
@@ -128,7 +129,7 @@ void Engine::decide_contests() {
   }
   for (const QueuedMove& turn : turns_) {
     MoveProposal& proposal = *turn.proposal;
-    if (contested_lead(proposal) == proposal.contested) {
+    if (contested_count(proposal) == proposal.contested) {
       proposal.outcome = ConflictOutcome::won;
       for_each_lead(proposal, [&](Corner at, std::uint64_t sites) { contested_.clear(at, sites); });
     }
@@ -150,7 +151,7 @@ void Engine::commit(StripWorker& worker) {
   for_each_proposal(worker, &Proposals::falling,
                     [&](MoveProposal& proposal) { commit_unless_contested(worker, proposal); });
   for_each_proposal(worker, &Proposals::sloping, [&](MoveProposal& proposal) {
-    proposal.contest(contested_lead(proposal));  // none before: it slopes
+    proposal.contest(contested_count(proposal));  // none before: it slopes
     for_each_lead(proposal,
                   [&](Corner at, std::uint64_t) { reserved_.clear_blocks(at, proposal.access); });
     commit_unless_contested(worker, proposal);

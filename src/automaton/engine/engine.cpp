@@ -89,7 +89,7 @@ void Engine::run_phases(grains::PhaseClock& clock, parallel::FirstFailure& failu
   end("decide");
   // 4. Movers that nobody is in the way of move, whatever their position in the order. The others
   // have their turn in order.
-  in_each_strip(failure, &Engine::reserve);
+  in_each_strip(failure, &Engine::reserve_sites);
   in_each_strip(failure, &Engine::find_conflicts);
   end("contest");
   in_each_strip(failure, &Engine::commit);

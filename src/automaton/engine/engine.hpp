@@ -18,6 +18,7 @@ class Engine final : public Steps {
   Engine(grains::State initial, const Rules& rules, const Options& options);
 
  private:
+  /// Position of a window of 8 x 8 sites.
   using Corner = grains::Bitboard::Corner;
 
   /// Calls `visit` with the proposals in a strip, whichever worker has found them.
@@ -69,9 +70,9 @@ class Engine final : public Steps {
   /// Calls `visit` with the corner of each window that has lead sites, and these sites.
   template <class Visit>
   void for_each_lead(const MoveProposal& proposal, Visit visit) const;
-  void reserve(StripWorker& worker);
+  void reserve_sites(StripWorker& worker);
   void find_conflicts(StripWorker& worker);
-  std::uint32_t contested_lead(const MoveProposal& proposal) const;
+  std::uint32_t contested_count(const MoveProposal& proposal) const;
   void decide_contests();
   void end_conflicts(StripWorker& worker);
   void commit(StripWorker& worker);
@@ -93,9 +94,9 @@ class Engine final : public Steps {
   Strips strips_;
   // Not in parallel the first has the whole box, and the lists of the others are empty.
   std::vector<StripWorker> workers_;
-  std::vector<QueuedMove> turns_;    // of all workers
-  std::vector<MoveProposal> freed_;  // overlap, but move by themselves
-  std::size_t examined_;
+  std::vector<QueuedMove> turns_;                // contested moves of all workers
+  std::vector<MoveProposal> overlap_proposals_;  // of those that move by themselves
+  std::size_t examined_;                         // particles in the last step
   // This step:
   bool in_parallel_ = false;
   bool overlaps_ = false;      // some particles overlap

@@ -13,16 +13,16 @@ void Engine::move_overlapping() {
     return;
   }
   Movers movers = movers_of(world_.overlapping_particles());
-  freed_.clear();
+  overlap_proposals_.clear();
   for (const ProposedMove& move : movers.others) {
-    freed_.push_back(overlapping_proposal(move));
+    overlap_proposals_.push_back(overlapping_proposal(move));
   }
   give_turns(movers.pushed, &move_pushed);
   StripWorker& worker = workers_.front();
   Proposals& proposals = worker.proposals.front();
   yield_to_pushed(proposals.falling);
   yield_to_pushed(proposals.sloping);
-  for (MoveProposal& proposal : freed_) {
+  for (MoveProposal& proposal : overlap_proposals_) {
     proposal.outcome = ConflictOutcome::overlapping;
     proposals.sloping.add(proposal);
   }
@@ -49,8 +49,8 @@ MoveProposal Engine::overlapping_proposal(const ProposedMove& move) const {
 void Engine::yield_to_pushed(ReusableBuffer<MoveProposal>& proposals) {
   grains::State& state = world_.state;
   proposals.erase_if([&](const MoveProposal& proposal) {
-    if (world_.overlapping(proposal.id)) {
-      freed_.push_back(proposal);
+    if (world_.is_overlapping(proposal.id)) {
+      overlap_proposals_.push_back(proposal);
       return true;
     }
     grains::Particle& particle = state.particles[proposal.id];

@@ -42,7 +42,7 @@ void Engine::examine_awake_of(StripWorker& worker, StripWorker& owner) {
       const std::uint32_t id = listed[i];
       const grains::Particle& particle = world_.state.particles[id];
       // The strip that examines it may be writing `previous`: only that one reads it.
-      if (particle.present && !(overlaps_ && world_.overlapping(id)) &&
+      if (particle.present && !(overlaps_ && world_.is_overlapping(id)) &&
           (owner.strip == 0 || !awake_in_earlier_strip(owner, id, site_of(particle)))) {
         examine(worker, id, site_of(particle));
       }
@@ -63,7 +63,7 @@ grains::Move Engine::provisional_by_windows(std::uint32_t id, lattice::Site site
   const grains::OccupancyTable& occupancy = world_.occupancy;
   const grains::Particle& particle = world_.state.particles[id];
   const WindowedFootprint& footprint = footprints_.of(particle.kind, site.column);
-  return active_.provisional(id, particle.previous, world_.state.step, [&](lattice::Direction to) {
+  const auto is_free = [&](lattice::Direction to) {
     if (wraps(site)) {
       return world_.box.is_free(particle, to);
     }
@@ -72,7 +72,8 @@ grains::Move Engine::provisional_by_windows(std::uint32_t id, lattice::Site site
       const Corner at = occupancy.corner(mask.corner(site));
       return (occupancy.window(at) & mask.sites) != 0;
     });
-  });
+  };
+  return active_.provisional_move(id, particle.previous, world_.state.step, is_free);
 }
 
 [[gnu::always_inline]] inline void Engine::examine(StripWorker& worker, std::uint32_t id,
@@ -88,7 +89,7 @@ grains::Move Engine::provisional_by_windows(std::uint32_t id, lattice::Site site
   if (footprint.one_window && !wraps) {
     at = world_.occupancy.corner(footprint.corner_from(site));
     taken = world_.occupancy.window(at);
-    move = active_.provisional(
+    move = active_.provisional_move(
         id, particle.previous, world_.state.step,
         [&](lattice::Direction to) { return (taken & footprint.windows[index_of(to)].lead) == 0; });
   } else {

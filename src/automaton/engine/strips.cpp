@@ -22,8 +22,8 @@ std::vector<std::uint64_t> sum_and_clear(std::span<WorkHistogram* const> histogr
 }
 
 /// Where to cut into parts of equal work.
-std::vector<int> equal_parts(const std::vector<std::uint64_t>& work, std::uint64_t total,
-                             std::size_t parts) {
+std::vector<int> balanced_cuts(const std::vector<std::uint64_t>& work, std::uint64_t total,
+                               std::size_t parts) {
   std::vector<int> cuts;
   std::uint64_t done = 0;
   for (std::size_t line = 0; line < work.size(); ++line) {
@@ -36,13 +36,13 @@ std::vector<int> equal_parts(const std::vector<std::uint64_t>& work, std::uint64
   return cuts;
 }
 
-/// The work closer than `apart` to a cut.
-std::uint64_t work_at(const std::vector<int>& cuts, const std::vector<std::uint64_t>& work,
-                      int apart) {
+/// The work closer than `margin` to a cut.
+std::uint64_t work_near_cuts(const std::vector<int>& cuts, const std::vector<std::uint64_t>& work,
+                             int margin) {
   std::uint64_t sum = 0;
   for (const int cut : cuts) {
-    const int end = std::min(cut + apart, static_cast<int>(work.size()));
-    for (int line = std::max(cut - apart, 0); line < end; ++line) {
+    const int end = std::min(cut + margin, static_cast<int>(work.size()));
+    for (int line = std::max(cut - margin, 0); line < end; ++line) {
       sum += work[static_cast<std::size_t>(line)];
     }
   }
@@ -61,9 +61,9 @@ Strips::Strips(const lattice::Lattice& lattice, const WindowedFootprints& footpr
   }
   // Particles on both sides reach over a cut, and from there to the end of a word of bits.
   extents_ = {{{.length = lattice.columns(),
-                .apart = reach_.left + reach_.right + 2 * grains::kWindow,
+                .margin = reach_.left + reach_.right + 2 * grains::kWindow,
                 .wraps = lattice.periodic()},
-               {.length = lattice.rows(), .apart = reach_.down + reach_.up + grains::kWindow}}};
+               {.length = lattice.rows(), .margin = reach_.down + reach_.up + grains::kWindow}}};
   for (std::size_t strip = 1; strip < count; ++strip) {
     const auto columns = static_cast<std::size_t>(lattice.columns());
     cuts_.push_back(static_cast<int>(columns * strip / count));
@@ -75,9 +75,9 @@ Interval Strips::inner(std::size_t strip) const {
   const bool first = strip == 0 && !extent.wraps;
   const bool last = strip == cuts_.size() && !extent.wraps;
   return {.axis = axis_,
-          .first = first ? 0 : (strip == 0 ? 0 : cuts_[strip - 1]) + extent.apart,
+          .first = first ? 0 : (strip == 0 ? 0 : cuts_[strip - 1]) + extent.margin,
           .end = last ? extent.length
-                      : (strip == cuts_.size() ? extent.length : cuts_[strip]) - extent.apart};
+                      : (strip == cuts_.size() ? extent.length : cuts_[strip]) - extent.margin};
 }
 
 WorkHistogram Strips::empty_histogram() const {
@@ -98,10 +98,10 @@ void Strips::balance(std::span<WorkHistogram* const> histograms) {
     if (total == 0) {
       return;  // nothing is known about the work to come
     }
-    const std::vector<int> cuts = equal_parts(work, total, parts);
-    const std::uint64_t at_cuts = work_at(cuts, work, extents_[number].apart);
-    if (at_cuts < least) {
-      least = at_cuts;
+    const std::vector<int> cuts = balanced_cuts(work, total, parts);
+    const std::uint64_t near_cuts = work_near_cuts(cuts, work, extents_[number].margin);
+    if (near_cuts < least) {
+      least = near_cuts;
       axis_ = axis;
       cuts_ = cuts;
     }

@@ -31,7 +31,7 @@ struct Interval {
 
 /// Work by column and by row, in moves along gravity.
 struct WorkHistogram {
-  std::array<std::vector<std::uint32_t>, 2> lines;  ///< by Axis
+  std::array<std::vector<std::uint32_t>, 2> lines;  ///< by Axis: of each column, of each row
 
   void add(lattice::Site site, std::uint32_t amount) {
     lines[0][static_cast<std::size_t>(site.column)] += amount;
@@ -67,7 +67,7 @@ class Strips {
   /// Where particles of the strip change and read no word of bits that particles of another strip
   /// change or read, unless they are at the periodic boundary.
   Interval inner(std::size_t strip) const;
-  /// The same where one strip is the whole box.
+  /// inner() where one strip is the whole box.
   Interval whole_box() const {
     return {.axis = Axis::columns, .first = 0, .end = extents_[0].length};
   }
@@ -82,9 +82,10 @@ class Strips {
   void balance(std::span<WorkHistogram* const> histograms);
 
  private:
+  /// The box along an axis, in columns or rows.
   struct Extent {
     int length = 0;
-    int apart = 0;  ///< from a cut to the inner part of a strip
+    int margin = 0;  ///< from a cut to the inner part of a strip
     bool wraps = false;
   };
 
@@ -129,7 +130,7 @@ class ReusableBuffer {
 
  private:
   std::vector<T> elements_;
-  std::size_t capacity_ = 0;  // its size
+  std::size_t capacity_ = 0;  // elements_.size()
   std::size_t count_ = 0;
 };
 
@@ -159,7 +160,7 @@ class AwakeSet {
   }
 
  private:
-  static constexpr std::size_t kBits = 64;
+  static constexpr std::size_t kBits = 64;  // of a word
 
   static std::uint64_t bit(std::uint32_t id) { return std::uint64_t{1} << (id % kBits); }
 
@@ -209,7 +210,8 @@ struct WakeWindow {
   std::uint64_t sites = 0;
 };
 
-/// On cache lines of its own: another thread writes to the next.
+/// What one worker has found in one strip. On cache lines of its own: another thread writes to the
+/// next.
 struct alignas(kCacheLine) Proposals {
   ReusableBuffer<MoveProposal> falling;  ///< along gravity
   ReusableBuffer<MoveProposal> sloping;  ///< in all other directions
@@ -218,20 +220,21 @@ struct alignas(kCacheLine) Proposals {
 /// The work of one thread: the moves of the particles in its strip, and the particles that wake
 /// through them. Particles are examined by whichever thread is free.
 struct alignas(kCacheLine) StripWorker {
-  // Of a particle in the lists: of those to look at, now and next, and of one that may move.
+  /// Bytes for a particle in the lists of `awake` and `waking`.
   static constexpr double kListedBytes = 2 * sizeof(std::uint32_t);
+  /// Bytes for a particle that may move, in `proposals` and `to_wake`.
   static constexpr double kAwakeBytes = sizeof(MoveProposal) + sizeof(WakeWindow);
 
   std::size_t strip = 0;
   Interval inner;         ///< of the strip: no other thread changes anything there in this step
-  Interval inner_before;  ///< the same in the last step
+  Interval inner_before;  ///< `inner` of the last step
   std::vector<Proposals> proposals;  ///< found by this worker, by strip
-  AwakeSet awake;                    ///< by what was here in the last step
-  AwakeSet waking;                   ///< the same for the next step
-  ReusableBuffer<WakeWindow> to_wake;
-  std::vector<QueuedMove> turns;  ///< contested moves in this strip
-  WorkHistogram work;             ///< see Strips
-  std::size_t examined = 0;
+  AwakeSet awake;                    ///< to be examined, by what was in this strip in the last step
+  AwakeSet waking;                   ///< to be examined in the next step
+  ReusableBuffer<WakeWindow> to_wake;  ///< their particles go to `waking` soon
+  std::vector<QueuedMove> turns;       ///< contested moves in this strip
+  WorkHistogram work;                  ///< see Strips
+  std::size_t examined = 0;            ///< particles in this step
   std::size_t next_awake = 0;  ///< number of the next awake particle that no thread has taken
 };
 

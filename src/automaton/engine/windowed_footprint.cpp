@@ -11,7 +11,8 @@ namespace {
 using lattice::Axial;
 using lattice::Direction;
 
-lattice::Site seen_from(bool odd_column, Axial site) {
+/// Columns and rows from a site in an odd or even column to the one at this lattice vector from it.
+lattice::Site column_row_offset(bool odd_column, Axial site) {
   const lattice::Site from = {odd_column ? 1 : 0, 0};
   const lattice::Site to = from + site;
   return {to.column - from.column, to.row};
@@ -22,7 +23,7 @@ std::vector<WindowMask> window_masks(const std::vector<Axial>& sites, bool odd_c
                                      lattice::Site low) {
   std::vector<WindowMask> result;
   for (const Axial site : sites) {
-    const lattice::Site at = seen_from(odd_column, site);
+    const lattice::Site at = column_row_offset(odd_column, site);
     const int column = (at.column - low.column) / grains::kWindow * grains::kWindow + low.column;
     const int row = (at.row - low.row) / grains::kWindow * grains::kWindow + low.row;
     auto mask = std::ranges::find_if(result, [&](const WindowMask& window) {
@@ -55,7 +56,7 @@ std::vector<Axial> upstream(const lattice::Shape& shape, Direction step,
   return result;
 }
 
-std::vector<Axial> joined(std::vector<Axial> first, const std::vector<Axial>& second) {
+std::vector<Axial> concatenated(std::vector<Axial> first, const std::vector<Axial>& second) {
   first.insert(first.end(), second.begin(), second.end());
   return first;
 }
@@ -78,12 +79,12 @@ WindowedFootprint make_footprint(const grains::Footprint& plain, const lattice::
   std::vector<Axial> all = shape.sites();
   for (const Direction direction : lattice::kDirections) {
     wake[index_of(direction)] = upstream(shape, direction, candidates);
-    all = joined(joined(all, shape.lead(direction)), wake[index_of(direction)]);
+    all = concatenated(concatenated(all, shape.lead(direction)), wake[index_of(direction)]);
   }
   lattice::Site low;
   lattice::Site high;
   for (const Axial site : all) {
-    const lattice::Site at = seen_from(odd_column, site);
+    const lattice::Site at = column_row_offset(odd_column, site);
     low = {std::min(low.column, at.column), std::min(low.row, at.row)};
     high = {std::max(high.column, at.column), std::max(high.row, at.row)};
   }
@@ -100,7 +101,7 @@ WindowedFootprint make_footprint(const grains::Footprint& plain, const lattice::
     footprint.wake[d] = grains::offsets(lattice, wake[d], odd_column);
     footprint.lead_masks[d] = window_masks(lead, odd_column, low);
     footprint.swapped_masks[d] =
-        window_masks(joined(lead, shape.trail(direction)), odd_column, low);
+        window_masks(concatenated(lead, shape.trail(direction)), odd_column, low);
     if (footprint.one_window) {
       const std::vector<WindowMask> woken = window_masks(wake[d], odd_column, low);
       footprint.windows[d] = {.lead = footprint.lead_masks[d].front().sites,

@@ -26,13 +26,13 @@ struct WindowMask {
 struct MoveWindow {
   std::uint64_t lead = 0;
   std::uint64_t swapped = 0;  ///< lead and trail: what the move changes
-  std::uint64_t wake = 0;
+  std::uint64_t wake = 0;     ///< WindowedFootprint::wake
 };
 
-/// Index offsets of one site that a move enters and one that it leaves.
+/// Index offsets of one site that a move enters and one that it vacates.
 struct Exchange {
   std::int32_t entered = 0;
-  std::int32_t left = 0;
+  std::int32_t vacated = 0;
 };
 
 /// Exchanges per group. Shorter groups repeat an exchange, so that the loop has a fixed length:
@@ -48,18 +48,20 @@ struct WindowedFootprint : grains::Footprint {
   /// Sites whose owners may become free to move once the particle has moved in that direction,
   /// relative to its old position.
   PerDirection<lattice::Offset> wake;
-  // The same as masks of windows: one window for all moves if that is enough, else several.
+  // Lead, trail and wake sites as masks of windows: one window for all moves if that is enough,
+  // else several.
   bool one_window = false;
   lattice::Site corner;      ///< lower left site of the lower left window, from the reference site
   lattice::Site far_corner;  ///< upper right site of the upper right one, likewise
   lattice::Site corner_from(lattice::Site reference) const {
     return {reference.column + corner.column, reference.row + corner.row};
   }
-  std::array<MoveWindow, lattice::kDirectionCount> windows;
+  std::array<MoveWindow, lattice::kDirectionCount> windows;  ///< by direction, if one_window
   PerDirection<WindowMask> lead_masks;
-  PerDirection<WindowMask> swapped_masks;
+  PerDirection<WindowMask> swapped_masks;  ///< of lead and trail
 };
 
+/// The footprints of all kinds, for reference columns of either parity.
 class WindowedFootprints {
  public:
   /// `candidates`: directions in which particles move by themselves; determines

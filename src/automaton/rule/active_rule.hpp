@@ -30,8 +30,8 @@ class ActiveRule {
   /// The provisional direction of particle `id` that did `previous` in the last step. `is_free`
   /// tells for a direction whether all its lead sites were free when the step began.
   template <class IsFree>
-  [[gnu::always_inline]] grains::Move provisional(std::uint32_t id, grains::Move previous,
-                                                  std::uint64_t step, IsFree is_free) const {
+  [[gnu::always_inline]] grains::Move provisional_move(std::uint32_t id, grains::Move previous,
+                                                       std::uint64_t step, IsFree is_free) const {
     // With probability scatter: any free candidate, all alike.
     if (happens(scatter_, id, step, random::Purpose::scatter)) {
       return any_free(id, step, is_free);
@@ -71,6 +71,7 @@ class ActiveRule {
     return !probability.is_zero() && probability.accepts(draw(id, step, purpose));
   }
 
+  /// Each free candidate with equal chances; kRest if there is none.
   template <class IsFree>
   grains::Move any_free(std::uint32_t id, std::uint64_t step, IsFree is_free) const {
     std::array<grains::Move, lattice::kDirectionCount> free{};

@@ -25,10 +25,12 @@ struct OverlapChange {
   int sites_after = 0;
 
   /// What has to shrink: the depth in a particle, the sites shared with a wall.
-  int before() const {
+  int depth_before() const {
     return grains::is_particle(owner) ? std::min(sites_before, 1) : sites_before;
   }
-  int after() const { return grains::is_particle(owner) ? std::min(sites_after, 1) : sites_after; }
+  int depth_after() const {
+    return grains::is_particle(owner) ? std::min(sites_after, 1) : sites_after;
+  }
   bool grows() const { return grains::is_particle(owner) && sites_after > sites_before; }
   bool begins() const { return grains::is_particle(owner) && sites_before == 0; }
 };
@@ -82,14 +84,14 @@ int shared_sites(const World& world, std::uint32_t id) {
 // The passive rule: where a particle goes that something has been pushed onto (Sakaguchi et al.
 // 2001, Fig. 8, after Murakami).
 
-// What counts in a choice, by weight (from trials with hexagons).
-constexpr int kPerGrownDepth = 1000;
-constexpr int kRelaxed = 500;
-constexpr int kRelaxedOnOthers = 2000;
-constexpr int kPerPushAlong = 60;
-constexpr int kKeepsOn = 20;
-constexpr int kAlongGravity = 10;
-constexpr int kBesideGravity = 5;
+// Terms of Assessment::score (from trials with hexagons): penalties are added, bonuses subtracted.
+constexpr int kPenaltyPerGrownDepth = 1000;
+constexpr int kRelaxedPenalty = 500;
+constexpr int kRelaxedOnOthersPenalty = 2000;
+constexpr int kBonusPerPushAlong = 60;
+constexpr int kKeepsOnBonus = 20;
+constexpr int kAlongGravityBonus = 10;
+constexpr int kBesideGravityBonus = 5;
 
 /// Radius of the least hexagon with as many sites.
 int radius_of(const lattice::Shape& shape) {
@@ -102,13 +104,13 @@ int radius_of(const lattice::Shape& shape) {
 }
 
 /// Sites that a particle may share with others: 30 % of its sites, at least 2.
-int limit(const lattice::Shape& shape) {
+int shared_sites_limit(const lattice::Shape& shape) {
   return std::max(2, static_cast<int>((6 * shape.size() + 10) / 20));
 }
 
 int gravity_bonus(const Rules& rules, Direction direction) {
   const int sixths = lattice::sixths_between(rules.gravity, direction);
-  return sixths == 0 ? kAlongGravity : sixths == 1 ? kBesideGravity : 0;
+  return sixths == 0 ? kAlongGravityBonus : sixths == 1 ? kBesideGravityBonus : 0;
 }
 
 /// How a direction follows the pushes: strictly, or else relaxed.
@@ -117,7 +119,7 @@ struct PushAlignment {
   int pushes_along = 0;  // pushes exactly in the direction
   bool strict = false;   // within 60 degrees of all pushes, and each of their overlaps shrinks
 };
-/// What a direction is worth: the least score is the best.
+/// What a move in a direction would change, and its worth: the least score is the best.
 struct Assessment {
   std::vector<OverlapChange> changes;
   int score = 0;
@@ -127,7 +129,7 @@ const lattice::Shape& shape_of(const World& world, grains::Owner owner) {
   return world.state.shape(world.state.particles[grains::particle_id(owner)]);
 }
 
-/// None: neither strict nor relaxed.
+/// How the direction follows the pushes onto a particle; none: neither strictly nor relaxed.
 std::optional<PushAlignment> alignment_with_pushes(const World& world, std::uint32_t id,
                                                    Direction direction,
                                                    const std::vector<OverlapChange>& changes) {
@@ -136,10 +138,10 @@ std::optional<PushAlignment> alignment_with_pushes(const World& world, std::uint
   bool any_shrinks = false;
   for (const grains::Push& push : world.pushes_onto(id)) {
     const OverlapChange* change = find(changes, push.pusher);
-    if (change == nullptr || change->after() > change->before()) {
+    if (change == nullptr || change->depth_after() > change->depth_before()) {
       return std::nullopt;
     }
-    const bool shrinks = change->after() < change->before();
+    const bool shrinks = change->depth_after() < change->depth_before();
     all_shrink = all_shrink && shrinks;
     any_shrinks = any_shrinks || shrinks;
     alignment.sixths =
@@ -172,6 +174,7 @@ std::optional<int> grown_depth(const World& world, std::uint32_t id, Direction d
   return grown;
 }
 
+/// Whether each site that the particle would enter may have it as one of two owners.
 bool has_room(const World& world, std::uint32_t id, Direction direction) {
   const grains::State& state = world.state;
   const grains::Particle& here = state.particles[id];
@@ -222,11 +225,11 @@ bool is_within_limits(const World& world, std::uint32_t id,
     grows = grows || change.grows();
     if (change.grows() && shared_sites(world, grains::particle_id(change.owner)) +
                                   change.sites_after - change.sites_before >
-                              limit(shape_of(world, change.owner))) {
+                              shared_sites_limit(shape_of(world, change.owner))) {
       return false;
     }
   }
-  return !grows || own <= limit(shape_of(world, grains::as_owner(id)));
+  return !grows || own <= shared_sites_limit(shape_of(world, grains::as_owner(id)));
 }
 
 /// Assesses a direction of a pushed particle: it has to get it out of what pushes it along the way
@@ -248,9 +251,10 @@ std::optional<Assessment> assess(const World& world, std::uint32_t id, Direction
   }
   const grains::State& state = world.state;
   const bool keeps_on = state.particles[id].previous == static_cast<grains::Move>(direction);
-  const int price = alignment->strict ? 0 : *grown == 0 ? kRelaxed : kRelaxedOnOthers;
-  assessment.score = kPerGrownDepth * *grown + price - kPerPushAlong * alignment->pushes_along -
-                     (keeps_on ? kKeepsOn : 0) - gravity_bonus(world.rules, direction);
+  const int price = alignment->strict ? 0 : *grown == 0 ? kRelaxedPenalty : kRelaxedOnOthersPenalty;
+  assessment.score = kPenaltyPerGrownDepth * *grown + price -
+                     kBonusPerPushAlong * alignment->pushes_along - (keeps_on ? kKeepsOnBonus : 0) -
+                     gravity_bonus(world.rules, direction);
   return assessment;
 }
 
@@ -293,7 +297,7 @@ grains::Move passive_direction(const World& world, std::uint32_t id) {
 // All other particles that overlap.
 
 /// A direction and its two neighbours.
-std::array<Direction, 3> around(Direction first, bool right_first) {
+std::array<Direction, 3> with_neighbours(Direction first, bool right_first) {
   const int right = right_first ? 1 : -1;
   return {first, rotated(first, right), rotated(first, -right)};
 }
@@ -306,14 +310,14 @@ bool is_free(const World& world, std::uint32_t id, Direction direction) {
   const std::vector<OverlapChange> all = overlap_changes(world, id, direction);
   const grains::Particle there = moved(world.state.particles[id], direction);
   return std::ranges::none_of(all, [&](const OverlapChange& change) {
-    return change.after() > change.before() || is_too_deep(world, there, change);
+    return change.depth_after() > change.depth_before() || is_too_deep(world, there, change);
   });
 }
 
 /// Where a particle goes that has pushed others, some of which rest: back from all of those,
 /// within 60 degrees, into free sites; kRest when it cannot. None: no such partner rests, it may go
 /// as it likes.
-std::optional<grains::Move> move_back(const World& world, std::uint32_t id) {
+std::optional<grains::Move> way_back(const World& world, std::uint32_t id) {
   const grains::State& state = world.state;
   std::vector<grains::Push> resting;
   for (const Overlap& overlap : world.overlaps(id, state.particles[id])) {
@@ -330,7 +334,8 @@ std::optional<grains::Move> move_back(const World& world, std::uint32_t id) {
   }
   const bool right_first =
       (random::draw(state.seed, state.step, id, random::Purpose::passive) & 1U) != 0;
-  for (const Direction direction : around(opposite(resting.front().direction), right_first)) {
+  for (const Direction direction :
+       with_neighbours(opposite(resting.front().direction), right_first)) {
     const bool back = std::ranges::all_of(resting, [&](const grains::Push& push) {
       return lattice::sixths_between(opposite(push.direction), direction) <= 1;
     });
@@ -365,18 +370,19 @@ bool can_leave(const World& world, const grains::Particle& particle, grains::Own
   });
 }
 
-grains::Move provisional(const World& world, const ActiveRule& active, std::uint32_t id) {
+grains::Move provisional_move(const World& world, const ActiveRule& active, std::uint32_t id) {
   // The passive rule, for those that something has been pushed onto.
   if (!world.pushes_onto(id).empty()) {
     return passive_direction(world, id);
   }
   // Back from those that it has pushed itself, where they rest.
-  if (const auto back = move_back(world, id)) {
+  if (const auto back = way_back(world, id)) {
     return *back;
   }
   // Else the active rule.
-  return active.provisional(id, world.state.particles[id].previous, world.state.step,
-                            [&](Direction direction) { return is_free(world, id, direction); });
+  return active.provisional_move(
+      id, world.state.particles[id].previous, world.state.step,
+      [&](Direction direction) { return is_free(world, id, direction); });
 }
 
 bool move_by_itself(World& world, std::uint32_t id, Direction direction) {

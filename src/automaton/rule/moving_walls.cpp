@@ -12,33 +12,40 @@ namespace {
 
 using grains::WallStep;
 
-/// The particles that it pushes; none if the way is barred.
-std::optional<std::vector<std::uint32_t>> pushed(const World& world, const WallStep& step) {
+/// The particles that a step of a wall pushes; none if its way is barred.
+std::optional<std::vector<std::uint32_t>> pushed_by(const World& world, const WallStep& step) {
   return grains::pushed_particles(world.box, step,
-                                  [&](std::uint32_t id) { return world.overlapping(id); });
+                                  [&](std::uint32_t id) { return world.is_overlapping(id); });
 }
 
-/// Lets a wall leave sites, then take others.
-void move_wall(World& world, std::size_t wall, const std::vector<std::size_t>& leaves,
-               const std::vector<std::size_t>& enters) {
-  for (const std::size_t index : leaves) {
+void leave_sites(World& world, std::size_t wall, const std::vector<std::size_t>& indices) {
+  for (const std::size_t index : indices) {
     world.occupancy.remove(index, grains::wall_code(wall));
   }
-  for (const std::size_t index : enters) {
+}
+
+void enter_sites(World& world, std::size_t wall, const std::vector<std::size_t>& indices) {
+  for (const std::size_t index : indices) {
     world.occupancy.add(index, grains::wall_code(wall));
   }
+}
+
+/// Undoes a step of the wall alone.
+void undo_step(World& world, const WallStep& step) {
+  leave_sites(world, step.wall, step.enters);
+  enter_sites(world, step.wall, step.leaves);
 }
 
 /// Pushes the particles in the way, and all that these stand against, along with the wall. Does
 /// nothing and returns false when one of them would meet the border or another wall.
 bool push_along(World& world, const WallStep& step) {
-  const auto ids = pushed(world, step);
+  const auto ids = pushed_by(world, step);
   if (!ids) {
     return false;
   }
-  move_wall(world, step.wall, step.leaves, {});
+  leave_sites(world, step.wall, step.leaves);
   world.move_together(*ids, step.direction);
-  move_wall(world, step.wall, {}, step.enters);
+  enter_sites(world, step.wall, step.enters);
   return true;
 }
 
@@ -58,19 +65,20 @@ std::optional<std::vector<std::uint32_t>> move_onto(World& world, const WallStep
   }
   std::ranges::sort(ids);
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
-  move_wall(world, step.wall, step.leaves, step.enters);
+  leave_sites(world, step.wall, step.leaves);
+  enter_sites(world, step.wall, step.enters);
   const std::array ways = {step.direction, rotated(step.direction, 1), rotated(step.direction, -1)};
   if (!std::ranges::all_of(ids, [&](std::uint32_t id) {
         return can_leave(world, world.state.particles[id], grains::wall_code(step.wall), ways);
       })) {
-    move_wall(world, step.wall, step.enters, step.leaves);
+    undo_step(world, step);
     return std::nullopt;
   }
   return ids;
 }
 
-/// Moves onto the particles in the way, if it may, and keeps the pushes of the wall true.
-bool enter(World& world, const WallStep& step) {
+/// Moves a wall onto the particles in the way, if it may, and keeps its pushes true.
+bool overlap_along(World& world, const WallStep& step) {
   const auto ids = move_onto(world, step);
   if (!ids) {
     return false;
@@ -84,7 +92,7 @@ bool enter(World& world, const WallStep& step) {
   const std::vector<grains::Push> pushes = world.state.pushes;
   for (const grains::Push& push : pushes) {
     if (push.pusher == grains::wall_code(step.wall) &&
-        !shares(world.overlaps(push.pushed, world.state.particles[push.pushed]), push.pusher)) {
+        !has_owner(world.overlaps(push.pushed, world.state.particles[push.pushed]), push.pusher)) {
       world.forget_push(push.pushed, push.pusher);
       world.changes.particles.push_back(push.pushed);
     }
@@ -95,11 +103,11 @@ bool enter(World& world, const WallStep& step) {
 /// Whether the wall could take the step by the rule of its kind. Changes nothing.
 bool can_take(World& world, const WallStep& step) {
   if (!world.state.walls[step.wall].lets_overlap()) {
-    return pushed(world, step).has_value();
+    return pushed_by(world, step).has_value();
   }
   const bool can = move_onto(world, step).has_value();
   if (can) {
-    move_wall(world, step.wall, step.enters, step.leaves);
+    undo_step(world, step);
   }
   return can;
 }
@@ -118,7 +126,7 @@ bool advance_walls(World& world) {
     bool done = false;
     if (desired != 0) {
       const WallStep step = world.box.edges.step_of(world.state, number, desired);
-      done = wall.lets_overlap() ? enter(world, step) : push_along(world, step);
+      done = wall.lets_overlap() ? overlap_along(world, step) : push_along(world, step);
       if (done) {
         std::vector<std::size_t>& vacated = world.changes.vacated;
         vacated.insert(vacated.end(), step.leaves.begin(), step.leaves.end());

@@ -46,8 +46,8 @@ Steps::Movers Steps::movers_of(std::span<const std::uint32_t> ids) {
   std::vector<std::uint32_t> resting;  // known to others only when all have chosen
   for (const std::uint32_t id : ids) {
     const bool has_moved = state_.particles[id].previous != grains::kRest;
-    quiet_ = quiet_ && !(world_.overlapping(id) && has_moved);
-    const grains::Move move = provisional(world_, active_, id);
+    quiet_ = quiet_ && !(world_.is_overlapping(id) && has_moved);
+    const grains::Move move = provisional_move(world_, active_, id);
     if (move == grains::kRest) {
       resting.push_back(id);
       continue;

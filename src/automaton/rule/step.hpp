@@ -15,7 +15,7 @@ namespace clca::automaton {
 /// Rank in the total order of one step, the smallest first.
 struct UpdateKey {
   std::uint64_t update_class = 0;  ///< rank in Rules::update_priority; behind all: in none
-  std::uint64_t tie = 0;
+  std::uint64_t tie = 0;           ///< by a draw, see Ties
   std::uint32_t id = 0;
 
   auto operator<=>(const UpdateKey&) const = default;
@@ -28,7 +28,7 @@ UpdateKey update_key(const Rules& rules, const grains::State& state, std::uint32
 // The decisions about particles.
 
 /// The provisional direction of a particle, from the state as it is.
-grains::Move provisional(const World& world, const ActiveRule& active, std::uint32_t id);
+grains::Move provisional_move(const World& world, const ActiveRule& active, std::uint32_t id);
 
 /// The turn of a particle that something had been pushed onto when it chose: moves it that way and
 /// records whom it pushes, if that is still allowed. False: it cannot.
@@ -58,19 +58,19 @@ class Steps : public grains::Mechanics {
 
   grains::Box& box() final { return box_; }
   lattice::Direction down() const final { return world_.rules.gravity; }
-  bool deposits() const final { return world_.rules.gravity == lattice::Direction::down; }
+  bool can_deposit() const final { return world_.rules.gravity == lattice::Direction::down; }
   void before_sources() final;
   void added(std::size_t first) final { world_.include_new(first); }
   bool advance(grains::StepReport& report) final;
   std::vector<std::uint32_t> moved() const final;
-  void removing(std::uint32_t id) final { world_.let_go(id); }
+  void removing(std::uint32_t id) final { world_.prepare_removal(id); }
   void reloaded() final { world_.reload(); }
 
  private:
   grains::State state_;
   grains::Box box_;
-  bool wall_moved_ = false;
-  bool quiet_ = true;
+  bool wall_moved_ = false;  // in this step
+  bool quiet_ = true;        // see was_quiet()
 
  protected:
   struct Movers {

@@ -4,7 +4,7 @@
 
 namespace clca::automaton {
 
-bool shares(const std::vector<Overlap>& overlaps, grains::Owner owner) {
+bool has_owner(const std::vector<Overlap>& overlaps, grains::Owner owner) {
   return std::ranges::find(overlaps, owner, &Overlap::owner) != overlaps.end();
 }
 
@@ -13,7 +13,7 @@ World::World(grains::Box& around, const Rules& given_rules)
   state.origins.resize(state.particles.size());
   include_new(0);
   for (const grains::Push& push : state.pushes) {
-    count(push, 1);
+    count_push(push, 1);
   }
 }
 
@@ -49,13 +49,13 @@ std::vector<Overlap> World::overlaps(std::uint32_t id, const grains::Particle& a
 
 void World::move(std::uint32_t id, lattice::Direction direction) {
   const std::vector<Overlap> before =
-      overlapping(id) ? overlaps(id, state.particles[id]) : std::vector<Overlap>();
+      is_overlapping(id) ? overlaps(id, state.particles[id]) : std::vector<Overlap>();
   change_sites({&id, 1}, direction);
   state.particles[id].previous = static_cast<grains::Move>(direction);
   if (!before.empty()) {
     const std::vector<Overlap> after = overlaps(id, state.particles[id]);
     for (const Overlap& overlap : before) {
-      if (!shares(after, overlap.owner)) {
+      if (!has_owner(after, overlap.owner)) {
         forget_push(id, overlap.owner);
       }
     }
@@ -69,7 +69,7 @@ void World::move_together(std::span<const std::uint32_t> ids, lattice::Direction
 
 void World::change_sites(std::span<const std::uint32_t> ids, lattice::Direction direction) {
   for (const std::uint32_t id : ids) {
-    box.for_each_left(state.particles[id], direction, [&](std::size_t index) {
+    box.for_each_vacated(state.particles[id], direction, [&](std::size_t index) {
       if (occupancy.remove(index, grains::as_owner(id))) {
         changes.vacated.push_back(index);
       }
@@ -108,7 +108,7 @@ void World::record_push(const grains::Push& push) {
     *at = push;
   } else {
     state.pushes.insert(at, push);
-    count(push, 1);
+    count_push(push, 1);
   }
 }
 
@@ -120,19 +120,19 @@ void World::forget_push(std::uint32_t id, grains::Owner other) {
         push != nullptr ? push : find_push(state, grains::particle_id(other), grains::as_owner(id));
   }
   if (push != nullptr) {
-    count(*push, -1);
+    count_push(*push, -1);
     state.pushes.erase(state.pushes.begin() + (push - state.pushes.data()));
   }
 }
 
-void World::count(const grains::Push& push, int change) {
+void World::count_push(const grains::Push& push, int change) {
   push_counts_[push.pushed] += static_cast<std::uint32_t>(change);
   if (grains::is_particle(push.pusher)) {
     push_counts_[grains::particle_id(push.pusher)] += static_cast<std::uint32_t>(change);
   }
 }
 
-void World::let_go(std::uint32_t id) {
+void World::prepare_removal(std::uint32_t id) {
   const grains::Particle& particle = state.particles[id];
   for (const Overlap& overlap : overlaps(id, particle)) {
     forget_push(id, overlap.owner);

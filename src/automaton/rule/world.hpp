@@ -20,15 +20,16 @@ struct Overlap {
 };
 
 /// Whether one of these is with `owner`.
-bool shares(const std::vector<Overlap>& overlaps, grains::Owner owner);
+bool has_owner(const std::vector<Overlap>& overlaps, grains::Owner owner);
 
 /// What has changed since these lists were cleared. The rule only writes them; the engine finds in
 /// them which particles to examine again.
 struct Changes {
   /// Sites that became free, if nothing has taken them since.
   std::vector<std::size_t> vacated = {};
-  std::vector<std::uint32_t> particles = {};  ///< new ones, moved ones, those that lost an overlap
-  bool by_others = true;  ///< by something else than the particles' own moves, also before
+  std::vector<std::uint32_t> particles = {};  ///< ids: new, moved, or one overlap less
+  /// Whether anything has changed by something else than the particles' own moves, also before.
+  bool by_others = true;
 };
 
 /// A box in which particles may overlap. State::pushes has one push for each pair that does, and no
@@ -51,7 +52,7 @@ class World {
   void move_together(std::span<const std::uint32_t> ids, lattice::Direction direction);
 
   /// True when the particle overlaps with something.
-  bool overlapping(std::uint32_t id) const { return push_counts_[id] > 0; }
+  bool is_overlapping(std::uint32_t id) const { return push_counts_[id] > 0; }
   /// All overlapping particles, ascending.
   std::vector<std::uint32_t> overlapping_particles() const;
   /// The pushes onto a particle.
@@ -62,8 +63,9 @@ class World {
   /// particle, `changes` has it.
   void forget_push(std::uint32_t id, grains::Owner other);
 
-  /// Forgets what a particle shares with others, as it will be taken out.
-  void let_go(std::uint32_t id);
+  /// Forgets all pushes of and onto a particle that will be taken out, and notes its sites as
+  /// vacated.
+  void prepare_removal(std::uint32_t id);
   /// Particles or walls were changed by something else than steps: forgets the pushes of walls that
   /// are gone.
   void reload();
@@ -77,7 +79,7 @@ class World {
 
  private:
   void change_sites(std::span<const std::uint32_t> ids, lattice::Direction direction);
-  void count(const grains::Push& push, int change);
+  void count_push(const grains::Push& push, int change);
 
   std::vector<std::uint32_t> push_counts_;  // by id: those in which the particle takes part
 };

@@ -8,7 +8,7 @@ namespace clca::boltzmann {
 namespace {
 
 /// 0 to count - 1, from 32 uniform bits.
-std::uint32_t one_of(std::uint32_t bits, std::uint32_t count) {
+std::uint32_t below32(std::uint32_t bits, std::uint32_t count) {
   return static_cast<std::uint32_t>((std::uint64_t{bits} * count) >> 32U);
 }
 
@@ -30,7 +30,7 @@ void Group::measure_speeds() {
 void Group::draw_firsts(const GroupKey& key, std::uint32_t batch, std::size_t count) {
   constexpr std::size_t kWords = std::tuple_size_v<random::Words>;
   const auto size = static_cast<std::uint64_t>(particles());
-  count_ = count;
+  candidate_count_ = count;
   for (std::size_t i = 0; i < count; i += kWords) {
     const auto item = static_cast<std::uint32_t>((batch * kBatch + i) / kWords);
     const random::Words words =
@@ -48,7 +48,7 @@ void Group::draw_second(const GroupKey& key, std::uint32_t batch, std::size_t nu
   Candidate& candidate = candidates_[number];
   const auto item = static_cast<std::uint32_t>(batch * kBatch + number);
   candidate.words = random::words(key.seed, {key.step, key.group, item}, random::Purpose::normal);
-  candidate.second = one_of(candidate.words[0], static_cast<std::uint32_t>(particles() - 1));
+  candidate.second = below32(candidate.words[0], static_cast<std::uint32_t>(particles() - 1));
   candidate.second += candidate.second >= candidate.first ? 1 : 0;
 }
 
@@ -83,9 +83,9 @@ void Group::store(const Collisions<kWidth>& collisions, int lane, const Candidat
   ++collisions_;
 }
 
-bool Group::share_particles() {
+bool Group::pairs_share_particle() {
   unsigned repeated = 0;
-  for (const std::size_t pair : pairs_) {
+  for (const std::size_t pair : colliding_) {
     repeated += touched_[candidates_[pair].first];
     touched_[candidates_[pair].first] = 1;
     repeated += touched_[candidates_[pair].second];
@@ -93,23 +93,23 @@ bool Group::share_particles() {
   }
   // Every pair finds itself once among the first and once among the second particles.
   std::size_t met = 0;
-  for (std::size_t i = 0; i < count_; ++i) {
+  for (std::size_t i = 0; i < candidate_count_; ++i) {
     met += touched_[candidates_[i].first];
   }
-  for (const std::size_t number : seconds_) {
+  for (const std::size_t number : accepted_) {
     met += touched_[candidates_[number].second];
   }
-  for (const std::size_t pair : pairs_) {
+  for (const std::size_t pair : colliding_) {
     touched_[candidates_[pair].first] = 0;
     touched_[candidates_[pair].second] = 0;
   }
-  return repeated > 0 || met > 2 * pairs_.count;
+  return repeated > 0 || met > 2 * colliding_.count;
 }
 
 bool Group::collide_at_once(const Law& law) {
-  const std::size_t chunks = (pairs_.count + kLanes - 1) / kLanes;
+  const std::size_t chunks = (colliding_.count + kLanes - 1) / kLanes;
   for (std::size_t i = 0; i < chunks * kLanes; ++i) {  // filled up with the last pair
-    const std::size_t pair = pairs_.numbers[std::min(i, pairs_.count - 1)];
+    const std::size_t pair = colliding_.numbers[std::min(i, colliding_.count - 1)];
     load(chunks_[i / kLanes], static_cast<int>(i % kLanes), candidates_[pair]);
   }
   double fastest = 0;
@@ -120,27 +120,27 @@ bool Group::collide_at_once(const Law& law) {
   if (fastest > fastest_) {
     return false;
   }
-  for (std::size_t i = 0; i < pairs_.count; ++i) {
-    store(chunks_[i / kLanes], static_cast<int>(i % kLanes), candidates_[pairs_.numbers[i]]);
+  for (std::size_t i = 0; i < colliding_.count; ++i) {
+    store(chunks_[i / kLanes], static_cast<int>(i % kLanes), candidates_[colliding_.numbers[i]]);
   }
   return true;
 }
 
 bool Group::decide_at_once(const Law& law, const GroupKey& key, std::uint32_t batch) {
-  seconds_.count = 0;
-  pairs_.count = 0;
-  for (std::size_t i = 0; i < count_; ++i) {
-    seconds_.push(i, passes_speed_test(candidates_[i]));
+  accepted_.count = 0;
+  colliding_.count = 0;
+  for (std::size_t i = 0; i < candidate_count_; ++i) {
+    accepted_.push(i, passes_speed_test(candidates_[i]));
   }
-  for (const std::size_t number : seconds_) {
+  for (const std::size_t number : accepted_) {
     draw_second(key, batch, number);
-    pairs_.push(number, collides(candidates_[number]));
+    colliding_.push(number, collides(candidates_[number]));
   }
-  return !share_particles() && collide_at_once(law);
+  return !pairs_share_particle() && collide_at_once(law);
 }
 
 std::size_t Group::decide_one_by_one(const Law& law, const GroupKey& key, std::uint32_t batch) {
-  for (std::size_t i = 0; i < count_; ++i) {
+  for (std::size_t i = 0; i < candidate_count_; ++i) {
     const Candidate& candidate = candidates_[i];
     if (!passes_speed_test(candidate)) {
       continue;
@@ -157,7 +157,7 @@ std::size_t Group::decide_one_by_one(const Law& law, const GroupKey& key, std::u
       return i + 1;
     }
   }
-  return count_;
+  return candidate_count_;
 }
 
 std::uint64_t Group::collide(const Law& law, const GroupKey& key, double duration) {
@@ -176,10 +176,10 @@ std::uint64_t Group::collide(const Law& law, const GroupKey& key, double duratio
     }
     draw_firsts(key, batch, static_cast<std::size_t>(std::min<double>(candidates, kBatch)));
     const std::size_t decided =
-        decide_at_once(law, key, batch) ? count_ : decide_one_by_one(law, key, batch);
+        decide_at_once(law, key, batch) ? candidate_count_ : decide_one_by_one(law, key, batch);
     left -= static_cast<double>(decided) * waiting;
     since_measured += decided;
-    if (decided < count_ || since_measured >= static_cast<std::size_t>(particles())) {
+    if (decided < candidate_count_ || since_measured >= static_cast<std::size_t>(particles())) {
       fastest_ = speeds_.maxCoeff();
       since_measured = 0;
     }

@@ -71,24 +71,26 @@ class Group {
   bool decide_at_once(const Law& law, const GroupKey& key, std::uint32_t batch);
   /// Decides candidates in order until a speed exceeds s_max; returns how many.
   std::size_t decide_one_by_one(const Law& law, const GroupKey& key, std::uint32_t batch);
-  /// Whether two pairs share a particle.
-  bool share_particles();
+  /// Whether two pairs that collide share a particle.
+  bool pairs_share_particle();
 
   template <int kWidth>
   void load(Collisions<kWidth>& collisions, int lane, const Candidate& pair) const;
   template <int kWidth>
   void store(const Collisions<kWidth>& collisions, int lane, const Candidate& pair);
+  /// Collides all pairs; returns false and changes nothing if a speed exceeds s_max.
   bool collide_at_once(const Law& law);
 
   Eigen::Array<double, 8, Eigen::Dynamic> motions_;  // velocity, spin, 2 unused: a cache line each
-  Eigen::ArrayXd speeds_;
-  double fastest_ = 0;
+  Eigen::ArrayXd speeds_;                            // by particle
+  double fastest_ = 0;                               // s_max
   std::uint64_t collisions_ = 0;
-  // The current batch: its candidates, those accepted so far, and those that collide.
+  // The current batch: its candidates, those whose first particle is accepted, and those that
+  // collide.
   std::array<Candidate, kBatch> candidates_;
-  std::size_t count_ = 0;
-  Selection seconds_;
-  Selection pairs_;
+  std::size_t candidate_count_ = 0;
+  Selection accepted_;
+  Selection colliding_;
   std::array<Collisions<kLanes>, kBatch / kLanes> chunks_;
   std::vector<std::uint8_t> touched_;  // 1 for particles of a pair; all 0 between batches
 };

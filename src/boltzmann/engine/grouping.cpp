@@ -41,29 +41,30 @@ void StridedPermutation::shuffle(std::uint64_t bits, std::uint64_t more_bits) {
 Grouping::Grouping(Eigen::Index particles, Eigen::Index group_size)
     : particles_(particles),
       groups_(std::max<Eigen::Index>(1, particles / group_size)),
-      runs_(static_cast<std::uint64_t>((particles + kRun - 1) / kRun)) {}
+      block_order_(static_cast<std::uint64_t>((particles + kBlockSize - 1) / kBlockSize)) {}
 
 void Grouping::shuffle(std::uint64_t seed, std::uint64_t step) {
   seed_ = seed;
   step_ = step;
-  runs_.shuffle(draw(seed, step, 0), draw(seed, step, 1));
+  block_order_.shuffle(draw(seed, step, 0), draw(seed, step, 1));
 }
 
 void Grouping::members(Eigen::Index group, std::vector<Eigen::Index>& sources,
                        std::vector<Eigen::Index>& targets) const {
   sources.clear();
-  runs_.part(static_cast<std::uint64_t>(group), static_cast<std::uint64_t>(groups_),
-             [&](std::uint64_t run) {
-               const auto begin = static_cast<Eigen::Index>(run) * kRun;
-               for (Eigen::Index i = begin; i < std::min(begin + kRun, particles_); ++i) {
-                 sources.push_back(i);
-               }
-             });
+  const auto add_block = [&](std::uint64_t block) {
+    const auto begin = static_cast<Eigen::Index>(block) * kBlockSize;
+    for (Eigen::Index i = begin; i < std::min(begin + kBlockSize, particles_); ++i) {
+      sources.push_back(i);
+    }
+  };
+  block_order_.visit_part(static_cast<std::uint64_t>(group), static_cast<std::uint64_t>(groups_),
+                          add_block);
   StridedPermutation order(sources.size());
   const auto item = 2 * static_cast<std::uint32_t>(group) + 2;
   order.shuffle(draw(seed_, step_, item), draw(seed_, step_, item + 1));
   targets.clear();
-  order.part(0, 1, [&](std::uint64_t number) { targets.push_back(sources[number]); });
+  order.visit_part(0, 1, [&](std::uint64_t number) { targets.push_back(sources[number]); });
 }
 
 }  // namespace clca::boltzmann

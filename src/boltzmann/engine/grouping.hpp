@@ -18,7 +18,7 @@ class StridedPermutation {
   void shuffle(std::uint64_t bits, std::uint64_t more_bits);
   /// Calls `visit` for the numbers of part `part` of `parts` equal parts of the permutation.
   template <class Visit>
-  void part(std::uint64_t part, std::uint64_t parts, Visit visit) const {
+  void visit_part(std::uint64_t part, std::uint64_t parts, Visit visit) const {
     const std::uint64_t end = modulus_ * (part + 1) / parts;
     std::uint64_t position = modulus_ * part / parts;
     std::uint64_t number = (start_ + stride_ * position) % modulus_;
@@ -43,7 +43,7 @@ class StridedPermutation {
 class Grouping {
  public:
   /// Particles per block.
-  static constexpr Eigen::Index kRun = 32;
+  static constexpr Eigen::Index kBlockSize = 32;
 
   /// Groups of about `group_size` particles.
   Grouping(Eigen::Index particles, Eigen::Index group_size);
@@ -58,7 +58,7 @@ class Grouping {
  private:
   Eigen::Index particles_;
   Eigen::Index groups_;
-  StridedPermutation runs_;
+  StridedPermutation block_order_;
   std::uint64_t seed_ = 0;
   std::uint64_t step_ = 0;
 };

@@ -52,8 +52,8 @@ class MajorantIntegrator {
   void step(double end);
 
  private:
-  double duration(double longest) const;
-  Outcome work(Eigen::Index number, double duration, Workspace& workspace);
+  double step_duration(double longest) const;
+  Outcome advance_group(Eigen::Index number, double duration, Workspace& workspace);
 
   Gas& gas_;
   const Law& law_;
@@ -65,7 +65,7 @@ class MajorantIntegrator {
   std::vector<Outcome> outcomes_;
 };
 
-double MajorantIntegrator::duration(double longest) const {
+double MajorantIntegrator::step_duration(double longest) const {
   const double rate = 4 * std::numbers::inv_sqrtpi * gas_.thermal_speed;
   const double collisions = shear_rate_ > 0 ? kCollisionsPerShearedStep : kCollisionsPerStep;
   const double by_collisions = rate > 0 ? collisions / rate : longest;
@@ -76,14 +76,15 @@ double MajorantIntegrator::duration(double longest) const {
   return steps > 1 ? longest / steps : longest;
 }
 
-Outcome MajorantIntegrator::work(Eigen::Index number, double duration, Workspace& workspace) {
+Outcome MajorantIntegrator::advance_group(Eigen::Index number, double duration,
+                                          Workspace& workspace) {
   const double kick = shear_rate_ * duration / 2;
   Group& group = workspace.group;
   grouping_.members(number, workspace.sources, workspace.targets);
   const std::size_t count = workspace.sources.size();
   group.resize(static_cast<Eigen::Index>(count));
   for (std::size_t i = 0; i < count; ++i) {
-    constexpr std::size_t kAhead = 64;  // runs lie anywhere, which the processor does not foresee
+    constexpr std::size_t kAhead = 64;  // blocks lie anywhere, which the processor does not foresee
     __builtin_prefetch(&gas_.motions(0, workspace.sources[std::min(i + kAhead, count - 1)]));
     auto motion = group.motion(static_cast<Eigen::Index>(i));
     motion = gas_.motions.col(workspace.sources[i]);
@@ -104,7 +105,7 @@ Outcome MajorantIntegrator::work(Eigen::Index number, double duration, Workspace
 
 void MajorantIntegrator::step(double end) {
   const double longest = end - gas_.time;
-  const double length = duration(longest);
+  const double length = step_duration(longest);
   const Eigen::Index groups = grouping_.groups();
   grouping_.shuffle(seed_, gas_.step);
   parallel::FirstFailure failure;
@@ -112,7 +113,7 @@ void MajorantIntegrator::step(double end) {
   for (Eigen::Index group = 0; group < groups; ++group) {
     failure.guard([&] {
       outcomes_[static_cast<std::size_t>(group)] =
-          work(group, length, workspaces_[static_cast<std::size_t>(omp_get_thread_num())]);
+          advance_group(group, length, workspaces_[static_cast<std::size_t>(omp_get_thread_num())]);
     });
   }
   failure.rethrow();

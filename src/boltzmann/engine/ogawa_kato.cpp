@@ -19,8 +19,8 @@
 namespace clca::boltzmann {
 namespace {
 
-constexpr std::uint32_t kStepShift = 1;       // 0 is that of the initial condition
-constexpr std::uint64_t kMinPerThread = 256;  // with fewer, threads would only wait
+constexpr std::uint32_t kStepShift = 1;       // Counter::group of shifts; 0 is in gas.cpp
+constexpr std::uint64_t kMinPerThread = 256;  // particles: with fewer, threads would only wait
 
 /// Index of a particle, or its rank if they are sorted.
 using ParticleIndex = std::uint32_t;
@@ -58,14 +58,15 @@ class Draws {
   }
   /// Two numbers of (0, 1): whether it collides, and with which partner.
   std::array<double, 2> acceptance_draws(ParticleIndex particle) const {
-    return pair(particle, random::Purpose::candidate, 1);
+    return two_draws(particle, random::Purpose::candidate, 1);
   }
   /// Two numbers of (0, 1), for the line of centres.
-  std::array<double, 2> direction(ParticleIndex particle) const {
-    return pair(particle, random::Purpose::normal, 3);
+  std::array<double, 2> line_of_centres_draws(ParticleIndex particle) const {
+    return two_draws(particle, random::Purpose::normal, 3);
   }
 
  private:
+  // Dimensions of the rule are those of partners from the first on.
   static constexpr int kFirstPartner = 5;
   static constexpr std::size_t kPartners = LatticeRule::kDimensions - kFirstPartner;
 
@@ -73,7 +74,8 @@ class Draws {
     return number + (number >= particle ? 1 : 0);
   }
   /// `dimension`: the first of two of the rule.
-  std::array<double, 2> pair(ParticleIndex particle, random::Purpose purpose, int dimension) const {
+  std::array<double, 2> two_draws(ParticleIndex particle, random::Purpose purpose,
+                                  int dimension) const {
     if (rule_ != nullptr) {
       return {rule_->coordinate(particle, dimension), rule_->coordinate(particle, dimension + 1)};
     }
@@ -137,8 +139,8 @@ std::optional<ParticleIndex> collision_partner(const SynchronousStep& step, cons
 }
 
 // Returns the number of particles that changed.
-std::uint64_t take(const SynchronousStep& step, const Draws& draws, int partners, int threads,
-                   Motions& after) {
+std::uint64_t advance_particles(const SynchronousStep& step, const Draws& draws, int partners,
+                                int threads, Motions& after) {
   std::uint64_t changed = 0;
   std::vector<PartnerSpeeds> partner_speeds(static_cast<std::size_t>(threads),
                                             PartnerSpeeds(partners));
@@ -151,7 +153,7 @@ std::uint64_t take(const SynchronousStep& step, const Draws& draws, int partners
       const auto other = collision_partner(
           step, draws, particle, partner_speeds[static_cast<std::size_t>(omp_get_thread_num())]);
       if (other) {
-        const auto [height, azimuth] = draws.direction(particle);
+        const auto [height, azimuth] = draws.line_of_centres_draws(particle);
         Collisions<1> collision;
         collision.first = step.before.col(column).transpose();
         collision.second = step.before.col(*other).transpose();
@@ -213,7 +215,7 @@ std::function<void()> ogawa_kato_steps(Gas& gas, const Law& law, const OgawaKato
     } else {
       before.swap(gas.motions);
     }
-    gas.participations += take(step, draws, scheme.partners, useful, gas.motions);
+    gas.participations += advance_particles(step, draws, scheme.partners, useful, gas.motions);
     gas.time = end;
     ++gas.step;
   };

@@ -11,7 +11,7 @@
 
 namespace clca::contact {
 
-inline constexpr std::size_t kLanes = 8;
+inline constexpr std::size_t kLanes = 8;  ///< contacts of a batch
 
 /// Numbers of bodies: one at rest, as are all sides of the box; then walls; then grains by id.
 inline constexpr std::int32_t kRestingBody = 0;
@@ -22,41 +22,41 @@ struct alignas(32) Batch {
   template <class T>
   using PerLane = std::array<T, kLanes>;
 
-  PerLane<std::int32_t> upper = {};  ///< body
+  PerLane<std::int32_t> upper = {};  ///< number of the body
   PerLane<std::int32_t> other = {};
-  PerLane<std::int32_t> normal_x = {};
+  PerLane<std::int32_t> normal_x = {};  ///< Contact::normal
   PerLane<std::int32_t> normal_y = {};
   Impulse<PerLane<std::int32_t>> impulse = {};
-  PerLane<std::int32_t> bounce = {};
-  PerLane<std::int32_t> friction = {};
-  PerLane<std::int32_t> pair = {};  ///< PairCoefficients::pair_number
+  PerLane<std::int32_t> bounce = {};    ///< StepContact::bounce
+  PerLane<std::int32_t> friction = {};  ///< Rule::friction_with
+  PerLane<std::int32_t> pair = {};      ///< PairCoefficients::pair_number
 };
 
-/// The velocity of a grain where it is loaded and stored at once.
+/// The velocity of a body, loaded and stored as 16 bytes at once.
 struct alignas(16) AlignedVelocity {
   Velocity<> velocity;
 };
 
-/// What is done with the contacts of batches.
+/// What is done with all contacts of the batches, one batch after the other.
 enum class Pass : std::uint8_t {
   warm_start,  ///< gives the bodies the impulses that the contacts remember
-  forwards,    ///< solves all contacts in this order
-  backwards,
+  forwards,    ///< solves them from the first to the last
+  backwards,   ///< solves them from the last to the first
 };
 
-/// Carries out a pass. `pairs`: PairCoefficients::pairs().
-using BatchFunction = void (*)(Pass pass, std::span<Batch> batches, AlignedVelocity* bodies,
-                               const Pair* pairs, const LawConstants& law);
+/// Carries out a pass over the batches. `pairs`: PairCoefficients::pairs().
+using PassFunction = void (*)(Pass pass, std::span<Batch> batches, AlignedVelocity* bodies,
+                              const Pair* pairs, const LawConstants& law);
 /// One contact after the other.
-BatchFunction plain_function();
-/// Eight at once by AVX2; plain_function() where the compiler or the processor has none.
-BatchFunction fastest_function();
+PassFunction plain_pass_function();
+/// Eight at once by AVX2; plain_pass_function() where the compiler or the processor has none.
+PassFunction fastest_pass_function();
 
-/// A BatchFunction that computes with as many contacts at once as Lanes::Int has numbers. `Lanes`
+/// A PassFunction that computes with as many contacts at once as Lanes::Int has numbers. `Lanes`
 /// says how to load and store them.
 template <class Lanes>
-void carry_out(Pass pass, std::span<Batch> batches, AlignedVelocity* bodies, const Pair* pairs,
-               const LawConstants& law) {
+void carry_out_pass(Pass pass, std::span<Batch> batches, AlignedVelocity* bodies, const Pair* pairs,
+                    const LawConstants& law) {
   using Int = typename Lanes::Int;
   for (std::size_t i = 0; i < batches.size(); ++i) {
     Batch& batch = batches[pass == Pass::backwards ? batches.size() - 1 - i : i];

@@ -1,5 +1,5 @@
 // All contacts of a batch at once. This file is compiled for processors with AVX2 and says so to
-// those who have none: nothing in it may be called before fastest_function() has asked.
+// those who have none: nothing in it may be called before fastest_pass_function() has asked.
 
 #include "contact/engine/batch.hpp"
 
@@ -22,7 +22,7 @@ struct Ints {
   Ints operator-() const { return {_mm256_sub_epi32(_mm256_setzero_si256(), values)}; }
 };
 
-/// Eight long ones: those of even lanes, and those of odd ones.
+/// Eight numbers of 64 bits: those of even lanes, and those of odd ones.
 struct Longs {
   __m256i even;
   __m256i odd;
@@ -35,7 +35,7 @@ struct Longs {
   }
 };
 
-Ints all(std::int32_t value, Ints /*like*/) {
+Ints in_all_lanes(std::int32_t value, Ints /*like*/) {
   return {_mm256_set1_epi32(value)};
 }
 
@@ -51,7 +51,7 @@ Longs with_half(Longs longs, int bits) {
   return longs + Longs{half, half};
 }
 
-/// The 32 bits of each from `bits` on.
+/// Of each number 32 bits, from bit number `bits` on.
 Ints shifted(Longs longs, int bits) {
   constexpr int kOddLanes = 0b10101010;
   return {_mm256_blend_epi32(_mm256_srli_epi64(longs.even, bits),
@@ -66,10 +66,10 @@ Ints clamped(Ints ints, Ints low, Ints high) {
   return {_mm256_min_epi32(_mm256_max_epi32(ints.values, low.values), high.values)};
 }
 Ints clamped(Ints ints, std::int32_t low, std::int32_t high) {
-  return clamped(ints, all(low, ints), all(high, ints));
+  return clamped(ints, in_all_lanes(low, ints), in_all_lanes(high, ints));
 }
 
-/// By the upper halves alone.
+/// limited() of numbers.hpp, by the upper halves of the numbers alone.
 Ints limited(Longs longs, int bits, std::int32_t most) {
   const std::int64_t upper = most >> (32 - bits);
   const __m256i low = _mm256_set1_epi64x((-upper - 1) * (std::int64_t{1} << 32) + 0x80000000);
@@ -157,15 +157,15 @@ struct EightLanes {
 
 }  // namespace
 
-BatchFunction fastest_function() {
-  return static_cast<bool>(__builtin_cpu_supports("avx2")) ? carry_out<EightLanes>
-                                                           : plain_function();
+PassFunction fastest_pass_function() {
+  return static_cast<bool>(__builtin_cpu_supports("avx2")) ? carry_out_pass<EightLanes>
+                                                           : plain_pass_function();
 }
 
 #else
 
-BatchFunction fastest_function() {
-  return plain_function();
+PassFunction fastest_pass_function() {
+  return plain_pass_function();
 }
 
 #endif

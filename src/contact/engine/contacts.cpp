@@ -28,13 +28,13 @@ struct OneLane {
 
 }  // namespace
 
-BatchFunction plain_function() {
-  return carry_out<OneLane>;
+PassFunction plain_pass_function() {
+  return carry_out_pass<OneLane>;
 }
 
-std::int32_t ContactSlots::body(grains::Owner owner) const {
+std::int32_t ContactSlots::body_number(grains::Owner owner) const {
   if (grains::is_particle(owner)) {
-    return first_grain_ + owner;
+    return first_grain_body_ + owner;
   }
   return is_side(owner) ? kRestingBody
                         : kFirstWallBody + static_cast<std::int32_t>(grains::wall_number(owner));
@@ -42,28 +42,28 @@ std::int32_t ContactSlots::body(grains::Owner owner) const {
 
 void ContactSlots::clear(std::size_t grains) {
   slots_.clear();
-  first_.assign(grains, -1);
+  first_slot_.assign(grains, -1);
   batches_.clear();
-  used_.clear();
+  used_lanes_.clear();
   next_batch_.assign(grains, 0);
   first_not_full_ = 0;
 }
 
 void ContactSlots::add_grains(std::size_t grains) {
-  first_.resize(grains, -1);
+  first_slot_.resize(grains, -1);
   next_batch_.resize(grains, 0);
 }
 
-void ContactSlots::add(const Contact& contact, lattice::Axial apart) {
+void ContactSlots::add(const Contact& contact, lattice::Axial to_other) {
   const auto at = static_cast<std::int32_t>(slots_.size());
   Slot& slot = slots_.emplace_back();
   slot.upper = contact.upper;
   slot.lane = new_lane(contact);
-  slot.next_upper = std::exchange(first_[contact.upper], at);
+  slot.next_upper = std::exchange(first_slot_[contact.upper], at);
   if (grains::is_particle(contact.other)) {
-    slot.next_other = std::exchange(first_[grains::particle_id(contact.other)], at);
+    slot.next_other = std::exchange(first_slot_[grains::particle_id(contact.other)], at);
   }
-  set(at, contact, apart);
+  set(at, contact, to_other);
 }
 
 void ContactSlots::remove(std::int32_t at) {
@@ -72,36 +72,37 @@ void ContactSlots::remove(std::int32_t at) {
   if (grains::is_particle(slot.other)) {
     unlink(at, grains::particle_id(slot.other));
   }
-  batch(at).other[in_batch(at)] = batch(at).upper[in_batch(at)];  // of no other lane of the batch
-  set_numbers(at, {}, 0);
+  batch(at).other[lane_in_batch(at)] =
+      batch(at).upper[lane_in_batch(at)];  // of no other lane of the batch
+  fill_lane(at, {}, 0);
   slot.lane = -1;
 }
 
-void ContactSlots::set(std::int32_t at, const Contact& contact, lattice::Axial apart) {
+void ContactSlots::set(std::int32_t at, const Contact& contact, lattice::Axial to_other) {
   Slot& slot = slots_[static_cast<std::size_t>(at)];
   if (slot.upper != contact.upper) {
     std::swap(slot.next_upper, slot.next_other);
   }
   slot.upper = contact.upper;
   slot.other = contact.other;
-  slot.apart = apart;
+  slot.to_other = to_other;
   Batch& batch = this->batch(at);
-  batch.upper[in_batch(at)] = body(grains::as_owner(contact.upper));
-  batch.other[in_batch(at)] = body(contact.other);
-  batch.pair[in_batch(at)] =
+  batch.upper[lane_in_batch(at)] = body_number(grains::as_owner(contact.upper));
+  batch.other[lane_in_batch(at)] = body_number(contact.other);
+  batch.pair[lane_in_batch(at)] =
       rule_->coefficients.pair_number(*grains_, contact.upper, contact.other);
-  set_numbers(at, contact, rule_->friction_with(contact.other));
+  fill_lane(at, contact, rule_->friction_with(contact.other));
 }
 
-void ContactSlots::set_apart(std::int32_t at, lattice::Axial apart, UnitVector normal) {
-  slots_[static_cast<std::size_t>(at)].apart = apart;
-  batch(at).normal_x[in_batch(at)] = normal.x;
-  batch(at).normal_y[in_batch(at)] = normal.y;
+void ContactSlots::set_geometry(std::int32_t at, lattice::Axial to_other, UnitVector normal) {
+  slots_[static_cast<std::size_t>(at)].to_other = to_other;
+  batch(at).normal_x[lane_in_batch(at)] = normal.x;
+  batch(at).normal_y[lane_in_batch(at)] = normal.y;
 }
 
 Contact ContactSlots::contact(std::int32_t at) const {
   const Batch& batch = this->batch(at);
-  const std::size_t i = in_batch(at);
+  const std::size_t i = lane_in_batch(at);
   return {.upper = this->at(at).upper,
           .other = this->at(at).other,
           .normal = {batch.normal_x[i], batch.normal_y[i]},
@@ -111,7 +112,7 @@ Contact ContactSlots::contact(std::int32_t at) const {
 std::int32_t ContactSlots::separation_velocity(std::int32_t at,
                                                const std::vector<AlignedVelocity>& bodies) const {
   const Batch& batch = this->batch(at);
-  const std::size_t i = in_batch(at);
+  const std::size_t i = lane_in_batch(at);
   return contact::separation_velocity(
       ContactBodies<>{.upper = bodies[static_cast<std::size_t>(batch.upper[i])].velocity,
                       .other = bodies[static_cast<std::size_t>(batch.other[i])].velocity,
@@ -120,31 +121,31 @@ std::int32_t ContactSlots::separation_velocity(std::int32_t at,
                       .pair = {}});
 }
 
-/// The first of a batch that is not full, behind all batches of the contacts of both grains.
+/// The first free lane of a batch behind all batches of the contacts of both grains.
 std::int32_t ContactSlots::new_lane(const Contact& contact) {
   std::uint32_t& after_upper = next_batch_[contact.upper];
   std::uint32_t unused = 0;
   std::uint32_t& after_other =
       grains::is_particle(contact.other) ? next_batch_[grains::particle_id(contact.other)] : unused;
   auto at = std::max<std::size_t>({after_upper, after_other, first_not_full_});
-  while (at < used_.size() && used_[at] == kLanes) {
+  while (at < used_lanes_.size() && used_lanes_[at] == kLanes) {
     ++at;
   }
   if (at >= batches_.size()) {
     batches_.resize(at + 1);
-    used_.resize(at + 1, 0);
+    used_lanes_.resize(at + 1, 0);
   }
-  const auto lane = static_cast<std::int32_t>(at * kLanes + used_[at]++);
-  while (first_not_full_ < used_.size() && used_[first_not_full_] == kLanes) {
+  const auto lane = static_cast<std::int32_t>(at * kLanes + used_lanes_[at]++);
+  while (first_not_full_ < used_lanes_.size() && used_lanes_[first_not_full_] == kLanes) {
     ++first_not_full_;
   }
   after_upper = after_other = static_cast<std::uint32_t>(at + 1);
   return lane;
 }
 
-void ContactSlots::set_numbers(std::int32_t at, const Contact& contact, std::int32_t friction) {
+void ContactSlots::fill_lane(std::int32_t at, const Contact& contact, std::int32_t friction) {
   Batch& batch = this->batch(at);
-  const std::size_t i = in_batch(at);
+  const std::size_t i = lane_in_batch(at);
   batch.normal_x[i] = contact.normal.x;
   batch.normal_y[i] = contact.normal.y;
   batch.impulse.normal[i] = contact.impulse.normal;
@@ -158,7 +159,7 @@ void ContactSlots::unlink(std::int32_t at, std::uint32_t grain) {
     Slot& slot = slots_[static_cast<std::size_t>(number)];
     return slot.upper == grain ? &slot.next_upper : &slot.next_other;
   };
-  std::int32_t* link = &first_[grain];
+  std::int32_t* link = &first_slot_[grain];
   while (*link != at) {
     link = next_of(*link);
   }
@@ -169,51 +170,51 @@ void SmallGroups::begin(std::size_t grains, const ContactSlots& slots) {
   ++steps_;
   active_.clear();
   may_be_small_.resize(grains, 1);
-  seen_.resize(grains, 0);
+  decided_step_.resize(grains, 0);
   for (const std::uint32_t grain : changed_) {
-    if (seen_[grain] != steps_) {
-      find(grain, slots);
+    if (decided_step_[grain] != steps_) {
+      find_group(grain, slots);
     }
   }
   changed_.clear();
 }
 
 void SmallGroups::add_group(std::uint32_t grain, const ContactSlots& slots) {
-  if (!find(grain, slots)) {
+  if (!find_group(grain, slots)) {
     return;
   }
   std::vector<std::int32_t>& group = active_.emplace_back();
-  for (const std::uint32_t id : near_) {
-    seen_[id] = steps_;
-    slots.for_each(id, [&](std::int32_t at) { group.push_back(at); });
+  for (const std::uint32_t id : group_grains_) {
+    decided_step_[id] = steps_;
+    slots.for_each_slot(id, [&](std::int32_t at) { group.push_back(at); });
   }
   // Both grains of a contact list it.
   std::ranges::sort(group);
   group.erase(std::unique(group.begin(), group.end()), group.end());
 }
 
-/// Sets near_ to the group of a grain. Returns false if it is not small; near_ is then a part of
-/// it.
-bool SmallGroups::find(std::uint32_t grain, const ContactSlots& slots) {
-  near_ = {grain};
+/// Sets group_grains_ to the group of a grain. Returns false if it is not small; group_grains_ is
+/// then a part of it.
+bool SmallGroups::find_group(std::uint32_t grain, const ContactSlots& slots) {
+  group_grains_ = {grain};
   bool is_small = true;
-  for (std::size_t i = 0; is_small && i < near_.size(); ++i) {
-    slots.for_each(near_[i], [&, id = near_[i]](std::int32_t at) {
+  for (std::size_t i = 0; is_small && i < group_grains_.size(); ++i) {
+    slots.for_each_slot(group_grains_[i], [&, id = group_grains_[i]](std::int32_t at) {
       const Slot& slot = slots.at(at);
       if (!grains::is_particle(slot.other)) {
         return;
       }
       const auto next = slot.upper == id ? grains::particle_id(slot.other) : slot.upper;
-      if (std::ranges::find(near_, next) == near_.end()) {
-        near_.push_back(next);
-        is_small = is_small && seen_[next] != steps_;  // else that group is not
+      if (std::ranges::find(group_grains_, next) == group_grains_.end()) {
+        group_grains_.push_back(next);
+        is_small = is_small && decided_step_[next] != steps_;  // else that group is not
       }
     });
-    is_small = is_small && near_.size() <= kMostGrains;
+    is_small = is_small && group_grains_.size() <= kMaxSmallGroup;
   }
-  for (const std::uint32_t id : near_) {
+  for (const std::uint32_t id : group_grains_) {
     may_be_small_[id] = is_small ? 1 : 0;
-    seen_[id] = is_small ? seen_[id] : steps_;
+    decided_step_[id] = is_small ? decided_step_[id] : steps_;
   }
   return is_small;
 }
@@ -224,13 +225,13 @@ ContactFinder::ContactFinder(const grains::Box& box, const Rule& rule)
       has_moving_walls_(std::ranges::any_of(
           state_.walls, [](const grains::Wall& wall) { return wall.motion.has_value(); })),
       normals_(state_.kinds),
-      sorted_(state_, rule) {}
+      reordered_slots_(state_, rule) {}
 
 void ContactFinder::load(const std::vector<Contact>& contacts, ContactSlots& slots) {
   slots.clear(state_.particles.size());
   for (const Contact& contact : contacts) {
     slots.add(contact, grains::is_particle(contact.other)
-                           ? apart(contact.upper, grains::particle_id(contact.other))
+                           ? vector_between(contact.upper, grains::particle_id(contact.other))
                            : lattice::Axial());
   }
 }
@@ -247,25 +248,26 @@ void ContactFinder::update(std::span<const std::uint32_t> moved, const WallVeloc
   std::ranges::for_each(moved, look_at);
   std::ranges::for_each(at_several_bodies_, look_at);
   at_several_bodies_.clear();
-  found_.clear();
+  new_contacts_.clear();
   for (const std::uint32_t id : ids_) {
     check_contacts(id, slots, groups);
-    if (state_.particles[id].present && find_new(id, slots)) {
+    if (state_.particles[id].present && find_new_contacts(id, slots)) {
       check_walls(id, walls, slots);
     }
   }
   for (const std::uint32_t id : ids_) {
     moved_[id] = 0;
   }
-  std::ranges::sort(found_, {}, [](const auto& found) { return found.first; });
-  for (const auto& [key, touch] : found_) {
-    slots.add(touch.contact, touch.apart);
+  std::ranges::sort(new_contacts_, {}, [](const auto& found) { return found.first; });
+  for (const auto& [key, touch] : new_contacts_) {
+    slots.add(touch.contact, touch.to_other);
   }
 }
 
-/// Those with walls go on, see check_walls.
+/// Ends and updates contacts of a grain with other grains, and ends all of one that is gone; those
+/// with walls are left to check_walls().
 void ContactFinder::check_contacts(std::uint32_t id, ContactSlots& slots, SmallGroups& groups) {
-  slots.for_each(id, [&](std::int32_t at) {
+  slots.for_each_slot(id, [&](std::int32_t at) {
     const Slot& slot = slots.at(at);
     const bool with_grain = grains::is_particle(slot.other);
     const auto other = grains::particle_id(slot.other);
@@ -274,7 +276,7 @@ void ContactFinder::check_contacts(std::uint32_t id, ContactSlots& slots, SmallG
     if (with_grain ? checked_with(slot.upper == id ? other : slot.upper, id) : present) {
       return;
     }
-    StepContact now = present ? touch(slot.upper, other) : StepContact();
+    StepContact now = present ? contact_between(slot.upper, other) : StepContact();
     if (now.contact.normal == UnitVector()) {
       groups.lost_contact(slot.upper);
       if (with_grain) {
@@ -282,19 +284,19 @@ void ContactFinder::check_contacts(std::uint32_t id, ContactSlots& slots, SmallG
       }
       slots.remove(at);
     } else if (now.contact.upper == slot.upper) {
-      slots.set_apart(at, now.apart, now.contact.normal);
+      slots.set_geometry(at, now.to_other, now.contact.normal);
     } else {
       now.contact.impulse = turned_over(slots.contact(at).impulse);
-      slots.set(at, now.contact, now.apart);
+      slots.set(at, now.contact, now.to_other);
     }
   });
 }
 
 /// Finds contacts with other grains that begin. Returns whether the grain is at a wall or side, or
 /// was.
-bool ContactFinder::find_new(std::uint32_t id, const ContactSlots& slots) {
+bool ContactFinder::find_new_contacts(std::uint32_t id, const ContactSlots& slots) {
   partners_.clear();
-  slots.for_each(id, [&](std::int32_t at) {
+  slots.for_each_slot(id, [&](std::int32_t at) {
     const Slot& slot = slots.at(at);
     partners_.push_back(slot.upper == id ? slot.other : grains::as_owner(slot.upper));
   });
@@ -312,7 +314,7 @@ bool ContactFinder::find_new(std::uint32_t id, const ContactSlots& slots) {
     if (grains::is_particle(owner) && !checked_with(other, id) &&
         std::ranges::find(partners_, owner) == partners_.end()) {
       partners_.push_back(owner);
-      const StepContact found = touch(id, other);
+      const StepContact found = contact_between(id, other);
       if (found.contact.normal != UnitVector()) {
         add_found(found);
       }
@@ -321,6 +323,7 @@ bool ContactFinder::find_new(std::uint32_t id, const ContactSlots& slots) {
   return at_wall;
 }
 
+/// Ends, updates and adds contacts of a grain with walls and sides.
 void ContactFinder::check_walls(std::uint32_t id, const WallVelocities& walls,
                                 ContactSlots& slots) {
   std::vector<StepContact> now;
@@ -329,13 +332,13 @@ void ContactFinder::check_walls(std::uint32_t id, const WallVelocities& walls,
   }
   std::vector<Contact> before;
   std::vector<std::int32_t> slots_before;
-  slots.for_each(id, [&](std::int32_t at) {
+  slots.for_each_slot(id, [&](std::int32_t at) {
     if (grains::is_wall(slots.at(at).other)) {
       before.push_back(slots.contact(at));
       slots_before.push_back(at);
     }
   });
-  const std::vector<const StepContact*> next = followed_by(before, now);
+  const std::vector<const StepContact*> next = successors(before, now);
   for (std::size_t i = 0; i < before.size(); ++i) {
     if (next[i] == nullptr) {
       slots.remove(slots_before[i]);
@@ -360,34 +363,34 @@ void ContactFinder::sort(ContactSlots& slots) {
       order_.emplace_back(order_key(state_, down_, slots.at(at).upper), at);
     }
   }
-  const auto apart = [&](std::int32_t at) {
-    return std::tie(slots.at(at).apart, slots.at(at).other);
+  const auto rank = [&](std::int32_t at) {
+    return std::tie(slots.at(at).to_other, slots.at(at).other);
   };
   // From the order of the last time, which is nearly right.
   std::ranges::stable_sort(order_, [&](const auto& one, const auto& other) {
     return one.first != other.first ? one.first < other.first
-                                    : apart(one.second) < apart(other.second);
+                                    : rank(one.second) < rank(other.second);
   });
-  sorted_.clear(state_.particles.size());
+  reordered_slots_.clear(state_.particles.size());
   for (const auto& [key, at] : order_) {
-    sorted_.add(slots.contact(at), slots.at(at).apart);
+    reordered_slots_.add(slots.contact(at), slots.at(at).to_other);
   }
-  std::swap(slots, sorted_);
+  std::swap(slots, reordered_slots_);
 }
 
-StepContact ContactFinder::touch(std::uint32_t first, std::uint32_t second) {
+StepContact ContactFinder::contact_between(std::uint32_t first, std::uint32_t second) {
   const bool in_order = is_above(state_, down_, first, second);
   const std::uint32_t upper = in_order ? first : second;
   const std::uint32_t lower = in_order ? second : first;
-  const lattice::Axial apart = this->apart(upper, lower);
+  const lattice::Axial to_other = vector_between(upper, lower);
   return {.contact = {.upper = upper,
                       .other = grains::as_owner(lower),
                       .normal = normals_.normal(state_.particles[upper].kind,
-                                                state_.particles[lower].kind, apart)},
-          .apart = apart};
+                                                state_.particles[lower].kind, to_other)},
+          .to_other = to_other};
 }
 
-lattice::Axial ContactFinder::apart(std::uint32_t upper, std::uint32_t other) const {
+lattice::Axial ContactFinder::vector_between(std::uint32_t upper, std::uint32_t other) const {
   return state_.lattice.nearest_vector(state_.particles[upper].site(),
                                        state_.particles[other].site());
 }

@@ -12,22 +12,22 @@
 
 namespace clca::contact {
 
-/// A contact by its bodies, and where its numbers are.
+/// A contact by its bodies, and in which lane of the batches its normal and impulses are.
 struct Slot {
   std::uint32_t upper = 0;
   grains::Owner other = 0;
   std::int32_t lane = -1;  ///< counted through all batches; -1: it has ended, the slot is empty
   std::int32_t next_upper = -1;  ///< the next slot of the upper grain, -1 none
-  std::int32_t next_other = -1;
-  lattice::Axial apart = {};  ///< see StepContact
+  std::int32_t next_other = -1;  ///< the next slot of the other grain, -1 none
+  lattice::Axial to_other = {};  ///< StepContact::to_other
 };
 
-/// Slots in order, linked by grain. Their numbers are in batches, which give what a sweep over the
-/// contacts in order would give: each is in a later batch than those before it that it shares a
-/// grain with.
+/// Contacts in sweep order, linked by grain; their normals and impulses are in batches. A pass over
+/// the batches gives what a sweep in order would give: each contact is in a later batch than those
+/// before it that it shares a grain with.
 class ContactSlots {
  public:
-  /// With its contacts.
+  /// Bytes for a grain and its contacts.
   static constexpr double kGrainBytes =
       2 * sizeof(std::int32_t) +
       kContactsPerGrain * grains::kListRoom * (sizeof(Slot) + sizeof(Batch) / double{kLanes});
@@ -36,74 +36,76 @@ class ContactSlots {
   ContactSlots(const grains::State& grains, const Rule& rule)
       : grains_(&grains),
         rule_(&rule),
-        first_grain_(kFirstWallBody + static_cast<std::int32_t>(grains.walls.size())) {}
+        first_grain_body_(kFirstWallBody + static_cast<std::int32_t>(grains.walls.size())) {}
 
-  /// The body of the grain with id 0. Those before it are no grains.
-  std::size_t first_grain() const { return static_cast<std::size_t>(first_grain_); }
-  /// The body of a grain, a wall or a side.
-  std::int32_t body(grains::Owner owner) const;
+  /// Number of the body of the grain with id 0. Bodies before it are no grains.
+  std::size_t first_grain_body() const { return static_cast<std::size_t>(first_grain_body_); }
+  /// Number of the body of a grain, a wall or a side.
+  std::int32_t body_number(grains::Owner owner) const;
 
   /// Forgets all contacts.
   void clear(std::size_t grains);
   /// Makes room for more grains, which touch nothing.
   void add_grains(std::size_t grains);
   /// Adds a contact behind the others.
-  void add(const Contact& contact, lattice::Axial apart);
+  void add(const Contact& contact, lattice::Axial to_other);
   /// Empties a slot. It keeps its position in the order.
   void remove(std::int32_t at);
   /// Changes a contact. The other grain may have become the upper one.
-  void set(std::int32_t at, const Contact& contact, lattice::Axial apart);
-  /// The grains have moved, and the upper one still is.
-  void set_apart(std::int32_t at, lattice::Axial apart, UnitVector normal);
+  void set(std::int32_t at, const Contact& contact, lattice::Axial to_other);
+  /// Sets vector and normal of a contact whose grains have moved, and whose upper grain is the
+  /// same.
+  void set_geometry(std::int32_t at, lattice::Axial to_other, UnitVector normal);
 
   std::span<const Slot> all() const { return slots_; }
   const Slot& at(std::int32_t slot) const { return slots_[static_cast<std::size_t>(slot)]; }
   std::vector<Batch>& batches() { return batches_; }
   Contact contact(std::int32_t at) const;
   std::int32_t normal_impulse(std::int32_t at) const {
-    return batch(at).impulse.normal[in_batch(at)];
+    return batch(at).impulse.normal[lane_in_batch(at)];
   }
-  /// Velocity with which the contact is to part.
-  std::int32_t& bounce(std::int32_t at) { return batch(at).bounce[in_batch(at)]; }
-  /// With which its bodies, which have these velocities, part now.
+  /// StepContact::bounce of the contact.
+  std::int32_t& bounce(std::int32_t at) { return batch(at).bounce[lane_in_batch(at)]; }
+  /// Velocity with which its bodies part now. `bodies`: velocities by number of the body.
   std::int32_t separation_velocity(std::int32_t at,
                                    const std::vector<AlignedVelocity>& bodies) const;
 
   /// Calls `visit` with the number of each slot of a grain, which it may change or empty.
   template <class Visit>
-  void for_each(std::uint32_t grain, Visit visit) const {
-    for (std::int32_t at = first_[grain]; at >= 0;) {
+  void for_each_slot(std::uint32_t grain, Visit visit) const {
+    for (std::int32_t at = first_slot_[grain]; at >= 0;) {
       visit(at);
       const Slot& slot = this->at(at);
       at = slot.upper == grain ? slot.next_upper : slot.next_other;
     }
   }
-  bool touches_anything(std::uint32_t grain) const { return first_[grain] >= 0; }
+  bool touches_anything(std::uint32_t grain) const { return first_slot_[grain] >= 0; }
 
  private:
   std::size_t lane(std::int32_t at) const { return static_cast<std::size_t>(this->at(at).lane); }
-  std::size_t in_batch(std::int32_t at) const { return lane(at) % kLanes; }
+  std::size_t lane_in_batch(std::int32_t at) const { return lane(at) % kLanes; }
   const Batch& batch(std::int32_t at) const { return batches_[lane(at) / kLanes]; }
   Batch& batch(std::int32_t at) { return batches_[lane(at) / kLanes]; }
   std::int32_t new_lane(const Contact& contact);
-  void set_numbers(std::int32_t at, const Contact& contact, std::int32_t friction);
+  void fill_lane(std::int32_t at, const Contact& contact, std::int32_t friction);
   void unlink(std::int32_t at, std::uint32_t grain);
 
   const grains::State* grains_;  // pointers: slots are swapped
   const Rule* rule_;
-  std::int32_t first_grain_;
+  std::int32_t first_grain_body_;
   std::vector<Slot> slots_;
-  std::vector<std::int32_t> first_;  // slot by grain, -1 none
+  std::vector<std::int32_t> first_slot_;  // by grain, -1 none
   std::vector<Batch> batches_;
-  std::vector<std::uint8_t> used_;         // lanes by batch
+  std::vector<std::uint8_t> used_lanes_;   // by batch
   std::vector<std::uint32_t> next_batch_;  // by grain: the first behind all of its contacts
   std::size_t first_not_full_ = 0;         // all batches before it are full
 };
 
-/// The groups that active_groups() finds. Of most grains it stays known that their group is not
-/// small.
+/// The groups that active_groups() finds. Of most grains it is known from earlier steps that their
+/// group is not small.
 class SmallGroups {
  public:
+  /// Bytes for a grain.
   static constexpr double kGrainBytes =
       sizeof(std::uint64_t) + sizeof(std::uint8_t) + grains::kListRoom * sizeof(std::uint32_t);
 
@@ -115,7 +117,7 @@ class SmallGroups {
   void begin(std::size_t grains, const ContactSlots& slots);
   /// A contact of a grain carries or bounces.
   void set_active(std::uint32_t grain, const ContactSlots& slots) {
-    if (may_be_small_[grain] != 0 && seen_[grain] != steps_) {
+    if (may_be_small_[grain] != 0 && decided_step_[grain] != steps_) {
       add_group(grain, slots);
     }
   }
@@ -124,21 +126,22 @@ class SmallGroups {
 
  private:
   void add_group(std::uint32_t grain, const ContactSlots& slots);
-  bool find(std::uint32_t grain, const ContactSlots& slots);
+  bool find_group(std::uint32_t grain, const ContactSlots& slots);
 
   std::vector<std::vector<std::int32_t>> active_;
   std::vector<std::uint32_t> changed_;      // grains that have lost contacts, maybe more than once
   std::vector<std::uint8_t> may_be_small_;  // by grain: its group; true of all grains of small ones
-  // By grain: the last step in which its group was found not to be small, or active.
-  std::vector<std::uint64_t> seen_;
-  std::uint64_t steps_ = 0;
-  std::vector<std::uint32_t> near_;  // grains of the group that is looked at
+  // By grain: the last step in which its group was found to be active, or not to be small.
+  std::vector<std::uint64_t> decided_step_;
+  std::uint64_t steps_ = 0;                  // so far
+  std::vector<std::uint32_t> group_grains_;  // grains of the group that is looked at
 };
 
 /// Keeps slots in line with where grains are. Does what next_contacts() does, looking only at
 /// grains that have moved.
 class ContactFinder {
  public:
+  /// Bytes for a grain, with those of ContactSlots.
   static constexpr double kGrainBytes =
       ContactSlots::kGrainBytes + sizeof(std::uint8_t) +
       kContactsPerGrain * sizeof(std::pair<std::int64_t, std::int32_t>) +
@@ -150,16 +153,17 @@ class ContactFinder {
 
   /// The direction of the lattice nearest to gravity: what is above what.
   lattice::Direction down() const { return down_; }
-  /// All grains then count as moved.
+  /// The next update() then needs all grains.
   void set_down(lattice::Direction down) { down_ = down; }
 
-  /// Fills slots from a list of contacts, which may have changed since: all grains count as moved.
+  /// Fills slots from a list of contacts, some of which may have ended since: the next update()
+  /// then needs all grains.
   void load(const std::vector<Contact>& contacts, ContactSlots& slots);
   /// Brings contacts of `moved` grains in line; the new ones are behind the others. `walls`: their
   /// velocities. Tells `groups` where contacts have ended.
   void update(std::span<const std::uint32_t> moved, const WallVelocities& walls,
               ContactSlots& slots, SmallGroups& groups);
-  /// Puts all in order anew and forgets the empty ones.
+  /// Puts all slots in order anew and forgets the empty ones.
   void sort(ContactSlots& slots);
 
  private:
@@ -168,11 +172,13 @@ class ContactFinder {
     return moved_[partner] != 0 && partner < id;
   }
   void check_contacts(std::uint32_t id, ContactSlots& slots, SmallGroups& groups);
-  bool find_new(std::uint32_t id, const ContactSlots& slots);
-  void add_found(const StepContact& touch) { found_.emplace_back(touch.key(state_, down_), touch); }
+  bool find_new_contacts(std::uint32_t id, const ContactSlots& slots);
+  void add_found(const StepContact& touch) {
+    new_contacts_.emplace_back(touch.key(state_, down_), touch);
+  }
   void check_walls(std::uint32_t id, const WallVelocities& walls, ContactSlots& slots);
-  StepContact touch(std::uint32_t first, std::uint32_t second);
-  lattice::Axial apart(std::uint32_t upper, std::uint32_t other) const;
+  StepContact contact_between(std::uint32_t first, std::uint32_t second);
+  lattice::Axial vector_between(std::uint32_t upper, std::uint32_t other) const;
 
   const grains::State& state_;
   const grains::Box& box_;
@@ -184,10 +190,10 @@ class ContactFinder {
   NormalTable normals_;
   std::vector<std::uint32_t> ids_;       // of those that have moved, once each
   std::vector<std::uint8_t> moved_;      // by id
-  std::vector<grains::Owner> partners_;  // of the grain that is looked at
-  std::vector<std::pair<StepContact::Key, StepContact>> found_;  // that are new, with their order
-  std::vector<std::pair<std::int64_t, std::int32_t>> order_;     // keys and slots
-  ContactSlots sorted_;
+  std::vector<grains::Owner> partners_;  // that the grain looked at touches
+  std::vector<std::pair<StepContact::Key, StepContact>> new_contacts_;  // with their order
+  std::vector<std::pair<std::int64_t, std::int32_t>> order_;            // keys and slots
+  ContactSlots reordered_slots_;  // of sort(), kept for its memory
 };
 
 }  // namespace clca::contact

@@ -10,14 +10,15 @@ Engine::Engine(State initial, const Parameters& parameters, grains::PhaseTimes* 
     : Steps(std::move(initial), parameters),
       phase_times_(phase_times),
       clock_(phase_times),
-      carry_out_(fastest_function()),
+      carry_out_pass_(fastest_pass_function()),
       finder_(box_, rule_),
       slots_(state_.grains, rule_),
       mover_(state_, box_),
-      first_grain_(slots_.first_grain()),
-      body_velocities_{state_.grains, rule_, [this](grains::Owner body) -> Velocity<>& {
-                         return bodies_[static_cast<std::size_t>(slots_.body(body))].velocity;
-                       }} {
+      first_grain_body_(slots_.first_grain_body()),
+      body_velocities_{
+          state_.grains, rule_, [this](grains::Owner body) -> Velocity<>& {
+            return bodies_[static_cast<std::size_t>(slots_.body_number(body))].velocity;
+          }} {
   load();
 }
 
@@ -27,7 +28,7 @@ void Engine::added(std::size_t first) {
   for (std::size_t id = first; id < grains; ++id) {
     changed_.push_back(static_cast<std::uint32_t>(id));
   }
-  bodies_.resize(first_grain_ + grains);
+  bodies_.resize(first_grain_body_ + grains);
   slots_.add_grains(grains);
 }
 
@@ -45,17 +46,17 @@ void Engine::reloaded() {
 }
 
 void Engine::load() {
-  bodies_.resize(first_grain_);
+  bodies_.resize(first_grain_body_);
   for (const Velocity<>& velocity : state_.velocities) {
     bodies_.push_back({velocity});
   }
   finder_.load(state_.contacts, slots_);
   groups_.clear();
   mover_.clear();
-  look_at_all();
+  mark_all_changed();
 }
 
-void Engine::look_at_all() {
+void Engine::mark_all_changed() {
   changed_.resize(state_.grains.particles.size());
   std::iota(changed_.begin(), changed_.end(), 0U);
 }
@@ -64,7 +65,7 @@ void Engine::move_grains() {
   written_back_ = false;
   clock_ = grains::PhaseClock(phase_times_);
   update_contacts();
-  bounce_unloaded();
+  bounce_unloaded_contacts();
   impacts_.clear();
   for_each_group([this](const auto& contacts) { solve_impact(contacts, body_velocities_); });
   accelerate_all(state_, rule_.gravity,
@@ -78,7 +79,7 @@ void Engine::move_grains() {
 void Engine::update_contacts() {
   if (const lattice::Direction down = this->down(); down != finder_.down()) {
     finder_.set_down(down);
-    look_at_all();  // which one of two is the upper one may have changed
+    mark_all_changed();  // which one of two is the upper one may have changed
   }
   const WallVelocities walls = wall_velocities(state_);
   for (std::size_t wall = 0; wall < walls.size(); ++wall) {
@@ -97,7 +98,7 @@ void Engine::update_contacts() {
   groups_.begin(state_.grains.particles.size(), slots_);
 }
 
-void Engine::bounce_unloaded() {
+void Engine::bounce_unloaded_contacts() {
   bouncing_.clear();
   for (std::int32_t at = 0; at < static_cast<std::int32_t>(slots_.all().size()); ++at) {
     const Slot& slot = slots_.at(at);
@@ -109,7 +110,7 @@ void Engine::bounce_unloaded() {
       continue;
     }
     const std::int32_t velocity =
-        bounce(-slots_.separation_velocity(at, bodies_), rule_.restitution);
+        bounce_velocity(-slots_.separation_velocity(at, bodies_), rule_.restitution);
     if (velocity > 0) {
       slots_.bounce(at) = velocity;
       bouncing_.push_back(at);
@@ -140,11 +141,11 @@ void Engine::for_each_group(Solve solve) {
 void Engine::sweep_contacts() {
   std::vector<Batch>& batches = slots_.batches();
   const Pair* pairs = rule_.coefficients.pairs().data();
-  carry_out_(Pass::warm_start, batches, bodies_.data(), pairs, rule_.law);
+  carry_out_pass_(Pass::warm_start, batches, bodies_.data(), pairs, rule_.law);
   clock_.end("warm_start");
   for (int i = 0; i < rule_.sweeps; ++i) {
-    carry_out_(i % 2 == 0 ? Pass::forwards : Pass::backwards, batches, bodies_.data(), pairs,
-               rule_.law);
+    carry_out_pass_(i % 2 == 0 ? Pass::forwards : Pass::backwards, batches, bodies_.data(), pairs,
+                    rule_.law);
   }
   for (const std::int32_t slot : bouncing_) {
     slots_.bounce(slot) = 0;
@@ -172,7 +173,7 @@ void Engine::advance_and_move() {
   mover_.move_all(finder_.down(), candidates_, walls);
   const SiteMoves& moves = mover_.moves();
   moved_ = moves.moved();
-  cuts_ = collide_blocked(state_, moves, body_velocities_, mover_.ids());
+  remainder_cuts_ = collide_blocked(state_, moves, body_velocities_, mover_.ids());
   changed_ = moved_;
   changed_.insert(changed_.end(), moves.beside_walls().begin(), moves.beside_walls().end());
   end_step(state_, walls, moves, at_rest);
@@ -191,7 +192,7 @@ void Engine::write_back_velocities() {
   if (written_back_) {
     return;
   }
-  std::transform(bodies_.begin() + static_cast<std::ptrdiff_t>(first_grain_), bodies_.end(),
+  std::transform(bodies_.begin() + static_cast<std::ptrdiff_t>(first_grain_body_), bodies_.end(),
                  state_.velocities.begin(),
                  [](const AlignedVelocity& body) { return body.velocity; });
 }

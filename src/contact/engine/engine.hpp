@@ -18,6 +18,7 @@ namespace clca::contact {
 /// in between it is not looked at. It may wait in several directions, in each for one other body.
 class Mover {
  public:
+  /// Bytes for a grain.
   static constexpr double kGrainBytes =
       sizeof(std::uint8_t) + (3 * lattice::kDirectionCount + 1) * sizeof(std::int32_t) +
       sizeof(std::uint64_t) + grains::kListRoom * 4 * sizeof(std::uint32_t);
@@ -47,41 +48,42 @@ class Mover {
     return static_cast<Waiting>(std::size_t{id} * lattice::kDirectionCount +
                                 lattice::index_of(direction));
   }
-  // What others wait for: walls and the border, and each grain.
+  // Numbers of obstacles, for which grains wait: all walls and the border are one, each grain is
+  // one.
   static constexpr std::size_t kWalls = 0;
   static std::size_t obstacle(std::uint32_t id) { return id + 1; }
 
   bool waits(std::uint32_t id, lattice::Direction direction) const {
-    return (waiting_[id] >> lattice::index_of(direction) & 1U) != 0;
+    return (waiting_directions_[id] >> lattice::index_of(direction) & 1U) != 0;
   }
   void move(lattice::Direction direction, std::span<WallMove> walls);
   void move(std::span<const std::uint32_t> ids, lattice::Direction direction);
-  void release(std::span<const std::uint32_t> ids, lattice::Direction direction);
+  void end_waits(std::span<const std::uint32_t> ids, lattice::Direction direction);
   bool has_ring(lattice::Direction direction);
   bool move_at_once(lattice::Direction direction);
   bool move_walls(lattice::Direction direction, std::span<WallMove> walls);
-  bool wait(std::uint32_t id, lattice::Direction direction);
+  bool wait_if_blocked(std::uint32_t id, lattice::Direction direction);
   void stop_waiting(Waiting entry);
   void wake(std::size_t obstacle, lattice::Direction direction);
 
   State& state_;
   SiteMoves moves_;
-  bool may_hook_;  // grains may be in the way of one another in a ring
+  bool may_form_rings_;  // of grains, each in the way of the next
   std::vector<std::uint32_t> ids_;
-  std::vector<std::uint32_t> ready_;     // to be tried
-  std::vector<std::uint32_t> blocked_;   // those that have waited in this direction
-  std::vector<std::uint8_t> waiting_;    // by id: directions as bits
-  std::vector<Waiting> first_;           // by obstacle
-  std::vector<std::uint32_t> obstacle_;  // by what waits
-  std::vector<Waiting> next_;            // of the same obstacle
-  std::vector<Waiting> previous_;        // the same; of the first one -1 - obstacle
-  std::vector<std::uint64_t> walk_of_;   // by id: the last that came by
-  std::uint64_t walks_ = 0;
+  std::vector<std::uint32_t> ready_;              // grains to be tried
+  std::vector<std::uint32_t> blocked_;            // those that have waited in this direction
+  std::vector<std::uint8_t> waiting_directions_;  // by id, as bits
+  std::vector<Waiting> first_waiting_;            // by obstacle
+  std::vector<std::uint32_t> obstacle_;           // by Waiting
+  std::vector<Waiting> next_waiting_;             // by Waiting: at the same obstacle
+  std::vector<Waiting> previous_waiting_;         // likewise; of the first one -1 - obstacle
+  std::vector<std::uint64_t> walk_of_;            // by id: the last walk that came by
+  std::uint64_t walks_ = 0;                       // of has_ring(), so far
 };
 
 class Engine final : public Steps {
  public:
-  /// With the motion of a grain and its contacts in the state.
+  /// Bytes for a grain, with its motion and its contacts in the state.
   static constexpr double kGrainBytes =
       sizeof(Velocity<>) + sizeof(Vector) + sizeof(lattice::Axial) + ContactSlots::kGrainBytes +
       ContactFinder::kGrainBytes + SmallGroups::kGrainBytes + Mover::kGrainBytes +
@@ -102,11 +104,11 @@ class Engine final : public Steps {
   std::vector<Contact> wall_contacts() const override { return contacts(false); }
   std::vector<Contact> contacts(bool with_grains) const;
   Contact contact(std::int32_t at) const;
-  Velocity<>& velocity(std::size_t id) { return bodies_[first_grain_ + id].velocity; }
+  Velocity<>& velocity(std::size_t id) { return bodies_[first_grain_body_ + id].velocity; }
   void load();
-  void look_at_all();
+  void mark_all_changed();
   void update_contacts();
-  void bounce_unloaded();
+  void bounce_unloaded_contacts();
   template <class Solve>
   void for_each_group(Solve solve);
   void sweep_contacts();
@@ -114,14 +116,14 @@ class Engine final : public Steps {
 
   grains::PhaseTimes* phase_times_;
   grains::PhaseClock clock_;  // of this step
-  BatchFunction carry_out_;
+  PassFunction carry_out_pass_;
   ContactFinder finder_;
   ContactSlots slots_;
   SmallGroups groups_;
   Mover mover_;
-  std::size_t first_grain_;  // its body
+  std::size_t first_grain_body_;  // see ContactSlots
   std::vector<AlignedVelocity> bodies_;
-  BodyVelocities body_velocities_;             // of these
+  BodyVelocities body_velocities_;             // of bodies_
   std::vector<std::int32_t> bouncing_;         // slots of contacts that bounce in this step
   std::map<std::int32_t, Impulse<>> impacts_;  // of this step, by slot
   std::vector<std::uint32_t> changed_;         // grains that may touch other bodies than they did

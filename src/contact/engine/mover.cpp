@@ -31,21 +31,21 @@ bool has_rows_in_one_piece(const lattice::Shape& shape) {
 Mover::Mover(State& state, grains::Box& box)
     : state_(state),
       moves_(state, box),
-      may_hook_(state.grains.lattice.periodic() ||
-                !std::ranges::all_of(state.grains.kinds, [](const grains::Kind& kind) {
-                  return has_rows_in_one_piece(kind.shape);
-                })) {}
+      may_form_rings_(state.grains.lattice.periodic() ||
+                      !std::ranges::all_of(state.grains.kinds, [](const grains::Kind& kind) {
+                        return has_rows_in_one_piece(kind.shape);
+                      })) {}
 
 void Mover::clear() {
-  waiting_.clear();
-  first_.clear();
-  next_.clear();
-  previous_.clear();
+  waiting_directions_.clear();
+  first_waiting_.clear();
+  next_waiting_.clear();
+  previous_waiting_.clear();
 }
 
 void Mover::remove_grain(std::uint32_t id) {
-  if (id < waiting_.size()) {
-    release({&id, 1}, Direction::up);  // in no step: nobody is tried
+  if (id < waiting_directions_.size()) {
+    end_waits({&id, 1}, Direction::up);  // in no step: nobody is tried
     ready_.clear();
   }
 }
@@ -55,12 +55,12 @@ void Mover::move_all(Direction down, std::span<const std::uint32_t> ids,
   ids_.assign(ids.begin(), ids.end());
   moves_.begin();
   const std::size_t grains = state_.grains.particles.size();
-  waiting_.resize(grains, 0);
+  waiting_directions_.resize(grains, 0);
   walk_of_.resize(grains, 0);
-  first_.resize(grains + 1, kNone);
+  first_waiting_.resize(grains + 1, kNone);
   obstacle_.resize(lattice::kDirectionCount * grains);
-  next_.resize(lattice::kDirectionCount * grains, kNone);
-  previous_.resize(lattice::kDirectionCount * grains, kNone);
+  next_waiting_.resize(lattice::kDirectionCount * grains, kNone);
+  previous_waiting_.resize(lattice::kDirectionCount * grains, kNone);
   for (const Direction direction : order_of_directions(state_.grains, down)) {
     move(direction, walls);
   }
@@ -79,7 +79,7 @@ void Mover::move(Direction direction, std::span<WallMove> walls) {
     while (!ready_.empty()) {
       const std::uint32_t id = ready_.back();
       ready_.pop_back();
-      if (!wait(id, direction)) {
+      if (!wait_if_blocked(id, direction)) {
         move({&id, 1}, direction);
       }
     }
@@ -88,11 +88,11 @@ void Mover::move(Direction direction, std::span<WallMove> walls) {
 
 void Mover::move(std::span<const std::uint32_t> ids, Direction direction) {
   moves_.move(ids, direction);
-  release(ids, direction);
+  end_waits(ids, direction);
 }
 
 /// Grains have moved: they wait no more, and those that wait for them are tried.
-void Mover::release(std::span<const std::uint32_t> ids, Direction direction) {
+void Mover::end_waits(std::span<const std::uint32_t> ids, Direction direction) {
   for (const std::uint32_t id : ids) {
     for (const Direction other : lattice::kDirections) {
       if (waits(id, other)) {
@@ -127,7 +127,7 @@ bool Mover::has_ring(Direction direction) {
 }
 
 bool Mover::move_at_once(Direction direction) {
-  if (!may_hook_ || !has_ring(direction)) {
+  if (!may_form_rings_ || !has_ring(direction)) {
     return false;
   }
   std::vector<std::uint32_t> blocked;
@@ -145,7 +145,7 @@ bool Mover::move_walls(Direction direction, std::span<WallMove> walls) {
   if (!moves_.move_walls(direction, walls, pushed)) {
     return false;
   }
-  release(pushed, direction);
+  end_waits(pushed, direction);
   wake(kWalls, direction);
   ids_.insert(ids_.end(), pushed.begin(), pushed.end());
   std::ranges::sort(ids_);
@@ -154,8 +154,8 @@ bool Mover::move_walls(Direction direction, std::span<WallMove> walls) {
 }
 
 /// Lets a grain wait for what is in its way. Returns false if that is free.
-bool Mover::wait(std::uint32_t id, Direction direction) {
-  const grains::Owner in_the_way = moves_.in_the_way(id, direction);
+bool Mover::wait_if_blocked(std::uint32_t id, Direction direction) {
+  const grains::Owner in_the_way = moves_.blocking_owner(id, direction);
   if (in_the_way == grains::kFree) {
     return false;
   }
@@ -164,34 +164,35 @@ bool Mover::wait(std::uint32_t id, Direction direction) {
   const Waiting entry = waiting(id, direction);
   const auto at = static_cast<std::size_t>(entry);
   blocked_.push_back(id);
-  waiting_[id] = static_cast<std::uint8_t>(waiting_[id] | 1U << lattice::index_of(direction));
+  waiting_directions_[id] =
+      static_cast<std::uint8_t>(waiting_directions_[id] | 1U << lattice::index_of(direction));
   obstacle_[at] = static_cast<std::uint32_t>(obstacle);
-  next_[at] = std::exchange(first_[obstacle], entry);
-  previous_[at] = -1 - static_cast<Waiting>(obstacle);
-  if (next_[at] != kNone) {
-    previous_[static_cast<std::size_t>(next_[at])] = entry;
+  next_waiting_[at] = std::exchange(first_waiting_[obstacle], entry);
+  previous_waiting_[at] = -1 - static_cast<Waiting>(obstacle);
+  if (next_waiting_[at] != kNone) {
+    previous_waiting_[static_cast<std::size_t>(next_waiting_[at])] = entry;
   }
   return true;
 }
 
 void Mover::stop_waiting(Waiting entry) {
   const auto at = static_cast<std::size_t>(entry);
-  const Waiting previous = previous_[at];
-  (previous < 0 ? first_[static_cast<std::size_t>(-1 - previous)]
-                : next_[static_cast<std::size_t>(previous)]) = next_[at];
-  if (next_[at] != kNone) {
-    previous_[static_cast<std::size_t>(next_[at])] = previous;
+  const Waiting previous = previous_waiting_[at];
+  (previous < 0 ? first_waiting_[static_cast<std::size_t>(-1 - previous)]
+                : next_waiting_[static_cast<std::size_t>(previous)]) = next_waiting_[at];
+  if (next_waiting_[at] != kNone) {
+    previous_waiting_[static_cast<std::size_t>(next_waiting_[at])] = previous;
   }
-  std::uint8_t& directions = waiting_[at / lattice::kDirectionCount];
+  std::uint8_t& directions = waiting_directions_[at / lattice::kDirectionCount];
   directions = static_cast<std::uint8_t>(directions & ~(1U << at % lattice::kDirectionCount));
 }
 
 /// Those that wait for this obstacle in the direction of the moves and still want it are tried.
 void Mover::wake(std::size_t obstacle, Direction direction) {
-  while (first_[obstacle] != kNone) {
-    const auto at = static_cast<std::size_t>(first_[obstacle]);
+  while (first_waiting_[obstacle] != kNone) {
+    const auto at = static_cast<std::size_t>(first_waiting_[obstacle]);
     const auto id = static_cast<std::uint32_t>(at / lattice::kDirectionCount);
-    stop_waiting(first_[obstacle]);
+    stop_waiting(first_waiting_[obstacle]);
     if (at % lattice::kDirectionCount == lattice::index_of(direction) &&
         is_move_due(state_.remainders[id], direction)) {
       ready_.push_back(id);

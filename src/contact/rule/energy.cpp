@@ -21,7 +21,7 @@ double mass_of(const State& state, std::size_t id) {
   return static_cast<double>(state.grains.shape(state.grains.particles[id]).size());
 }
 
-/// Centre of mass.
+/// Centre of mass in lattice spacings, with the remainder.
 Eigen::Vector2d position_of(const State& state, std::size_t id) {
   return grains::centre(state.grains, state.grains.particles[id]) +
          in_spacings(state.remainders[id]);

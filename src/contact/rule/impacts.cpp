@@ -22,7 +22,7 @@ std::int64_t power(std::span<StepContact* const> contacts, const Impulses& impul
   constexpr int kBits = 20;  // so that the share below fits
   std::int64_t sum = 0;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
-    bodies.at(contacts[i]->contact, [&](const auto& both) {
+    bodies.visit_contact(contacts[i]->contact, [&](const auto& both) {
       sum += scaled(product(impulses[i].normal, separation_velocity(both)), kBits) +
              scaled(product(impulses[i].shear, slip_velocity(both)), kBits) +
              scaled(product(impulses[i].rolling, rolling_velocity(both)), kBits);
@@ -35,7 +35,7 @@ std::int64_t power(std::span<StepContact* const> contacts, const Impulses& impul
 /// velocities v before and c after them, and s times P once more, the kinetic energy changes by
 /// (1+s)/2 ((1-s) v.P + (1+s) c.P). If nothing closes or slides any more, c.P <= 0, and any s up to
 /// 1 will do; after a limited number of sweeps less may do.
-std::int32_t most_again(std::int64_t before, std::int64_t after) {
+std::int32_t repeatable_share(std::int64_t before, std::int64_t after) {
   constexpr std::int32_t kOne = 1 << kRatioBits;
   const std::int64_t gain = after - before;  // P.P over the masses
   return gain <= 0 ? -kOne : clamped(kOne - 2 * after * kOne / gain, -kOne, kOne);
@@ -56,7 +56,7 @@ void converge(std::span<StepContact* const> contacts, Impulses& impulses,
       const Contact& contact = contacts[i]->contact;
       Impulse<>& now = impulses[i];
       const Impulse<> before = now;
-      bodies.at(contact, [&](ContactBodies<>& both) {
+      bodies.visit_contact(contact, [&](ContactBodies<>& both) {
         solve(now, both, 0, bodies.rule.friction_with(contact.other), bodies.rule.law);
       });
       change =
@@ -93,7 +93,8 @@ std::vector<std::vector<StepContact*>> active_groups(std::span<StepContact> cont
   }
   std::vector<std::vector<StepContact*>> result;
   for (auto& [lowest, of_group] : by_group) {
-    if (size[lowest] <= kMostGrains && std::ranges::any_of(of_group, [](const StepContact* touch) {
+    if (size[lowest] <= kMaxSmallGroup &&
+        std::ranges::any_of(of_group, [](const StepContact* touch) {
           return touch->contact.impulse.normal > 0 || touch->bounce > 0;
         })) {
       result.push_back(std::move(of_group));
@@ -121,9 +122,9 @@ void solve_impact(std::span<StepContact* const> contacts, const BodyVelocities& 
       }};
   Impulses impulses(contacts.size());
   converge(contacts, impulses, bodies);
-  const std::int32_t again =
-      std::min(bodies.rule.restitution,
-               most_again(power(contacts, impulses, before), power(contacts, impulses, bodies)));
+  const std::int32_t again = std::min(
+      bodies.rule.restitution,
+      repeatable_share(power(contacts, impulses, before), power(contacts, impulses, bodies)));
   const auto more = [&](std::int32_t value, std::int32_t by, std::int32_t most) {
     return clamped(value + rounded(product(by, again), kRatioBits), -most, most);
   };

@@ -20,7 +20,7 @@ Disc disc(const grains::Kind& kind, double unit) {
   return {unit / sites, std::sqrt(2 * std::numbers::pi / (sites * std::numbers::sqrt3))};
 }
 
-Pair make_pair(const Disc& upper, const Disc& other) {
+Pair make_coefficients(const Disc& upper, const Disc& other) {
   // Impulses that are remembered make a contact a spring: M / step^2 stiff along the normal. These
   // are the ratios of the stiffnesses that discrete elements have. Less than what would stop the
   // bodies at once: M, or M/3 if they turn; some 2 M. Stiffer, friction locks pressure in.
@@ -65,13 +65,14 @@ double mass_unit(const std::vector<grains::Kind>& kinds) {
   return unit;
 }
 
-PairCoefficients::PairCoefficients(const std::vector<grains::Kind>& kinds) : kinds_(kinds.size()) {
+PairCoefficients::PairCoefficients(const std::vector<grains::Kind>& kinds)
+    : kind_count_(kinds.size()) {
   const double unit = mass_unit(kinds);
   for (const grains::Kind& kind : kinds) {
     for (const grains::Kind& other : kinds) {
-      pairs_.push_back(make_pair(disc(kind, unit), disc(other, unit)));
+      pairs_.push_back(make_coefficients(disc(kind, unit), disc(other, unit)));
     }
-    pairs_.push_back(make_pair(disc(kind, unit), Disc()));
+    pairs_.push_back(make_coefficients(disc(kind, unit), Disc()));
   }
 }
 

@@ -21,13 +21,14 @@ struct Coefficients {
   Int shear_mass;  ///< of the impulse along the tangent: 2/7 of the reduced mass
   Int upper_inverse_mass;
   Int other_inverse_mass;
-  // For moments divided by the reduced radius: 0.3 of what would stop a spin, and the change of
-  // spins.
-  Int upper_rolling_mass;
+  // Rolling impulses are moments divided by the reduced radius.
+  Int upper_rolling_mass;  ///< rolling impulse over the upper spin: 0.3 of what would stop it
   Int other_rolling_mass;
-  Int upper_turning;  ///< half of the change: a single site at a wall would need 2
+  /// Half of the spin that a rolling impulse of 1 gives; all would be 2 for a site at a wall.
+  Int upper_turning;
   Int other_turning;
 };
+/// The coefficients of a pair of kinds, or of a kind and a wall.
 using Pair = Coefficients<std::int32_t>;
 
 /// Constants of the law, the same for all contacts. Coefficients in 2^-16.
@@ -130,7 +131,7 @@ template <class Int>
     impulse.rolling =
         bound(before.rolling - change(product(both.upper.spin, both.pair.upper_rolling_mass) -
                                       product(both.other.spin, both.pair.other_rolling_mass)),
-              product(impulse.normal, all(law.rolling_friction, Int())));
+              product(impulse.normal, in_all_lanes(law.rolling_friction, Int())));
   }
   apply(both,
         Impulse<Int>{impulse.normal - before.normal, impulse.shear - before.shear,
@@ -138,9 +139,9 @@ template <class Int>
         law.rotates);
 }
 
-/// Separation velocity after a collision with the velocity `closing`; 0 if that is so small that it
-/// is no impact.
-inline std::int32_t bounce(std::int32_t closing, std::int32_t restitution) {
+/// Velocity with which bodies separate that collide with the velocity `closing`; 0 if that is so
+/// small that it is no impact.
+inline std::int32_t bounce_velocity(std::int32_t closing, std::int32_t restitution) {
   constexpr std::int32_t kMinClosingVelocity =
       kSpacing / 32;  // below it large beds would not come to rest
   return closing > kMinClosingVelocity ? rounded(product(closing, restitution), kRatioBits) : 0;
@@ -167,10 +168,10 @@ class PairCoefficients {
 
  private:
   std::size_t number(std::uint16_t kind, std::optional<std::uint16_t> other) const {
-    return kind * (kinds_ + 1) + (other ? *other : kinds_);
+    return kind * (kind_count_ + 1) + (other ? *other : kind_count_);
   }
 
-  std::size_t kinds_;
+  std::size_t kind_count_;
   std::vector<Pair> pairs_;  // by kind and other kind; the last other kind is a wall
 };
 
@@ -206,9 +207,9 @@ struct BodyVelocities {
   /// Of a grain, wall or side. Only those of grains are changed.
   std::function<Velocity<>&(grains::Owner)> velocity;
 
-  /// Calls `visit` with a contact as it is now, whose velocities it may change.
+  /// Calls `visit` with the present ContactBodies of a contact, whose velocities it may change.
   template <class Visit>
-  void at(const Contact& contact, Visit visit) const {
+  void visit_contact(const Contact& contact, Visit visit) const {
     Velocity<>& upper = velocity(grains::as_owner(contact.upper));
     Velocity<>& other = velocity(contact.other);
     ContactBodies<> both = {

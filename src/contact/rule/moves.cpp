@@ -28,11 +28,12 @@ std::array<Direction, lattice::kDirectionCount> order_of_directions(const grains
 void SiteMoves::begin() {
   moved_.clear();
   beside_walls_.clear();
-  advanced_ = false;
+  anchor_moved_ = false;
 }
 
 template <class Chosen>
-grains::Owner SiteMoves::in_the_way(std::uint32_t id, Direction direction, Chosen chosen) const {
+grains::Owner SiteMoves::blocking_owner(std::uint32_t id, Direction direction,
+                                        Chosen chosen) const {
   const grains::Particle& grain = state_.grains.particles[id];
   const lattice::Lattice& lattice = state_.grains.lattice;
   const std::size_t index = lattice.index(grain.site());
@@ -47,8 +48,8 @@ grains::Owner SiteMoves::in_the_way(std::uint32_t id, Direction direction, Chose
   return grains::kFree;
 }
 
-grains::Owner SiteMoves::in_the_way(std::uint32_t id, Direction direction) const {
-  return in_the_way(id, direction, [](grains::Owner /*any*/) { return true; });
+grains::Owner SiteMoves::blocking_owner(std::uint32_t id, Direction direction) const {
+  return blocking_owner(id, direction, [](grains::Owner /*any*/) { return true; });
 }
 
 std::vector<std::uint32_t> SiteMoves::movable_at_once(std::vector<std::uint32_t> blocked,
@@ -57,7 +58,7 @@ std::vector<std::uint32_t> SiteMoves::movable_at_once(std::vector<std::uint32_t>
   for (std::vector<std::uint32_t> before; before.size() != blocked.size();) {
     before = blocked;
     std::erase_if(blocked, [&](std::uint32_t id) {
-      return in_the_way(id, direction, [&](grains::Owner owner) {
+      return blocking_owner(id, direction, [&](grains::Owner owner) {
                return !grains::is_particle(owner) ||
                       !std::binary_search(before.begin(), before.end(), grains::particle_id(owner));
              }) != grains::kFree;
@@ -68,8 +69,8 @@ std::vector<std::uint32_t> SiteMoves::movable_at_once(std::vector<std::uint32_t>
 
 void SiteMoves::move(std::span<const std::uint32_t> ids, Direction direction) {
   for (const std::uint32_t id : ids) {
-    box_.for_each_left(state_.grains.particles[id], direction,
-                       [&](std::size_t index) { box_.occupancy.release(index); });
+    box_.for_each_vacated(state_.grains.particles[id], direction,
+                          [&](std::size_t index) { box_.occupancy.release(index); });
   }
   for (const std::uint32_t id : ids) {
     grains::Particle& grain = state_.grains.particles[id];
@@ -81,12 +82,12 @@ void SiteMoves::move(std::span<const std::uint32_t> ids, Direction direction) {
       moved_.push_back(id);
     }
     grain.previous = static_cast<grains::Move>(direction);
-    take(state_.remainders[id], kSpacing, direction);
+    subtract_along(state_.remainders[id], kSpacing, direction);
     lattice::Axial& from_anchor = state_.from_anchors[id];
     from_anchor = from_anchor + unit(direction);
     if (length(from_anchor) > 1) {
       from_anchor = {};
-      advanced_ = true;
+      anchor_moved_ = true;
     }
   }
 }
@@ -114,8 +115,8 @@ bool SiteMoves::push(const grains::WallStep& step, std::vector<std::uint32_t>& p
   move(*ids, step.direction);
   for (const std::uint32_t id : *ids) {  // at most half a site behind its site
     Vector& remainder = state_.remainders[id];
-    take(remainder, std::min(along(remainder, unit_of(step.direction)) + kSpacing / 2, 0),
-         step.direction);
+    subtract_along(remainder, std::min(along(remainder, unit_of(step.direction)) + kSpacing / 2, 0),
+                   step.direction);
   }
   for (const std::size_t index : step.enters) {
     box_.occupancy.take(index, grains::wall_code(step.wall));
@@ -160,8 +161,9 @@ void move_all(SiteMoves& moves, State& state, Direction down, std::span<WallMove
     };
     const auto move_grains = [&] {
       std::vector<std::uint32_t> ids = due();
-      std::erase_if(
-          ids, [&](std::uint32_t id) { return moves.in_the_way(id, direction) != grains::kFree; });
+      std::erase_if(ids, [&](std::uint32_t id) {
+        return moves.blocking_owner(id, direction) != grains::kFree;
+      });
       moves.move(ids, direction);
       return mark(ids);
     };
@@ -194,7 +196,7 @@ bool slow_down(Velocity<>& velocity, std::int32_t excess, Direction direction) {
     return false;  // or its velocity is that of another direction
   }
   Vector slower = {velocity.x, velocity.y};
-  take(slower, std::min(excess, speed - kSpacing), direction);
+  subtract_along(slower, std::min(excess, speed - kSpacing), direction);
   velocity.x = slower.x;
   velocity.y = slower.y;
   return true;
@@ -212,28 +214,28 @@ void cut(Vector& remainder, Visit visit) {
   for (const Direction direction : lattice::kDirections) {
     const std::int32_t excess = along(remainder, unit_of(direction)) - kMost;
     if (excess > 0) {
-      take(remainder, excess, direction);
+      subtract_along(remainder, excess, direction);
       visit(direction, excess);
     }
   }
 }
 
-/// What pushes change of a grain.
+/// The sum of all pushes of a grain.
 struct PushSum {
   std::uint32_t id = 0;
-  std::int64_t pushes = 0;
-  std::int64_t x = 0;  // impulse
+  std::int64_t pushes = 0;  // their number
+  std::int64_t x = 0;       // impulse
   std::int64_t y = 0;
 };
 
 }  // namespace
 
-Cuts collide_blocked(State& state, const SiteMoves& moves, const BodyVelocities& bodies,
-                     std::span<const std::uint32_t> ids) {
-  Cuts result;
+RemainderCuts collide_blocked(State& state, const SiteMoves& moves, const BodyVelocities& bodies,
+                              std::span<const std::uint32_t> ids) {
+  RemainderCuts result;
   for (const std::uint32_t id : ids) {
     cut(state.remainders[id], [&](Direction direction, std::int32_t excess) {
-      const grains::Owner other = moves.in_the_way(id, direction);
+      const grains::Owner other = moves.blocking_owner(id, direction);
       const UnitVector& unit = unit_of(direction);
       if (other != grains::kFree) {
         result.pushes.push_back({.upper = id, .other = other, .normal = {-unit.x, -unit.y}});
@@ -358,7 +360,7 @@ std::vector<WallMove> advance_walls(State& state) {
   return result;
 }
 
-bool walls_rest(const State& state) {
+bool walls_are_at_rest(const State& state) {
   for (std::size_t number = 0; number < state.grains.walls.size(); ++number) {
     const grains::Wall& wall = state.grains.walls[number];
     if (!wall.in_motion() || is_over(*wall.motion, wall.travel)) {

@@ -25,11 +25,11 @@ inline constexpr int kSquaredRateBits = 40;  ///< of squared angular velocities
 
 /// Acceleration in one step; depends on a grain only through position and velocity.
 struct Acceleration {
-  Vector gravity;  ///< and shaking, in 2^-23 lattice spacings per step squared
-  bool rotates = false;
-  std::int32_t rate = 0;  ///< angular velocity of the vessel
-  std::int64_t squared_rate = 0;
-  std::int32_t centre_x = 0;
+  Vector gravity;                 ///< and shaking, in 2^-23 lattice spacings per step squared
+  bool rotates = false;           ///< the vessel does: Coriolis and centrifugal acceleration
+  std::int32_t rate = 0;          ///< angular velocity of the vessel, in 2^-30 radians per step
+  std::int64_t squared_rate = 0;  ///< in 2^-40
+  std::int32_t centre_x = 0;      ///< of turning, in 2^-8 lattice spacings
   std::int32_t centre_y = 0;
 };
 
@@ -75,13 +75,13 @@ void accelerate_all(const State& state, std::int32_t gravity, VelocityOf velocit
 }
 
 /// Subtracts a distance along a unit vector from a remainder.
-inline void take(Vector& remainder, std::int32_t distance, const UnitVector& unit) {
+inline void subtract_along(Vector& remainder, std::int32_t distance, const UnitVector& unit) {
   remainder.x -= rounded(product(distance, unit.x), kUnitBits);
   remainder.y -= rounded(product(distance, unit.y), kUnitBits);
 }
 
-inline void take(Vector& remainder, std::int32_t distance, lattice::Direction direction) {
-  take(remainder, distance, unit_of(direction));
+inline void subtract_along(Vector& remainder, std::int32_t distance, lattice::Direction direction) {
+  subtract_along(remainder, distance, unit_of(direction));
 }
 
 /// Adds a velocity to a remainder. If the grain is at rest (it touches something and its speed is
@@ -96,14 +96,14 @@ inline bool advance(Vector& remainder, const Velocity<>& velocity, bool touches,
     return false;
   }
   Vector decaying = remainder;
-  take(decaying, std::max(along(remainder, gravity), 0), gravity);
+  subtract_along(decaying, std::max(along(remainder, gravity), 0), gravity);
   remainder.x -= decaying.x / kForgotten;
   remainder.y -= decaying.y / kForgotten;
   return true;
 }
 
-/// The same for all grains; whether all are at rest. `touches(id)`: whether a grain touches
-/// anything.
+/// Calls advance() for the remainders of all grains. Returns whether all grains are at rest.
+/// `touches(id)`: whether a grain touches anything.
 template <class VelocityOf, class Touches>
 bool advance_all(State& state, std::int32_t slow, VelocityOf velocity, Touches touches) {
   const UnitVector gravity = gravity_unit(state.vessel);
@@ -157,8 +157,8 @@ class SiteMoves {
   /// Starts a step: clears the record.
   void begin();
 
-  /// An owner that blocks a grain; kFree if there is none.
-  grains::Owner in_the_way(std::uint32_t id, lattice::Direction direction) const;
+  /// An owner that blocks a step of a grain; kFree if there is none.
+  grains::Owner blocking_owner(std::uint32_t id, lattice::Direction direction) const;
   /// Moves grains at once, into sites that are free then.
   void move(std::span<const std::uint32_t> ids, lattice::Direction direction);
   /// Those of the grains `blocked` that can only move at once: each is blocked by others of them
@@ -166,23 +166,23 @@ class SiteMoves {
   std::vector<std::uint32_t> movable_at_once(std::vector<std::uint32_t> blocked,
                                              lattice::Direction direction) const;
   /// Moves the walls that are due in this direction and have not moved yet, with all grains they
-  /// push.
-  /// A wall blocked by the border or another wall stays. Returns whether any wall moved; appends
-  /// the pushed grains.
+  /// push. A wall blocked by the border or another wall stays. Returns whether any wall moved;
+  /// appends the pushed grains.
   bool move_walls(lattice::Direction direction, std::span<WallMove> walls,
                   std::vector<std::uint32_t>& pushed);
 
   /// Ids of grains that moved in this step, without duplicates.
   const std::vector<std::uint32_t>& moved() const { return moved_; }
-  /// Whether a grain has left the neighbourhood of its anchor in this step.
-  bool advanced() const { return advanced_; }
+  /// Whether the anchor of a grain has moved in this step, see State::from_anchors.
+  bool anchor_moved() const { return anchor_moved_; }
   /// Grains next to sites that walls entered or left; may have duplicates.
   const std::vector<std::uint32_t>& beside_walls() const { return beside_walls_; }
 
  private:
-  /// The first owner in the way that `chosen` returns true for; kFree if there is none.
+  /// The first blocking owner that `chosen` returns true for; kFree if there is none.
   template <class Chosen>
-  grains::Owner in_the_way(std::uint32_t id, lattice::Direction direction, Chosen chosen) const;
+  grains::Owner blocking_owner(std::uint32_t id, lattice::Direction direction, Chosen chosen) const;
+  /// Takes a step of a wall with all grains that it pushes. Returns false if that is blocked.
   bool push(const grains::WallStep& step, std::vector<std::uint32_t>& pushed);
   void note_neighbours(const std::vector<std::size_t>& indices);
 
@@ -190,7 +190,7 @@ class SiteMoves {
   grains::Box& box_;
   std::vector<std::uint32_t> moved_;
   std::vector<std::uint32_t> beside_walls_;
-  bool advanced_ = false;
+  bool anchor_moved_ = false;
 };
 
 /// Moves each grain by one site in every direction in which its remainder is large enough and the
@@ -199,8 +199,8 @@ class SiteMoves {
 /// direction nearest to gravity.
 void move_all(SiteMoves& moves, State& state, lattice::Direction down, std::span<WallMove> walls);
 
-/// What grains exchange where their remainders are cut.
-struct Cuts {
+/// What comes of remainders that were too long and are cut.
+struct RemainderCuts {
   /// Grains and what is in their ways; `impact` is the impulse, along a direction of the lattice.
   /// A pair may push in several directions, and either may be `upper`.
   std::vector<Contact> pushes = {};
@@ -213,11 +213,11 @@ struct Cuts {
 /// order does not matter, momentum is conserved, and no energy is gained. Where nothing is in the
 /// way, the grain is faster than it can move: it loses velocity with the distance. `ids`: grains
 /// whose remainders may be that long, each once, in any order.
-Cuts collide_blocked(State& state, const SiteMoves& moves, const BodyVelocities& bodies,
-                     std::span<const std::uint32_t> ids);
+RemainderCuts collide_blocked(State& state, const SiteMoves& moves, const BodyVelocities& bodies,
+                              std::span<const std::uint32_t> ids);
 
 /// Whether no wall will move while no grain does: each has finished or has been blocked for the
 /// settling time, so that its push no longer grows.
-bool walls_rest(const State& state);
+bool walls_are_at_rest(const State& state);
 
 }  // namespace clca::contact

@@ -15,7 +15,7 @@
 namespace clca::contact {
 
 inline constexpr int kMassBits = 16;         ///< of masses in their unit, see mass_unit()
-inline constexpr int kInverseMassBits = 26;  ///< these are at most 8
+inline constexpr int kInverseMassBits = 26;  ///< of inverse masses, which are at most 8
 inline constexpr int kRatioBits = 16;        ///< of coefficients of friction and restitution
 
 /// Product of two numbers. Sums of products must fit a sign and 62 bits.
@@ -23,19 +23,19 @@ inline std::int64_t product(std::int32_t one, std::int32_t other) {
   return std::int64_t{one} * other;
 }
 /// The same number in every lane.
-inline std::int32_t all(std::int32_t value, std::int32_t /*like*/) {
+inline std::int32_t in_all_lanes(std::int32_t value, std::int32_t /*like*/) {
   return value;
 }
 /// value / 2^bits, rounded.
 inline std::int64_t scaled(std::int64_t value, int bits) {
   return (value + (std::int64_t{1} << (bits - 1))) >> bits;
 }
-/// The same, if the result fits.
+/// value / 2^bits, rounded, if the result fits.
 inline std::int32_t rounded(std::int64_t value, int bits) {
   return static_cast<std::int32_t>(scaled(value, bits));
 }
-/// The same for any size: if larger than `most`, a power of two, the result is some number with
-/// an absolute value of at least `most`.
+/// value / 2^bits, rounded; where that exceeds `most`, a power of two, some number with an absolute
+/// value of at least `most`.
 inline std::int32_t limited(std::int64_t value, int bits, std::int32_t most) {
   return static_cast<std::int32_t>(std::clamp<std::int64_t>(scaled(value, bits), -most, most));
 }

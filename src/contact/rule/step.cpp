@@ -10,20 +10,22 @@ namespace clca::contact {
 namespace {
 
 /// Contacts that carry nothing bounce: new ones, and those whose bodies have parted.
-void bounce_unloaded(std::vector<StepContact>& contacts, const BodyVelocities& bodies) {
+void bounce_unloaded_contacts(std::vector<StepContact>& contacts, const BodyVelocities& bodies) {
   for (StepContact& touch : contacts) {
     if (touch.contact.impulse.normal == 0) {
-      bodies.at(touch.contact, [&](const auto& both) {
-        touch.bounce = bounce(-separation_velocity(both), bodies.rule.restitution);
+      bodies.visit_contact(touch.contact, [&](const auto& both) {
+        touch.bounce = bounce_velocity(-separation_velocity(both), bodies.rule.restitution);
       });
     }
   }
 }
 
-void apply_all(const std::vector<StepContact>& contacts, const BodyVelocities& bodies) {
+/// Gives the bodies the impulses of the last step.
+void apply_impulses(const std::vector<StepContact>& contacts, const BodyVelocities& bodies) {
   for (const StepContact& touch : contacts) {
-    bodies.at(touch.contact,
-              [&](auto& both) { apply(both, touch.contact.impulse, bodies.rule.law.rotates); });
+    bodies.visit_contact(touch.contact, [&](auto& both) {
+      apply(both, touch.contact.impulse, bodies.rule.law.rotates);
+    });
   }
 }
 
@@ -34,7 +36,7 @@ void sweep(std::vector<StepContact>& contacts, const BodyVelocities& bodies) {
     for (std::size_t k = 0; k < contacts.size(); ++k) {
       StepContact& touch = contacts[i % 2 == 0 ? k : contacts.size() - 1 - k];
       Contact& contact = touch.contact;
-      bodies.at(contact, [&](auto& both) {
+      bodies.visit_contact(contact, [&](auto& both) {
         solve(contact.impulse, both, touch.bounce, rule.friction_with(contact.other), rule.law);
       });
     }
@@ -43,7 +45,7 @@ void sweep(std::vector<StepContact>& contacts, const BodyVelocities& bodies) {
 
 /// Grains from a source start anywhere within a spacing; otherwise those of one site would stack
 /// vertically.
-void scatter(State& state, std::size_t first) {
+void scatter_remainders(State& state, std::size_t first) {
   for (std::size_t id = first; id < state.remainders.size(); ++id) {
     const std::uint64_t bits =
         random::draw(state.grains.seed, state.grains.step, static_cast<std::uint32_t>(id),
@@ -53,14 +55,14 @@ void scatter(State& state, std::size_t first) {
   }
 }
 
-/// Grains that are at rest.
+/// Makes room for the motion of new grains, which are at rest.
 void add_motions(State& state) {
   state.velocities.resize(state.grains.particles.size());
   state.remainders.resize(state.grains.particles.size());
   state.from_anchors.resize(state.grains.particles.size());
 }
 
-State valid(State state) {
+State checked_state(State state) {
   if (state.grains.step == 0 && state.wall_remainders.empty()) {
     state.wall_remainders.resize(state.grains.walls.size());
   }
@@ -81,14 +83,14 @@ double gravity_in(const lattice::Lattice& box, Parameters parameters) {
 }  // namespace
 
 Steps::Steps(State initial, const Parameters& parameters)
-    : state_(valid(std::move(initial))),
+    : state_(checked_state(std::move(initial))),
       box_(state_.grains),
       gravity_(gravity_in(state_.grains.lattice, parameters)),
       rule_(make_rule(state_.grains, parameters, gravity_)) {}
 
 void Steps::added(std::size_t first) {
   add_motions(state_);
-  scatter(state_, first);
+  scatter_remainders(state_, first);
   for (std::size_t id = first; id < state_.grains.particles.size(); ++id) {
     exchange_.sources += energy_of(state_, id, gravity_).sum();
   }
@@ -101,7 +103,7 @@ bool Steps::advance(grains::StepReport& report) {
   report.moved = moved_.size();
   if (wall_positions(state_) != walls) {
     exchange_.walls = wall_work(state_, wall_contacts(), walls, gravity_) +
-                      wall_work(state_, cuts_.pushes, walls, gravity_);
+                      wall_work(state_, remainder_cuts_.pushes, walls, gravity_);
   }
   if (vessel.moves() || !state_.grains.outlets.empty()) {
     write_back_velocities();
@@ -112,7 +114,7 @@ bool Steps::advance(grains::StepReport& report) {
   if (report.emitted > 0) {
     disturb(state_);  // what is new still has to fall
   }
-  return grains_rest(state_, rule_.slow_speed()) && walls_rest(state_);
+  return grains_are_at_rest(state_, rule_.slow_speed()) && walls_are_at_rest(state_);
 }
 
 void Steps::removing(std::uint32_t id) {
@@ -140,7 +142,7 @@ void disturb(State& state) {
   state.quiet_steps = 0;
 }
 
-bool grains_rest(const State& state, std::int32_t slow) {
+bool grains_are_at_rest(const State& state, std::int32_t slow) {
   // A remainder grows from -2 to 1/2 along some direction at most 30 degrees off before it moves.
   constexpr std::int64_t kFarthest = std::int64_t{3} * kSpacing;
   return state.quiet_steps >= kQuietSteps ||
@@ -157,7 +159,7 @@ void end_step(State& state, std::span<const WallMove> walls, const SiteMoves& mo
     take_step(*wall.motion, wall.travel, move.desired, move.done, state.grains.step, ahead);
     walls_moved = walls_moved || move.done;
   }
-  state.unmoved_steps = walls_moved || moves.advanced() ? 0 : state.unmoved_steps + 1;
+  state.unmoved_steps = walls_moved || moves.anchor_moved() ? 0 : state.unmoved_steps + 1;
   state.quiet_steps = walls_moved || !moves.moved().empty() || !at_rest ? 0 : state.quiet_steps + 1;
   for (const WallMove& move : walls) {
     grains::Wall& wall = state.grains.walls[move.wall];
@@ -190,7 +192,7 @@ void Reference::move_grains() {
   state_.changed = false;
 
   // 2. Contacts without impulse bounce: impacts in small groups at once, others in the sweeps.
-  bounce_unloaded(contacts, bodies);
+  bounce_unloaded_contacts(contacts, bodies);
   const std::vector<std::vector<StepContact*>> groups = active_groups(contacts, grains);
   for (const std::vector<StepContact*>& group : groups) {
     solve_impact(group, bodies);
@@ -200,7 +202,7 @@ void Reference::move_grains() {
   accelerate_all(state_, rule_.gravity, velocity);
 
   // 4. The impulses of the last step, once more.
-  apply_all(contacts, bodies);
+  apply_impulses(contacts, bodies);
 
   // 5. Sweeps over the contacts change the impulses and the velocities; in small groups more of
   // them do, which are not remembered.
@@ -234,7 +236,7 @@ void Reference::move_grains() {
   // 9. Remainders of grains that were held up are cut, and momentum is passed on.
   std::vector<std::uint32_t> ids(grains);
   std::iota(ids.begin(), ids.end(), 0U);
-  cuts_ = collide_blocked(state_, moves, bodies, ids);
+  remainder_cuts_ = collide_blocked(state_, moves, bodies, ids);
 
   // 10. Walls and vessel end the step.
   end_step(state_, wall_moves, moves, at_rest);

@@ -19,12 +19,12 @@ namespace clca::contact {
 /// Ends a step: updates walls and vessel. `at_rest`: no grain is faster than the rest limit.
 void end_step(State& state, std::span<const WallMove> walls, const SiteMoves& moves, bool at_rest);
 
-/// Counts from here on: something may move again.
+/// Counts steps at rest from 0 again, as something may move.
 void disturb(State& state);
 
 /// Whether grains have come to rest. `slow`: the rest limit. Grains that are faster for long
 /// without going anywhere are held up, though their contacts let them go on, or hop to and fro.
-bool grains_rest(const State& state, std::int32_t slow);
+bool grains_are_at_rest(const State& state, std::int32_t slow);
 
 /// A step but for the moves themselves: new grains, and the energy that is exchanged.
 class Steps : public grains::Mechanics {
@@ -33,21 +33,21 @@ class Steps : public grains::Mechanics {
   /// a parameter is out of range.
   Steps(State initial, const Parameters& parameters);
 
-  /// Everything of it is true after write_back().
+  /// Its velocities and contacts are the present ones only after write_back().
   const State& state() const { return state_; }
   /// In lattice spacings per step squared.
   double gravity() const { return gravity_; }
-  /// In the last step.
+  /// What was exchanged in the last step.
   const EnergyExchange& exchange() const { return exchange_; }
   /// Throws std::invalid_argument for an invalid vessel.
   void set_vessel(const Vessel& vessel);
-  /// Of the last step.
-  const Cuts& cuts() const { return cuts_; }
+  /// In the last step.
+  const RemainderCuts& remainder_cuts() const { return remainder_cuts_; }
   /// Sets velocities and contacts of the state.
   virtual void write_back() {}
-  /// The same without contacts.
+  /// Sets velocities of the state.
   virtual void write_back_velocities() {}
-  /// Those with walls and sides, maybe others, too.
+  /// Contacts of the last step with walls and sides, maybe others, too.
   virtual std::vector<Contact> wall_contacts() const = 0;
 
   grains::Box& box() final { return box_; }
@@ -70,8 +70,8 @@ class Steps : public grains::Mechanics {
   double gravity_;  // lattice spacings per step squared
   Rule rule_;
   EnergyExchange exchange_;
-  Cuts cuts_;
-  std::vector<std::uint32_t> moved_;  // in the last step, once each
+  RemainderCuts remainder_cuts_;
+  std::vector<std::uint32_t> moved_;  // ids, in the last step, once each
   // NOLINTEND(readability-identifier-naming)
 };
 
@@ -91,10 +91,11 @@ class Reference final : public Steps {
 
 // Impacts, in impacts.cpp.
 
-/// A group of grains that contacts connect is small if it has at most so many; walls connect none.
-inline constexpr std::size_t kMostGrains = 8;
+/// A group of grains that contacts connect is small with at most so many grains; walls connect
+/// none.
+inline constexpr std::size_t kMaxSmallGroup = 8;
 
-/// The contacts of each small group with one that carries or bounces, in their order.
+/// The contacts of each small group in which one carries or bounces, in their order.
 std::vector<std::vector<StepContact*>> active_groups(std::span<StepContact> contacts,
                                                      std::size_t grains);
 
@@ -112,7 +113,7 @@ void converge_group(std::span<StepContact* const> contacts, const BodyVelocities
 
 // Energy, in energy.cpp.
 
-/// Of a present grain, in units of Energy; `gravity` in lattice spacings per step squared.
+/// Energy of a present grain; `gravity` in lattice spacings per step squared.
 Energy energy_of(const State& state, std::size_t id, double gravity);
 
 /// Positions of the walls along their motions, in lattice spacings: a wall that follows its motion

@@ -24,11 +24,11 @@ std::int64_t order_key(const grains::State& state, lattice::Direction down, std:
 }
 
 std::optional<UnitVector> normal_between(const lattice::Shape& first, const lattice::Shape& second,
-                                         Axial apart) {
+                                         Axial to_second) {
   Axial blocked;
   for (const lattice::Direction direction : lattice::kDirections) {
     const std::vector<Axial> lead = first.lead(direction);
-    if (std::ranges::any_of(lead, [&](Axial site) { return second.contains(site - apart); })) {
+    if (std::ranges::any_of(lead, [&](Axial site) { return second.contains(site - to_second); })) {
       blocked = blocked + unit(direction);
     }
   }
@@ -36,10 +36,10 @@ std::optional<UnitVector> normal_between(const lattice::Shape& first, const latt
     return std::nullopt;
   }
   const bool round = first.is_round() && second.is_round();
-  return unit_vector(Axial() - (round ? apart : blocked));
+  return unit_vector(Axial() - (round ? to_second : blocked));
 }
 
-NormalTable::OfTwo::OfTwo(const lattice::Shape& first, const lattice::Shape& second) {
+NormalTable::PairTable::PairTable(const lattice::Shape& first, const lattice::Shape& second) {
   const auto extent = [](const lattice::Shape& shape) {
     const auto [lowest, highest] = std::ranges::minmax(shape.sites(), {}, &Axial::q);
     return std::pair(Axial{shape.sites().front().x, lowest.q},  // sorted by x
@@ -55,8 +55,8 @@ NormalTable::OfTwo::OfTwo(const lattice::Shape& first, const lattice::Shape& sec
 
 namespace {
 
-/// How far from touched sites the shape of a surface counts. With 2, a grain in a corner of 120
-/// degrees would see too little of its sides.
+/// How far from touched sites, in steps, the shape of a surface counts. With 2, a grain in a corner
+/// of 120 degrees would see too little of its sides.
 constexpr int kNear = 3;
 
 /// Walls and sides of the box near a grain that form one surface, however it is cut into bodies; as
@@ -91,9 +91,9 @@ grains::Owner body_at(const grains::Box& box, lattice::Site site) {
   return box.occupancy.owner(lattice.index(site));
 }
 
-/// The walls and sides that block a grain.
-std::map<grains::Owner, Surface> touched_bodies(const grains::Box& box,
-                                                const grains::Particle& grain) {
+/// By wall or side that blocks the grain: a surface of it alone.
+std::map<grains::Owner, Surface> touched_surfaces(const grains::Box& box,
+                                                  const grains::Particle& grain) {
   std::map<grains::Owner, Surface> result;
   for (const lattice::Direction direction : lattice::kDirections) {
     box.for_each_entered(grain, direction, [&](std::size_t index) {
@@ -124,8 +124,8 @@ std::vector<Axial> outline(std::vector<Axial> sites) {
   return result;
 }
 
-/// The sites at most this far from others, sorted.
-std::vector<Axial> around(const std::vector<Axial>& sites, int distance) {
+/// The sites at most this many steps from one of `sites`, sorted.
+std::vector<Axial> sites_around(const std::vector<Axial>& sites, int distance) {
   std::vector<Axial> result;
   for (const Axial site : sites) {
     for (int x = -distance; x <= distance; ++x) {
@@ -140,15 +140,15 @@ std::vector<Axial> around(const std::vector<Axial>& sites, int distance) {
 }
 
 /// Whether a direction leads to the side on which the grain is, not to the far side of a thin wall.
-bool faces(const Surface& body, lattice::Direction direction) {
+bool faces_grain(const Surface& body, lattice::Direction direction) {
   return std::ranges::any_of(lattice::kDirections, [&](lattice::Direction blocked) {
     return contains(body.directions, blocked) && sixths_between(direction, blocked) > 1;
   });
 }
 
-/// Adds bodies near those that touch the grain, and how all of them lie there.
-void look_near(const grains::Box& box, lattice::Site reference,
-               std::map<grains::Owner, Surface>& bodies) {
+/// Adds the bodies near those that touch the grain, and sets Surface::near and outwards of all.
+void add_near_bodies(const grains::Box& box, lattice::Site reference,
+                     std::map<grains::Owner, Surface>& bodies) {
   const auto is_free = [&](Axial site) {
     const grains::Owner owner = body_at(box, reference + site);
     return owner == grains::kFree || grains::is_particle(owner);
@@ -157,9 +157,9 @@ void look_near(const grains::Box& box, lattice::Site reference,
   for (const auto& [owner, body] : bodies) {
     for (const auto& [same, sites] : body.touched) {
       touched.insert(touched.end(), sites.begin(), sites.end());
-      for (const Axial site : around(sites, 2)) {
+      for (const Axial site : sites_around(sites, 2)) {
         for (const lattice::Direction direction : lattice::kDirections) {
-          if (!is_free(site) && is_free(site + unit(direction)) && faces(body, direction)) {
+          if (!is_free(site) && is_free(site + unit(direction)) && faces_grain(body, direction)) {
             Axial& outwards = bodies[body_at(box, reference + site)].outwards;
             outwards = outwards + unit(direction);
           }
@@ -167,7 +167,7 @@ void look_near(const grains::Box& box, lattice::Site reference,
       }
     }
   }
-  for (const Axial site : around(touched, kNear)) {
+  for (const Axial site : sites_around(touched, kNear)) {
     if (!is_free(site)) {
       bodies[body_at(box, reference + site)].near.push_back(site);
     }
@@ -178,7 +178,7 @@ void look_near(const grains::Box& box, lattice::Site reference,
   }
 }
 
-Surface joined(const Surface& one, const Surface& other) {
+Surface merged(const Surface& one, const Surface& other) {
   Surface result = one;
   result.touched.insert(other.touched.begin(), other.touched.end());
   result.directions |= other.directions;
@@ -227,10 +227,10 @@ bool separable(const std::vector<Axial>& one, const std::vector<Axial>& other) {
   return true;
 }
 
-/// Joins the two that are most alike of those that form one surface: a straight line separates
+/// Merges the two that are most alike of those that form one surface: a straight line separates
 /// them, as far as they are near, from the grain. Two sides of the box never form one. Returns
 /// false if there are none.
-bool join_two(std::vector<Surface>& all, const std::vector<Axial>& grain) {
+bool merge_most_alike(std::vector<Surface>& all, const std::vector<Axial>& grain) {
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
   for (std::size_t i = 0; i < all.size(); ++i) {
     for (std::size_t j = i + 1; j < all.size(); ++j) {
@@ -243,7 +243,7 @@ bool join_two(std::vector<Surface>& all, const std::vector<Axial>& grain) {
     return likeness(all[pair.first], all[pair.second]);
   });
   for (const auto& [i, j] : pairs) {
-    if (Surface both = joined(all[i], all[j]); separable(grain, both.near)) {
+    if (Surface both = merged(all[i], all[j]); separable(grain, both.near)) {
       all[i] = std::move(both);
       all.erase(all.begin() + static_cast<std::ptrdiff_t>(j));
       return true;
@@ -279,10 +279,10 @@ std::vector<grains::Owner> bodies_of_contacts(const Surface& surface, const Wall
 std::size_t add_wall_contacts(const grains::Box& box, std::uint32_t id, const WallVelocities& walls,
                               std::vector<StepContact>& touches) {
   const grains::Particle& grain = box.state.particles[id];
-  std::map<grains::Owner, Surface> bodies = touched_bodies(box, grain);
+  std::map<grains::Owner, Surface> bodies = touched_surfaces(box, grain);
   const std::size_t count = bodies.size();
   if (count > 1) {
-    look_near(box, grain.site(), bodies);
+    add_near_bodies(box, grain.site(), bodies);
   }
   std::vector<Surface> surfaces;
   for (auto& [owner, body] : bodies) {
@@ -290,7 +290,7 @@ std::size_t add_wall_contacts(const grains::Box& box, std::uint32_t id, const Wa
   }
   if (count > 1) {
     const std::vector<Axial> of_grain = outline(box.state.shape(grain).sites());
-    while (join_two(surfaces, of_grain)) {
+    while (merge_most_alike(surfaces, of_grain)) {
     }
   }
   const auto first = static_cast<std::ptrdiff_t>(touches.size());
@@ -330,19 +330,19 @@ std::vector<StepContact> all_contacts(const grains::Box& box, lattice::Direction
         continue;
       }
       const grains::Particle& below = state.particles[grains::particle_id(owner)];
-      const Axial apart = state.lattice.nearest_vector(grain.site(), below.site());
-      const UnitVector normal = normals.normal(grain.kind, below.kind, apart);
+      const Axial to_other = state.lattice.nearest_vector(grain.site(), below.site());
+      const UnitVector normal = normals.normal(grain.kind, below.kind, to_other);
       if (normal != UnitVector()) {
         result.push_back(
-            {.contact = {.upper = id, .other = owner, .normal = normal}, .apart = apart});
+            {.contact = {.upper = id, .other = owner, .normal = normal}, .to_other = to_other});
       }
     }
   }
   return result;
 }
 
-std::vector<const StepContact*> followed_by(std::span<const Contact> before,
-                                            std::span<const StepContact> now) {
+std::vector<const StepContact*> successors(std::span<const Contact> before,
+                                           std::span<const StepContact> now) {
   // Of 45 degrees, see cosine(). The normals of one straight wall are at most 30 degrees apart.
   constexpr std::int64_t kLeastCosine = std::int64_t{759'250'125} << kUnitBits;
   // The best first. Whether the body is the same counts last: a surface may have several.
@@ -388,7 +388,7 @@ std::vector<StepContact> next_contacts(const grains::State& state,
   std::vector<Contact> were_at_walls;
   std::ranges::copy_if(before, std::back_inserter(were_at_walls),
                        [](const Contact& contact) { return !grains::is_particle(contact.other); });
-  const std::vector<const StepContact*> next = followed_by(were_at_walls, at_walls);
+  const std::vector<const StepContact*> next = successors(were_at_walls, at_walls);
   auto next_at_wall = next.begin();
   std::vector<StepContact> all;
   for (const Contact& contact : before) {

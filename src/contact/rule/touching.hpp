@@ -16,18 +16,18 @@ namespace clca::contact {
 /// Sort key of a grain: from the top down, at equal height from the left.
 std::int64_t order_key(const grains::State& state, lattice::Direction down, std::uint32_t id);
 
-/// Whether a grain is the upper one of two.
+/// Whether the grain `one` is the upper one of two.
 inline bool is_above(const grains::State& state, lattice::Direction down, std::uint32_t one,
                      std::uint32_t other) {
   return order_key(state, down, one) < order_key(state, down, other);
 }
 
-/// Contact normal of two grains, towards the first, with the second at `apart`; none if they do not
-/// touch.
+/// Contact normal of two grains, towards the first; none if they do not touch. `to_second`: from
+/// the reference site of the first to that of the second.
 /// Two hexagons or discs: the line of centres. Otherwise opposite to the sum of the directions in
 /// which the second blocks the first.
 std::optional<UnitVector> normal_between(const lattice::Shape& first, const lattice::Shape& second,
-                                         lattice::Axial apart);
+                                         lattice::Axial to_second);
 
 /// Contact normals of all pairs of kinds and relative positions, each computed once.
 class NormalTable {
@@ -36,12 +36,12 @@ class NormalTable {
       : kinds_(kinds), tables_(kinds.size() * kinds.size()) {}
 
   /// normal_between() of the kinds; zero if they do not touch.
-  UnitVector normal(std::uint16_t first, std::uint16_t second, lattice::Axial apart) {
-    OfTwo& table = tables_[first * kinds_.size() + second];
+  UnitVector normal(std::uint16_t first, std::uint16_t second, lattice::Axial to_second) {
+    PairTable& table = tables_[first * kinds_.size() + second];
     if (table.normals.empty()) {
-      table = OfTwo(kinds_[first].shape, kinds_[second].shape);
+      table = PairTable(kinds_[first].shape, kinds_[second].shape);
     }
-    const lattice::Axial at = apart - table.low;
+    const lattice::Axial at = to_second - table.low;
     if (at.x < 0 || at.q < 0 || at.x >= table.size.x || at.q >= table.size.q) {
       return {};
     }
@@ -49,40 +49,40 @@ class NormalTable {
         table.normals[static_cast<std::size_t>(at.x) * static_cast<std::size_t>(table.size.q) +
                       static_cast<std::size_t>(at.q)];
     if (normal == kUnknown) {
-      normal =
-          normal_between(kinds_[first].shape, kinds_[second].shape, apart).value_or(UnitVector());
+      normal = normal_between(kinds_[first].shape, kinds_[second].shape, to_second)
+                   .value_or(UnitVector());
     }
     return normal;
   }
 
  private:
-  static constexpr UnitVector kUnknown = {1, 1};
+  static constexpr UnitVector kUnknown = {1, 1};  // not computed yet; no unit vector
 
-  /// For each vector from the reference site of a shape to that of another at which they overlap or
+  /// Normals of two kinds, for each vector between their reference sites at which they overlap or
   /// touch, and for some around these.
-  struct OfTwo {
-    OfTwo() = default;  ///< of nothing
-    OfTwo(const lattice::Shape& first, const lattice::Shape& second);
+  struct PairTable {
+    PairTable() = default;  ///< empty
+    PairTable(const lattice::Shape& first, const lattice::Shape& second);
 
-    lattice::Axial low;
-    lattice::Axial size;
+    lattice::Axial low;   ///< the first vector
+    lattice::Axial size;  ///< how many x and how many q
     std::vector<UnitVector> normals;
   };
 
   const std::vector<grains::Kind>& kinds_;
-  std::vector<OfTwo> tables_;  // by first kind, then by second
+  std::vector<PairTable> tables_;  // by first kind, then by second
 };
 
 /// A contact in a step.
 struct StepContact {
-  Contact contact = {};       ///< with its present normal, and the impulses of the last step
-  lattice::Axial apart = {};  ///< from the upper grain to the other; of walls none
-  std::int32_t bounce = 0;    ///< the velocity with which its bodies are to separate
+  Contact contact = {};          ///< with its present normal, and the impulses of the last step
+  lattice::Axial to_other = {};  ///< from the upper grain to the other; 0 for a wall or side
+  std::int32_t bounce = 0;       ///< the velocity with which its bodies are to separate
 
   /// Order of contacts: by the upper grain, then by the vector to the other one.
   using Key = std::tuple<std::int64_t, lattice::Axial, grains::Owner>;
   Key key(const grains::State& state, lattice::Direction down) const {
-    return {order_key(state, down, contact.upper), apart, contact.other};
+    return {order_key(state, down, contact.upper), to_other, contact.other};
   }
 };
 
@@ -94,10 +94,10 @@ inline std::pair<grains::Owner, grains::Owner> both_bodies(std::uint32_t upper,
   return grains::is_particle(other) && other < id ? std::pair(other, id) : std::pair(id, other);
 }
 
-/// By wall.
+/// Velocities of walls, by number.
 using WallVelocities = std::vector<Velocity<>>;
 
-/// All contacts as if they were new.
+/// All contacts of the grains where they are, without impulses.
 std::vector<StepContact> all_contacts(const grains::Box& box, lattice::Direction down,
                                       NormalTable& normals, const WallVelocities& walls);
 
@@ -107,14 +107,15 @@ std::vector<StepContact> all_contacts(const grains::Box& box, lattice::Direction
 std::size_t add_wall_contacts(const grains::Box& box, std::uint32_t id, const WallVelocities& walls,
                               std::vector<StepContact>& touches);
 
-/// What each earlier contact with a wall or a side goes on as, null for one that ends: the contact
+/// The contact as which each earlier one with a wall or a side goes on, null if it ends: the one
 /// of the same grain with the most similar normal, at most 45 degrees from its own; first those of
 /// walls as one of a wall and those of sides as one of a side, then the others. Of like normals
 /// that of the same body, so that it does not matter of how many a surface is made.
-std::vector<const StepContact*> followed_by(std::span<const Contact> before,
-                                            std::span<const StepContact> now);
+std::vector<const StepContact*> successors(std::span<const Contact> before,
+                                           std::span<const StepContact> now);
 
-/// The impulses if the other grain is the upper one: those along normal and tangent stay.
+/// The impulses of a contact whose upper and other grain have swapped: only the rolling one changes
+/// its sign.
 inline Impulse<> turned_over(Impulse<> impulse) {
   impulse.rolling *= -1;
   return impulse;

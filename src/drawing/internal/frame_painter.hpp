@@ -25,7 +25,7 @@
 namespace clca::drawing {
 
 /// Everything that a picture shows.
-struct View {
+struct PictureContent {
   const grains::State& state;
   grains::Occupancy occupancy;
   const record::CycleRecord* cycles = nullptr;      ///< none where the run is over: then no arrows
@@ -34,8 +34,8 @@ struct View {
 };
 
 /// What a picture of the scene shows of a run that is under way.
-View present_view(const scene::Scene& scene, const model::SceneModel& model,
-                  const record::Observers& observers);
+PictureContent present_content(const scene::Scene& scene, const model::SceneModel& model,
+                               const record::Observers& observers);
 
 lattice::Lattice lattice_of(const scene::Scene& scene);
 /// The part of the plane that pictures show.
@@ -47,7 +47,8 @@ struct PictureHistory {
   double displacement_scale = 1;  ///< end of the colour bar, lattice spacings
   render::LayerRange layers;
   std::optional<std::uint64_t> last_step;  ///< that was drawn
-  /// At the last picture or the start of the stage, if scene::pictures_compare_positions().
+  /// Positions at the last picture or the start of the stage, if
+  /// scene::pictures_compare_positions().
   std::optional<measure::Snapshot> window = {};
 
   CLCA_FIELDS(stage, displacement_scale, layers, last_step, window);
@@ -96,24 +97,24 @@ class FramePainter {
   /// Memory for pictures of so many particles, of which so many are captured at a time.
   static double bytes(const scene::Scene& scene, double particles, int captures);
 
-  /// Those of all pictures; set arrow_velocity before the first one, so that all have one scale.
+  /// The scales of all pictures; set arrow_velocity before the first one, so that all share it.
   OverlayScales& scales() { return scales_; }
 
   /// Reads what the picture needs; the state may change afterwards.
-  CapturedFrame capture(const View& view, const PictureHistory& history);
+  CapturedFrame capture(const PictureContent& content, const PictureHistory& history);
   Picture rasterize(const CapturedFrame& frame);
   std::vector<std::uint8_t> pdf(const CapturedFrame& frame);
 
-  /// Of a contact sheet, without label.
+  /// The tile of a contact sheet, without label.
   render::Tile tile(const Picture& picture, int width) const;
-  render::PixelBox view() const { return painter_.view().box; }
+  render::PixelBox view() const { return painter_.view().box; }  ///< where the particles are
 
   int width() const { return painter_.width(); }  ///< pixels of a picture
   int height() const { return painter_.height(); }
 
  private:
   /// The colours of the particles.
-  render::Coloring coloring(const View& view, const PictureHistory& history) const;
+  render::Coloring coloring(const PictureContent& content, const PictureHistory& history) const;
 
   const scene::Scene& scene_;
   const scene::Frames& frames_;
@@ -127,7 +128,8 @@ std::unique_ptr<record::Observer> pictures_observer(const scene::Scene& scene,
                                                     const grains::State& state, int threads,
                                                     bool only_last);
 
-/// Memory that it takes at most, with its share of a checkpoint; 0 for a scene without frames.
+/// Memory that the pictures_observer() takes at most, with its share of a checkpoint; 0 for a scene
+/// without frames.
 double picture_bytes(const scene::Scene& scene, double particles);
 
 }  // namespace clca::drawing

@@ -27,7 +27,7 @@ enum class Access : std::uint8_t { exclusive, shared };
 /// lattice::Lattice::index.
 class Bitboard {
  public:
-  /// Position of a window; the same for all Bitboards of a lattice.
+  /// Position of a window of 8 x 8 sites; the same for all Bitboards of a lattice.
   struct Corner {
     std::size_t byte = 0;      ///< byte of its first row in the left block; below 2^32
     std::uint32_t column = 0;  ///< column of that block where the window begins
@@ -37,7 +37,7 @@ class Bitboard {
   explicit Bitboard(const lattice::Lattice& lattice)
       : lattice_(lattice),
         height_((static_cast<std::size_t>(lattice.rows() + 2) + 4 * kSide) / kSide * kSide),
-        words_(checked(height_ / kSide * blocks_beside(lattice))) {}
+        words_(checked(height_ / kSide * block_columns(lattice))) {}
 
   /// Bytes for a lattice with this index_count().
   static double bytes_for(double index_count) { return index_count / 8; }
@@ -54,7 +54,7 @@ class Bitboard {
   }
 
   std::uint64_t window(Corner at) const {
-    return joined({block(at.byte), block(at.byte + height_)}, at);
+    return joined_window({block(at.byte), block(at.byte + height_)}, at);
   }
   /// Returns which of the sites were set before.
   std::uint64_t set(Corner at, std::uint64_t window, Access access = Access::exclusive) {
@@ -105,7 +105,7 @@ class Bitboard {
  private:
   static constexpr std::size_t kSide = kWindow;
   static constexpr std::size_t kMaxWords = std::size_t{1} << 29U;
-  static constexpr std::uint64_t kEachRow = 0x0101010101010101;
+  static constexpr std::uint64_t kEachRow = 0x0101010101010101;  // the first site of each row
   static_assert(std::endian::native == std::endian::little, "the first row of a block comes first");
 
   /// A block and its right neighbour, or the part of a window in each.
@@ -114,7 +114,8 @@ class Bitboard {
     std::uint64_t right = 0;
   };
 
-  static std::size_t blocks_beside(const lattice::Lattice& lattice) {
+  /// Number of columns of blocks.
+  static std::size_t block_columns(const lattice::Lattice& lattice) {
     return (static_cast<std::size_t>(lattice.columns() + 2) + 3 * kSide) / kSide;
   }
 
@@ -127,11 +128,11 @@ class Bitboard {
 
   /// The sites of a window that lie in its left block.
   static std::uint64_t in_left(Corner at) { return kEachRow * (0xFFU >> at.column); }
-  static std::uint64_t joined(Pair blocks, Corner at) {
+  static std::uint64_t joined_window(Pair blocks, Corner at) {
     const std::uint64_t left = in_left(at);
     return ((blocks.left >> at.column) & left) | ((blocks.right << (kSide - at.column)) & ~left);
   }
-  static Pair parted(std::uint64_t window, Corner at) {
+  static Pair parts_of_window(std::uint64_t window, Corner at) {
     const std::uint64_t left = in_left(at);
     return {.left = (window & left) << at.column, .right = (window & ~left) >> (kSide - at.column)};
   }
@@ -153,7 +154,7 @@ class Bitboard {
 
   template <class Change>
   void change(Corner at, std::uint64_t window, Change change) {
-    const Pair bits = parted(window, at);
+    const Pair bits = parts_of_window(window, at);
     put_block(at.byte, change(block(at.byte), bits.left));
     put_block(at.byte + height_, change(block(at.byte + height_), bits.right));
   }
@@ -172,10 +173,10 @@ class Bitboard {
   }
   template <class Change>
   std::uint64_t change_shared(Corner at, std::uint64_t window, Change change) {
-    const Pair bits = parted(window, at);
-    return joined({.left = change_block_shared(at.byte, bits.left, change),
-                   .right = change_block_shared(at.byte + height_, bits.right, change)},
-                  at);
+    const Pair bits = parts_of_window(window, at);
+    return joined_window({.left = change_block_shared(at.byte, bits.left, change),
+                          .right = change_block_shared(at.byte + height_, bits.right, change)},
+                         at);
   }
 
   lattice::Lattice lattice_;

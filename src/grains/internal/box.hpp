@@ -17,10 +17,10 @@ struct Footprint {
   template <class T>
   using PerDirection = std::array<std::vector<T>, lattice::kDirectionCount>;
 
-  std::vector<lattice::Offset> body;
-  PerDirection<lattice::Offset> lead;
-  PerDirection<lattice::Offset> trail;
-  std::vector<lattice::Offset> ring;  ///< all sites beside it, each once
+  std::vector<lattice::Offset> body;    ///< all sites that it covers
+  PerDirection<lattice::Offset> lead;   ///< Shape::lead
+  PerDirection<lattice::Offset> trail;  ///< Shape::trail
+  std::vector<lattice::Offset> ring;    ///< all sites beside it, each once
 };
 
 /// Index offsets of sites that are given from a reference site in a column of this parity.
@@ -87,16 +87,17 @@ struct Box {
     }
   }
 
-  /// The same for the sites that a particle enters, and those that it leaves, in a step.
+  /// Calls `visit` with the index of each site that a particle enters by a step.
   template <class Visit>
   void for_each_entered(const Particle& particle, lattice::Direction direction, Visit visit) const {
     for_each_index(particle, footprints.of(particle).lead[index_of(direction)], visit);
   }
+  /// Calls `visit` with the index of each site that a particle vacates by a step.
   template <class Visit>
-  void for_each_left(const Particle& particle, lattice::Direction direction, Visit visit) const {
+  void for_each_vacated(const Particle& particle, lattice::Direction direction, Visit visit) const {
     for_each_index(particle, footprints.of(particle).trail[index_of(direction)], visit);
   }
-  /// Whether all that it enters is free.
+  /// Whether all sites that a particle enters by a step are free.
   bool is_free(const Particle& particle, lattice::Direction direction) const {
     bool free = true;
     for_each_entered(particle, direction,

@@ -40,10 +40,11 @@ FillResult deposit_in(Box& box, const lattice::Rectangle& region,
 /// Fills the region with a mixture; at random, or as deposit_in. Where parts of a picture are
 /// deposited, a particle that would come to rest in another part is not placed. Ids as for
 /// fill_region. The mixture has to be checked.
-FillResult fill_with(Box& box, const lattice::Rectangle& region, const Mixture& mixture);
+FillResult fill_mixture(Box& box, const lattice::Rectangle& region, const Mixture& mixture);
 
+/// The parts of a mixture, and the picture that says where they are.
 struct Parts {
-  const std::vector<std::vector<std::uint32_t>>& weights;  ///< by species, one for each
+  const std::vector<std::vector<std::uint32_t>>& weights;  ///< by part, then by species
   std::optional<lattice::Picture> picture;
 
   /// None where the picture is empty.
@@ -57,7 +58,7 @@ struct Parts {
   }
 };
 
-/// See fill_with.
+/// See fill_mixture.
 FillResult deposit_mixture(Box& box, const lattice::Rectangle& region, const Parts& parts,
                            std::optional<double> level);
 
@@ -91,7 +92,7 @@ std::size_t drawn_index(const Weights& weights, std::uint64_t bits) {
   return index;
 }
 
-/// A species, drawn for the next particle in the same way.
+/// The species of the next particle, drawn in proportion to the weights.
 template <class Weight>
 std::size_t draw_species(const State& state, const std::vector<Weight>& weights) {
   return drawn_index(weights,

@@ -25,7 +25,7 @@ class Mechanics {
   virtual Box& box() = 0;
   virtual lattice::Direction down() const = 0;
   /// Whether particles can be deposited.
-  virtual bool deposits() const { return true; }
+  virtual bool can_deposit() const { return true; }
 
   // In this order in each step, see step().
   virtual void before_sources() {}

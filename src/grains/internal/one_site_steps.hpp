@@ -15,7 +15,7 @@ class OneSiteSteps : public Mechanics {
   /// Throws std::invalid_argument if the state (see check_valid(), check_one_site(), Occupancy) or
   /// the options are not valid.
   OneSiteSteps(State initial, const Options& options)
-      : state_(valid(std::move(initial), options)), box_(state_) {
+      : state_(checked_state(std::move(initial), options)), box_(state_) {
     for (std::uint32_t id = 0; id < state_.particles.size(); ++id) {
       if (state_.particles[id].previous != kRest) {
         moved_.push_back(id);
@@ -49,7 +49,7 @@ class OneSiteSteps : public Mechanics {
   }
 
  private:
-  static State valid(State state, const Options& options) {
+  static State checked_state(State state, const Options& options) {
     check_valid(options);
     check_valid(state);
     check_one_site(state);

@@ -61,13 +61,13 @@ struct GasMember {
   /// The gas at the last time shared with a longer run, from where the end can be moved. None if
   /// the run does not keep it.
   std::optional<boltzmann::Gas> lasting;
-  // Of the gas when count() was called.
+  // Of the gas when note_counts() was called.
   std::uint64_t steps = 0;
   std::uint64_t participations = 0;
   std::uint64_t hash = 0;
 
   /// Takes these three from the gas, which is under way.
-  void count();
+  void note_counts();
 
   CLCA_FIELDS(observations, gas, lasting, steps, participations, hash);
 };
@@ -92,7 +92,7 @@ class GasIntegrator {
   std::size_t lasting_times_;
   bool keeps_lasting_;
   statistics::Bins bins_;
-  std::vector<double> reference_;
+  std::vector<double> reference_shares_;  // of Maxwell-Boltzmann
 };
 
 }  // namespace clca::model

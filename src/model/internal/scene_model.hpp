@@ -51,18 +51,18 @@ class SceneModel {
   ModelState copied_state() const;
   /// Saves the state for saved_state().
   void save(reflection::Columns& columns) const;
-  /// Null for others.
+  /// The contact model; null if the scene has another one.
   const contact::ContactModel* contact() const {
     return std::get_if<contact::ContactModel>(&model_);
   }
 
   // Of the contact model; empty for others.
   std::vector<contact::Force> forces() const;
-  /// Those on walls and sides of the box, maybe others, too.
+  /// Forces on walls and sides of the box, maybe others, too.
   std::vector<contact::Force> wall_forces() const;
   /// By id, lattice spacings per step.
   std::vector<Eigen::Vector2d> velocities() const;
-  /// Likewise: angular velocities times radii, anticlockwise.
+  /// By id, lattice spacings per step: angular velocities times radii, anticlockwise.
   std::vector<double> spins() const;
 
   /// Upright and at rest but for the contact model.

@@ -24,7 +24,7 @@ def file(name: str, content: bytes) -> None:
 
 
 def files(contents: Iterable[tuple[str, bytes]], lines: Iterable[str]) -> None:
-    """All of a command; lines are for the user, on the standard output of the program."""
+    """The whole answer of a command; lines are for the user, on the standard output of the program."""
     for name, content in contents:
         file(name, content)
     for text in lines:

@@ -20,8 +20,8 @@ from ._error import ArgumentError
 
 K = TypeVar("K")
 T = TypeVar("T")
-FINITE = sys.float_info.max
-MOST = 2**64 - 1
+LARGEST_FLOAT = sys.float_info.max
+MAX_U64 = 2**64 - 1
 MOST_RUNS = 100_000
 MOST_BYTES_OF_NAME = 255  # of a file
 
@@ -55,8 +55,8 @@ def whole(name: str, value: Any, least: int, most: int) -> int:
     return number
 
 
-def place_of(what: str, number: Any, count: int, more: str = "") -> int:
-    """In a list of so many, also counted from its end. IndexError if it is not there."""
+def checked_index(what: str, number: Any, count: int, more: str = "") -> int:
+    """An index into a list of `count`, also one counted from its end. IndexError if it is not there."""
     try:
         place = operator.index(number)
     except TypeError:
@@ -66,7 +66,7 @@ def place_of(what: str, number: Any, count: int, more: str = "") -> int:
     return place % count
 
 
-def number(name: str, value: Any, least: float = -FINITE, most: float = FINITE, expected: str = "a number") -> float:
+def number(name: str, value: Any, least: float = -LARGEST_FLOAT, most: float = LARGEST_FLOAT, expected: str = "a number") -> float:
     """One in this range."""
     try:
         found = math.nan if isinstance(value, (str, bytes, bytearray, bool)) else float(value)

@@ -31,14 +31,14 @@ if TYPE_CHECKING:
 DRAWN = 1000  # rows of likely.csv
 SURE = 0.95  # probability of an interval
 # Columns of tables: name and meaning.
-PARAMETERS = {
+PARAMETER_COLUMNS = {
     "parameter": ("Parameter", "its key in the scene"),
     "best": ("Most likely", "all parameters together"),
     "mean": ("Mean", "over all that is likely"),
     "low": ("Lower end", f"of the interval of {SURE:.0%}"),
     "high": ("Upper end", "of the same interval"),
 }
-TARGETS = {
+TARGET_COLUMNS = {
     "test": ("Test", "its scene"),
     "target": ("Target", "a measure of a stage"),
     "unit": ("Unit", "of the measure"),
@@ -118,8 +118,8 @@ def tables_of(answer: Answer) -> dict[str, Table]:
         return Table((key, numpy.array(cells), Quantity(name, description=what)) for (key, (name, what)), cells in named)
 
     return {
-        "parameters": table(PARAMETERS, [list(study.vary), *scaled(study, points)]),
-        "targets": table(TARGETS, zip(*rows)),
+        "parameters": table(PARAMETER_COLUMNS, [list(study.vary), *scaled(study, points)]),
+        "targets": table(TARGET_COLUMNS, zip(*rows)),
         "likely": table(likely, scaled(study, found.drawn(DRAWN, 0)).T),
     }
 

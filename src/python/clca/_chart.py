@@ -21,13 +21,13 @@ from matplotlib.lines import Line2D  # type: ignore[import]
 from numpy.typing import NDArray
 
 INCH = 25.4  # mm
-PAGE = 150 / INCH  # the width of a figure in pixels, as if printed: letters scale with it
-LETTER = 8.0  # points
+PRINT_WIDTH = 150 / INCH  # inches: as wide as a figure is taken to be printed, whatever its pixels; letters scale with it
+LETTER_SIZE = 8.0  # points
 MOST_COLORS = 7  # of the palette; more take steps of a scale
 # Okabe & Ito 2008: told apart by colour-blind people too.
 PALETTE = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000"]
-THEORY = "#404040"
-SCALE = LinearSegmentedColormap.from_list("clca", cm.viridis(numpy.linspace(0, 0.92, 256)))  # from dark to light
+THEORY_COLOR = "#404040"
+COLOR_SCALE = LinearSegmentedColormap.from_list("clca", cm.viridis(numpy.linspace(0, 0.92, 256)))  # from dark to light
 
 Limits = Sequence[float | None]
 
@@ -129,7 +129,7 @@ def broken(text: str, most: int) -> list[str]:
 def colors(count: int) -> list[Any]:
     """Of curves: those of the style, or, of many, steps from dark to light."""
     cycle = rcParams["axes.prop_cycle"].by_key().get("color", PALETTE)
-    return [*cycle[:count]] if count <= len(cycle) else [*SCALE(numpy.linspace(0, 1, count))]
+    return [*cycle[:count]] if count <= len(cycle) else [*COLOR_SCALE(numpy.linspace(0, 1, count))]
 
 
 def running_mean(values: NDArray[Any], rows: int) -> NDArray[Any]:
@@ -192,7 +192,7 @@ def draw_axis(ax: Any, which: str, axis: Axis, values: list[NDArray[Any]], given
 
 
 class Look(NamedTuple):
-    """Of a file."""
+    """How a figure looks as a file."""
 
     format: str = "png"
     in_mm: bool = False  #: width and height in millimetres, with letters of 8 points
@@ -208,7 +208,7 @@ def draw_panel(ax: Any, panel: Panel, look: Look = Look(), beside: Sequence[Pane
     shown = [*panel.curves, *panel.on_y2]
     palette = colors(sum(curve.color is None for curve in shown))
     if panel.scale is not None:
-        palette = list(SCALE(Normalize()(panel.scale[1])))
+        palette = list(COLOR_SCALE(Normalize()(panel.scale[1])))
     free, numbered = iter(palette), palette or colors(MOST_COLORS)
     for one, curves, axis in zip(axes, (panel.curves, panel.on_y2), (panel.y, panel.y2 or panel.y)):
         for curve in curves:
@@ -227,12 +227,12 @@ def draw_panel(ax: Any, panel: Panel, look: Look = Look(), beside: Sequence[Pane
         draw_axis(axes[1], "y", panel.y2, [curve.y for curve in panel.on_y2])
     if panel.equal:
         ax.set_aspect("equal")
-    labels(axes, panel)
+    set_labels(axes, panel)
     ax.set_title(plain(panel.title), loc="left", fontsize="medium")
     return axes
 
 
-def labels(axes: list[Any], panel: Panel, wide: float = 1e9, high: float = 1e9, letter: float = LETTER) -> None:
+def set_labels(axes: list[Any], panel: Panel, wide: float = 1e9, high: float = 1e9, letter: float = LETTER_SIZE) -> None:
     """Of the axes, in lines that fit into so many inches."""
     axes[0].set_xlabel(wrapped(plain(panel.x.label), wide, letter))
     for ax, axis in zip(axes, (panel.y, panel.y2 or panel.y)):
@@ -242,7 +242,7 @@ def labels(axes: list[Any], panel: Panel, wide: float = 1e9, high: float = 1e9, 
 @contextmanager
 def style(scale: float) -> Iterator[None]:
     """Ours, but for what a style of the user has set."""
-    sizes = {"font.size": LETTER, "axes.labelpad": 2, "axes.titlepad": 3}
+    sizes = {"font.size": LETTER_SIZE, "axes.labelpad": 2, "axes.titlepad": 3}
     sizes |= {"grid.linewidth": 0.5, "axes.linewidth": 0.6, "lines.linewidth": 1.2}
     for ticks in ("xtick", "ytick"):
         sizes |= {f"{ticks}.major.width": 0.6, f"{ticks}.major.size": 2.5, f"{ticks}.minor.size": 1.5}
@@ -259,9 +259,9 @@ def rendered(chart: Chart, look: Look) -> bytes:
     """A whole file: the same for the same tables, matplotlib and fonts."""
     unit = INCH if look.in_mm else 96
     width, height = look.width / unit, None if look.height is None else look.height / unit
-    scale = 1 if look.in_mm else width / PAGE
+    scale = 1 if look.in_mm else width / PRINT_WIDTH
     with style(scale):
-        figure = page(chart, look, width, height, LETTER * scale)
+        figure = page(chart, look, width, height, LETTER_SIZE * scale)
         out = io.BytesIO()
         none = {"png": {"Software": None}, "pdf": {"CreationDate": None}, "svg": {"Date": None}}
         figure.savefig(out, format=look.format, dpi=300 if look.in_mm else 96, metadata=none[look.format])
@@ -299,7 +299,7 @@ def page(chart: Chart, look: Look, width: float, height: float | None, letter: f
     figure.set_size_inches(width, total)
     tall = max(total - above * line, 4 * line) / rows - 3 * line
     for number, (those, panel) in enumerate(zip(axes, panels)):
-        labels(those, panel, max(wide, 3 * line), max(tall, 3 * line), letter)
+        set_labels(those, panel, max(wide, 3 * line), max(tall, 3 * line), letter)
         those[0].set_title(wrapped(plain(panel.title), width / columns - 3 * line, letter) if len(panels) > 1 else "", loc="left")
         if len(panels) > 1:
             x_label = those[0].get_xlabel()
@@ -310,7 +310,7 @@ def page(chart: Chart, look: Look, width: float, height: float | None, letter: f
         tidy_ticks(those[0], panel, wide, letter)
     bar = next((panel.scale for panel in panels if panel.scale is not None), None)
     if bar is not None:
-        bar_of = cm.ScalarMappable(Normalize(min(bar[1]), max(bar[1])), SCALE)
+        bar_of = cm.ScalarMappable(Normalize(min(bar[1]), max(bar[1])), COLOR_SCALE)
         figure.colorbar(bar_of, ax=[those[0] for those in axes], label=plain(bar[0]), aspect=30)
     margin = 0.3 * line  # equal scales are not quite what the layout has reckoned with
     left, bottom = margin / width, margin / total
@@ -329,7 +329,7 @@ def aspect_of(panel: Panel) -> float | None:
 
 
 def legend_of(axes: Sequence[Sequence[Any]], panels: Sequence[Panel]) -> tuple[list[Any], list[str]]:
-    """Each name once, over all panels; none beside a colour bar."""
+    """Handles and names, each once over all panels; none beside a colour bar."""
     found: dict[str, Any] = {}
     if all(panel.scale is None for panel in panels):
         for handle, name in (pair for those in axes for ax in those for pair in zip(*ax.get_legend_handles_labels())):

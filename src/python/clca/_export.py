@@ -34,7 +34,7 @@ class Target(NamedTuple):
 
 
 class Array(NamedTuple):
-    """Made block by block when it is written."""
+    """Numbers for a file, made block by block when they are written."""
 
     name: str
     kind: str  #: of its numbers, as of VTK_TYPES
@@ -53,7 +53,7 @@ def array(name: str, values: NDArray[Any]) -> Array:
     return Array(name, values.dtype.str, values.shape, [values])
 
 
-class Source:
+class ExportedFrames:
     """The frames to export and what all formats have of them: in SI units where the run has them. Throws Error."""
 
     def __init__(self, run: Run, first: int | None, last: int | None, every: int) -> None:
@@ -67,10 +67,10 @@ class Source:
         self.periodic = bool(periodic)
         self.size = self.spacing * numpy.array([PITCH * columns, rows + 0.5])  # of the box
         self.corner = self.spacing * numpy.array([-PITCH / 2, -0.5])  # its lower left one
-        self.kinds = self.trajectory.look.kinds
+        self.kinds = self.trajectory.facts.kinds
         self.species = numpy.array([self.trajectory.species.index(kind.species) for kind in self.kinds], "u2")
         self.outlines = [self.spacing * kind.outline for kind in self.kinds]
-        time, velocity = (self.trajectory.look.units[what][0] for what in ("time", "velocity"))
+        time, velocity = (self.trajectory.facts.units[what][0] for what in ("time", "velocity"))
         length = "m" if units.get("length") == "m" else "spacings"
         force = "sites" if not units else "weights of a grain of mean mass" if self.site_weight is None else "N"
         #: What there is of each particle: unit and meaning.
@@ -91,8 +91,8 @@ class Source:
     def frames(self) -> Iterator[Frame]:
         return (Frame(self.trajectory, number) for number in self.chosen)
 
-    def force(self, frame: Frame) -> float:
-        """One of the forces of a frame, in the unit of the export."""
+    def force_unit(self, frame: Frame) -> float:
+        """The unit of the forces of a frame, in that of the export."""
         if self.site_weight is None or not len(frame.kinds):
             return 1
         return float(self.site_weight * self.trajectory.sizes[frame.kinds].mean())
@@ -109,10 +109,10 @@ class Source:
             of_kinds = self.site_mass * sizes if name == "mass" else 2 * self.spacing * self.trajectory.radii
             return numpy.asarray(of_kinds[some["kind"]])
         # A copy, which does not keep the frame.
-        return numpy.array(self.force(frame) * some["force"] if name == "force" else some[name])
+        return numpy.array(self.force_unit(frame) * some["force"] if name == "force" else some[name])
 
     def narrow(self, name: str, frame: Frame, origin: Any = 0) -> Array:
-        """The same of all particles in 32 bits, places from an origin."""
+        """A column of all particles in 32 bits, places from an origin."""
         kind, start = "<u4" if name == "id" else "<f4", origin if name == "position" else 0
         shape = (len(frame.ids), 3) if name in VECTORS else (len(frame.ids),)
         blocks = ((self.column(name, frame, rows) - start).astype(kind) for rows in slices(len(frame.ids)))
@@ -134,9 +134,9 @@ def chosen(frames: list[tuple[int, str]], first: int | None, last: int | None, e
     return result
 
 
-def contact_arrays(source: Source, frame: Frame, count: int, pairs: bool = False) -> list[Array]:
+def contact_arrays(source: ExportedFrames, frame: Frame, count: int, pairs: bool = False) -> list[Array]:
     """Of contacts the force on the upper one: as a vector, along the normal and along the normal turned anticlockwise."""
-    unit = source.force(frame)
+    unit = source.force_unit(frame)
 
     def blocks(name: str) -> Iterator[NDArray[Any]]:
         for some in frame._contact_blocks("other", "normal", "force"):
@@ -149,7 +149,7 @@ def contact_arrays(source: Source, frame: Frame, count: int, pairs: bool = False
     return [Array(name, "<f4", shape, blocks(name)) for name, shape in shapes.items()]
 
 
-def xyz(source: Source, target: Target) -> None:
+def xyz(source: ExportedFrames, target: Target) -> None:
     """Extended XYZ (github.com/libAtoms/extxyz): frame after frame as text. A column `force` would be a vector to OVITO."""
     (width, height), (left, floor), depth = source.size, source.corner, source.spacing
     names = [name for name in source.columns if name != "image"]
@@ -171,7 +171,7 @@ def xyz(source: Source, target: Target) -> None:
                 file.writelines(map(line.__mod__, zip(*(text.tolist() for text in texts))))
 
 
-def gsd(source: Source, target: Target) -> None:
+def gsd(source: ExportedFrames, target: Target) -> None:
     """GSD with the schema of HOOMD (gsd.readthedocs.io); contacts of two particles are bonds."""
     import gsd.fl  # type: ignore[import]
 
@@ -216,7 +216,7 @@ def gsd(source: Source, target: Target) -> None:
             file.end_frame()
 
 
-class Disk(io.FileIO):
+class DeferredErrorFile(io.FileIO):
     """A file whose first error waits for check(): the HDF5 library crashes where it cannot end a file."""
 
     error: OSError | None = None
@@ -242,16 +242,16 @@ class Disk(io.FileIO):
             raise self.error
 
 
-def h5md(source: Source, target: Target) -> None:
+def h5md(source: ExportedFrames, target: Target) -> None:
     """H5MD (h5md.org, version 1.1): row i of each dataset of particles is the particle with id i."""
-    frames, rows, units = len(source.chosen), max(1, source.trajectory.entered), source.trajectory.look.units
+    frames, rows, units = len(source.chosen), max(1, source.trajectory.entered), source.trajectory.facts.units
 
     def dataset(name: str, unit: str, meaning: str, shape: tuple[int, ...], dtype: Any = "f4", **more: Any) -> Any:
         data = grains.create_dataset(name, shape, dtype, track_times=False, **more)
         data.attrs.update(units=unit, description=meaning)
         return data
 
-    with Disk(target.path, "w+") as disk:
+    with DeferredErrorFile(target.path, "w+") as disk:
         with in_h5py, h5py.File(disk, "w") as file:
             file.create_group("h5md").attrs["version"] = numpy.array([1, 1], "i4")
             file.create_group("h5md/author").attrs["name"] = numpy.bytes_("unknown")
@@ -340,7 +340,7 @@ _"""
     return len(head.encode()) + sum(8 + one.size for one in arrays) + len(tail), parts()
 
 
-def bodies(source: Source, frame: Frame) -> tuple[int, Iterator[Any]]:
+def bodies(source: ExportedFrames, frame: Frame) -> tuple[int, Iterator[Any]]:
     """A polygon for each particle."""
     counts = numpy.array([len(outline) for outline in source.outlines], "i4")[frame.kinds]
 
@@ -360,7 +360,7 @@ def bodies(source: Source, frame: Frame) -> tuple[int, Iterator[Any]]:
     return poly_data(frame.time, ("species_names", source.trajectory.species), "Polys", points, counts, cells)
 
 
-def walls(source: Source, frame: Frame) -> tuple[int, Iterator[Any]]:
+def walls(source: ExportedFrames, frame: Frame) -> tuple[int, Iterator[Any]]:
     """The walls that are there, cut into trapezoids."""
     corners, counts, numbers = [numpy.empty((0, 2))], [numpy.empty(0, "i4")], [numpy.empty(0, "u4")]
     for number, sites in source.trajectory.walls_in_box(frame._data[1]):
@@ -369,12 +369,12 @@ def walls(source: Source, frame: Frame) -> tuple[int, Iterator[Any]]:
         counts.append(of_each.astype("i4"))
         numbers.append(numpy.full(len(of_each), number, "u4"))
     flat = array("Points", numpy.pad(numpy.concatenate(corners), ((0, 0), (0, 1))).astype("f4"))
-    names = ("wall_names", list(source.trajectory.look.walls))
+    names = ("wall_names", list(source.trajectory.facts.walls))
     cells = [array("wall", numpy.concatenate(numbers))]
     return poly_data(frame.time, names, "Polys", flat, numpy.concatenate(counts), cells)
 
 
-def contacts(source: Source, frame: Frame) -> tuple[int, Iterator[Any]]:
+def contacts(source: ExportedFrames, frame: Frame) -> tuple[int, Iterator[Any]]:
     """A line for each contact, from the other centre, or from what is no particle, to the upper one."""
     upper = numpy.concatenate([some["upper"] for some in frame._contact_blocks("upper")])
     other = Array("other", "<i4", upper.shape, (some["other"] for some in frame._contact_blocks("other")))
@@ -388,11 +388,11 @@ def contacts(source: Source, frame: Frame) -> tuple[int, Iterator[Any]]:
 
     points = Array("Points", "<f4", (2 * len(upper), 3), blocks())
     cells = [array("upper", upper), other, *contact_arrays(source, frame, len(upper))]
-    names = ("wall_names", list(source.trajectory.look.walls))
+    names = ("wall_names", list(source.trajectory.facts.walls))
     return poly_data(frame.time, names, "Lines", points, numpy.full(len(upper), 2, "i1"), cells)
 
 
-def vtp(source: Source, target: Target) -> None:
+def vtp(source: ExportedFrames, target: Target) -> None:
     """Files of VTK for ParaView: particles of each frame, walls whenever they have changed, contacts, and collections."""
     stem, digits = target.file.stem, max(6, len(str(source.trajectory.list[-1][0])))
     listed: dict[str, list[str]] = {"": [], "-contacts": []}  # collections
@@ -410,7 +410,7 @@ def vtp(source: Source, target: Target) -> None:
 
     for frame in source.frames():
         put("", frame, 0, "particles", add("", frame, bodies(source, frame)))
-        if source.trajectory.look.walls:
+        if source.trajectory.facts.walls:
             if frame.walls != stood:
                 stood, wall_file = frame.walls, add("-walls", frame, walls(source, frame))
             put("", frame, 1, "walls", wall_file)
@@ -425,7 +425,7 @@ def vtp(source: Source, target: Target) -> None:
             target.add(f"{stem}{collection}.pvd", len(text.encode()), [text.encode()])
 
 
-FORMATS: dict[str, tuple[Callable[[Source, Target], None], str]] = {
+FORMATS: dict[str, tuple[Callable[[ExportedFrames, Target], None], str]] = {
     "vtp": (vtp, ".pvd"),
     "gsd": (gsd, ".gsd"),
     "xyz": (xyz, ".xyz"),
@@ -433,7 +433,7 @@ FORMATS: dict[str, tuple[Callable[[Source, Target], None], str]] = {
 }
 
 
-def write(source: Source, form: str, target: Target) -> None:
+def write(source: ExportedFrames, form: str, target: Target) -> None:
     """Throws Error, WriteError where the file cannot be written."""
     refuse_files_of_clca(target.file)
     try:
@@ -446,7 +446,7 @@ def export(run: Run, form: str, path: Path | None, first: int | None, last: int 
     """As Run.export()."""
     if form not in FORMATS:
         raise ArgumentError(f"format: expected {', '.join(FORMATS)}, found {form!r}")
-    source = Source(run, first, last, every)
+    source = ExportedFrames(run, first, last, every)
     file = path or Path.cwd() / f"{run.scene}{FORMATS[form][1]}"
     try:
         with TemporaryDirectory(prefix=".clca-", dir=file.parent) as folder:
@@ -466,6 +466,6 @@ def export(run: Run, form: str, path: Path | None, first: int | None, last: int 
 def command(options: dict[str, Any], folder: str, path: str) -> None:
     """Writes what the command asks for; the program has made the file, and gives it its name."""
     first, last, every = (int(options[key]) if key in options else None for key in ("from", "to", "every"))
-    source = Source(Run(folder), first, last, every or 1)
+    source = ExportedFrames(Run(folder), first, last, every or 1)
     write(source, options["format"], Target(Path(path), Path(options["output"]), _answer.parts))
     _answer.files([], [f"{len(source.chosen)} frames"])

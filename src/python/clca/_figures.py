@@ -16,13 +16,13 @@ from matplotlib.colors import LinearSegmentedColormap  # type: ignore[import]
 from numpy.typing import NDArray
 
 from ._arguments import suggestion
-from ._chart import THEORY, Axis, Chart, Curve, Panel, running_mean
+from ._chart import THEORY_COLOR, Axis, Chart, Curve, Panel, running_mean
 from ._error import Error
 from ._folder import Run, Sweep
-from ._table import TEXT, Table, is_numeric
+from ._table import TEXT_COLUMNS, Table, is_numeric
 
-LABEL = frozenset("0123456789abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_-+.")
-NONE = numpy.empty(0)
+LABEL_CHARACTERS = frozenset("0123456789abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_-+.")
+NO_POINTS = numpy.empty(0)
 ENOUGH_PAIRS = 100  # for a mean over them
 Files = list[tuple[str, Table]]  # what `*` in the name stands for, and the table
 
@@ -42,7 +42,7 @@ class Choice(NamedTuple):
     mean: int = 1  #: over so many rows
 
 
-class Source:
+class ChosenTables:
     """The tables of a folder, as far as they are chosen."""
 
     def __init__(self, folder: Run | Sweep, choice: Choice) -> None:
@@ -90,7 +90,7 @@ class Source:
                 number = 0.0
             return (self.stages.index(label) if label in self.stages else len(self.stages), number, label)
 
-        labels = sorted((label for label in labels if label and set(label) <= LABEL), key=order)
+        labels = sorted((label for label in labels if label and set(label) <= LABEL_CHARACTERS), key=order)
         return [(one, self.table(begin + one)) for one in labels if one not in self.stages or self.is_wanted(one)]
 
 
@@ -119,7 +119,7 @@ def groups_of(table: Table, column: str) -> list[tuple[str, Table]]:
     return [(text_of(value), table[cells == value]) for value in values]
 
 
-def curve_of(source: Source, label: str, rows: Table, x: str, y: str, **more: Any) -> Curve:
+def curve_of(source: ChosenTables, label: str, rows: Table, x: str, y: str, **more: Any) -> Curve:
     """A column, with its standard error where it has one."""
     if source.choice.mean > 1:
         return Curve(label, rows[x], running_mean(rows[y], source.choice.mean), **more)
@@ -130,11 +130,11 @@ def curve_of(source: Source, label: str, rows: Table, x: str, y: str, **more: An
 
 def legend_entry(label: str, line: str = "--") -> Curve:
     """Only a line in the legend."""
-    return Curve(label, NONE, NONE, line=line, color=THEORY)
+    return Curve(label, NO_POINTS, NO_POINTS, line=line, color=THEORY_COLOR)
 
 
 class Figure(NamedTuple):
-    """A row of the list."""
+    """A row of FIGURES: what a figure shows, and of which table."""
 
     name: str
     table: str  #: `*` stands for a stage or a time
@@ -150,10 +150,10 @@ class Figure(NamedTuple):
     style: str = "line"
     each: str = ""  #: a figure for each `file` or for each value of this column
     where: tuple[str, Any] = ("", None)  #: column, value: only rows with this text there, or with this number or a greater one
-    draw: Callable[[Source, Figure, Files, str, Table], Panel] | None = None
+    draw: Callable[[ChosenTables, Figure, Files, str, Table], Panel] | None = None
 
 
-def lines(source: Source, figure: Figure, files: Files, part: str, table: Table) -> Panel:
+def lines(source: ChosenTables, figure: Figure, files: Files, part: str, table: Table) -> Panel:
     """Columns over time or another column."""
     x = figure.x or time_of(table)
     if figure.y.endswith("*"):
@@ -168,7 +168,7 @@ def lines(source: Source, figure: Figure, files: Files, part: str, table: Table)
     return Panel(curves, Axis(table.label(x)), Axis(label, figure.log, figure.zero, high=figure.top), part)
 
 
-def outflow_rate(source: Source, figure: Figure, files: Files, part: str, table: Table) -> Panel:
+def outflow_rate(source: ChosenTables, figure: Figure, files: Files, part: str, table: Table) -> Panel:
     """Over a twentieth of the time in which something left, three rows at least, or over as many rows as are chosen."""
     units = source.folder.summary.get("units", {})
     name, mass = time_of(table), units.get("site_mass")
@@ -186,7 +186,7 @@ def outflow_rate(source: Source, figure: Figure, files: Files, part: str, table:
     return Panel(curves, Axis(table.label(name)), Axis(y, zero=True), part)
 
 
-def profile(source: Source, figure: Figure, files: Files, part: str, table: Table) -> Panel:
+def profile(source: ChosenTables, figure: Figure, files: Files, part: str, table: Table) -> Panel:
     curves = [Curve(f"end of {label}", table["x"], table["height_end"]) for label, table in files]
     bed = numpy.concatenate([curve.x[curve.y > 0] for curve in curves])
     tall = 1.05 * max(float(numpy.nanmax(curve.y)) for curve in curves)
@@ -195,12 +195,12 @@ def profile(source: Source, figure: Figure, files: Files, part: str, table: Tabl
     return Panel(curves, x, Axis(table.label("height_end"), low=0, high=tall), part, equal=True)
 
 
-def slope(source: Source, figure: Figure, files: Files, part: str, table: Table) -> Panel:
+def slope(source: ChosenTables, figure: Figure, files: Files, part: str, table: Table) -> Panel:
     y = "repose_gravity_deg" if has(table, "repose_gravity_deg") else figure.y
     return lines(source, figure._replace(y=y, style="points"), files, part, table)
 
 
-def neighbours(source: Source, figure: Figure, files: Files, part: str, table: Table) -> Panel:
+def neighbours(source: ChosenTables, figure: Figure, files: Files, part: str, table: Table) -> Panel:
     fallen = table["fallen_d"]
     kept = Curve("neighbours kept", fallen, table["kept"], style="marked", color=0)
     apart = Curve("diffusion of pairs (right)", fallen, table["pair_diffusion"], style="marked", color=1)
@@ -208,14 +208,14 @@ def neighbours(source: Source, figure: Figure, files: Files, part: str, table: T
     return Panel([kept], Axis(table.label("fallen_d")), left, part, right, [apart])
 
 
-def base_pressure(source: Source, figure: Figure, files: Files, part: str, table: Table) -> Panel:
+def base_pressure(source: ChosenTables, figure: Figure, files: Files, part: str, table: Table) -> Panel:
     rules = [rule for rule in ("inner", "outer", "pair", "q", "contact") if has(table, f"pressure_{rule}")]
     curves = [Curve(rule, table["base_position"], table[f"pressure_{rule}"], style="marked") for rule in rules]
     x = Axis(table.label("base_position"), low=-1, high=1)
     return Panel(curves, x, Axis("Base pressure over its mean", zero=True), part)
 
 
-def across(source: Source, figure: Figure, files: Files, part: str, table: Table) -> Panel:
+def across(source: ChosenTables, figure: Figure, files: Files, part: str, table: Table) -> Panel:
     """Profiles across lines: over x or y where all are level or upright."""
     groups = groups_of(table, "line")
     x = "position"
@@ -231,7 +231,7 @@ def across(source: Source, figure: Figure, files: Files, part: str, table: Table
     return Panel(curves, Axis(table.label(x)), Axis(label, zero=figure.zero, high=figure.top), part)
 
 
-def place_panel(draw: Callable[[Any], None], title: str, x: Sequence[float], y: Sequence[float], bar: bool = False) -> Panel:
+def plane_panel(draw: Callable[[Any], None], title: str, x: Sequence[float], y: Sequence[float], bar: bool = False) -> Panel:
     """In the plane, at equal scales."""
     across, up = (Axis(f"{name} (spacings)", low=low, high=high) for name, (low, high) in (("x", x), ("y", y)))
     return Panel((), across, up, title, draw=draw, equal=True, bar=bar)
@@ -267,7 +267,7 @@ def arrows(ax: Any, places: Sequence[Any], ends: Sequence[Any], cell: float, col
     ax.quiver(*places, *(end * scale for end in ends), **how).set_in_layout(False)
 
 
-def field(source: Source, figure: Figure, files: Files, part: str, table: Table) -> Panel:
+def field(source: ChosenTables, figure: Figure, files: Files, part: str, table: Table) -> Panel:
     xs, ys, means, windows = grid_of(table)
     wide, tall = pitch_of(xs, ys), pitch_of(ys, xs)
     speeds = numpy.hypot(means["vx"], means["vy"])
@@ -286,10 +286,10 @@ def field(source: Source, figure: Figure, files: Files, part: str, table: Table)
             arrows(ax, numpy.meshgrid(xs, ys), (means["vx"], means["vy"]), wide, "#202020")
 
     title = f"{part}, mean over {windows} window{'s' * (windows > 1)}\n{label}"
-    return place_panel(draw, title, (xs[0] - wide / 2, xs[-1] + wide / 2), (ys[0] - tall / 2, ys[-1] + tall / 2), bar=True)
+    return plane_panel(draw, title, (xs[0] - wide / 2, xs[-1] + wide / 2), (ys[0] - tall / 2, ys[-1] + tall / 2), bar=True)
 
 
-def convection(source: Source, figure: Figure, files: Files, part: str, table: Table) -> Panel:
+def convection(source: ChosenTables, figure: Figure, files: Files, part: str, table: Table) -> Panel:
     cell = pitch_of(table["x"])
     longest = float(numpy.nanmax(numpy.hypot(table["dx"], table["dy"])))
 
@@ -297,10 +297,10 @@ def convection(source: Source, figure: Figure, files: Files, part: str, table: T
         arrows(ax, (table["x"], table["y"]), (table["dx"], table["dy"]), cell, "#0072b2")
 
     limits = [(float(table[axis].min()) - cell, float(table[axis].max()) + cell) for axis in ("x", "y")]
-    return place_panel(draw, f"{part} (longest: {longest:.2g} spacings per cycle)", limits[0], limits[1])
+    return plane_panel(draw, f"{part} (longest: {longest:.2g} spacings per cycle)", limits[0], limits[1])
 
 
-def contacts(source: Source, figure: Figure, files: Files, part: str, table: Table) -> Panel:
+def contacts(source: ChosenTables, figure: Figure, files: Files, part: str, table: Table) -> Panel:
     loads = source.table(f"loads-{part}")
     column = "normal_force" if has(table, "normal_force") else "sites"
     strongest = float(numpy.nanmax(table[column]))
@@ -326,7 +326,7 @@ def contacts(source: Source, figure: Figure, files: Files, part: str, table: Tab
     points = numpy.array(segments or [[(0, 0)]]).reshape(-1, 2)
     low, high = points.min(0) - 1, points.max(0) + 1
     x_limits = (box["left"], box["right"]) if wide else (low[0], high[0])
-    return place_panel(draw, f"{part} (widest: {strongest:.3g} {table.units[column]})", x_limits, (low[1], high[1]))
+    return plane_panel(draw, f"{part} (widest: {strongest:.3g} {table.units[column]})", x_limits, (low[1], high[1]))
 
 
 def density(table: Table, share: str) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
@@ -338,17 +338,17 @@ def density(table: Table, share: str) -> tuple[NDArray[Any], NDArray[Any], NDArr
     return table["lower"], values, width
 
 
-def fluctuation(source: Source, figure: Figure, files: Files, part: str, table: Table) -> Panel:
+def fluctuation(source: ChosenTables, figure: Figure, files: Files, part: str, table: Table) -> Panel:
     curves = []
     names = {"share": "over the mean of the window", "share_local": "over the mean of the cell"}
     for column, name in (names | {"reference": "chi-square"}).items():
         x, y, _ = density(table, column)
         curves.append(Curve(name, x, numpy.where(y > 0, y, numpy.nan), style="steps"))
-    curves[-1] = curves[-1]._replace(line="--", color=THEORY)
+    curves[-1] = curves[-1]._replace(line="--", color=THEORY_COLOR)
     return Panel(curves, Axis("X"), Axis("Probability density of X", log=True), part)
 
 
-def forces(source: Source, figure: Figure, files: Files, part: str, table: Table) -> Panel:
+def forces(source: ChosenTables, figure: Figure, files: Files, part: str, table: Table) -> Panel:
     curves = []
     for label, table in files:
         middle = (table["low"] + table["high"]) / 2
@@ -358,13 +358,13 @@ def forces(source: Source, figure: Figure, files: Files, part: str, table: Table
     return Panel(curves, Axis("f / mean f"), Axis("Probability density of f / mean f", log=True))
 
 
-def theory_of(source: Source, *columns: str) -> Table | None:
+def theory_of(source: ChosenTables, *columns: str) -> Table | None:
     """The closed forms, if they have values of all these columns."""
     table = source.table("closure") if "closure" in source.names else None
     return table if table is not None and all(has(table, column) for column in columns) else None
 
 
-def gas(source: Source, figure: Figure, files: Files, part: str, table: Table) -> Panel:
+def gas(source: ChosenTables, figure: Figure, files: Files, part: str, table: Table) -> Panel:
     """Over time, with a curve for each restitution, error bars and the closed forms dashed."""
     columns = figure.y.split("/")
     is_ratio = len(columns) > 1
@@ -388,19 +388,19 @@ def gas(source: Source, figure: Figure, files: Files, part: str, table: Table) -
     floor = measure_of(source, "hellinger_floor")
     if figure.y.startswith("dh_") and floor > 0:
         ends = numpy.array([table["time"].min(), table["time"].max()])
-        curves.append(Curve("chance", ends, numpy.full(2, floor), line=":", color=THEORY))
+        curves.append(Curve("chance", ends, numpy.full(2, floor), line=":", color=THEORY_COLOR))
     label = "T_rot / T_tr, relative to time 0" if is_ratio else table.label(figure.y)
     log = figure.log and not (has(table, "p_xy") and figure.y.startswith("t_"))
     return Panel(curves, Axis(table.label("time")), Axis(label, log), part)
 
 
-def measure_of(source: Source, name: str) -> float:
-    """Of the last stage that has it."""
+def measure_of(source: ChosenTables, name: str) -> float:
+    """Its value in the last stage that has it; NaN where none has."""
     stages = source.folder.stages.values() if isinstance(source.folder, Run) else ()
     return float(next((one.measures[name] for one in reversed(list(stages)) if name in one.measures), math.nan))
 
 
-def energy(source: Source, figure: Figure, files: Files, part: str, table: Table) -> Panel:
+def energy(source: ChosenTables, figure: Figure, files: Files, part: str, table: Table) -> Panel:
     """Distributions at the times of the histograms, and chi-square with three degrees of freedom."""
     curves, end = [], 0.0
     for label, table in files:
@@ -410,14 +410,14 @@ def energy(source: Source, figure: Figure, files: Files, part: str, table: Table
         error = table["share_se"] / width if "share_se" in table.names else numpy.nan
         curves.append(Curve(f"time {label}", x, shown, y - error, y + error, style="steps"))
     x = numpy.linspace(0, end, 400)[1:]
-    curves.append(Curve("chi-square", x, numpy.sqrt(x / (2 * math.pi)) * numpy.exp(-x / 2), line="--", color=THEORY))
+    curves.append(Curve("chi-square", x, numpy.sqrt(x / (2 * math.pi)) * numpy.exp(-x / 2), line="--", color=THEORY_COLOR))
     least = max(1e-4, min(float(curve.y[curve.y > 1e-12].min(initial=1)) for curve in curves) / 2)
     symbol = "ω" if "rotational" in figure.where else "v"
     y_axis = Axis("Probability density of X", log=True, low=least)
     return Panel(curves, Axis(f"X = |{symbol}|² / {symbol}₀²(t)", low=0, high=end), y_axis, f"ε = {part}" if part else "")
 
 
-def stress(source: Source, figure: Figure, files: Files, part: str, table: Table) -> Panel:
+def stress(source: ChosenTables, figure: Figure, files: Files, part: str, table: Table) -> Panel:
     columns, theory = ["p_xx", "p_yy", "p_xy"], theory_of(source, "p_xy")
     curves = [curve_of(source, name.replace("_", " "), table, "time", name, style="sparse") for name in columns]
     if theory is not None:
@@ -427,7 +427,7 @@ def stress(source: Source, figure: Figure, files: Files, part: str, table: Table
     return Panel(curves, Axis(table.label("time")), Axis("Stress / mean pressure"), f"ε = {part}" if part else "")
 
 
-def distribution_ratios(source: Source, figure: Figure, files: Files, part: str, table: Table) -> Panel:
+def distribution_ratios(source: ChosenTables, figure: Figure, files: Files, part: str, table: Table) -> Panel:
     curves = []
     names = {
         "automaton": "automaton, a temperature for all",
@@ -441,7 +441,7 @@ def distribution_ratios(source: Source, figure: Figure, files: Files, part: str,
             shares = table[column] / table["reference"]
             label = f"{name}: D_H = {measure_of(source, f'hellinger_{column}'):.1e}"
             curves.append(Curve(label, ends, numpy.append(shares, shares[-1]), style="steps"))
-    curves.append(Curve("chi-square", numpy.array([0.0, 1.0]), numpy.ones(2), line="--", color=THEORY))
+    curves.append(Curve("chi-square", numpy.array([0.0, 1.0]), numpy.ones(2), line="--", color=THEORY_COLOR))
     x = Axis("Quantile of chi-square: 2 degrees of freedom in the plane, 3 in space", low=0, high=1)
     return Panel(curves, x, Axis("Share / share under chi-square", zero=True))
 
@@ -531,20 +531,20 @@ FIGURES = [
 def allows(figure: Figure, table: Table) -> bool:
     """Whether a table has what the figure needs, with values."""
     if figure.y.endswith("*"):
-        return any(name.startswith(figure.y[:-1]) and set(name) <= LABEL and has(table, name) for name in table.names)
+        return any(name.startswith(figure.y[:-1]) and set(name) <= LABEL_CHARACTERS and has(table, name) for name in table.names)
     if figure.name == "particles" and has(table, "particles"):
         return len(numpy.unique(table["particles"])) > 1
     return all(has(table, column) for column in (*figure.y.split("/"), figure.x, *figure.needs, figure.where[0]) if column)
 
 
-def charts_of(source: Source, figure: Figure) -> list[Chart]:
+def charts_of(source: ChosenTables, figure: Figure) -> list[Chart]:
     """Of a row of the list; none if the tables lack something. Throws Error."""
     is_gas = figure.draw in (gas, energy, stress)
     if isinstance(source.folder, Sweep) or is_gas != (source.folder.kind == "boltzmann"):
         return []
     files = [(label, table) for label, table in source.files(figure.table) if allows(figure, table)]
     for label, table in files:
-        needed = {*figure.y.split("/"), figure.x, *figure.needs} & {*table.names} - TEXT
+        needed = {*figure.y.split("/"), figure.x, *figure.needs} & {*table.names} - TEXT_COLUMNS
         if not all(is_numeric(table[name]) for name in needed):
             source.folder.table(figure.table.replace("*", label))._check_numbers(*needed)
     if source.choice.y2:
@@ -569,12 +569,12 @@ def charts_of(source: Source, figure: Figure) -> list[Chart]:
         table = those[0][1]
         draw = partial(figure.draw or lines, source, figure, those, part, table)
         beside = partial(with_y2, source, table, time_of(table), "stage")
-        return Chart(name, about, figure.rank, lambda: [logged(beside(draw()), source.choice.log)], source.title, figure.name)
+        return Chart(name, about, figure.rank, lambda: [log_scaled(beside(draw()), source.choice.log)], source.title, figure.name)
 
     return [chart(part, those) for part, those in parts.items()]
 
 
-def with_y2(source: Source, table: Table, x: str, by: str, panel: Panel) -> Panel:
+def with_y2(source: ChosenTables, table: Table, x: str, by: str, panel: Panel) -> Panel:
     """With the column that is chosen for the second axis, dashed, of each value of `by` that has a curve."""
     if not (y2 := source.choice.y2):
         return panel
@@ -593,12 +593,12 @@ def with_y2(source: Source, table: Table, x: str, by: str, panel: Panel) -> Pane
     return panel._replace(curves=curves, on_y2=[dashed(curve, "", i) for i, curve in enumerate(panel.curves)])
 
 
-def logged(panel: Panel, log: str) -> Panel:
+def log_scaled(panel: Panel, log: str) -> Panel:
     x, y = (axis._replace(log=axis.log or name in log) for name, axis in (("x", panel.x), ("y", panel.y)))
     return panel._replace(x=x, y=y)
 
 
-def column_chart(source: Source, y: str) -> Chart:
+def column_chart(source: ChosenTables, y: str) -> Chart:
     """Of a column of a run that was asked for. Throws Error."""
     choice, where = source.choice, source.folder.folder
     if len(choice.over) > 1:
@@ -614,10 +614,10 @@ def column_chart(source: Source, y: str) -> Chart:
         raise Error(f"{where}: '{y}' has no rows in the stages and times that are chosen")
     curves = [curve_of(source, group, rows, x, y) for group, rows in groups_of(table, by)]
     panel = with_y2(source, table, x, by, Panel(curves, Axis(table.label(x)), Axis(table.label(y))))
-    return Chart(y, table.descriptions.get(y, y), 0, lambda: [logged(panel, choice.log)], source.title, y)
+    return Chart(y, table.descriptions.get(y, y), 0, lambda: [log_scaled(panel, choice.log)], source.title, y)
 
 
-def table_with(source: Source, columns: list[str]) -> Table:
+def table_with(source: ChosenTables, columns: list[str]) -> Table:
     """The first table that has all these columns: the series, else in alphabetical order. Throws Error."""
     known: list[str] = []
     tables = sorted(source.names, key=lambda name: (name != "series", name))
@@ -637,7 +637,7 @@ def charts(folder: Run | Sweep, choice: Choice = Choice(), unreadable: Callable[
     """All that the tables allow, or what is chosen. Throws Error, but for tables that `unreadable` is told of."""
     from ._sweep_figures import sweep_charts
 
-    source = Source(folder, choice)
+    source = ChosenTables(folder, choice)
     if isinstance(folder, Sweep):
         makers: list[Callable[[], list[Chart]]] = [partial(sweep_charts, source, folder)]
     elif choice.y:

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy
 from numpy.typing import NDArray
 
-from ._arguments import MOST, absolute, at_most_runs, flag, number, path, place_of, text, whole
+from ._arguments import MAX_U64, absolute, at_most_runs, flag, number, path, checked_index, text, whole
 from ._error import ArgumentError, Error, WriteError, without_compiled_part
 from ._frames import Frames, Kind, trajectory_in
 from ._notebook import Movie, Picture, overrides, shown
@@ -25,14 +25,14 @@ if TYPE_CHECKING:
 MOST_BYTES = 16 << 20  # of a run.json
 MANIFEST = ".clca.manifest"
 # What clca writes into its folders and reads again.
-OWN = re.compile(r"(run|sweep|calibration)\.json|scene\.yaml|log\.txt|.*\.csv|checkpoint.*|trajectory(\.h5)?|\.clca.*")
+OWN_FILES = re.compile(r"(run|sweep|calibration)\.json|scene\.yaml|log\.txt|.*\.csv|checkpoint.*|trajectory(\.h5)?|\.clca.*")
 
 # What run.json, sweep.json and calibration.json have, checked before it is used.
 # A shape: types, a pattern, [SHAPE] of a list, or of a map those of its keys. KEY? may be missing; "*" is any key.
 HASH = re.compile("[0-9a-f]{1,16}")
 NUMBER = (int, float)
 QUANTITY = {"key": str, "name": str, "unit?": str, "meaning?": str, "of?": str, "of_floor?": bool}
-QUANTITY_LISTS = {"measures?": [QUANTITY], "tables?": {"*": [QUANTITY]}, "title?": str}  # in both
+QUANTITY_LISTS = {"measures?": [QUANTITY], "tables?": {"*": [QUANTITY]}, "title?": str}  # of runs and sweeps
 STAGE = {"name": str, "steps": int, "ended": str, "measures": {"*": (*NUMBER, bool, type(None))}, "notes?": [str], "fills?": bool}
 RUN = QUANTITY_LISTS | {
     "kind": str, "scene": str, "clca": str, "seed": int, "status": str, "particles": int, "steps": int, "state_hash": HASH,
@@ -112,7 +112,7 @@ def refuse_files_of_clca(file: Path) -> None:
     file = file.absolute().parent.resolve() / file.name
     for folder in list(file.parents)[:2]:
         is_own = any(os.path.exists(folder / name) for name in (MANIFEST, "run.json", "sweep.json"))
-        if is_own and OWN.fullmatch(file.relative_to(folder).parts[0]):
+        if is_own and OWN_FILES.fullmatch(file.relative_to(folder).parts[0]):
             raise Error(f"cannot write {file}: a file of that name belongs to what clca has left in {folder}; write elsewhere")
 
 
@@ -292,12 +292,12 @@ class Run(Result):
     @property
     def kinds(self) -> list[Kind]:
         """The kinds of particles, by their number in a frame."""
-        return self.frames._look.kinds
+        return self.frames._facts.kinds
 
     @property
     def walls(self) -> dict[str, NDArray[numpy.float64]]:
         """Of each wall sites x 2: their positions at home, in lattice spacings."""
-        return self.frames._look.walls
+        return self.frames._facts.walls
 
     def contacts(self, step: int) -> NDArray[numpy.void]:
         """`contacts` of the frame of that step."""
@@ -318,7 +318,7 @@ class Run(Result):
         `color_by="stage_layer"`, `width=400`. Throws Error.
         """
         picture = compiled("drawing grains").picture
-        drawn: Picture = picture(self.folder, whole("step", step, 0, MOST), overrides(frames)).view(Picture)
+        drawn: Picture = picture(self.folder, whole("step", step, 0, MAX_U64), overrides(frames)).view(Picture)
         return drawn
 
     def movie(
@@ -349,9 +349,9 @@ class Run(Result):
         """
         from ._export import export
 
-        first, last = (None if step is None else whole("first, last", step, 0, MOST) for step in (first, last))
+        first, last = (None if step is None else whole("first, last", step, 0, MAX_U64) for step in (first, last))
         file = None if path is None else absolute(path)
-        return export(self, text("format", format), file, first, last, whole("every", every, 1, MOST))
+        return export(self, text("format", format), file, first, last, whole("every", every, 1, MAX_U64))
 
     def __getstate__(self) -> dict[str, Any]:
         return {name: value for name, value in self.__dict__.items() if name != "frames"}  # of an open trajectory
@@ -419,7 +419,7 @@ class Sweep(Result):
 
     def __getitem__(self, number: int) -> Run:
         """The run of a row of `runs`."""
-        return Run(self.folder / str(self.runs["folder"][place_of("run", number, len(self))]))
+        return Run(self.folder / str(self.runs["folder"][checked_index("run", number, len(self))]))
 
     def __iter__(self) -> Iterator[Run]:
         return (self[number] for number in range(len(self)))

@@ -17,7 +17,7 @@ import h5py  # type: ignore[import]
 import numpy
 from numpy.typing import NDArray
 
-from ._arguments import number as checked_number, place_of
+from ._arguments import number as checked_number, checked_index
 from ._error import Error
 from ._table import check_regular
 
@@ -60,7 +60,7 @@ def read_only(array: NDArray[Any]) -> NDArray[Any]:
     return array.view()
 
 
-class Look(NamedTuple):
+class RunFacts(NamedTuple):
     """What all frames of a run share."""
 
     kinds: list[Kind]
@@ -81,7 +81,7 @@ class Frame:
     """
 
     def __init__(self, source: Trajectory, number: int) -> None:
-        self._source, self._number, self._look = source, number, source.look
+        self._source, self._number, self._facts = source, number, source.facts
         self.step, self.stage = source.list[number]
 
     def __repr__(self) -> str:
@@ -97,12 +97,12 @@ class Frame:
     @property
     def time(self) -> float:
         """Of the step: see `units`."""
-        return self.step * self._look.units["time"][1]
+        return self.step * self._facts.units["time"][1]
 
     @property
     def units(self) -> dict[str, str]:
         """Of `time` and `velocity`."""
-        return {what: unit for what, (unit, _) in self._look.units.items()}
+        return {what: unit for what, (unit, _) in self._facts.units.items()}
 
     @property
     def particles(self) -> NDArray[numpy.void]:
@@ -126,23 +126,23 @@ class Frame:
     @property
     def species(self) -> NDArray[numpy.str_]:
         """N: names."""
-        return read_only(numpy.array([kind.species for kind in self._look.kinds])[self.kinds])
+        return read_only(numpy.array([kind.species for kind in self._facts.kinds])[self.kinds])
 
     @property
     def orientation(self) -> NDArray[numpy.int_]:
         """N: degrees clockwise, multiples of 60."""
-        return read_only(numpy.array([kind.degrees for kind in self._look.kinds])[self.kinds])
+        return read_only(numpy.array([kind.degrees for kind in self._facts.kinds])[self.kinds])
 
     @property
     def outlines(self) -> list[NDArray[numpy.float64]]:
         """Of each particle corners x 2, anticlockwise."""
-        outlines = [kind.outline for kind in self._look.kinds]
+        outlines = [kind.outline for kind in self._facts.kinds]
         return [read_only(outlines[kind] + position) for kind, position in zip(self.kinds, self.positions)]
 
     @property
     def walls(self) -> dict[str, tuple[float, float]]:
         """Of the walls that are there: how far they are from home."""
-        return {name: shift for name, shift in zip(self._look.walls, self._data[1]) if shift is not None}
+        return {name: shift for name, shift in zip(self._facts.walls, self._data[1]) if shift is not None}
 
     @cached_property
     def contacts(self) -> NDArray[numpy.void]:
@@ -155,7 +155,7 @@ class Frame:
         return read_only(self._source.contacts(self._number, slice(None), CONTACT.names or ()))
 
     def _contact_blocks(self, *columns: str) -> Iterator[NDArray[numpy.void]]:
-        """Some of their columns, some rows at a time."""
+        """Some columns of the contacts, some rows at a time."""
         for start in count(0, MANY):
             block = self._source.contacts(self._number, slice(start, start + MANY), columns)
             yield block
@@ -167,7 +167,7 @@ class Frame:
         """C: what `other` of `contacts` is: the name of a wall, `box.floor`, `box.top`, `box.left` or `box.right`; empty
         for a particle.
         """
-        names = [self._look.bodies.get(other, "") for other in self.contacts["other"].tolist()]
+        names = [self._facts.bodies.get(other, "") for other in self.contacts["other"].tolist()]
         return read_only(numpy.array(names, dtype=str))
 
 
@@ -175,7 +175,7 @@ class Frames(Sequence[Frame]):
     """The frames of a trajectory, each step once; what a frame has is read when it is asked for."""
 
     def __init__(self, source: Trajectory) -> None:
-        self._source, self._look = source, source.look
+        self._source, self._facts = source, source.facts
         #: F: of each frame
         self.steps = read_only(numpy.array([step for step, _ in source.list], dtype=numpy.uint64))
 
@@ -190,7 +190,7 @@ class Frames(Sequence[Frame]):
     def __getitem__(self, number: int | slice) -> Frame | list[Frame]:
         if isinstance(number, slice):
             return [self[i] for i in range(*number.indices(len(self)))]
-        return Frame(self._source, place_of("frame", number, len(self), ", at() takes steps"))
+        return Frame(self._source, checked_index("frame", number, len(self), ", at() takes steps"))
 
     def at(self, step: int) -> Frame:
         """The frame of a step; KeyError if there is none."""
@@ -211,7 +211,7 @@ def positions(points: NDArray[Any]) -> NDArray[numpy.float64]:
     return numpy.stack([PITCH * points[..., 0], points[..., 1] + 0.5 * points[..., 0]], -1)
 
 
-def halved(sites: NDArray[Any]) -> NDArray[Any]:
+def half_spacing_points(sites: NDArray[Any]) -> NDArray[Any]:
     """The sites (axial vectors) and the middles of two neighbours, on the lattice of half the spacing."""
     known = sites @ [2**32, 1]
     neighbours = (sites[numpy.isin((sites + step) @ [2**32, 1], known)] * 2 + step for step in ((1, 0), (0, 1), (1, -1)))
@@ -220,11 +220,11 @@ def halved(sites: NDArray[Any]) -> NDArray[Any]:
 
 @lru_cache(maxsize=256)
 def outline(sites: tuple[tuple[int, int], ...], centre: tuple[float, float]) -> NDArray[numpy.float64]:
-    """The body of a particle as pictures show it: the six small triangles around each point of halved(). Corners from the
+    """The body of a particle in pictures: the six small triangles around each point of half_spacing_points(). Corners from the
     centre, anticlockwise.
     """
     edges = set()
-    for x, q in halved(numpy.array(sites)).tolist():
+    for x, q in half_spacing_points(numpy.array(sites)).tolist():
         around = [(x + 1, q), (x, q + 1), (x - 1, q + 1), (x - 1, q), (x, q - 1), (x + 1, q - 1)]
         for i, corner in enumerate(around):  # a triangle: the point and two corners around it
             triangle = ((x, q), corner, around[(i + 1) % 6])
@@ -245,7 +245,7 @@ def trapezoids(sites: NDArray[Any]) -> tuple[NDArray[numpy.float64], NDArray[Any
     """
     # The small triangles between two columns of half the pitch, numbered upwards: those around each point.
     around = [(0, -1), (0, 0), (0, 1), (-1, 0), (-1, 1), (-1, 2)]
-    triangles = numpy.unique(numpy.concatenate([halved(sites) * (1, 2) + one for one in around]), axis=0)
+    triangles = numpy.unique(numpy.concatenate([half_spacing_points(sites) * (1, 2) + one for one in around]), axis=0)
     begins = numpy.append(True, numpy.any(triangles[1:] - triangles[:-1] != (0, 1), 1))[: len(triangles)]
     (left, low), high = triangles[begins].T, triangles[numpy.append(begins[1:], True)[: len(triangles)], 1]
     right, ends = left + 1, (low // 2, (low - 1) // 2, high // 2, (high + 1) // 2)
@@ -262,7 +262,7 @@ def slices(count: int, many: int = MANY) -> Iterator[slice]:
 
 @contextmanager
 def opened(file: Path) -> Iterator[Any]:
-    """A part."""
+    """A part of a trajectory."""
     check_regular(file)
     try:
         with file.open("rb") as stream:
@@ -309,7 +309,7 @@ class Trajectory:
                 columns.append(frames)
                 if number == 0:
                     stages = [name.decode() for name in part["scene/stages"]]
-                    self.look: Look = self._look(part, summary)
+                    self.facts: RunFacts = self._facts(part, summary)
         self._frames = {name: numpy.concatenate([part[name] for part in columns]) for name in columns[0]}
         firsts = {name: first for name, first in FIRST.items() if first in columns[0]}
         self._starts = {name: [int(part[first][0]) for part in columns] for name, first in firsts.items()}
@@ -322,7 +322,7 @@ class Trajectory:
         self._numbers = numpy.flatnonzero(numpy.append(True, steps[1:] != steps[:-1]))
         self.list: list[tuple[int, str]] = [(int(steps[i]), stages[stage[i]]) for i in self._numbers]
 
-    def _look(self, part: Any, summary: dict[str, Any]) -> Look:
+    def _facts(self, part: Any, summary: dict[str, Any]) -> RunFacts:
         self.species = species = [name.decode() for name in part["scene/species"]]
         self.lattice = tuple(int(number) for number in part["scene/lattice"])  # columns, rows, 1 if periodic
         self.sizes = part["scene/kinds/size"][:]
@@ -350,10 +350,10 @@ class Trajectory:
             unit["time"] = units["time"], units["time_step"]
             unit["velocity"] = units["velocity"], units["spacing"] / units["time_step"]
         walls = {name: read_only(positions(home)) for name, home in zip(names, self._wall_sites)}
-        return Look(kinds, walls, unit, SIDES | {-2 - number: name for number, name in enumerate(names)})
+        return RunFacts(kinds, walls, unit, SIDES | {-2 - number: name for number, name in enumerate(names)})
 
     def _rows(self, part: Any, frame: int, name: str, columns: Sequence[str], rows: slice = slice(None)) -> list[Any]:
-        """Of a list of a frame these columns."""
+        """These columns of a list of a frame, or of some of its rows."""
         first = int(self._frames[FIRST[name]][frame]) - self._starts[name][self._frames["part"][frame]]
         begin, end, _ = rows.indices(int(self._frames[name][frame]))
         return [numpy.asarray(part[f"{name}/{column}"][first + begin : first + max(begin, end)]) for column in columns]
@@ -382,7 +382,7 @@ class Trajectory:
         origins = self._origins_of(frame)
         with self._parts[self._frames["part"][frame]]() as part:
             bodies = self._bodies(part, frame, origins)
-            row, walls = int(self._frames["row"][frame]), len(self.look.walls)
+            row, walls = int(self._frames["row"][frame]), len(self.facts.walls)
             present = numpy.asarray(part["walls/present"][:]).reshape(-1, walls)[row] if walls else []
             shifts = numpy.asarray(part["walls/position"][:]).reshape(-1, walls, 2)[row] if walls else []
             there = [(float(x), float(y)) if is_there else None for is_there, (x, y) in zip(present, shifts)]
@@ -429,9 +429,9 @@ class Trajectory:
             beyond = positions(axials)[:, 0] + self._centres[kinds, 0] - place[:, 0]
             some["image"] = numpy.rint(beyond / (PITCH * self.lattice[0]))
             if "particles/velocity" in part:
-                some["velocity"] = of(["velocity"])[0] * self.look.units["velocity"][1]
+                some["velocity"] = of(["velocity"])[0] * self.facts.units["velocity"][1]
                 spins = of(["spin"])[0] if "particles/spin" in part else numpy.nan
-                some["angular_velocity"] = spins / (self.radii[kinds] * self.look.units["time"][1])
+                some["angular_velocity"] = spins / (self.radii[kinds] * self.facts.units["time"][1])
             else:
                 moves = numpy.array([(0, 1), (1, 0), (1, -1), (0, -1), (-1, 0), (-1, 1), (0, 0)])  # clockwise from up; 6: none
                 some["velocity"] = positions(moves)[numpy.minimum(move, 6)]

@@ -42,11 +42,11 @@ MAX_BYTES_USUAL = 14 << 20  # of pictures: 19 MiB of page, in base64
 MAX_BYTES_ASKED = 192 << 20  # where a number of pictures is asked for
 MAX_SCENE_BYTES = 256 << 10  # bytes
 MOST_FIGURES, MOST_SVG, WIDTH = 60, 300_000, 560  # WIDTH: pixels, for letters that can be read on a phone
-MOST_ENDS, MOST_AGAIN, MOST_DRAWN, MOST_DRAWN_ENDS = 12, 12, 8, 4  # pictures
+MOST_ENDS, MOST_AGAIN, MOST_DRAWN, MOST_DRAWN_ENDS = 12, 12, 8, 4  # pictures: of ends; drawn again; drawn for the page
 MOST_STAGES, MOST_MEASURES, MOST_WALL_TABLES, MOST_WALLS, MOST_COLUMNS, MOST_RUNS = 16, 200, 24, 100, 16, 500
 HALF = 20  # rows of a table in a notebook, at its beginning and at its end
 CONTROL = re.compile("[\0-\x08\x0b-\x1f\x7f-\x9f\u2028\u2029\ud800-\udfff\ufffe\uffff]")
-NO_USE = re.compile(rb'<metadata>.*?</metadata>|(?<=<g) id="[^"]*"', re.DOTALL)  # of SVG
+UNUSED_SVG = re.compile(rb'<metadata>.*?</metadata>|(?<=<g) id="[^"]*"', re.DOTALL)  # parts of an SVG that are left out of the page
 RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
@@ -169,12 +169,13 @@ class Page:
             self.warn(f"cannot read {file}: {error.strerror}")
         return None
 
-    def part(self, content: bytes) -> Markup:
+    def mark_for(self, content: bytes) -> Markup:
+        """A mark on the page, in place of which the content is put in at the end."""
         self._parts.append(content)
         return Markup(f"{self._mark}-{len(self._parts) - 1}.")
 
     def data(self, kind: str, content: bytes) -> Markup:
-        return self.part(f"data:{kind};base64,".encode() + base64.b64encode(content))
+        return self.mark_for(f"data:{kind};base64,".encode() + base64.b64encode(content))
 
     def figures(self) -> list[dict[str, Any]]:
         """The most telling first."""
@@ -189,7 +190,7 @@ class Page:
             try:
                 svg = rendered(untitled, Look("svg", width=WIDTH))
                 if len(svg) <= MOST_SVG:
-                    content = {"svg": self.part(NO_USE.sub(b"", svg[svg.find(b"<svg") :]))}
+                    content = {"svg": self.mark_for(UNUSED_SVG.sub(b"", svg[svg.find(b"<svg") :]))}
                 else:
                     content = {"url": self.data("image/png", rendered(untitled, Look(width=2 * WIDTH)))}
                 figures.append({"name": chart.name, "about": chart.about, **content})
@@ -233,21 +234,21 @@ def time_text(run: Run | Sweep, steps: int) -> str:
 # Pictures
 
 
-class Picture(NamedTuple):
+class PagePicture(NamedTuple):
     step: int
     size: int  #: bytes
     source: Path | bytes
 
 
-def pictures_in(folder: Path) -> list[Picture]:
+def pictures_in(folder: Path) -> list[PagePicture]:
     """NAME-000120.png, by step."""
     found = [(re.fullmatch(r".*-(\d+)\.png", file.name), file) for file in files_in(folder)]
-    pictures = [Picture(int(name[1]), file.stat().st_size, file) for name, file in found if name]
+    pictures = [PagePicture(int(name[1]), file.stat().st_size, file) for name, file in found if name]
     return sorted(pictures, key=lambda picture: picture.step)
 
 
-def chosen(pictures: list[Picture], most: int, size: float) -> list[Picture]:
-    """Evenly, with at most so many bytes."""
+def chosen(pictures: list[PagePicture], most: int, size: float) -> list[PagePicture]:
+    """Some of the pictures, evenly, with at most so many bytes."""
     count = min(len(pictures), most)
     while True:
         those = evenly(pictures, count)
@@ -257,15 +258,15 @@ def chosen(pictures: list[Picture], most: int, size: float) -> list[Picture]:
         count = min(count - 1, int(count * size / total))
 
 
-def drawn(run: Run, ends: list[int]) -> list[Picture]:
-    """Of the trajectory: ends of stages, and others evenly. Throws Error."""
+def drawn(run: Run, ends: list[int]) -> list[PagePicture]:
+    """Pictures of the trajectory: ends of stages, and others evenly. Throws Error."""
     steps = run.frames.steps.tolist()
     wanted = {*evenly(steps, MOST_DRAWN), *evenly([step for step in ends if step in steps], MOST_DRAWN_ENDS)}
     pictures = []
     for number, step in enumerate(sorted(wanted), 1):
         progress(f"picture {number} of {len(wanted)}")
         content = png(run.picture(step))
-        pictures.append(Picture(step, len(content), content))
+        pictures.append(PagePicture(step, len(content), content))
     return pictures
 
 
@@ -273,7 +274,7 @@ def pictures_of(page: Page, run: Run, most: int | None) -> dict[str, Any]:
     room = float(MAX_BYTES_USUAL if most is None else MAX_BYTES_ASKED)
     ends, names = list(accumulate(stage.steps for stage in run.stages.values())), [*run.stages, ""]
 
-    def shown(picture: Picture) -> dict[str, Any] | None:
+    def shown(picture: PagePicture) -> dict[str, Any] | None:
         content = picture.source if isinstance(picture.source, bytes) else page.read(picture.source, MAX_BYTES_ASKED)
         if content is None:
             return None

@@ -18,7 +18,7 @@ from ._table import Table
 
 
 class PlannedSweep(NamedTuple):
-    """A sweep that is needed before it goes on."""
+    """A sweep that is needed before the calibration goes on."""
 
     test: Test
     rows: list[tuple[float, ...]]  #: values of the parameters
@@ -34,8 +34,8 @@ def check_targets(test: Test, runs: Table, keys: Sequence[str]) -> None:
             raise Error(f"{test.name}: no measure '{target}'; there are {', '.join(there)}{suggestion(target, there)}")
 
 
-class Measured:
-    """Means of the targets at points, over the seeds."""
+class TestMeans:
+    """Means over the seeds of the targets of a test, at each point of its parameters."""
 
     def __init__(self, test: Test, keys: Sequence[str], folder: Path) -> None:
         sweep = Sweep(folder / test.name)
@@ -44,12 +44,12 @@ class Measured:
         self.values = {target: runs[target].astype(float) for target in test.targets}
         self.units = {target: sweep._measure(target.partition(".")[2]).unit for target in test.targets}
         rows = numpy.column_stack([runs[key].astype(float) for key in keys])
-        self.points, self.number = numpy.unique(rows, axis=0, return_inverse=True)
+        self.points, self.point_of_run = numpy.unique(rows, axis=0, return_inverse=True)
 
     def means(self, target: str) -> tuple[Numbers, Numbers, Numbers]:
         """Points, means and variances of the means. The runs of a point scatter alike at all points."""
         there = numpy.isfinite(self.values[target])
-        values, number = self.values[target][there], self.number[there]
+        values, number = self.values[target][there], self.point_of_run[there]
         runs = numpy.bincount(number, minlength=len(self.points))
         some = runs > 0
         means = numpy.bincount(number, values, len(runs)) / numpy.maximum(runs, 1)
@@ -63,7 +63,7 @@ class Answer(NamedTuple):
     study: Study
     posterior: Posterior
     surrogates: list[Surrogate]
-    check: list[Measured]  #: of each test, at the most likely values
+    check: list[TestMeans]  #: of each test, at the most likely values
     runs: int
 
 
@@ -94,7 +94,7 @@ def step(study: Study, folder: Path, number: int) -> list[PlannedSweep] | Answer
             if {*(runs := Sweep(folder / "runs" / test.name).runs)["status"]} == {"done"}:
                 check_targets(test, runs, keys)
         return planned(first, seeds, "runs")
-    design = [Measured(test, keys, folder / "runs") for test in study.tests]
+    design = [TestMeans(test, keys, folder / "runs") for test in study.tests]
     low, high = numpy.array(list(study.vary.values())).T
     surrogates = []
     for test, at in zip(study.tests, design):
@@ -113,5 +113,5 @@ def step(study: Study, folder: Path, number: int) -> list[PlannedSweep] | Answer
     if drawn == study.rounds + 1:
         fresh = range(study.seeds + 1, study.seeds + study.check + 1)
         return planned(scaled(study, found.best()[None]), fresh, "check")
-    check = [Measured(test, keys, folder / "check") for test in study.tests]
-    return Answer(study, found, surrogates, check, sum(len(one.number) for one in design + check))
+    check = [TestMeans(test, keys, folder / "check") for test in study.tests]
+    return Answer(study, found, surrogates, check, sum(len(one.point_of_run) for one in design + check))

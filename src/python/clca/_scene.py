@@ -12,10 +12,10 @@ import numpy
 from numpy.typing import NDArray
 
 from . import _clca
-from ._arguments import MOST, absolute, at_most_runs, flag, mapping, number, path, refused, text, to_yaml, whole, workers
+from ._arguments import MAX_U64, absolute, at_most_runs, flag, mapping, number, path, refused, text, to_yaml, whole, workers
 from ._error import ArgumentError, Error
 from ._folder import Run, Sweep
-from ._frames import PITCH, Frame, Kind, Look, Trajectory
+from ._frames import PITCH, Frame, Kind, RunFacts, Trajectory
 from ._notebook import Picture, Progress, overrides, reporting
 from ._table import Quantity, Table, Value
 
@@ -136,7 +136,7 @@ def sweep(
         rows = at_most_runs(name, values)
         lists = [[row] if isinstance(keys, str) else at_most_runs(name, row) for row in rows]
         varied.append((of, [[to_yaml(name, value) for value in row] for row in lists]))
-    numbers = [whole("seeds", seed, 0, MOST) for seed in at_most_runs("seeds", seeds)]
+    numbers = [whole("seeds", seed, 0, MAX_U64) for seed in at_most_runs("seeds", seeds)]
     folder = absolute(f"renders/{checked.name}-sweep" if output is None else output)
     with reporting(progress) as report:
         _clca.sweep(*checked._origin, checked._options, varied, numbers, folder, workers("jobs", jobs), report)
@@ -163,25 +163,25 @@ class Simulation(_clca.Simulation):
         """Takes so many steps, and begins stages where others have ended. Returns how many were taken: fewer if the last
         stage has ended.
         """
-        return self._step(steps) if type(steps) is int and 0 <= steps <= MOST else self._step(whole("steps", steps, 0, MOST))
+        return self._step(steps) if type(steps) is int and 0 <= steps <= MAX_U64 else self._step(whole("steps", steps, 0, MAX_U64))
 
     def _now(self) -> Trajectory:
-        """Of one frame: what is there now."""
+        """A trajectory of one frame: what is there now."""
         return Trajectory([partial(nullcontext, self._datasets())], self._summary())
 
     @cached_property
-    def _look(self) -> Look:
-        return self._now().look
+    def _facts(self) -> RunFacts:
+        return self._now().facts
 
     @property
     def kinds(self) -> list[Kind]:
         """The kinds of particles, by their number in `particles`."""
-        return self._look.kinds
+        return self._facts.kinds
 
     @property
     def walls(self) -> dict[str, NDArray[numpy.float64]]:
         """Of each wall sites x 2: their positions at home, in lattice spacings."""
-        return self._look.walls
+        return self._facts.walls
 
     @property
     def frame(self) -> Frame:

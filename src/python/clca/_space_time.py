@@ -15,7 +15,7 @@ from matplotlib.patches import Patch  # type: ignore[import]
 from matplotlib.transforms import ScaledTranslation  # type: ignore[import]
 
 from . import _answer
-from ._chart import PAGE, plain, style
+from ._chart import PRINT_WIDTH, plain, style
 
 
 def rgb(color: dict[str, int]) -> tuple[float, ...]:
@@ -52,7 +52,7 @@ def command(shown: dict[str, Any]) -> None:
     """Answers with the picture; what lies between its axes is a PNG on standard input."""
     content = imread(io.BytesIO(sys.stdin.buffer.read()), format="png")
     width, height = shown["width"] / 96, shown["height"] / 96
-    with style(width / PAGE):
+    with style(width / PRINT_WIDTH):
         figure = Figure(figsize=(width, height), dpi=96, layout="constrained" if shown["annotations"] else None)
         ax = figure.add_subplot() if shown["annotations"] else figure.add_axes((0, 0, 1, 1))
         extent = [shown[axis][end] for axis in ("time", "position") for end in ("low", "high")]

@@ -62,7 +62,7 @@ class StudyValue(NamedTuple):
                 raise self.wrong(f"'{key}' is missing")
         return found
 
-    def two(self, what: str) -> tuple[float, float]:
+    def pair(self, what: str) -> tuple[float, float]:
         try:
             first, second = at_most_runs(what, self.value)
             return number(what, first), number(what, second)
@@ -91,7 +91,7 @@ def test_of(said: StudyValue, vary: Mapping[str, Any], names: Sequence[str]) -> 
     for key, target in items["targets"].items("measures and their values").items():
         if "." not in key:
             raise target.wrong(f"expected STAGE.MEASURE, found '{key}'")
-        targets[key] = target.two("[VALUE, STANDARD DEVIATION]")
+        targets[key] = target.pair("[VALUE, STANDARD DEVIATION]")
         if targets[key][1] <= 0:
             raise target.wrong("the standard deviation must be positive")
     same = sum(other.split("~")[0] == name for other in names)
@@ -104,7 +104,7 @@ def study_of(said: Mapping[str, Any], refuse: Refuse) -> Study:
     items = StudyValue(said, (), refuse).items("tests and vary", ("tests", "vary", *COUNT_LIMITS), ("tests", "vary"))
     vary = {}
     for key, one in items["vary"].items("parameters and their ranges").items():
-        low, high = vary[key] = one.two("the range [LOWEST, HIGHEST]")
+        low, high = vary[key] = one.pair("the range [LOWEST, HIGHEST]")
         if low >= high:
             raise one.wrong(f"the range is empty: {low:g} to {high:g}")
     if len(vary) > MOST_PARAMETERS:

@@ -12,13 +12,13 @@ import numpy
 from ._arguments import suggestion
 from ._chart import MOST_COLORS, Axis, Chart, Curve, Panel, running_mean
 from ._error import Error
-from ._figures import LABEL, Choice, Source, has, logged, text_of
+from ._figures import LABEL_CHARACTERS, Choice, ChosenTables, has, log_scaled, text_of
 from ._folder import Sweep
 from ._table import Table, is_numeric, rows_of
 
 MOST_PANELS = 16
-MOST_WORDS = 72  # letters under an axis
-FIRST = 1e6  # rank of what the scene itself derives
+MOST_LETTERS = 72  # of all words under an axis
+DERIVED_RANK = 1e6  # of figures of measures that the scene derives: these come first
 VESSEL_ANGLE = "vessel_angle_deg"
 Cell = tuple[Any, ...]  # a value of each key
 
@@ -80,11 +80,11 @@ class Keys:
             if len(all_cells) <= MOST_COLORS:
                 curves = [one._replace(color=all_cells.index(cell)) for one, (cell, _) in zip(curves, lines)]
             name = listed(title if not made else "", label_of(self.split, values))
-            made.append(logged(Panel(curves, x, y, name, scale=scale), log))
+            made.append(log_scaled(Panel(curves, x, y, name, scale=scale), log))
         return made
 
 
-def sweep_charts(source: Source, sweep: Sweep) -> list[Chart]:
+def sweep_charts(source: ChosenTables, sweep: Sweep) -> list[Chart]:
     """Throws Error, also for a choice of what is not there."""
     if "measures" not in source.names:
         return []
@@ -104,7 +104,7 @@ def sweep_charts(source: Source, sweep: Sweep) -> list[Chart]:
     return charts + [chart for mean in means if not choice.x for chart in mean_charts(source, sweep, mean)]
 
 
-def measure_charts(source: Source, sweep: Sweep, table: Table) -> list[Chart]:
+def measure_charts(source: ChosenTables, sweep: Sweep, table: Table) -> list[Chart]:
     table._check_numbers("mean", "low", "high")
     choice, keys, of = source.choice, sweep.keys, sweep._measure
     is_key = not choice.x or choice.x in keys
@@ -117,7 +117,7 @@ def measure_charts(source: Source, sweep: Sweep, table: Table) -> list[Chart]:
         along += [key] if key != axis and key not in choice.over and vary_together else []
     ways = Keys(sweep, choice, table, along)
     words = [] if is_numeric(table[axis]) or not is_key else in_order(table[axis])
-    most = max(MOST_WORDS // max(len(words), 1), 4)
+    most = max(MOST_LETTERS // max(len(words), 1), 4)
     shown_words = tuple(word if len(word) <= most else word[: most - 1] + "…" for word in words)
     x_name, derived = axis if is_key else choice.x, derived_of(sweep)
     x_axis = Axis(of(x_name).label() if not is_key or x_name in derived else x_name, words=shown_words)
@@ -139,7 +139,7 @@ def measure_charts(source: Source, sweep: Sweep, table: Table) -> list[Chart]:
 
     charts = []
     for stage, measure in dict.fromkeys(rows_of(table, ("stage", "measure"))):
-        if not (measure in choice.y if choice.y else measure != x_name) or not set(stage + measure) <= LABEL:
+        if not (measure in choice.y if choice.y else measure != x_name) or not set(stage + measure) <= LABEL_CHARACTERS:
             continue
         rows = table[(table["stage"] == stage) & (table["measure"] == measure) & numpy.isfinite(table["mean"])]
         what = of(measure)
@@ -156,7 +156,7 @@ def measure_charts(source: Source, sweep: Sweep, table: Table) -> list[Chart]:
             about += f", against {x_axis.label}, at the end of stage {where}. "
             about += "Bars are one standard error over the seeds."
             name = f"sweep-{stage}-{measure}" + (f"-{number}" if ways.apart else "")
-            rank = contrast(part) + (FIRST if measure in derived else 0)
+            rank = contrast(part) + (DERIVED_RANK if measure in derived else 0)
             panels = partial(ways.panels, part, curve, x_axis, Axis(what.label()), where, log)
             charts.append(Chart(name, about, rank, panels, source.title, "sweep"))
     return charts
@@ -177,7 +177,7 @@ def derived_of(sweep: Sweep) -> set[str]:
         return set()
 
 
-def mean_charts(source: Source, sweep: Sweep, name: str) -> list[Chart]:
+def mean_charts(source: ChosenTables, sweep: Sweep, name: str) -> list[Chart]:
     """Of a table of means over the seeds: each column over time or position, with bands of one standard error."""
     table, choice = source.table(name), source.choice
     if "runs" not in table.names or not len(table):
@@ -206,7 +206,7 @@ def mean_charts(source: Source, sweep: Sweep, name: str) -> list[Chart]:
             where = listed(group_name or "-".join(name.split("-")[2:]), label_of(ways.apart, values))
             for column in columns:
                 is_wanted = column in choice.y if choice.y else True
-                if not is_wanted or not has(part, column) or not set(column + group_name) <= LABEL:
+                if not is_wanted or not has(part, column) or not set(column + group_name) <= LABEL_CHARACTERS:
                     continue
                 axis = x_axis
                 if x in ("x", "position"):

@@ -18,7 +18,7 @@ T = TypeVar("T")
 COUNTED = ("", "particles", "sites", "moves", "step")  # units of numbers that may be whole
 
 # Columns of names, which may look like numbers. Other columns are text where a cell is no number.
-TEXT = {"stage", "species", "wall", "probe", "line", "measure", "status", "state_hash", "folder", "error"}
+TEXT_COLUMNS = {"stage", "species", "wall", "probe", "line", "measure", "status", "state_hash", "folder", "error"}
 
 
 class Quantity(NamedTuple):
@@ -133,7 +133,7 @@ class Table(numpy.ndarray[Any, numpy.dtype[Any]]):
         """Throws Error where a cell of these is none, with its line in the file."""
         for column in columns:
             if not is_numeric(cells := self[column]):
-                if column in TEXT:
+                if column in TEXT_COLUMNS:
                     raise Error(f"{self._file}: column '{column}' is text, no numbers")
                 wrong = ((line, cell) for line, cell in enumerate(cells, 2) if isinstance(numbers_of([cell]), list))
                 line, cell = next(wrong, (0, ""))
@@ -207,5 +207,5 @@ def read_table(file: Path, known: Mapping[str, Quantity]) -> Table:
         raise Error(f"cannot read {file}: line {1 if wrong is None else 2 + wrong}: cut off or no row of the table")
     columns = list(zip(*cells)) if cells else [()] * len(names)
     what = [known.get(name, Quantity(name)) for name in names]
-    read = (list(column) if name in TEXT else numbers_of(column, of.unit) for name, column, of in zip(names, columns, what))
+    read = (list(column) if name in TEXT_COLUMNS else numbers_of(column, of.unit) for name, column, of in zip(names, columns, what))
     return Table(zip(names, read, what), str(file))

@@ -23,8 +23,8 @@ class ForceWindow {
   CLCA_FIELDS(before_, block_);
 
  private:
-  contact::ForceSums before_;
-  contact::ForceSums block_;
+  contact::ForceSums before_;  // of the previous block
+  contact::ForceSums block_;   // of the current one
 };
 
 /// Mean forces before the end of a stage, each picture and each trajectory frame that shows forces.
@@ -38,10 +38,10 @@ class ContactRecord : public SavedObserver<ContactRecord> {
 
   /// Means over the last steps of the stage as of now; the forces of the last step if there are
   /// none.
-  std::vector<contact::Force> at_end(const model::SceneModel& model) const;
+  std::vector<contact::Force> stage_mean_forces(const model::SceneModel& model) const;
   /// Of a picture and a trajectory frame: means before the picture with forces that is due now, or
-  /// before the frame; else as at_end(). Of contacts that are there now.
-  std::vector<contact::Force> shown(const model::SceneModel& model) const;
+  /// before the frame; else as stage_mean_forces(). Of contacts that are there now.
+  std::vector<contact::Force> shown_forces(const model::SceneModel& model) const;
 
   bool precedes(const grains::State& now) const {
     return stage_.belongs_to(now) && pictures_.window.belongs_to(now) &&
@@ -67,7 +67,7 @@ class ContactRecord : public SavedObserver<ContactRecord> {
   scene::Contacts sampling_;
   std::uint64_t most_;  // samples in a window
   bool has_tables_;
-  ForceWindow stage_;
+  ForceWindow stage_;  // the last steps of the stage
   Recurring pictures_;
   Recurring frames_;
 };

@@ -52,7 +52,7 @@ class CycleRecord : public SavedObserver<CycleRecord> {
   double cell_;
   bool vessel_has_cycles_ = false;
   std::uint64_t cycles_ = 0;
-  std::vector<grains::Travel> at_start_;  // by wall
+  std::vector<grains::Travel> at_start_;  // by wall: when the stage began; cycles count from it
   std::optional<measure::Convection> convection_;
   TableWriter<CycleRow> cycles_table_;
   TableWriter<measure::Arrow> convection_table_;

@@ -19,8 +19,8 @@ struct GasCase {
 
   /// Number of observations of the most advanced member.
   std::size_t observations() const;
-  /// The members that have this observation.
-  std::vector<const model::GasMember*> at(std::size_t number) const;
+  /// The members that have the observation of this number.
+  std::vector<const model::GasMember*> members_with(std::size_t observation) const;
 
   CLCA_FIELDS(restitution, members);
 };

@@ -36,10 +36,10 @@ struct StageHistory {
   std::uint64_t cycles = 0;  ///< of the walls that go to and fro
   std::size_t emitted = 0;
   measure::Outflow outflow = {};
-  std::vector<measure::Outflow> outlets = {};           ///< the same of each
+  std::vector<measure::Outflow> outlets = {};           ///< outflow of each outlet
   std::vector<std::uint64_t> discharged_at_start = {};  ///< measure::discharged_particles
   bool resting = false;                                 ///< the last step has settled
-  bool settled = false;                                 ///< or stalled: how the stage ended
+  bool settled = false;                                 ///< the stage ended settled, or stalled
 
   /// Share of the particles that were or came in during the stage that have left.
   double discharged_share() const;
@@ -56,8 +56,8 @@ struct StageView {
   const model::SceneModel& model;
   const StageHistory& history;
   const Observers& observers;
-  std::size_t moving;                ///< particles, in the last step
-  std::size_t stepped;               ///< of so many, those removed at its end included
+  std::size_t moving;   ///< particles, in the last step
+  std::size_t stepped;  ///< particles in the box in that step, also those removed at its end
   const store::OutputFolder* files;  ///< null: nothing is written
   /// Tells what a person can act on.
   std::function<void(const std::string& line)> warn;
@@ -124,7 +124,7 @@ class SavedObserver : public Observer {
   }
 
  protected:
-  /// Of a stage that begins or goes on.
+  /// Prepares for a stage that begins or goes on.
   virtual void prepare(const StageView& now) = 0;
 };
 
@@ -174,8 +174,8 @@ struct QuantityGroup {
   std::vector<Quantity> quantities;
   /// In the order of the quantities; none where the condition does not hold.
   Values (*values)(const StageView& stage);
-  /// The same, or a part of it, of each outlet or species; may be null.
-  std::vector<store::NamedMeasure> (*apart)(const StageView& stage) = nullptr;
+  /// Some of the values of each outlet or species, named; may be null.
+  std::vector<store::NamedMeasure> (*values_of_each)(const StageView& stage) = nullptr;
 };
 
 struct ObserverKind {
@@ -188,7 +188,7 @@ struct ObserverKind {
   std::function<double(const scene::Scene& scene, double particles)> bytes = {};
 };
 
-/// One that is made of the scene alone, if it is `wanted`; it may have a function `bytes`.
+/// Kind of an observer made of the scene alone, if it is `wanted`; it may have a function `bytes`.
 template <class T>
 ObserverKind observer_kind(bool (*wanted)(const scene::Scene& scene),
                            std::vector<std::function<TableInfo(const scene::Scene&)>> tables = {},
@@ -205,12 +205,12 @@ ObserverKind observer_kind(bool (*wanted)(const scene::Scene& scene),
   return kind;
 }
 
-/// All but pictures, in the order in which they observe.
+/// Kinds of all observers but pictures, in the order in which they observe.
 const std::vector<ObserverKind>& observer_kinds();
 
-/// Those that the scene needs.
+/// The observers that the scene needs.
 std::vector<std::unique_ptr<Observer>> observers_of(const scene::Scene& scene);
-/// Memory that they take at most, with their share of a checkpoint.
+/// Memory that these observers take at most, with their share of a checkpoint.
 double observer_bytes(const scene::Scene& scene, double particles);
 
 bool requests(const scene::Scene& scene, scene::Measure measure);

@@ -35,7 +35,7 @@ inline std::optional<double> height_of(const std::vector<double>& profile) {
   return height > 0 ? std::optional(height) : std::nullopt;
 }
 
-/// All of a stage, in the order of the documents; those of one measure in that of run.json.
+/// All quantities of a stage, in the order of the documents; of one measure, in that of run.json.
 const std::vector<QuantityGroup>& stage_quantities();
 
 // Of these, what has a source of its own; outlets and species by name.
@@ -44,7 +44,7 @@ std::vector<std::string> names_by_outlet(const scene::Scene& scene);
 std::vector<QuantityGroup> force_quantities();
 
 std::vector<store::NamedMeasure> stage_measures(const StageView& stage);
-/// Of one measure alone, which the scene asks for.
+/// The values of one measure alone, which the scene asks for.
 std::vector<store::NamedMeasure> stage_measures(scene::Measure wanted, const StageView& stage);
 
 /// Why slopes among the measures have no value where it is not plain, one line for each flank, and

@@ -39,7 +39,7 @@ inline constexpr Quantity kVelocity = {"v", "Velocity", "spacings/step",
 inline constexpr Quantity kFluctuation = {"fluctuation", "Energy of fluctuations",
                                           "(spacings/step)²", "½⟨|v - ⟨v⟩|²⟩, weighted by sites"};
 
-/// The unit of velocities in tables: a lattice spacing per step in it.
+/// A lattice spacing per step, in the unit of velocities of the tables.
 double velocity_unit(const scene::Scene& scene);
 
 /// What a column is, of any run.
@@ -58,7 +58,7 @@ struct ColumnInfo {
 // KEYx and KEYy.
 template <class Value>
 std::vector<std::string_view> column_endings() {
-  if constexpr (std::is_same_v<Value, statistics::Sample>) {
+  if constexpr (std::is_same_v<Value, statistics::SampleStatistics>) {
     return {"", kErrorEnding};
   } else if constexpr (std::is_same_v<Value, Eigen::Vector2d> ||
                        std::is_same_v<Value, std::optional<Eigen::Vector2d>>) {
@@ -69,7 +69,7 @@ std::vector<std::string_view> column_endings() {
 }
 void add_cell(std::vector<store::Cell>& cells, const std::optional<double>& value);
 void add_cell(std::vector<store::Cell>& cells, const std::string& text);
-void add_cell(std::vector<store::Cell>& cells, const statistics::Sample& mean);
+void add_cell(std::vector<store::Cell>& cells, const statistics::SampleStatistics& mean);
 void add_cell(std::vector<store::Cell>& cells, const std::optional<Eigen::Vector2d>& vector);
 void add_cell(std::vector<store::Cell>& cells, std::integral auto number) {
   cells.emplace_back(static_cast<std::uint64_t>(number));
@@ -111,7 +111,7 @@ struct ColumnGroup {
   std::vector<Column<Row>> columns;
 };
 
-/// The same for a scene, with the values of its columns.
+/// A TableInfo for a scene, with what takes the values of its columns from what a Row is made of.
 template <class Row>
 struct TableOf : TableInfo {
   /// `info`: with columns of each wall or outlet only (of_each), which come last.
@@ -164,7 +164,7 @@ class RunTable {
   /// the table is not open.
   void write_rows(std::size_t least);
   /// Whether there is no row to write.
-  bool is_empty() const { return table_.waiting() == 0; }
+  bool is_empty() const { return table_.waiting_bytes() == 0; }
   /// Of others: writes the rows since the last call, or forgets them without a folder.
   void write(const store::OutputFolder* folder, const std::string& part = "");
 

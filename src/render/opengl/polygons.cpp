@@ -28,7 +28,7 @@ namespace {
 
 using lattice::Axial;
 
-/// Of the current context, where all objects live as long as it does.
+/// The OpenGL functions of the current context, whose objects live as long as it does.
 struct Gl {
 // NOLINTBEGIN(bugprone-macro-parentheses): a name that is declared has none
 #define CLCA_GL(name) \
@@ -95,7 +95,7 @@ class Canvas {
     }
     const auto current = context_.current();
     gl_.emplace();
-    add_target();
+    add_framebuffer();
     gl_->Viewport(0, 0, projection.width, projection.height);
     gl_->Scissor(box.x, box.y, box.width, box.height);
     gl_->EnableClientState(GL_VERTEX_ARRAY);
@@ -128,7 +128,7 @@ class Canvas {
   }
 
  private:
-  void add_target() const {
+  void add_framebuffer() const {
     GLint limit = 0;
     gl_->GetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &limit);
     if (std::max(projection_.width, projection_.height) > limit) {
@@ -164,8 +164,8 @@ class Canvas {
     const Rgb outline = outline_color(body.fill, projection_.outline_strength);
     for (const Corner& corner : triangles_[body.kind]) {
       // Exact whole numbers, so bodies that share a corner agree on it to the last bit.
-      const Eigen::Vector2d place =
-          place_of(body.place + corner.point) + projection_.outline_width * corner.inward;
+      const Eigen::Vector2d place = position_from_halves(body.place + corner.point) +
+                                    projection_.outline_width * corner.inward;
       const Eigen::Array2d sample = projection_.scale * (place - projection_.corner).array();
       const Eigen::Array2f clip = (2 * sample / size - 1).cast<float>();
       const Rgb color = corner.outlined ? outline : body.fill;

@@ -103,7 +103,7 @@ TEST(OverlapWall, ForgetsThePushWhenItGoesBack) {
   EXPECT_EQ(bench.state.pushes.size(), 1U);
   bench.advance();
   EXPECT_THAT(bench.state.pushes, IsEmpty());
-  EXPECT_FALSE(bench.world.overlapping(0));
+  EXPECT_FALSE(bench.world.is_overlapping(0));
   EXPECT_EQ(Occupancy(bench.state), bench.world.occupancy);
 }
 

@@ -9,7 +9,7 @@
 namespace clca::boltzmann::grouping_test {
 namespace {
 
-constexpr Eigen::Index kRun = Grouping::kRun;
+constexpr Eigen::Index kBlockSize = Grouping::kBlockSize;
 
 std::vector<Eigen::Index> counting(Eigen::Index count) {
   std::vector<Eigen::Index> numbers(static_cast<std::size_t>(count));
@@ -42,9 +42,9 @@ TEST(Grouping, PutsEachParticleIntoOneGroupAndBackToOnePlace) {
 }
 
 TEST(Grouping, BringsAnyTwoRunsTogetherEquallyOften) {
-  constexpr Eigen::Index kParticles = kRun * 40;
+  constexpr Eigen::Index kParticles = kBlockSize * 40;
   constexpr int kSteps = 20'000;
-  Grouping grouping(kParticles, 10 * kRun);  // 4 groups of 10 runs each
+  Grouping grouping(kParticles, 10 * kBlockSize);  // 4 groups of 10 blocks each
   std::map<std::pair<Eigen::Index, Eigen::Index>, int> together;
   std::vector<Eigen::Index> sources;
   std::vector<Eigen::Index> targets;
@@ -52,8 +52,8 @@ TEST(Grouping, BringsAnyTwoRunsTogetherEquallyOften) {
     grouping.shuffle(1, static_cast<std::uint64_t>(step));
     for (Eigen::Index group = 0; group < grouping.groups(); ++group) {
       grouping.members(group, sources, targets);
-      for (std::size_t i = 0; i < sources.size(); i += kRun) {
-        for (std::size_t j = 0; j < i; j += kRun) {
+      for (std::size_t i = 0; i < sources.size(); i += kBlockSize) {
+        for (std::size_t j = 0; j < i; j += kBlockSize) {
           ++together[{std::min(sources[i], sources[j]), std::max(sources[i], sources[j])}];
         }
       }
@@ -77,7 +77,7 @@ TEST(Grouping, MovesParticlesAboutWithinTheirGroup) {
   grouping.members(0, sources, targets);
   std::size_t neighbours = 0;
   for (std::size_t i = 1; i < targets.size(); ++i) {
-    neighbours += targets[i] / kRun == targets[i - 1] / kRun ? 1 : 0;
+    neighbours += targets[i] / kBlockSize == targets[i - 1] / kBlockSize ? 1 : 0;
   }
   EXPECT_LT(neighbours, targets.size() / 100);
 }

@@ -77,10 +77,10 @@ void expect_same(const Workload& one, const Workload& other) {
   }
 }
 
-TEST(BatchFunction, GivesTheSameBitsInAnyWay) {
+TEST(PassFunction, GivesTheSameBitsInAnyWay) {
   std::mt19937_64 random(1);
-  const BatchFunction plain = plain_function();
-  const BatchFunction fastest = fastest_function();
+  const PassFunction plain = plain_pass_function();
+  const PassFunction fastest = fastest_pass_function();
   const std::vector<Pair> pairs = many_pairs();
   for (int trial = 0; trial < 3000; ++trial) {
     const bool extreme = trial % 3 == 0;
@@ -91,10 +91,10 @@ TEST(BatchFunction, GivesTheSameBitsInAnyWay) {
     const LawConstants law = {.rotates = turns,
                               .resists_rolling = turns && random() % 2 == 0,
                               .rolling_friction = ratio(0.5)};
-    for (const auto& [carry_out, load] :
-         {std::pair<BatchFunction, Workload&>(plain, one), {fastest, other}}) {
+    for (const auto& [carry_out_pass, load] :
+         {std::pair<PassFunction, Workload&>(plain, one), {fastest, other}}) {
       for (const Pass pass : {Pass::warm_start, Pass::forwards, Pass::backwards}) {
-        carry_out(pass, load.batches, load.bodies.data(), pairs.data(), law);
+        carry_out_pass(pass, load.batches, load.bodies.data(), pairs.data(), law);
       }
     }
     expect_same(one, other);
@@ -156,9 +156,9 @@ TEST(ContactSlots, HaveNothingInALaneThatIsEmptied) {
   std::vector<AlignedVelocity> bodies(4, {{7, 8, 9}});
   bodies[kRestingBody] = {};
   const Pair* pairs = bed.rule.coefficients.pairs().data();
-  for (const BatchFunction carry_out : {plain_function(), fastest_function()}) {
+  for (const PassFunction carry_out_pass : {plain_pass_function(), fastest_pass_function()}) {
     for (const Pass pass : {Pass::warm_start, Pass::forwards}) {
-      carry_out(pass, slots.batches(), bodies.data(), pairs, {.rotates = true});
+      carry_out_pass(pass, slots.batches(), bodies.data(), pairs, {.rotates = true});
     }
     EXPECT_EQ(bodies[1].velocity, (Velocity<Number>{7, 8, 9}));
     EXPECT_EQ(bodies[kRestingBody].velocity, Velocity<Number>());

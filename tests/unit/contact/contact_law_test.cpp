@@ -40,7 +40,7 @@ TEST(EqualGrains, MeetingHeadOnPartWithTheRestitutionTimesTheirVelocity) {
         at.other.y = length(velocity);
         const Number closing = -separation_velocity(at);
         ASSERT_EQ(closing, 2 * length(velocity));
-        solved(at, 0.5, {.rotates = true}, bounce(closing, ratio(restitution)));
+        solved(at, 0.5, {.rotates = true}, bounce_velocity(closing, ratio(restitution)));
         EXPECT_NEAR(separation_velocity(at), restitution * closing, 4 + closing * 0x1p-16);
         EXPECT_NEAR(at.upper.y, -at.other.y, 1);
         EXPECT_EQ(at.upper.x, 0);
@@ -51,9 +51,9 @@ TEST(EqualGrains, MeetingHeadOnPartWithTheRestitutionTimesTheirVelocity) {
 }
 
 TEST(Grains, ThatCloseWithLessThanAThirtySecondOfASpacingAStepDoNotBounce) {
-  EXPECT_EQ(bounce(kSpacing / 32, ratio(0.9)), 0);
-  EXPECT_EQ(bounce(-kSpacing, ratio(0.9)), 0);
-  EXPECT_NEAR(bounce(kSpacing / 32 + 1, ratio(0.5)), kSpacing / 64, 1);
+  EXPECT_EQ(bounce_velocity(kSpacing / 32, ratio(0.9)), 0);
+  EXPECT_EQ(bounce_velocity(-kSpacing, ratio(0.9)), 0);
+  EXPECT_NEAR(bounce_velocity(kSpacing / 32 + 1, ratio(0.5)), kSpacing / 64, 1);
 }
 
 TEST(Grains, ThatPartAlreadyGiveEachOtherNothing) {
@@ -255,7 +255,8 @@ TEST(ExtremeValues, StayWithinTheirBounds) {
                               .rolling_friction = ratio(random() % 2 == 0 ? 1e9 : 0)};
     const Number closing = -separation_velocity(at);
     apply(at, impulse, true);
-    solve(impulse, at, bounce(closing, ratio(0.99)), ratio(random() % 2 == 0 ? 1e9 : 0), law);
+    solve(impulse, at, bounce_velocity(closing, ratio(0.99)), ratio(random() % 2 == 0 ? 1e9 : 0),
+          law);
     EXPECT_TRUE(within(at.upper) && within(at.other));
     EXPECT_GE(impulse.normal, 0);
     EXPECT_LE(std::max({impulse.normal, std::abs(impulse.shear), std::abs(impulse.rolling)}),

@@ -51,7 +51,7 @@ TEST(Touches, NameTheUpperGrainTheFloorAndTheSides) {
   EXPECT_EQ(found[1].contact.normal, (UnitVector{1 << kUnitBits, 0}));
   EXPECT_EQ((BodyPair{found[2].contact.upper, found[2].contact.other}), (BodyPair{1, kLeftSide}));
   EXPECT_EQ((BodyPair{found[3].contact.upper, found[3].contact.other}), (BodyPair{1, 0}));
-  EXPECT_EQ(found[3].apart, (lattice::Axial{0, -3}));
+  EXPECT_EQ(found[3].to_other, (lattice::Axial{0, -3}));
 }
 
 TEST(Touches, NameWallsAndReachAcrossThePeriodicSeam) {
@@ -65,7 +65,7 @@ TEST(Touches, NameWallsAndReachAcrossThePeriodicSeam) {
   EXPECT_EQ(found[0].contact.normal, (UnitVector{0, 1 << kUnitBits}));
   // The grain in column 17 is half a site higher.
   EXPECT_EQ((BodyPair{found[1].contact.upper, found[1].contact.other}), (BodyPair{1, 0}));
-  EXPECT_EQ(found[1].apart.x, 3);
+  EXPECT_EQ(found[1].to_other.x, 3);
 }
 
 TEST(TheUpperOfTwo, IsTheHigherOrTheLeftOne) {

@@ -75,12 +75,12 @@ TEST(GrainsRest, IfNoneHasMovedForLongEvenIfSomeAreFaster) {
   State held{.grains = box({particle_at(10, 1)})};
   const std::int32_t slow = kSpacing / 1000;
   held.unmoved_steps = 2999;
-  EXPECT_FALSE(grains_rest(held, slow));
+  EXPECT_FALSE(grains_are_at_rest(held, slow));
   held.unmoved_steps = 3001;
-  EXPECT_TRUE(grains_rest(held, slow));
-  EXPECT_FALSE(grains_rest(held, 0)) << "without gravity nothing says how long that is";
+  EXPECT_TRUE(grains_are_at_rest(held, slow));
+  EXPECT_FALSE(grains_are_at_rest(held, 0)) << "without gravity nothing says how long that is";
   disturb(held);
-  EXPECT_FALSE(grains_rest(held, slow));
+  EXPECT_FALSE(grains_are_at_rest(held, slow));
 }
 
 TEST_P(ContactModelTest, AGrainThatBouncesComesToRest) {

@@ -181,7 +181,7 @@ TEST(ARemainder, IsKeptAlongGravityByRest) {
   for (const Direction gravity : lattice::kDirections) {
     for (const Direction direction : lattice::kDirections) {
       remainder = {};
-      take(remainder, -kSpacing / 3, direction);
+      subtract_along(remainder, -kSpacing / 3, direction);
       const std::int32_t before = along(remainder, unit_of(gravity));
       EXPECT_TRUE(advance(remainder, {}, true, 50, unit_of(gravity)));
       EXPECT_GE(along(remainder, unit_of(gravity)), before - 1) << "rest lifts no grain";

@@ -70,7 +70,7 @@ TEST_F(SpaceTimeTest, AColumnOverTimeHoldsEachFrameUntilTheNext) {
   Redraw redraw({run_}, {.space_time = SpaceTimeOptions{
                              .file = folder_.path() / "a.png", .column = 10, .slit = 20}});
   EXPECT_GT(redraw.draw(), 10U);
-  const image::Image image = redraw.over_time().content;
+  const image::Image image = redraw.space_time().content;
   ASSERT_EQ(image.width, 100);  // a pixel a step
   const auto same = [&](int one, int other) {
     for (int y = 0; y < image.height; ++y) {
@@ -92,22 +92,22 @@ TEST_F(SpaceTimeTest, AColumnOverTimeHoldsEachFrameUntilTheNext) {
 }
 
 TEST_F(SpaceTimeTest, APictureOverTimeHasAllPicturesWhateverAMovieBesideItShows) {
-  const auto over_time = [&](const fs::path& movie, std::optional<double> duration) {
+  const auto space_time = [&](const fs::path& movie, std::optional<double> duration) {
     Redraw redraw({run_}, {.movie = movie,
                            .frames_per_second = 10,
                            .duration = duration,
                            .space_time = SpaceTimeOptions{
                                .file = folder_.path() / "column.png", .column = 10, .slit = 20}});
     redraw.draw();
-    return redraw.over_time().content;
+    return redraw.space_time().content;
   };
-  EXPECT_EQ(over_time(folder_.path() / "movie.png", 0.5), over_time("", {}));
+  EXPECT_EQ(space_time(folder_.path() / "movie.png", 0.5), space_time("", {}));
 }
 
 TEST_F(SpaceTimeTest, TheSurfaceOverTimeIsWhiteWhereThereAreNoGrains) {
   Redraw redraw({run_}, {.space_time = SpaceTimeOptions{.file = folder_.path() / "surface.png"}});
   redraw.draw();
-  const image::Image image = redraw.over_time().content;
+  const image::Image image = redraw.space_time().content;
   const image::Rgb white = {255, 255, 255};
   EXPECT_EQ(image.at(0, 0), white);
   EXPECT_EQ(image.at(0, image.height - 1), white);

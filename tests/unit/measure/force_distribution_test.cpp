@@ -30,7 +30,7 @@ TEST(ForceDistribution, OfEqualForcesLiesInOneBinAndNoneAboveTheMean) {
   for (std::size_t count = 1; count < 40; ++count) {
     for (const double strength : {0.1, 0.7, 1.1, 3.3}) {
       const auto found =
-          force_distribution(std::vector<double>(count, strength), Strength::averaged).value();
+          force_distribution(std::vector<double>(count, strength), StrengthKind::averaged).value();
       EXPECT_EQ(found.share_above_mean, 0);
       EXPECT_THAT(counts_of(found), ElementsAre(0, 0, 0, 0, count));
     }
@@ -38,7 +38,8 @@ TEST(ForceDistribution, OfEqualForcesLiesInOneBinAndNoneAboveTheMean) {
 }
 
 TEST(ForceDistribution, OfWholeSitesHasABinForEachNumber) {
-  const auto found = force_distribution({1, 1, 1, 1, 2, 2, 3, 5}, Strength::whole_sites).value();
+  const auto found =
+      force_distribution({1, 1, 1, 1, 2, 2, 3, 5}, StrengthKind::whole_sites).value();
   EXPECT_EQ(found.contacts, 8U);
   EXPECT_DOUBLE_EQ(found.mean, 2);
   EXPECT_DOUBLE_EQ(found.share_above_mean, 0.25);
@@ -53,7 +54,7 @@ TEST(ForceDistribution, OfWholeSitesHasABinForEachNumber) {
 }
 
 TEST(ForceDistribution, OfAveragesHasBinsOfAQuarterOfTheMean) {
-  const auto found = force_distribution({0.5, 1, 1.5, 3, 4}, Strength::averaged).value();
+  const auto found = force_distribution({0.5, 1, 1.5, 3, 4}, StrengthKind::averaged).value();
   EXPECT_THAT(counts_of(found), ElementsAre(0, 1, 1, 1, 0, 0, 1, 0, 1));
   EXPECT_DOUBLE_EQ(found.bins[1].density, 0.8);
   EXPECT_DOUBLE_EQ(found.bins[8].high, 4.5);
@@ -73,8 +74,8 @@ TEST(ForceDistribution, FindsTheSlopeOfAnExponential) {
       real.push_back(strength);
       whole.push_back(std::floor(strength) + 1);
     }
-    EXPECT_NEAR(force_distribution(real, Strength::averaged)->beta.value(), 1, 0.01);
-    const auto found = force_distribution(whole, Strength::whole_sites).value();
+    EXPECT_NEAR(force_distribution(real, StrengthKind::averaged)->beta.value(), 1, 0.01);
+    const auto found = force_distribution(whole, StrengthKind::whole_sites).value();
     EXPECT_NEAR(found.beta.value(), -std::log(q) / (1 - q), 0.01);
     EXPECT_NEAR(found.beta_error.value(), found.beta.value() / std::sqrt(found.tail),
                 0.05 * found.beta_error.value());
@@ -82,14 +83,14 @@ TEST(ForceDistribution, FindsTheSlopeOfAnExponential) {
 }
 
 TEST(ForceDistribution, HasNoSlopeWithoutATail) {
-  EXPECT_FALSE(force_distribution({}, Strength::averaged).has_value());
-  const auto alike = force_distribution({2, 2, 2}, Strength::whole_sites).value();
+  EXPECT_FALSE(force_distribution({}, StrengthKind::averaged).has_value());
+  const auto alike = force_distribution({2, 2, 2}, StrengthKind::whole_sites).value();
   EXPECT_EQ(alike.tail, 0U);
   EXPECT_FALSE(alike.beta.has_value());
-  const auto two_values = force_distribution({1, 1, 1, 3, 3}, Strength::whole_sites).value();
+  const auto two_values = force_distribution({1, 1, 1, 3, 3}, StrengthKind::whole_sites).value();
   EXPECT_EQ(two_values.tail, 2U);
   EXPECT_TRUE(two_values.beta.has_value());  // 3 is one above the first number of the tail
-  EXPECT_FALSE(force_distribution({1, 1, 2, 2}, Strength::whole_sites)->beta.has_value());
+  EXPECT_FALSE(force_distribution({1, 1, 2, 2}, StrengthKind::whole_sites)->beta.has_value());
 }
 
 TEST(ForceAverage, CountsAnAbsentContactAsZero) {

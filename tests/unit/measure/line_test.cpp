@@ -183,7 +183,7 @@ TEST(Line, TakesItsErrorFromTheScatterOfBlocks) {
     now.particles[0].row = now.particles[0].row == 6 && i % 4 == 0 ? 4 : 6;
     line.observe(before, now, grains::Occupancy(now), before.velocities(now), sums);
     before = Snapshot(now);
-    EXPECT_LE(sums.blocks().size(), LineSums::kMost);
+    EXPECT_LE(sums.blocks().size(), LineSums::kMaxBlocks);
     EXPECT_EQ(std::isnan(line.means(sums).front().flux.error), i + 1 < 8) << i;
   }
   EXPECT_EQ(sums.blocks().size(), 13U) << "of 8 observations";
@@ -196,7 +196,7 @@ TEST(Line, TakesItsErrorFromTheScatterOfBlocks) {
 TEST(LineSums, JoinBlocksInPairs) {
   LineSums sums(1);
   for (int i = 0; i < 40; ++i) {
-    sums.next(1).parts[0].sites += i;
+    sums.begin_observation(1).parts[0].sites += i;
   }
   double total = 0;
   for (const LineBlock& block : sums.blocks()) {
@@ -213,7 +213,7 @@ TEST(LineMean, HasTheStandardErrorOfIndependentBlocks) {
   const Line line = level(state, 0, 10);
   LineSums sums(1);
   for (int i = 0; i < 10; ++i) {
-    sums.next(2).parts[0].sites += i % 2;
+    sums.begin_observation(2).parts[0].sites += i % 2;
   }
   const LineMean flux = line.means(sums).front().flux;
   EXPECT_NEAR(flux.value, 0.5 / 20, 1e-12);

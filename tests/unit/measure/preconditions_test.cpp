@@ -91,9 +91,9 @@ TEST(Contacts, OfParticlesThatAreNotThereAreRefused) {
 
 TEST(ForceDistributions, AreOfPositiveNumbers) {
   for (const double wrong : {0.0, -1.0, kNaN, 1e30}) {
-    EXPECT_THROW(force_distribution({1, wrong}, Strength::averaged), std::invalid_argument)
+    EXPECT_THROW(force_distribution({1, wrong}, StrengthKind::averaged), std::invalid_argument)
         << wrong;
-    EXPECT_THROW(force_distribution({1, wrong}, Strength::whole_sites), std::invalid_argument)
+    EXPECT_THROW(force_distribution({1, wrong}, StrengthKind::whole_sites), std::invalid_argument)
         << wrong;
   }
 }

@@ -46,7 +46,7 @@ class Si : public ::testing::Test {
   void run_of(const char* name, const std::vector<scene::Override>& overrides) const {
     run::run(scene::parse(kHopper, "scene.yaml", overrides), {.folder = path(name)});
   }
-  store::ReadTable table(const char* run, const char* name) const {
+  store::ParsedTable table(const char* run, const char* name) const {
     return store::read_table(path(run) / name);
   }
   /// Of a column, in run.json.

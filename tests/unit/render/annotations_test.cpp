@@ -33,11 +33,11 @@ bool blank(const Image& image, int top, int bottom) {
 }
 
 TEST(RoundLength, IsOneTwoOrFiveTimesAPowerOfTen) {
-  EXPECT_DOUBLE_EQ(round_length(1), 1);
-  EXPECT_DOUBLE_EQ(round_length(1.99), 1);
-  EXPECT_DOUBLE_EQ(round_length(4.9), 2);
-  EXPECT_DOUBLE_EQ(round_length(73), 50);
-  EXPECT_DOUBLE_EQ(round_length(0.3), 0.2);
+  EXPECT_DOUBLE_EQ(round_number_up_to(1), 1);
+  EXPECT_DOUBLE_EQ(round_number_up_to(1.99), 1);
+  EXPECT_DOUBLE_EQ(round_number_up_to(4.9), 2);
+  EXPECT_DOUBLE_EQ(round_number_up_to(73), 50);
+  EXPECT_DOUBLE_EQ(round_number_up_to(0.3), 0.2);
 }
 
 TEST(LengthUnit, MakesTheNumberOneOrMore) {
@@ -61,7 +61,7 @@ TEST(Ticks, AreFewAndRound) {
 }
 
 TEST(Layout, GivesTheWholePictureToTheViewWithoutAnnotations) {
-  const Layout layout = arrange(400, 300, {0, 0, 40, 30}, render::Annotations::none);
+  const Layout layout = layout_of(400, 300, {0, 0, 40, 30}, render::Annotations::none);
   EXPECT_EQ(layout.panel.width, 400);
   EXPECT_EQ(layout.panel.height, 300);
   EXPECT_DOUBLE_EQ(layout.scale, 10);
@@ -73,7 +73,7 @@ TEST(Layout, KeepsTheViewInsideThePicture) {
     for (const int height : {1, 40, 200, 720}) {
       for (const double aspect : {0.001, 0.3, 1.0, 7.0, 5000.0}) {
         const PixelBox panel =
-            arrange(width, height, {0, 0, aspect, 1}, render::Annotations::all).panel;
+            layout_of(width, height, {0, 0, aspect, 1}, render::Annotations::all).panel;
         EXPECT_GE(panel.x, 0);
         EXPECT_GE(panel.y, 0);
         EXPECT_LE(panel.x + panel.width, width);
@@ -85,16 +85,16 @@ TEST(Layout, KeepsTheViewInsideThePicture) {
 
 TEST(Layout, TextIsAsLargeAsThePictureIsHighAndWide) {
   const lattice::Rectangle view = {0, 0, 30, 20};
-  const int wide = arrange(1280, 720, view, render::Annotations::all).text_size;
-  EXPECT_EQ(arrange(3840, 2160, view, render::Annotations::all).text_size, 3 * wide);
-  EXPECT_EQ(arrange(2000, 720, view, render::Annotations::all).text_size, wide);
-  EXPECT_EQ(arrange(900, 720, view, render::Annotations::all).text_size, wide);
-  EXPECT_LT(arrange(720, 720, view, render::Annotations::all).text_size, wide);
-  const Layout upright = arrange(720, 1280, view, render::Annotations::all);
+  const int wide = layout_of(1280, 720, view, render::Annotations::all).text_size;
+  EXPECT_EQ(layout_of(3840, 2160, view, render::Annotations::all).text_size, 3 * wide);
+  EXPECT_EQ(layout_of(2000, 720, view, render::Annotations::all).text_size, wide);
+  EXPECT_EQ(layout_of(900, 720, view, render::Annotations::all).text_size, wide);
+  EXPECT_LT(layout_of(720, 720, view, render::Annotations::all).text_size, wide);
+  const Layout upright = layout_of(720, 1280, view, render::Annotations::all);
   EXPECT_LT(upright.text_size, wide);
   EXPECT_GE(upright.text_right - upright.text_left, 44 * upright.text_size);
   // A tall view is narrower than its caption.
-  const Layout tall = arrange(1280, 720, {0, 0, 10, 40}, render::Annotations::all);
+  const Layout tall = layout_of(1280, 720, {0, 0, 10, 40}, render::Annotations::all);
   EXPECT_LT(tall.text_left, tall.panel.x);
   EXPECT_EQ(tall.text_right - tall.text_left, 44 * tall.text_size);
 }
@@ -129,7 +129,8 @@ TEST_F(Annotations, StandAboveAndBelowTheView) {
   style.height = 360;
   Painter painter(style, state.lattice, state.kinds);
   const grains::Occupancy occupancy(state);
-  const Layout layout = arrange(640, 360, whole_box(state.lattice), render::Annotations::all);
+  const Layout layout =
+      layout_of(640, 360, box_with_frame(state.lattice), render::Annotations::all);
   const int below = layout.panel.y + layout.panel.height;
   const Image titled = painter.draw(state, occupancy, {}, {"Größe µ²", "step 1"});
   EXPECT_FALSE(blank(titled, 0, layout.panel.y));
@@ -156,7 +157,7 @@ int widest_gap(const Image& image, int bottom) {
 
 TEST_F(Annotations, LeaveAGapBetweenTitleAndDetail) {
   for (const int width : {300, 640, 1280}) {
-    const Layout layout = arrange(width, 360, {0, 0, 40, 30}, render::Annotations::all);
+    const Layout layout = layout_of(width, 360, {0, 0, 40, 30}, render::Annotations::all);
     for (std::size_t length = 1; length < 200; length += 3) {
       Graphics graphics(width, 360);
       annotate(graphics, layout, {std::string(length, 'H'), "HHHHHHHH"}, {});
@@ -167,7 +168,7 @@ TEST_F(Annotations, LeaveAGapBetweenTitleAndDetail) {
 
 TEST_F(Annotations, FitAnyNumberOfPatches) {
   Graphics graphics(400, 300);
-  const Layout layout = arrange(400, 300, {0, 0, 40, 20}, render::Annotations::all);
+  const Layout layout = layout_of(400, 300, {0, 0, 40, 20}, render::Annotations::all);
   Legend legend;
   for (std::size_t i = 0; i < 40; ++i) {
     legend.patches.push_back({"species " + std::to_string(i), palette_color(i)});
@@ -183,7 +184,7 @@ std::ptrdiff_t count(const Image& image, Rgb color) {
 }
 
 TEST_F(Annotations, ShowTheShapesOfSpecies) {
-  const Layout layout = arrange(3840, 2160, {0, 0, 40, 20}, render::Annotations::all);
+  const Layout layout = layout_of(3840, 2160, {0, 0, 40, 20}, render::Annotations::all);
   const auto area_of = [&](const std::vector<Eigen::Vector2d>& outline, double size) {
     Graphics graphics(3840, 2160);
     Legend legend;
@@ -198,7 +199,7 @@ TEST_F(Annotations, ShowTheShapesOfSpecies) {
 }
 
 TEST_F(Annotations, MarkTheEndsOfABarBeyondWhichValuesLie) {
-  const Layout layout = arrange(1280, 720, {0, 0, 40, 20}, render::Annotations::all);
+  const Layout layout = layout_of(1280, 720, {0, 0, 40, 20}, render::Annotations::all);
   const auto ends = [&](bool below, bool above) {
     Graphics graphics(1280, 720);
     Legend legend;
@@ -222,7 +223,7 @@ TEST(PictureSize, FollowsTheViewUnlessItIsGiven) {
       const PixelBox size = picture_size(0, 0, view, annotations);
       EXPECT_NEAR(size.width * size.height, 1280 * 720, 0.02 * 1280 * 720);
       EXPECT_EQ(size.width % 2 + size.height % 2, 0);
-      const Layout layout = arrange(size.width, size.height, view, annotations);
+      const Layout layout = layout_of(size.width, size.height, view, annotations);
       const int margin = layout.text_size;
       EXPECT_LE(layout.panel.x, margin + 8) << aspect;
       EXPECT_LE(layout.panel.y, 2.4 * margin + 8) << aspect;

@@ -121,7 +121,7 @@ TEST(Body, OfAHexagonIsAHexagonHalfASpacingLarger) {
     const Outline line = outline(shape);
     EXPECT_EQ(line.size(), 6U);
     for (const Axial corner : line) {
-      EXPECT_NEAR(place_of(corner).norm(), radius + 0.5, 1e-12);
+      EXPECT_NEAR(position_from_halves(corner).norm(), radius + 0.5, 1e-12);
     }
     EXPECT_EQ(trapezoids(shape).size(), 2U);
     EXPECT_EQ(area_of(line), 6 * (2 * radius + 1) * (2 * radius + 1));

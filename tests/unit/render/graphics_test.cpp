@@ -249,8 +249,8 @@ TEST(Overlay, StaysInsideThePanel) {
   const grains::State state = one_grain();
   const Image image =
       overlaid(state, {{{{-1000, 20}, {1000, 20}, 300, kRed, false}}, 0}, Annotations::all);
-  const Layout layout = arrange(400, 300, {0, 5, 40, 35},
-                                font_problem().empty() ? Annotations::all : Annotations::none);
+  const Layout layout = layout_of(400, 300, {0, 5, 40, 35},
+                                  font_problem().empty() ? Annotations::all : Annotations::none);
   for (int y = 0; y < image.height; ++y) {
     for (int x = 0; x < image.width; ++x) {
       const bool inside = x >= layout.panel.x && x < layout.panel.x + layout.panel.width &&

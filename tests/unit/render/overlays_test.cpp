@@ -33,8 +33,8 @@ TEST(ForceNetwork, DrawsStrongContactsWideAndOnTop) {
   EXPECT_LT(overlay.strokes[0].width, overlay.strokes[1].width);
   EXPECT_DOUBLE_EQ(overlay.strokes[2].width, 1.2);
   EXPECT_DOUBLE_EQ(overlay.strokes[3].width, 1.2);  // no wider than the strongest
-  EXPECT_DOUBLE_EQ(force_key(6, "overlap").width, 1.2);
-  EXPECT_EQ(force_key(6, "overlap").color, overlay.strokes[0].color);
+  EXPECT_DOUBLE_EQ(force_legend(6, "overlap").width, 1.2);
+  EXPECT_EQ(force_legend(6, "overlap").color, overlay.strokes[0].color);
 }
 
 TEST(ForceNetwork, LeavesOutContactsWithoutStrength) {
@@ -70,12 +70,12 @@ TEST(ArrowField, TakesNoMotionAndNoNumbers) {
 
 TEST(ArrowField, KeyIsARoundLengthToTheSameScale) {
   const UnitName unit = {"spacing per cycle", "spacings per cycle"};
-  const Legend::Line key = arrow_key(5, 0.61, unit);
+  const Legend::Line key = arrow_legend(5, 0.61, unit);
   EXPECT_EQ(key.label, "0.5 spacings per cycle");
   EXPECT_NEAR(key.length, 0.9 * 5 * 0.5 / 0.61, 1e-12);
   EXPECT_TRUE(key.arrow);
-  EXPECT_EQ(arrow_key(5, 0, unit).label, "0 spacings per cycle");
-  EXPECT_EQ(arrow_key(5, 1.5, unit).label, "1 spacing per cycle");
+  EXPECT_EQ(arrow_legend(5, 0, unit).label, "0 spacings per cycle");
+  EXPECT_EQ(arrow_legend(5, 1.5, unit).label, "1 spacing per cycle");
 }
 
 TEST(ArrowField, CutsNoArrow) {
@@ -129,7 +129,7 @@ Image with_legend(const Layout& layout, const Legend& legend) {
 }
 
 TEST_F(LegendLine, IsAsThickAndLongAsInThePicture) {
-  const Layout layout = arrange(1280, 720, {0, 0, 120, 60}, Annotations::all);
+  const Layout layout = layout_of(1280, 720, {0, 0, 120, 60}, Annotations::all);
   Legend legend;
   legend.lines = {{"0.5 spacings per cycle", 0.8, 6, {0, 0, 200}, false}};
   const Box box = around(with_legend(layout, legend), layout, {0, 0, 200});
@@ -138,7 +138,7 @@ TEST_F(LegendLine, IsAsThickAndLongAsInThePicture) {
 }
 
 TEST_F(LegendLine, IsNoThickerThanText) {
-  const Layout layout = arrange(1280, 720, {0, 0, 12, 6}, Annotations::all);
+  const Layout layout = layout_of(1280, 720, {0, 0, 12, 6}, Annotations::all);
   Legend legend;
   legend.lines = {{"overlap 6 sites", 1.2, 0, {139, 0, 18}, false}};
   const Box box = around(with_legend(layout, legend), layout, {139, 0, 18});
@@ -147,7 +147,7 @@ TEST_F(LegendLine, IsNoThickerThanText) {
 }
 
 TEST_F(LegendLine, HasItsLabel) {
-  const Layout layout = arrange(1280, 720, {0, 0, 120, 60}, Annotations::all);
+  const Layout layout = layout_of(1280, 720, {0, 0, 120, 60}, Annotations::all);
   Legend named;
   named.lines = {{"overlap 6 sites", 1.2, 0, {139, 0, 18}, false}};
   Legend nameless = named;
@@ -157,11 +157,11 @@ TEST_F(LegendLine, HasItsLabel) {
 
 TEST_F(LegendLine, StandsBesideABarInsideThePicture) {
   for (const double width : {30.0, 60.0, 120.0}) {
-    const Layout layout = arrange(1280, 720, {0, 0, width, 60}, Annotations::all);
+    const Layout layout = layout_of(1280, 720, {0, 0, width, 60}, Annotations::all);
     Legend legend;
     legend.bars = {{"overlapped sites", 0, 12}};
     legend.patches = {{"none", {1, 200, 3}}};
-    legend.lines = {force_key(6, "overlap 6 sites")};
+    legend.lines = {force_legend(6, "overlap 6 sites")};
     const Image image = with_legend(layout, legend);
     const Box patch = around(image, layout, {1, 200, 3});
     const Box line = around(image, layout, legend.lines[0].color);
@@ -173,7 +173,7 @@ TEST_F(LegendLine, StandsBesideABarInsideThePicture) {
 }
 
 TEST_F(LegendLine, FadesPatchesAsThePictureDoes) {
-  const Layout layout = arrange(1280, 720, {0, 0, 120, 60}, Annotations::all);
+  const Layout layout = layout_of(1280, 720, {0, 0, 120, 60}, Annotations::all);
   Legend legend;
   legend.patches = {{"grains", {55, 55, 55}}};
   legend.fade = 0.5;

@@ -89,7 +89,7 @@ Projection shown(const grains::State& state, int width, int height, int samples,
   const Style style = {
       .width = width, .height = height, .view = view, .annotations = Annotations::none};
   const lattice::Rectangle box = completed(style, state.lattice).view;
-  return projection_of(box, arrange(width, height, box, Annotations::none), samples, height);
+  return projection_of(box, layout_of(width, height, box, Annotations::none), samples, height);
 }
 
 /// A colour of its own for each particle.
@@ -114,7 +114,7 @@ void expect_as_defined(const grains::State& state, const Coloring& coloring,
                        const Projection& projection) {
   const grains::Occupancy occupancy(state);
   const Image image = looked_up(state, coloring, projection, 1, 1);
-  const PixelBox box = projection.samples_in(whole_box(state.lattice));
+  const PixelBox box = projection.samples_in(box_with_frame(state.lattice));
   std::size_t sure = 0;
   std::size_t wrong = 0;
   for (int x = 0; x < image.width; ++x) {

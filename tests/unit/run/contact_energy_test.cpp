@@ -125,7 +125,7 @@ output: {series: {every: 1}}
         is_default ? std::vector<scene::Override>()
                    : std::vector<scene::Override>{"contact.fall_height=10"};
     run(scene::parse(kTall, "tall.yaml", overrides), {.folder = path(), .overwrite = true}, events);
-    const store::ReadTable series = store::read_table(path() / "series.csv");
+    const store::ParsedTable series = store::read_table(path() / "series.csv");
     const double whole =
         series.numbers("kinetic_energy")[0] + series.numbers("potential_energy")[0];
     const std::vector<double> dissipated = series.numbers("dissipated_energy");

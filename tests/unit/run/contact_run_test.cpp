@@ -50,11 +50,11 @@ stages:
 )",
                    "sides.yaml"),
       {.folder = path()});
-  const store::ReadTable walls = store::read_table(path() / "walls-rest.csv");
+  const store::ParsedTable walls = store::read_table(path() / "walls-rest.csv");
   EXPECT_THAT(*walls.find("wall"),
               ::testing::UnorderedElementsAre("left", "right", "floor", "top", "ceiling",
                                               "box.left", "box.right", "box.floor", "box.top"));
-  const store::ReadTable contacts = store::read_table(path() / "contacts-rest.csv");
+  const store::ParsedTable contacts = store::read_table(path() / "contacts-rest.csv");
   std::map<std::string, double> sums;  // of what carries weight
   for (std::size_t row = 0; row < contacts.rows(); ++row) {
     const std::string& second = (*contacts.find("second"))[row];
@@ -219,7 +219,7 @@ measure: [force]
                                                      "landed.yaml"),
                                         {.folder = path()});
   EXPECT_NEAR(testing::measure_of(summary, "rest", "load_floor"), 1, 1e-3);
-  const store::ReadTable walls = store::read_table(path() / "walls-rest.csv");
+  const store::ParsedTable walls = store::read_table(path() / "walls-rest.csv");
   for (std::size_t row = 0; row < walls.rows(); ++row) {
     if ((*walls.find("wall"))[row] == "floor") {
       EXPECT_NEAR(walls.numbers("force_y")[row], -1, 1e-3);

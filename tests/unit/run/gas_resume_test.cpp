@@ -283,7 +283,8 @@ TEST_F(GasResumeTest, KilledBeforeItsFirstCheckpointItBeginsAnew) {
   fs::remove(folder_.path() / "run.json");
   store::Checkpoint start = store::read_checkpoint(folder_.path(), kMaxBytes)->checkpoint;
   start.fields.clear();
-  store::write_checkpoint(store::OutputFolder(folder_.path()), start, store::Previous::replaced);
+  store::write_checkpoint(store::OutputFolder(folder_.path()), start,
+                          store::PreviousCheckpoint::replaced);
   EXPECT_EQ(resume_to().status, "done");
   expect_as_unbroken(scene);
 }

@@ -47,7 +47,7 @@ class GasRunTest : public ::testing::Test {
                             const std::atomic<int>* stop = nullptr) const {
     return run(gas(overrides), {.folder = folder_.path(), .threads = 1, .stop = stop}, events);
   }
-  store::ReadTable table(const std::string& name) const {
+  store::ParsedTable table(const std::string& name) const {
     return store::read_table(folder_.path() / (name + ".csv"));
   }
   nlohmann::json json() const {
@@ -280,7 +280,7 @@ TEST_F(GasRunTest, AnEnsembleThatIsStoppedLeavesWhatItsMembersHaveComeTo) {
   EXPECT_EQ(json()["status"], "interrupted");
   EXPECT_EQ(json()["stages"][0]["measures"]["time"], 200);
   EXPECT_EQ(json()["stages"][0]["measures"]["gases"], 1);
-  const store::ReadTable series = table("series");
+  const store::ParsedTable series = table("series");
   EXPECT_GT(series.numbers("t_tr").front(), 0.9);
   EXPECT_EQ(series.numbers("time").back(), 200);
   EXPECT_FALSE(std::isnan(series.numbers("t_tr_se").front()));

@@ -275,7 +275,7 @@ TEST(Run, OneOutletAndOneSpeciesAreNotCountedApart) {
   one.emplace_back("species={small: {shape: {hexagon: 1}}}");
   one.emplace_back("stages.packing.fill.counts={small: 30}");
   run(small_scene(one), {.folder = folder.path()});
-  const store::ReadTable table = store::read_table(folder.path() / "series.csv");
+  const store::ParsedTable table = store::read_table(folder.path() / "series.csv");
   EXPECT_EQ(table.names.back(), "discharged_sites");
 }
 
@@ -287,7 +287,7 @@ TEST(Run, AProbeAcrossTheBoxCountsWhatTheOutletBelowItCounts) {
                    "stages=[{name: fall, fill: {region: [0, 30, 30, 60], counts: {small: 20, rod: "
                    "20}}}]"}),
       {.folder = folder.path()});
-  const store::ReadTable table = store::read_table(folder.path() / "probes.csv");
+  const store::ParsedTable table = store::read_table(folder.path() / "probes.csv");
   EXPECT_EQ(table.names, (std::vector<std::string>{"step", "stage", "probe", "filling", "particles",
                                                    "vx", "vy", "fluctuation", "flow"}));
   EXPECT_EQ(table.find("vy")->at(0), "");  // nothing came before
@@ -315,7 +315,7 @@ TEST(Run, ALineAcrossTheBoxCountsWhatTheOutletBelowItCounts) {
              "9}}, until: {steps: 2000}}]"}),
         {.folder = folder.path()});
     const fs::path file = folder.path() / "lines-fall.csv";
-    const store::ReadTable table = store::read_table(file);
+    const store::ParsedTable table = store::read_table(file);
     EXPECT_EQ(table.names, (std::vector<std::string>{
                                "line", "position", "x", "y", "flux", "flux_se", "v_across",
                                "v_across_se", "v_along", "v_along_se", "filling", "particles"}));

@@ -11,7 +11,7 @@ namespace {
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 TEST(Sample, HasMeanAndSpread) {
-  const Sample found = sample({2, 4, 4, 4, 5, 5, 7, 9});
+  const SampleStatistics found = sample({2, 4, 4, 4, 5, 5, 7, 9});
   EXPECT_DOUBLE_EQ(found.mean, 5);
   EXPECT_DOUBLE_EQ(found.standard_deviation, std::sqrt(32.0 / 7));
   EXPECT_DOUBLE_EQ(found.standard_error, std::sqrt(32.0 / 7 / 8));
@@ -25,13 +25,13 @@ TEST(Sample, OfCountsWithAWholeMeanIsExact) {
 }
 
 TEST(Sample, LeavesOutWhatIsNoNumber) {
-  const Sample found = sample({1, kNan, 3, std::numeric_limits<double>::infinity()});
+  const SampleStatistics found = sample({1, kNan, 3, std::numeric_limits<double>::infinity()});
   EXPECT_EQ(found.count, 2U);
   EXPECT_EQ(found.mean, 2);
 }
 
 TEST(Sample, HasNoSpreadThatIsInfinite) {
-  const Sample huge = sample({6e307, 7e307, 5e307});
+  const SampleStatistics huge = sample({6e307, 7e307, 5e307});
   EXPECT_DOUBLE_EQ(huge.mean, 6e307);
   EXPECT_TRUE(std::isnan(huge.standard_deviation));
   EXPECT_TRUE(std::isnan(huge.standard_error));

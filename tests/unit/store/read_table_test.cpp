@@ -16,7 +16,7 @@ using ::testing::HasSubstr;
 
 class ReadTableTest : public ::testing::Test {
  protected:
-  ReadTable read(std::string_view text) const {
+  ParsedTable read(std::string_view text) const {
     write_whole(file_, text);
     return read_table(file_);
   }
@@ -34,7 +34,7 @@ TEST_F(ReadTableTest, GivesBackWhatWasWritten) {
   Table table({"step", "a,\"b\"", "value"});
   table.add_row({std::uint64_t{3}, std::string("\"x\", \n\"\"y"), 0.1 + 0.2});
   table.add_row({std::uint64_t{4}, std::string("\""), std::nan("")});
-  const ReadTable back = read(table.to_csv());
+  const ParsedTable back = read(table.to_csv());
   EXPECT_THAT(back.names, ElementsAre("step", "a,\"b\"", "value"));
   EXPECT_THAT(*back.find("a,\"b\""), ElementsAre("\"x\", \n\"\"y", "\""));
   EXPECT_THAT(back.numbers("step"), ElementsAre(3, 4));
@@ -43,7 +43,7 @@ TEST_F(ReadTableTest, GivesBackWhatWasWritten) {
 }
 
 TEST_F(ReadTableTest, ATableMayHaveNoRows) {
-  const ReadTable table = read("a,b\n");
+  const ParsedTable table = read("a,b\n");
   EXPECT_EQ(table.rows(), 0U);
   EXPECT_THAT(table.numbers("b"), ElementsAre());
 }
@@ -63,7 +63,7 @@ TEST_F(ReadTableTest, WhatTableDoesNotWriteIsAnErrorWithItsLine) {
 }
 
 TEST_F(ReadTableTest, TextWhereANumberShouldStandIsAnErrorWithItsLine) {
-  const ReadTable table = read("a,b\n1,2\n3,4x\n");
+  const ParsedTable table = read("a,b\n1,2\n3,4x\n");
   EXPECT_THAT(
       [&] { table.numbers("b"); },
       ::testing::ThrowsMessage<StoreError>(HasSubstr("line 3: '4x' in column 'b' is no number")));

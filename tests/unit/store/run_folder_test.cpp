@@ -71,7 +71,7 @@ TEST_F(RunFolderTest, StartingOverRemovesWhatTheEarlierRunLeftAndNothingElse) {
   EXPECT_FALSE(folder.earlier_run()->unfinished);
   folder.start_over(start());
   for (const char* name : {"run.json", "series.csv", "profile-flow.csv", "frames/old-000120.png",
-                           "plots/series.png", "export", "report.html", kCheckpointBefore}) {
+                           "plots/series.png", "export", "report.html", kPreviousCheckpointFile}) {
     EXPECT_FALSE(fs::exists(run() / name)) << name;
   }
   for (const char* name : {"profile-me.csv", "plots/mine.png", "frames/mine-000120.png", "lock",
