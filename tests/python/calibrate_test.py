@@ -14,8 +14,8 @@ for module in ("scipy", "sklearn", "yaml"):
     needs(module)
 
 import clca
+from clca._rounds import Surrogate, posterior, sobol
 from clca._study import read_study
-from clca._surrogate import Surrogate, posterior, sobol
 
 NOISE = (1.0, 0.05)
 STUDY = {

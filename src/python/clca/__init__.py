@@ -13,7 +13,7 @@ import importlib
 from typing import TYPE_CHECKING, Any
 
 from ._calibrate import Calibration, calibrate
-from ._error import CompiledPartError, Error, without_compiled_part
+from ._error import CompiledPartError, Error, compiled
 from ._folder import Run, Stage, Sweep, open
 from ._frames import Frame, Frames, Kind
 from ._notebook import Movie, Picture, Progress
@@ -26,27 +26,21 @@ if TYPE_CHECKING:
     __version__: str
 
 # Loaded when it is asked for: what runs and steps is compiled, and folders can be read without it.
-_LATER = {"compare": "_compare"} | dict.fromkeys(("Gas", "Scene", "Simulation", "resume", "run", "sweep"), "_scene")
+_OF_SCENES = {"Gas", "Scene", "Simulation", "__version__", "resume", "run", "sweep"}
 
 
 def __getattr__(name: str) -> Any:
-    try:
-        if name == "__version__":
-            found = importlib.import_module("._clca", __name__).version()
-        elif name in _LATER:
-            found = getattr(importlib.import_module(f".{_LATER[name]}", __name__), name)
-        else:
-            raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    except ImportError as error:
-        if name == "compare":
-            raise
-        raise without_compiled_part(f"clca.{name}", error) from None
-    globals()[name] = found
+    if name in _OF_SCENES:
+        compiled(f"clca.{name}")
+    elif name != "compare":
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    module = "_scene" if name in _OF_SCENES else "_compare"
+    globals()[name] = found = getattr(importlib.import_module(f".{module}", __name__), name)
     return found
 
 
 def __dir__() -> list[str]:
-    return sorted({*globals(), *_LATER, "__version__"})
+    return sorted({*globals(), *_OF_SCENES, "compare"})
 
 
 __all__ = ["Calibration", "CompiledPartError", "Error", "Frame", "Frames", "Gas", "Kind", "Movie", "Picture", "Progress"]

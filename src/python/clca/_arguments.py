@@ -1,7 +1,5 @@
 """Arguments, checked as the command line checks them."""
 
-from __future__ import annotations
-
 import difflib
 import json
 import math

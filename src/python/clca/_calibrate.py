@@ -20,9 +20,8 @@ from ._arguments import absolute, mapping, plain, progress as checked_progress, 
 from ._error import ArgumentError, Error
 from ._folder import Folder, make_own, write_files
 from ._notebook import Progress
-from ._rounds import Answer, scaled, step
-from ._study import Place, Study, read_study, study_of
-from ._surrogate import Numbers
+from ._rounds import Answer, Numbers, scaled, step
+from ._study import Place, read_study, study_of
 from ._table import Quantity, Table, csv_of
 
 if TYPE_CHECKING:
@@ -258,25 +257,23 @@ def calibrate(
     return Calibration(folder)
 
 
-def sweeps_of(study: Study, planned: Any) -> Iterator[dict[str, Any]]:
-    """As options of `clca sweep`."""
+def command(options: dict[str, Any], folder: str) -> None:
+    """One step: answers with the sweeps that are needed, as options of `clca sweep`, or with the files of the answer."""
+    study = read_study(Path(options["study"]))
+    following = step(study, Path(folder), options["step"])
+    if isinstance(following, Answer):
+        summary, tables = content_of(following)
+        _answer.files(files_of(summary, tables), summary_lines(tables["parameters"], tables["targets"], summary["notes"]))
+        return
     separator = "," if len(study.vary) == 1 else "; "
-    for test, rows, seeds, folder in planned:
-        yield {
+    sweeps = [
+        {
             "scene": test.scene,
             "set": [f"{key}={to_yaml(key, value)}" for key, value in test.set.items()],
             "vary": f"{','.join(study.vary)}={separator.join(','.join(map(repr, row)) for row in rows)}",
             "seeds": f"{seeds[0]}..{seeds[-1]}",
-            "folder": os.fspath(folder),
+            "folder": os.fspath(there),
         }
-
-
-def command(options: dict[str, Any], folder: str) -> None:
-    """One step: answers with the sweeps that are needed, or with the files of the answer."""
-    study = read_study(Path(options["study"]))
-    following = step(study, Path(folder), options["step"])
-    if not isinstance(following, Answer):
-        _answer.file("sweeps.json", json.dumps(list(sweeps_of(study, following))).encode())
-        return
-    summary, tables = content_of(following)
-    _answer.files(files_of(summary, tables), summary_lines(tables["parameters"], tables["targets"], summary["notes"]))
+        for test, rows, seeds, there in following
+    ]
+    _answer.file("sweeps.json", json.dumps(sweeps).encode())

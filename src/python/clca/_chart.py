@@ -1,7 +1,5 @@
 """How figures look: curves, colours, legends, axes and pages, by matplotlib."""
 
-from __future__ import annotations
-
 import functools
 import io
 import math

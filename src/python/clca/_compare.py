@@ -4,8 +4,6 @@ Bins are equally probable under chi-square, with 2 degrees of freedom in the pla
 corresponds to bin k of the other.
 """
 
-from __future__ import annotations
-
 import json
 import math
 import os

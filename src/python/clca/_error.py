@@ -1,8 +1,7 @@
 """What the library reports."""
 
-from __future__ import annotations
-
 import re
+from typing import Any
 
 
 def printable(text: str) -> str:
@@ -44,5 +43,10 @@ class CompiledPartError(Error, ImportError):
     """What was asked for needs the compiled module, which is not there."""
 
 
-def without_compiled_part(what: str, reason: ImportError) -> CompiledPartError:
-    return CompiledPartError(f"{what} needs the compiled part of clca, which cannot be loaded: {reason}")
+def compiled(what: str) -> Any:
+    """The compiled module, for what needs it. Throws CompiledPartError."""
+    try:
+        from . import _clca
+    except ImportError as error:
+        raise CompiledPartError(f"{what} needs the compiled part of clca, which cannot be loaded: {error}") from None
+    return _clca

@@ -1,7 +1,5 @@
 """Frames of a trajectory in the formats of other programs; docs/trajectory.md says what each has."""
 
-from __future__ import annotations
-
 import io
 import json
 import math

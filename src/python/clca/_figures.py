@@ -123,9 +123,8 @@ def curve_of(source: ChosenTables, label: str, rows: Table, x: str, y: str, **mo
     """A column, with its standard error where it has one."""
     if source.choice.mean > 1:
         return Curve(label, rows[x], running_mean(rows[y], source.choice.mean), **more)
-    if f"{y}_se" not in rows.names:
-        return Curve(label, rows[x], rows[y], **more)
-    return Curve(label, rows[x], rows[y], rows[y] - rows[f"{y}_se"], rows[y] + rows[f"{y}_se"], **more)
+    error = rows[f"{y}_se"] if f"{y}_se" in rows.names else numpy.nan
+    return Curve(label, rows[x], rows[y], rows[y] - error, rows[y] + error, **more)
 
 
 def legend_entry(label: str, line: str = "--") -> Curve:
@@ -561,28 +560,26 @@ def charts_of(source: ChosenTables, figure: Figure) -> list[Chart]:
         for group, rows in groups_of(table, figure.each):
             if allows(figure, rows):
                 parts.setdefault(label if figure.each == "file" else group, []).append((label, rows))
-    what = "Stage" if figure.each == "file" else figure.each
-
-    def chart(part: str, those: Files) -> Chart:
-        name = f"{figure.name}-{part}" if part else figure.name
-        about = f"{figure.about} {what}: {part}." if part else figure.about
-        table = those[0][1]
-        draw = partial(figure.draw or lines, source, figure, those, part, table)
-        beside = partial(with_y2, source, table, time_of(table), "stage")
-        return Chart(name, about, figure.rank, lambda: [log_scaled(beside(draw()), source.choice.log)], source.title, figure.name)
-
-    return [chart(part, those) for part, those in parts.items()]
+    return [chart_of(source, figure, those, part) for part, those in parts.items()]
 
 
-def with_y2(source: ChosenTables, table: Table, x: str, by: str, panel: Panel) -> Panel:
-    """With the column that is chosen for the second axis, dashed, of each value of `by` that has a curve."""
+def chart_of(source: ChosenTables, figure: Figure, files: Files, part: str = "") -> Chart:
+    what, table, log = "Stage" if figure.each == "file" else figure.each, files[0][1], source.choice.log
+    name = f"{figure.name}-{part}" if part else figure.name
+    about = f"{figure.about} {what}: {part}." if part else figure.about
+    draw = partial(figure.draw or lines, source, figure, files, part, table)
+    return Chart(name, about, figure.rank, lambda: [log_scaled(with_y2(source, figure, table, draw()), log)], source.title, figure.name)
+
+
+def with_y2(source: ChosenTables, figure: Figure, table: Table, panel: Panel) -> Panel:
+    """With the column that is chosen for the second axis, dashed, of each group that has a curve."""
     if not (y2 := source.choice.y2):
         return panel
     table._check_numbers(y2)
-    groups, left, right = dict(groups_of(table, by)), f"{panel.y.label} (left)", f"{table.label(y2)} (right, dashed)"
+    groups, left, right = dict(groups_of(table, figure.by)), f"{panel.y.label} (left)", f"{table.label(y2)} (right, dashed)"
 
     def dashed(of: Curve, label: str, color: int) -> Curve:
-        return curve_of(source, label, groups[of.label], x, y2, line="--", color=color)
+        return curve_of(source, label, groups[of.label], figure.x or time_of(table), y2, line="--", color=color)
 
     panel = panel._replace(y2=Axis(table.label(y2)))
     if len(panel.curves) == 1:  # its colour tells the axis
@@ -612,9 +609,7 @@ def column_chart(source: ChosenTables, y: str) -> Chart:
     table._check_numbers(x, y)
     if not len(table):
         raise Error(f"{where}: '{y}' has no rows in the stages and times that are chosen")
-    curves = [curve_of(source, group, rows, x, y) for group, rows in groups_of(table, by)]
-    panel = with_y2(source, table, x, by, Panel(curves, Axis(table.label(x)), Axis(table.label(y))))
-    return Chart(y, table.descriptions.get(y, y), 0, lambda: [log_scaled(panel, choice.log)], source.title, y)
+    return chart_of(source, Figure(y, "", y, table.descriptions.get(y, y), x=x, by=by), [("", table)])
 
 
 def table_with(source: ChosenTables, columns: list[str]) -> Table:

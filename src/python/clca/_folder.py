@@ -14,9 +14,9 @@ import numpy
 from numpy.typing import NDArray
 
 from ._arguments import MAX_U64, absolute, at_most_runs, flag, number, path, checked_index, text, whole
-from ._error import ArgumentError, Error, WriteError, without_compiled_part
+from ._error import ArgumentError, Error, WriteError, compiled
 from ._frames import Frames, Kind, trajectory_in
-from ._notebook import Movie, Picture, overrides, shown
+from ._notebook import Movie, Picture, Shown, overrides
 from ._table import Named, Quantity, Table, Value, check_regular, quantities, read_table
 
 if TYPE_CHECKING:
@@ -49,24 +49,20 @@ CALIBRATION = {"notes": [str], "vary": {"*": [NUMBER]}, "correlations": [[NUMBER
 SHAPES = {"run.json": RUN, "sweep.json": SWEEP, "calibration.json": CALIBRATION}
 
 
-def is_scalar_of(value: Any, shape: Any) -> bool:
-    """Whether a text, a number, yes, no or nothing is of that shape."""
-    if isinstance(shape, re.Pattern):
-        return isinstance(value, str) and shape.fullmatch(value) is not None
-    is_huge = type(value) is int and abs(value) >= 2**64
-    return type(value) in (shape if isinstance(shape, tuple) else (shape,)) and not is_huge
-
-
 def check(value: Any, shape: Any, file: Path, place: str = "") -> None:
     """Throws Error where a value is not of that shape, with its place in the file."""
     parts: list[tuple[Any, Any, Any]] = []
+    is_right = type(value) in (shape if isinstance(shape, tuple) else (shape,))
+    if isinstance(shape, re.Pattern):
+        is_right = isinstance(value, str) and shape.fullmatch(value) is not None
+    is_huge = type(value) is int and abs(value) >= 2**64
     if isinstance(shape, list) and type(value) is list:
         parts = [(number, one, shape[0]) for number, one in enumerate(value)]
     elif isinstance(shape, dict) and type(value) is dict:
         shapes = {key.rstrip("?"): of for key, of in shape.items() if key.rstrip("?") in value or key[-1] != "?"}
         shapes = dict.fromkeys(value, shape["*"]) if "*" in shape else shapes
         parts = [(key, value.get(key), of) for key, of in shapes.items()]
-    elif not is_scalar_of(value, shape):
+    elif not is_right or is_huge:
         raise Error(f"cannot read {file}: '{place}' is missing or not what it should be")
     for key, one, of in parts:
         check(one, of, file, f"{place}.{key}" if place else str(key))
@@ -141,15 +137,6 @@ def write_files(folder: Path, contents: Iterable[tuple[str, bytes]]) -> None:
         write_file(folder / name, content, is_listed=True)
 
 
-def compiled(what: str) -> Any:
-    """The compiled module, for what needs it. Throws Error."""
-    try:
-        from . import _clca
-    except ImportError as error:
-        raise without_compiled_part(what, error) from None
-    return _clca
-
-
 Names = str | Sequence[str]
 
 
@@ -186,7 +173,7 @@ class Folder:
         return read_table(self.folder / f"{name}.csv", quantities(known.get(kind, [])))
 
 
-class Result(Folder):
+class Result(Shown, Folder):
     """Of runs: it can be drawn."""
 
     def report(self, path: str | os.PathLike[str] | None = None, max_frames: int | None = None) -> Path:
@@ -221,10 +208,6 @@ class Result(Folder):
             flag("filling", filling), whole("mean", mean, 1, 1_000_000)
         )
         return plot(self, text("name", name), ax, choice)
-
-    def _repr_html_(self) -> str | None:
-        assert isinstance(self, (Run, Sweep))
-        return shown(self)
 
 
 class Stage(NamedTuple):

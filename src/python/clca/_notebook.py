@@ -1,22 +1,16 @@
 """What shows itself in notebooks: tables, runs, sweeps, pictures and movies, and how far a run has come."""
 
-from __future__ import annotations
-
 import base64
 import os
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import PosixPath
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy
 
 from ._arguments import absolute, progress as checked, text, to_yaml
-from ._table import Table
-
-if TYPE_CHECKING:
-    from ._folder import Run, Sweep
 
 MEDIA = {".mp4": "video/mp4", ".webm": "video/webm", ".webp": "image/webp", ".gif": "image/gif", ".png": "image/png"}
 
@@ -75,6 +69,17 @@ class Progress(NamedTuple):
         return f"{head}[{bar:30}] {self.done} of {self.total}{left}"
 
 
+class Shown:
+    """Shows itself in a notebook: a table, a run or a sweep."""
+
+    def _repr_html_(self) -> str | None:
+        try:
+            from ._report import in_notebook
+        except ImportError:  # a notebook shows text where Jinja2 is missing
+            return None
+        return in_notebook(self)
+
+
 @contextmanager
 def reporting(progress: bool | Callable[[Progress], object]) -> Iterator[Callable[..., None] | None]:
     """What the compiled module calls: a bar on standard error, a function of the user, or nothing."""
@@ -94,12 +99,3 @@ def reporting(progress: bool | Callable[[Progress], object]) -> Iterator[Callabl
     finally:
         if width:
             print(file=sys.stderr)
-
-
-def shown(thing: Table | Run | Sweep) -> str | None:
-    """As HTML; None where Jinja2 is missing, so that a notebook shows text."""
-    try:
-        from ._report import in_notebook
-    except ImportError:
-        return None
-    return in_notebook(thing)

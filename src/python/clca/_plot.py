@@ -1,7 +1,5 @@
 """Figures for notebooks, and for the command `clca plot`."""
 
-from __future__ import annotations
-
 from typing import Any
 
 from . import _answer, _figures

@@ -1,7 +1,5 @@
 """One page about the folder of a run or a sweep: what is on it. How it looks is in templates/."""
 
-from __future__ import annotations
-
 import base64
 import math
 import re
@@ -22,7 +20,7 @@ from markupsafe import Markup, escape
 
 from . import _answer
 from ._chart import Look, rendered
-from ._error import Error
+from ._error import Error, printable
 from ._figures import charts
 from ._folder import Run, Sweep, open, refuse_files_of_clca, write_file
 from ._notebook import MEDIA, png
@@ -396,8 +394,8 @@ def sweep_page(page: Page, sweep: Sweep) -> bytes:
     return page.rendered("sweep.html", title=sweep.title or scene, scene=scene, **found)
 
 
-def in_notebook(thing: Table | Run | Sweep) -> str:
-    """Rows of a table, or measures."""
+def in_notebook(thing: Any) -> str:
+    """Rows of a table, or measures of a run or a sweep."""
     values: dict[str, Any] = {"said": repr(thing).strip("<>"), "columns": [], "parts": [], "notes": []}
     if isinstance(thing, Table):
         parts = [thing] if len(thing) <= 2 * HALF else [thing[:HALF], thing[-HALF:]]
@@ -438,5 +436,5 @@ def command(options: dict[str, Any], folder_name: str) -> None:
         refuse_files_of_clca(Path(options["output"]))
     page, left_out = report(open(folder_name), int(options["max-frames"]) if "max-frames" in options else None)
     for text in left_out:
-        _answer.warning(text)
+        print(f"clca: warning: {printable(text)}", file=sys.stderr, flush=True)
     _answer.file("report.html", page)

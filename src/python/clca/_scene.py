@@ -19,6 +19,8 @@ from ._frames import PITCH, Frame, Kind, RunFacts, Trajectory
 from ._notebook import Picture, Progress, overrides, reporting
 from ._table import Quantity, Table, Value
 
+__version__ = _clca.version()
+
 
 def replaced(seed: int | None, set: Mapping[str, Any] | None) -> dict[str, str]:
     """Keys and their values in the syntax of a scene."""

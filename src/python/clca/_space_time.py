@@ -1,7 +1,5 @@
 """Pictures over time: axes and legend around what `clca render --space-time` has drawn."""
 
-from __future__ import annotations
-
 import io
 import sys
 from typing import Any

@@ -1,7 +1,5 @@
 """Figures of a sweep: measures against what varies, and tables of means."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Sequence
 from functools import partial
@@ -216,7 +214,6 @@ def mean_charts(source: ChosenTables, sweep: Sweep, name: str) -> list[Chart]:
                 title = "-".join(filter(None, (name, group_name, column))) + (f"-{number}" if ways.apart else "")
                 about = f"{table.descriptions[column]}, against {table.label(x)}: {where}. "
                 about += "Means over the seeds; the band is one standard error to either side."
-                y_axis = Axis(table.label(column))
-                panels = partial(ways.panels, part, partial(curve, column), axis, y_axis, where, choice.log)
+                panels = partial(ways.panels, part, partial(curve, column), axis, Axis(table.label(column)), where, choice.log)
                 charts.append(Chart(title, about, 0.5, panels, source.title, "means"))
     return charts

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from ._arguments import text
 from ._error import ArgumentError, Error
+from ._notebook import Shown
 
 T = TypeVar("T")
 COUNTED = ("", "particles", "sites", "moves", "step")  # units of numbers that may be whole
@@ -81,7 +82,7 @@ def as_array(cells: Any) -> NDArray[Any]:
     return numpy.asarray(cells, dtype=str if isinstance(cells, list) and not cells else None)
 
 
-class Table(numpy.ndarray[Any, numpy.dtype[Any]]):
+class Table(Shown, numpy.ndarray[Any, numpy.dtype[Any]]):
     """A structured array: a row for each line, a field for each column.
 
     `names` are the columns; `units` and `descriptions` are by column, empty where there is none.
@@ -144,11 +145,6 @@ class Table(numpy.ndarray[Any, numpy.dtype[Any]]):
         """`Mean height of the particles (spacings)`; the column itself where nothing is known of it."""
         column = text("column", column)
         return self._quantities.get(column, Quantity(column)).label()
-
-    def _repr_html_(self) -> str | None:
-        from ._notebook import shown
-
-        return shown(self)
 
     def to_pandas(self) -> Any:
         """The same as a `pandas.DataFrame`, where pandas is installed."""
