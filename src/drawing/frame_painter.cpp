@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "clca/contact/force.hpp"
-#include "clca/measure/coordination.hpp"
+#include "clca/measure/mixing.hpp"
 #include "clca/record/provenance.hpp"
 #include "clca/scene/parse.hpp"
 #include "record/internal/contact_record.hpp"
