@@ -8,8 +8,8 @@
 
 #include "clca/contact/force.hpp"
 #include "clca/measure/mixing.hpp"
-#include "clca/record/provenance.hpp"
 #include "clca/scene/parse.hpp"
+#include "clca/store/summary.hpp"
 #include "record/internal/contact_record.hpp"
 
 namespace clca::drawing {
@@ -169,7 +169,7 @@ void begin_window(PictureHistory& history, const scene::Scene& scene, const grai
 
 image::PngText scene_metadata(const scene::Scene& scene) {
   return {{"Title", scene.title},
-          {"Software", fmt::format("clca {}", record::version())},
+          {"Software", fmt::format("clca {}", store::version())},
           {"Scene", scene.name},
           {"Seed", fmt::format("{}", scene.seed)}};
 }
