@@ -77,17 +77,23 @@ Layout layout_of(const scene::Scene& scene);
 /// What the rows of a dataset are.
 enum class Axis : std::uint8_t { frames, particles, origins, pushes, contacts };
 inline constexpr std::array kAxisNames = {"frames", "particles", "origins", "pushes", "contacts"};
+inline constexpr std::array kRowsOfFrames = {Axis::particles, Axis::origins, Axis::pushes,
+                                             Axis::contacts};
 
-/// Numbers of rows.
-class Extents {
+/// A value for each axis.
+template <class T>
+class ByAxis {
  public:
-  std::uint64_t& operator[](Axis axis) { return rows_.at(static_cast<std::size_t>(axis)); }
-  std::uint64_t operator[](Axis axis) const { return rows_.at(static_cast<std::size_t>(axis)); }
-  Extents& operator+=(const Extents& other);
+  T& operator[](Axis axis) { return values_.at(static_cast<std::size_t>(axis)); }
+  const T& operator[](Axis axis) const { return values_.at(static_cast<std::size_t>(axis)); }
 
  private:
-  std::array<std::uint64_t, kAxisNames.size()> rows_ = {};
+  std::array<T, kAxisNames.size()> values_ = {};
 };
+
+/// Numbers of rows.
+using Extents = ByAxis<std::uint64_t>;
+Extents& operator+=(Extents& extents, const Extents& more);
 
 /// What a dataset is read for.
 enum class Use : std::uint8_t {
@@ -125,10 +131,7 @@ struct PartFrames {
   std::vector<std::uint64_t> step;
   std::vector<std::uint32_t> stage;
   std::vector<std::uint32_t> entered;  ///< particles so far, whether still present or not
-  RowRanges particles;
-  RowRanges origins;
-  RowRanges pushes;
-  RowRanges contacts;
+  ByAxis<RowRanges> rows;              ///< of kRowsOfFrames
 
   /// As the counts have it.
   Extents extents() const;

@@ -95,9 +95,9 @@ void make_fit(store::TrajectoryPart& part, const store::Extents& before) {
     ranges.count.resize(ranges.first.size());
     std::exclusive_scan(ranges.count.begin(), ranges.count.end(), ranges.first.begin(), first);
   };
-  follow(part.frames.particles, before[store::Axis::particles]);
-  follow(part.frames.origins, before[store::Axis::origins]);
-  follow(part.frames.pushes, before[store::Axis::pushes]);
+  follow(part.frames.rows[store::Axis::particles], before[store::Axis::particles]);
+  follow(part.frames.rows[store::Axis::origins], before[store::Axis::origins]);
+  follow(part.frames.rows[store::Axis::pushes], before[store::Axis::pushes]);
   const store::Extents extents = part.frames.extents();
   for (const store::Column& column : part.columns(kLayout)) {
     const std::size_t numbers = column.columns * std::min(extents[column.axis], kMaxRows);
@@ -159,8 +159,8 @@ void require_sound(const grains::State& state, const store::TrajectoryPart& part
                       all.begin() + static_cast<std::ptrdiff_t>(width * rows.end), some.begin(),
                       some.end());
   };
-  const store::RowSpan particles = part.frames.particles.rows_of(frame);
-  const store::RowSpan pushes = part.frames.pushes.rows_of(frame);
+  const store::RowSpan particles = part.frames.rows[store::Axis::particles].rows_of(frame);
+  const store::RowSpan pushes = part.frames.rows[store::Axis::pushes].rows_of(frame);
   const store::RowSpan itself = {frame, frame + 1};
   fuzz::require(same(part.frames.step, itself, again.frames.step, 1) &&
                     same(part.frames.entered, itself, again.frames.entered, 1) &&
