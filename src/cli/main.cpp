@@ -8,9 +8,9 @@
 #include <string_view>
 
 #include "clca/process/program.hpp"
-#include "clca/record/provenance.hpp"
 #include "clca/scene/parse.hpp"
 #include "clca/store/file.hpp"
+#include "clca/store/summary.hpp"
 #include "clca/store/trajectory.hpp"
 #include "clca/text/message.hpp"
 #include "clca/text/read.hpp"
@@ -108,7 +108,7 @@ int run_program(int argc, char** argv, tasks::Ranks* ranks) {
       "Granular flow on a triangular lattice, by the Connected Lattice Cellular Automaton or by\n"
       "contact dynamics, and the Boltzmann equation of inelastic, frictional spheres.",
       "clca");
-  program.set_version_flag("-V,--version", "clca " + record::version());
+  program.set_version_flag("-V,--version", "clca " + store::version());
   program.require_subcommand(1);
   program.footer(
       "Exit codes: 0 done; 1 a run or a figure failed, or pictures differ; 2 wrong input;\n"

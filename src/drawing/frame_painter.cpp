@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "clca/contact/force.hpp"
-#include "clca/measure/coordination.hpp"
-#include "clca/record/provenance.hpp"
+#include "clca/measure/mixing.hpp"
 #include "clca/scene/parse.hpp"
+#include "clca/store/summary.hpp"
 #include "record/internal/contact_record.hpp"
 
 namespace clca::drawing {
@@ -171,7 +171,7 @@ void begin_window(PictureHistory& history, const scene::Scene& scene, const grai
 
 image::PngText scene_metadata(const scene::Scene& scene) {
   return {{"Title", scene.title},
-          {"Software", fmt::format("clca {}", record::version())},
+          {"Software", fmt::format("clca {}", store::version())},
           {"Scene", scene.name},
           {"Seed", fmt::format("{}", scene.seed)}};
 }

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <map>
 
-#include "lattice/internal/require.hpp"
+#include "measure/places.hpp"
 
 namespace clca::measure {
 
@@ -19,15 +19,12 @@ void check_origins(const grains::State& state) {
 std::map<int, std::size_t> column_counts(const grains::State& state, bool at_origin) {
   check_origins(state);
   std::map<int, std::size_t> counts;
-  for (std::size_t id = 0; id < state.particles.size(); ++id) {
-    const grains::Particle& particle = state.particles[id];
+  for_each_present(state, [&](std::uint32_t id, const grains::Particle& particle) {
     const int reference = at_origin ? state.origins[id].column : particle.column;
-    if (particle.present) {
-      for (const lattice::Axial part : state.shape(particle).sites()) {
-        ++counts[reference + part.x];
-      }
+    for (const lattice::Axial part : state.shape(particle).sites()) {
+      ++counts[reference + part.x];
     }
-  }
+  });
   return counts;
 }
 
@@ -54,23 +51,18 @@ double displacement(const grains::State& state, std::size_t id) {
 std::vector<Displacement> displacements_in_step(const grains::State& state,
                                                 const std::vector<Eigen::Vector2d>& velocities) {
   std::vector<Displacement> result;
-  for (std::size_t id = 0; id < velocities.size(); ++id) {
-    const grains::Particle& particle = state.particles[id];
-    if (particle.present) {
-      result.push_back({.from = grains::centre_in_box(state, particle),
-                        .vector = velocities[id],
-                        .sites = static_cast<double>(state.shape(particle).size())});
-    }
-  }
+  for_each_present(state, [&](std::uint32_t id, const grains::Particle& particle) {
+    result.push_back({.from = grains::centre_in_box(state, particle),
+                      .vector = velocities[id],
+                      .sites = static_cast<double>(state.shape(particle).size())});
+  });
   return result;
 }
 
 Snapshot::Snapshot(const grains::State& state) : step_(state.step), sites_(state.particles.size()) {
-  for (std::size_t id = 0; id < sites_.size(); ++id) {
-    if (state.particles[id].present) {
-      sites_[id] = state.particles[id].site();
-    }
-  }
+  for_each_present(state, [&](std::uint32_t id, const grains::Particle& particle) {
+    sites_[id] = particle.site();
+  });
 }
 
 bool Snapshot::precedes(const grains::State& now) const {

@@ -130,12 +130,7 @@ std::size_t local_bin(const CellMotion& cell, double energy) {
 
 class Walls {
  public:
-  explicit Walls(const grains::State& state)
-      : state_(state), sites_(state.lattice.index_count(), false) {
-    for (const lattice::Site site : wall_sites(state)) {
-      sites_[state.lattice.index(site)] = true;
-    }
-  }
+  explicit Walls(const grains::State& state) : state_(state), sites_(walled_sites(state)) {}
 
   /// The path of a force on a wall to the centre of the grain, against the normal: through the wall
   /// to its far side, or to that of the box behind it. The branch if it misses the wall.
@@ -194,25 +189,24 @@ class Walls {
 
 }  // namespace
 
-Fields FieldWindow::fields(const State& now, double cell) const {
+std::vector<FieldCell> FieldWindow::fields(const State& now, double cell) const {
   const Grid grid(now.lattice, cell);
-  Fields fields{.columns = grid.columns(), .rows = grid.rows()};
-  fields.cells.resize(grid.size());
+  std::vector<FieldCell> cells(grid.size());
   const std::vector<double> packing = packing_of(now, grid);
   const std::uint64_t steps = now.step - begin_.step();
   const std::vector<RegionMotion> motions = motions_by_region(
       begin_.displacements(now), steps > 0 ? static_cast<double>(steps) : 1, grid.size(),
       [&](const Eigen::Vector2d& point, const auto& visit) { grid.share_out(point, visit); });
   for (std::size_t index = 0; index < grid.size(); ++index) {
-    fields.cells[index] = {motions[index], grid.centre(index), packing[index]};
+    cells[index] = {motions[index], grid.centre(index), packing[index]};
   }
-  return fields;
+  return cells;
 }
 
-double fluctuation_energy(const Fields& fields) {
+double fluctuation_energy(const std::vector<FieldCell>& cells) {
   double sum = 0;
   double particles = 0;
-  for (const FieldCell& cell : fields.cells) {
+  for (const FieldCell& cell : cells) {
     sum += cell.fluctuation * cell.particles;
     particles += cell.particles;
   }
@@ -222,10 +216,7 @@ double fluctuation_energy(const Fields& fields) {
 std::vector<double> fillings(const grains::State& state,
                              std::span<const lattice::Rectangle> regions) {
   const lattice::Lattice& lattice = state.lattice;
-  std::vector<bool> wall(lattice.index_count(), false);
-  for (const lattice::Site site : wall_sites(state)) {
-    wall[lattice.index(site)] = true;
-  }
+  const std::vector<bool> wall = walled_sites(state);
   std::vector<bool> covered(lattice.index_count(), false);  // a site may have two owners
   for_each_site(state, [&](lattice::Site site) { covered[lattice.index(site)] = true; });
   std::vector<double> shares;

@@ -116,6 +116,16 @@ class Cone {
   double right_ = -kInfinity;
 };
 
+/// Between the two of a contact, in either direction; null if there is none.
+const Push* push_between(const State& state, const OverlapContact& contact) {
+  const Push* push = find_push(state, contact.first, contact.second);
+  if (push == nullptr && grains::is_particle(contact.second)) {
+    push = find_push(state, static_cast<std::uint32_t>(contact.second),
+                     grains::as_owner(contact.first));
+  }
+  return push;
+}
+
 std::optional<double> cone_share(const State& state, const Occupancy& occupancy,
                                  const std::vector<OverlapContact>& contacts) {
   std::map<std::pair<std::uint32_t, Direction>, Cone> cones;
@@ -182,7 +192,7 @@ constexpr double kMaxSites = 1e6;  // of a contact
 /// et al. 1998).
 /// Averages: density beta exp(-beta (x - 1)) of x = f/<f> > 1, so beta is the inverse mean of x -
 /// 1. Whole sites: a geometric distribution from the first integer above the mean; with m the mean
-/// excess over it, beta = <f> log(1 + 1/m), and the Fisher information is m (1 + m).
+/// excess over it, beta = <f> log(1 + 1/m).
 /// Treating whole sites as real numbers would bias beta if <f> is only a few sites.
 void fit_tail(ForceDistribution& distribution, const std::vector<double>& strengths,
               StrengthKind kind) {
@@ -199,15 +209,8 @@ void fit_tail(ForceDistribution& distribution, const std::vector<double>& streng
   if (distribution.tail < 2 || excess <= 0) {
     return;
   }
-  const auto count = static_cast<double>(distribution.tail);
-  excess /= count;
-  if (whole) {
-    distribution.beta = mean * std::log1p(1 / excess);
-    distribution.beta_error = mean / std::sqrt(count * excess * (1 + excess));
-  } else {
-    distribution.beta = mean / excess;
-    distribution.beta_error = mean / excess / std::sqrt(count);
-  }
+  excess /= static_cast<double>(distribution.tail);
+  distribution.beta = whole ? mean * std::log1p(1 / excess) : mean / excess;
 }
 
 void fill_bins(ForceDistribution& distribution, const std::vector<double>& strengths,
@@ -232,15 +235,6 @@ void fill_bins(ForceDistribution& distribution, const std::vector<double>& stren
 }
 
 }  // namespace
-
-const Push* push_between(const State& state, const OverlapContact& contact) {
-  const Push* push = find_push(state, contact.first, contact.second);
-  if (push == nullptr && grains::is_particle(contact.second)) {
-    push = find_push(state, static_cast<std::uint32_t>(contact.second),
-                     grains::as_owner(contact.first));
-  }
-  return push;
-}
 
 // Every overlapping pair has one push.
 std::vector<OverlapContact> contacts(const State& state, const Occupancy& occupancy) {
@@ -339,9 +333,8 @@ std::optional<ForceDistribution> force_distribution(const std::vector<double>& s
       strengths, [](double strength) { return strength > 0 && strength < kMaxSites; });
   require(usable, "the strength of a contact is a positive number of sites");
   const auto count = static_cast<double>(strengths.size());
-  ForceDistribution distribution{
-      .contacts = strengths.size(),
-      .mean = std::accumulate(strengths.begin(), strengths.end(), 0.0) / count};
+  ForceDistribution distribution{.mean = std::accumulate(strengths.begin(), strengths.end(), 0.0) /
+                                         count};
   fit_tail(distribution, strengths, kind);
   distribution.share_above_mean = static_cast<double>(distribution.tail) / count;
   fill_bins(distribution, strengths, kind);

@@ -20,7 +20,7 @@ struct Weighted {
 
 /// Mean over all blocks of what `weighted` gives of each; its error is that of a ratio of sums.
 template <class Weigh>
-LineMean mean_of(const std::vector<LineBlock>& blocks, Weigh weighted) {
+statistics::SampleStatistics mean_of(const std::vector<LineBlock>& blocks, Weigh weighted) {
   Weighted total;
   std::size_t filled = 0;
   for (const LineBlock& block : blocks) {
@@ -29,21 +29,22 @@ LineMean mean_of(const std::vector<LineBlock>& blocks, Weigh weighted) {
     total.weight += weight;
     filled += weight > 0 ? 1 : 0;
   }
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   if (total.weight <= 0) {
-    return {};
+    return {.mean = kNone, .standard_error = kNone};
   }
-  LineMean mean = {.value = total.sum / total.weight};
+  statistics::SampleStatistics result = {.mean = total.sum / total.weight, .standard_error = kNone};
   if (filled >= LineSums::kMaxBlocks / 2) {
     double scatter = 0;
     for (const LineBlock& block : blocks) {
       const auto [sum, weight] = weighted(block);
-      const double deviation = sum - mean.value * weight;
+      const double deviation = sum - result.mean * weight;
       scatter += deviation * deviation;
     }
     const auto count = static_cast<double>(filled);
-    mean.error = std::sqrt(scatter * count / (count - 1)) / total.weight;
+    result.standard_error = std::sqrt(scatter * count / (count - 1)) / total.weight;
   }
-  return mean;
+  return result;
 }
 
 }  // namespace

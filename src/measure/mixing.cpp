@@ -4,8 +4,9 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <vector>
+#include <set>
 
+#include "clca/baxter/baxter_model.hpp"
 #include "clca/measure/grid.hpp"
 #include "clca/measure/profile.hpp"
 #include "measure/places.hpp"
@@ -44,13 +45,11 @@ struct Sizes {
 
 Sizes sizes_of(const State& state) {
   Sizes sizes;
-  for (const Particle& particle : state.particles) {
-    if (particle.present) {
-      const std::size_t size = state.shape(particle).size();
-      sizes.smallest = std::min(sizes.smallest, size);
-      sizes.largest = std::max(sizes.largest, size);
-    }
-  }
+  for_each_present(state, [&](std::uint32_t /*id*/, const Particle& particle) {
+    const std::size_t size = state.shape(particle).size();
+    sizes.smallest = std::min(sizes.smallest, size);
+    sizes.largest = std::max(sizes.largest, size);
+  });
   return sizes;
 }
 
@@ -93,18 +92,16 @@ double bed_height(const State& state) {
 }
 
 /// Id of the only particle of the only species with exactly one; none otherwise.
-std::optional<std::size_t> intruder(const State& state) {
+std::optional<std::uint32_t> intruder(const State& state) {
   struct Members {
     std::size_t count = 0;
-    std::size_t last = 0;  // id
+    std::uint32_t last = 0;  // id
   };
   std::map<std::uint16_t, Members> species;
-  for (std::size_t id = 0; id < state.particles.size(); ++id) {
-    if (state.particles[id].present) {
-      Members& members = species[state.kinds[state.particles[id].kind].species];
-      members = {members.count + 1, id};
-    }
-  }
+  for_each_present(state, [&](std::uint32_t id, const Particle& particle) {
+    Members& members = species[state.kinds[particle.kind].species];
+    members = {members.count + 1, id};
+  });
   const auto alone = [](const auto& entry) { return entry.second.count == 1; };
   if (std::ranges::count_if(species, alone) != 1) {
     return std::nullopt;
@@ -113,6 +110,46 @@ std::optional<std::size_t> intruder(const State& state) {
 }
 
 }  // namespace
+
+std::vector<int> coordination(const State& state, const grains::Occupancy& occupancy) {
+  check_occupancy(state, occupancy);
+  std::vector<int> result(state.particles.size(), 0);
+  for_each_present(state, [&](std::uint32_t id, const Particle& particle) {
+    std::set<grains::Owner> touched = {grains::kFree, grains::as_owner(id)};
+    const auto add = [&](lattice::Site site) {
+      const std::size_t index = state.lattice.index(site);
+      touched.insert({occupancy.owner(index), occupancy.second_owner(index)});
+    };
+    for (const lattice::Axial part : state.shape(particle).sites()) {
+      const lattice::Site site = particle.site() + part;
+      add(site);
+      for (const lattice::Direction direction : lattice::kDirections) {
+        add(site + unit(direction));
+      }
+    }
+    result[id] = static_cast<int>(touched.size()) - 2;
+  });
+  return result;
+}
+
+std::optional<double> axis_order(const State& state) {
+  using lattice::Direction;
+  const grains::Occupancy occupancy(state);
+  double pairs = 0;
+  double equal = 0;
+  for_each_present(state, [&](std::uint32_t /*id*/, const Particle& grain) {
+    for (const Direction direction : {Direction::up, Direction::up_right, Direction::down_right}) {
+      const grains::Owner owner =
+          occupancy.owner(state.lattice.index(grain.site() + unit(direction)));
+      if (grains::is_particle(owner)) {
+        const Particle& neighbour = state.particles[grains::particle_id(owner)];
+        pairs += 1;
+        equal += baxter::axis_of(grain) == baxter::axis_of(neighbour) ? 1 : 0;
+      }
+    }
+  });
+  return pairs > 0 ? std::optional(equal / pairs) : std::nullopt;
+}
 
 Mixing::Mixing(const grains::State& state) : begin_(state) {
   std::vector<Eigen::Vector2d> centres;
@@ -140,11 +177,9 @@ Mixing::Mixing(const grains::State& state) : begin_(state) {
 void Mixing::add(const grains::State& now) {
   require(precedes(now), "pairs of another run");
   std::vector<std::optional<Displacement>> paths(now.particles.size());
-  for (std::size_t id = 0; id < paths.size(); ++id) {
-    if (now.particles[id].present) {
-      paths[id] = begin_.path(now, id);
-    }
-  }
+  for_each_present(now, [&](std::uint32_t id, const Particle& /*particle*/) {
+    paths[id] = begin_.path(now, id);
+  });
   for (NeighbourPair& pair : pairs_) {
     const auto& first = paths[pair.first];
     const auto& second = paths[pair.second];
@@ -197,16 +232,14 @@ std::optional<double> lacey_index(const State& state, double cell) {
   const Grid grid(state.lattice, cell);
   std::vector<Count> counts(grid.size());
   Count total;
-  for (const Particle& particle : state.particles) {
-    if (particle.present) {
-      const double large = state.shape(particle).size() == sizes.largest ? 1 : 0;
-      grid.share_out(grains::centre_in_box(state, particle), [&](std::size_t index, double share) {
-        Count& count = counts[index];
-        count = {count.all + share, count.large + share * large};
-      });
-      total = {total.all + 1, total.large + large};
-    }
-  }
+  for_each_present(state, [&](std::uint32_t /*id*/, const Particle& particle) {
+    const double large = state.shape(particle).size() == sizes.largest ? 1 : 0;
+    grid.share_out(grains::centre_in_box(state, particle), [&](std::size_t index, double share) {
+      Count& count = counts[index];
+      count = {count.all + share, count.large + share * large};
+    });
+    total = {total.all + 1, total.large + large};
+  });
   double variance = 0;
   double cells = 0;
   const double share = total.large / total.all;
@@ -224,7 +257,7 @@ std::optional<double> lacey_index(const State& state, double cell) {
 }
 
 std::optional<double> intruder_height(const State& state) {
-  const std::optional<std::size_t> id = intruder(state);
+  const std::optional<std::uint32_t> id = intruder(state);
   if (!id) {
     return std::nullopt;
   }

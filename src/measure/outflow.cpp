@@ -149,8 +149,7 @@ class FallPathSearch {
 Discharge discharge(const grains::State& state) {
   Discharge total;
   for (const grains::Outlet& outlet : state.outlets) {
-    total.particles += outlet.particles;
-    total.sites += outlet.sites;
+    reflection::add_fields(total, discharge(outlet));
   }
   return total;
 }
@@ -219,11 +218,9 @@ bool clogged(const grains::State& state, const grains::Occupancy& occupancy, std
   check_occupancy(state, occupancy);
   static_cast<void>(state.outlets.at(outlet));
   std::vector<std::vector<Site>> sites(state.kinds.size());
-  for (const grains::Particle& particle : state.particles) {
-    if (particle.present) {
-      sites[particle.kind].push_back(particle.site());
-    }
-  }
+  for_each_present(state, [&](std::uint32_t /*id*/, const grains::Particle& particle) {
+    sites[particle.kind].push_back(particle.site());
+  });
   std::vector<std::uint16_t> kinds(state.kinds.size());
   std::iota(kinds.begin(), kinds.end(), std::uint16_t{0});
   std::ranges::stable_sort(kinds, std::ranges::greater(),

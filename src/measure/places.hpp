@@ -15,20 +15,27 @@
 
 namespace clca::measure {
 
+/// Calls visit(id, particle) for every present particle.
+template <typename Visit>
+void for_each_present(const grains::State& state, const Visit& visit) {
+  for (std::uint32_t id = 0; id < state.particles.size(); ++id) {
+    if (state.particles[id].present) {
+      visit(id, state.particles[id]);
+    }
+  }
+}
+
 /// Calls visit(site) for every site of every present particle, wrapped into the box. A shared site
 /// comes twice.
 template <typename Visit>
 void for_each_site(const grains::State& state, const Visit& visit) {
-  for (const grains::Particle& particle : state.particles) {
-    if (!particle.present) {
-      continue;
-    }
+  for_each_present(state, [&](std::uint32_t /*id*/, const grains::Particle& particle) {
     for (const lattice::Axial part : state.shape(particle).sites()) {
       lattice::Site site = particle.site() + part;
       site.column = state.lattice.wrapped(site.column);
       visit(site);
     }
-  }
+  });
 }
 
 /// Largest distance of a site of the shape from its centre of mass, lattice spacings.
@@ -46,18 +53,17 @@ inline void check_occupancy(const grains::State& state, const grains::Occupancy&
           "the occupancy is that of another box");
 }
 
-/// Sites of the present walls, sorted, without duplicates.
-inline std::vector<lattice::Site> wall_sites(const grains::State& state) {
-  std::vector<lattice::Site> sites;
+/// Whether a present wall covers a site, by its index in the lattice.
+inline std::vector<bool> walled_sites(const grains::State& state) {
+  std::vector<bool> walled(state.lattice.index_count(), false);
   for (const grains::Wall& wall : state.walls) {
     if (wall.present) {
-      const std::vector<lattice::Site> covered = grains::sites_now(state.lattice, wall);
-      sites.insert(sites.end(), covered.begin(), covered.end());
+      for (const lattice::Site site : grains::sites_now(state.lattice, wall)) {
+        walled[state.lattice.index(site)] = true;
+      }
     }
   }
-  std::ranges::sort(sites);
-  sites.erase(std::unique(sites.begin(), sites.end()), sites.end());
-  return sites;
+  return walled;
 }
 
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();

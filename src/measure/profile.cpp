@@ -34,14 +34,8 @@ std::vector<RowBounds> row_bounds_by_column(const grains::State& state) {
   return bounds;
 }
 
-/// Slope of one side of a heap, if there is one.
-struct FlankSlope {
-  std::optional<double> degrees;
-  bool uneven = false;
-};
-
 /// The least-squares line through the points; none if it does not fall.
-FlankSlope falling_slope(const std::vector<double>& x, const std::vector<double>& height) {
+ReposeAngle::Flank falling_slope(const std::vector<double>& x, const std::vector<double>& height) {
   const auto rows = static_cast<Eigen::Index>(x.size());
   Eigen::MatrixX2d design(rows, 2);
   design.col(0).setOnes();
@@ -62,7 +56,7 @@ FlankSlope falling_slope(const std::vector<double>& x, const std::vector<double>
 
 /// The flank that falls towards the end of `profile`: a line through the
 /// columns beyond the middle of the top with heights between the bounds.
-FlankSlope falling_flank(const std::vector<double>& profile) {
+ReposeAngle::Flank falling_flank(const std::vector<double>& profile) {
   if (profile.empty()) {
     return {};
   }
@@ -86,7 +80,7 @@ FlankSlope falling_flank(const std::vector<double>& profile) {
       height.push_back(profile[column]);
     }
   }
-  return x.size() >= kFlankColumns ? falling_slope(x, height) : FlankSlope();
+  return x.size() >= kFlankColumns ? falling_slope(x, height) : ReposeAngle::Flank();
 }
 
 }  // namespace
@@ -138,39 +132,30 @@ double mean_height(const std::vector<double>& profile) {
 }
 
 std::optional<double> ReposeAngle::mean() const {
-  if (left && right) {
-    return (*left + *right) / 2;
+  if (left.degrees && right.degrees) {
+    return (*left.degrees + *right.degrees) / 2;
   }
-  return left ? left : right;
+  return left.degrees ? left.degrees : right.degrees;
 }
 
 ReposeAngle repose_angle(const std::vector<double>& profile) {
-  const std::vector<double> mirrored(profile.rbegin(), profile.rend());
-  const FlankSlope left = falling_flank(mirrored);
-  const FlankSlope right = falling_flank(profile);
-  return {.left = left.degrees,
-          .right = right.degrees,
-          .left_uneven = left.uneven,
-          .right_uneven = right.uneven};
+  return {.left = falling_flank({profile.rbegin(), profile.rend()}),
+          .right = falling_flank(profile)};
 }
 
 std::optional<double> packing_fraction(const grains::State& state) {
   const std::vector<RowBounds> bounds = row_bounds_by_column(state);
-  std::vector<int> floor(bounds.size(), -1);  // row of the highest wall site under the bed
-  std::vector<int> walled(bounds.size(), 0);  // wall sites within the bed
-  for (const lattice::Site site : wall_sites(state)) {
-    const auto column = static_cast<std::size_t>(site.column);
-    if (site.row < bounds[column].low) {
-      floor[column] = std::max(floor[column], site.row);
-    } else if (site.row < bounds[column].high) {
-      ++walled[column];
-    }
-  }
+  const std::vector<bool> walled = walled_sites(state);
   double available = 0;
-  for (std::size_t column = 0; column < bounds.size(); ++column) {
-    if (!bounds[column].empty()) {
-      available += bounds[column].high - floor[column] - walled[column];
+  for (int column = 0; column < state.lattice.columns(); ++column) {
+    const RowBounds bed = bounds[static_cast<std::size_t>(column)];
+    int floor = -1;  // row of the highest wall site under the bed
+    for (int row = 0; row < bed.high; ++row) {
+      const bool is_walled = walled[state.lattice.index({column, row})];
+      floor = is_walled && row < bed.low ? row : floor;
+      available += row >= bed.low && !is_walled ? 1 : 0;
     }
+    available += bed.empty() ? 0 : bed.low - floor;
   }
   double filled = 0;
   for_each_site(state, [&](lattice::Site) { filled += 1; });

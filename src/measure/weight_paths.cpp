@@ -211,13 +211,11 @@ Base base_of(const grains::State& state) {
   constexpr double kLeftOut = 0.01;               // of the sites, on either side
   std::vector<std::pair<double, double>> grains;  // position and sites
   double all = 0;
-  for (const grains::Particle& grain : state.particles) {
-    if (grain.present) {
-      const auto sites = static_cast<double>(state.shape(grain).size());
-      grains.emplace_back(grains::centre_in_box(state, grain).x(), sites);
-      all += sites;
-    }
-  }
+  for_each_present(state, [&](std::uint32_t /*id*/, const grains::Particle& grain) {
+    const auto sites = static_cast<double>(state.shape(grain).size());
+    grains.emplace_back(grains::centre_in_box(state, grain).x(), sites);
+    all += sites;
+  });
   std::ranges::sort(grains);
   const auto end = [&](auto from, auto to) {
     double sites = 0;

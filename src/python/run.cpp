@@ -14,8 +14,8 @@
 
 #include "clca/drawing/redraw.hpp"
 #include "clca/image/png.hpp"
-#include "clca/record/provenance.hpp"
 #include "clca/run/setup.hpp"
+#include "clca/store/summary.hpp"
 #include "clca/sweep/sweep.hpp"
 #include "python/binding.hpp"
 #include "python/interpreter.hpp"
@@ -229,7 +229,7 @@ void add_run(py::module_& module) {
   module.def("picture", picture);
   module.def("movie", movie);
   module.def("png", png);
-  module.def("version", record::version);
+  module.def("version", store::version);
 }
 
 }  // namespace clca::python

@@ -62,7 +62,7 @@ bool ForceWindow::belongs_to(const grains::State& state) const {
 
 void ContactRecord::Recurring::begin_step(std::uint64_t steps_in_stage) {
   if (due) {
-    window.clear();
+    window = {};
   }
   due = every > 0 && steps_in_stage % every == 0;
 }
@@ -91,9 +91,9 @@ double ContactRecord::bytes(const scene::Scene& scene, double particles) {
 }
 
 void ContactRecord::prepare(const StageView& /*now*/) {
-  stage_.clear();
+  stage_ = {};
   for (Recurring* recurring : {&pictures_, &frames_}) {
-    recurring->window.clear();
+    recurring->window = {};
     recurring->due = false;
   }
 }
@@ -106,8 +106,8 @@ void ContactRecord::after_step(const StageView& now) {
   const bool ends_soon =
       (has_tables_ || is_shown) &&
       may_end_soon(now.stage, steps_in_stage, sampling_.window, now.model.contact()->quiet());
-  if (!ends_soon && !stage_.is_empty()) {
-    stage_.clear();
+  if (!ends_soon) {
+    stage_ = {};
   }
   if (steps_in_stage % sampling_.every != 0) {
     return;

@@ -85,7 +85,6 @@ void CycleRecord::prepare(const StageView& now) {
     at_start_.push_back(wall.travel);
   }
   convection_.reset();
-  vessel_has_cycles_ = scene::vessel_has_cycles(now.stage);
   if (has_cycles(now.scene, now.stage)) {
     convection_.emplace(state.lattice, cell_);
   }
@@ -100,7 +99,7 @@ void CycleRecord::after_step(const StageView& now) {
   if (!convection_) {
     return;
   }
-  const std::uint64_t cycles = completed(state, now.model.vessel().whole_cycles);
+  const std::uint64_t cycles = completed(now);
   if (cycles == cycles_) {
     return;
   }
@@ -119,10 +118,11 @@ void CycleRecord::end_stage(const StageView& now) {
   }
 }
 
-std::uint64_t CycleRecord::completed(const grains::State& state, std::uint64_t of_vessel) const {
+std::uint64_t CycleRecord::completed(const StageView& now) const {
+  const grains::State& state = now.model.state();
   std::optional<std::uint64_t> least;
-  if (vessel_has_cycles_) {
-    least = of_vessel;
+  if (scene::vessel_has_cycles(now.stage)) {
+    least = now.model.vessel().whole_cycles;
   }
   for (std::size_t number = 0; number < state.walls.size(); ++number) {
     const grains::Wall& wall = state.walls[number];

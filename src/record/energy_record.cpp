@@ -91,13 +91,8 @@ void EnergyRecord::after_step(const StageView& now) {
                     "choose a larger contact.fall_height",
                     now.stage.name, now.model.state().step));
   }
-  if (const auto growth = add(now.model, now.model.contact()->exchange())) {
-    now.warn(fmt::format(
-        "stage {}, step {}: kinetic and potential energy have grown from {:.0f} to {:.0f}, by "
-        "{:.1f} % of the {:.0f} at the start of the stage or dissipated since; choose a smaller "
-        "contact.resolution",
-        now.stage.name, now.model.state().step, growth->lowest, growth->now,
-        100 * (growth->now - growth->lowest) / growth->scale, growth->scale));
+  if (const auto text = add(now.model, now.model.contact()->exchange())) {
+    now.warn(fmt::format("stage {}, step {}: {}", now.stage.name, now.model.state().step, *text));
   }
   if (!is_closed_ || scene::steps_of(now.stage.until)) {
     return;
@@ -108,8 +103,8 @@ void EnergyRecord::after_step(const StageView& now) {
   }
 }
 
-std::optional<EnergyRecord::Growth> EnergyRecord::add(const model::SceneModel& model,
-                                                      const contact::EnergyExchange& exchange) {
+std::optional<std::string> EnergyRecord::add(const model::SceneModel& model,
+                                             const contact::EnergyExchange& exchange) {
   exchanged_ += exchange;
   if (!is_closed_) {
     return std::nullopt;
@@ -128,7 +123,10 @@ std::optional<EnergyRecord::Growth> EnergyRecord::add(const model::SceneModel& m
     return std::nullopt;
   }
   has_warned_ = true;
-  return Growth{.scale = scale, .lowest = lowest_, .now = now};
+  return fmt::format(
+      "kinetic and potential energy have grown from {:.0f} to {:.0f}, by {:.1f} % of the {:.0f} at "
+      "the start of the stage or dissipated since; choose a smaller contact.resolution",
+      lowest_, now, 100 * (now - lowest_) / scale, scale);
 }
 
 double EnergyRecord::dissipated(const contact::Energy& now) const {

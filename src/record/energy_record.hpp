@@ -56,18 +56,12 @@ class EnergyRecord : public SavedObserver<EnergyRecord> {
   /// rest.
   void after_step(const StageView& now) override;
 
-  struct Growth {
-    /// The most of: the initial, the dissipated and the kinetic energy, and that of a fall of all
-    /// grains by a lattice spacing.
-    double scale = 0;
-    double lowest = 0;  ///< of the stage
-    double now = 0;
-  };
   void begin(const scene::Stage& stage, const model::SceneModel& model);
   /// `exchange`: of the step. Once in a run, what there is to warn of: the energy has grown by more
-  /// than 1 % of the scale.
-  std::optional<Growth> add(const model::SceneModel& model,
-                            const contact::EnergyExchange& exchange);
+  /// than 1 % of the most of the initial, the dissipated and the kinetic energy, and that of a fall
+  /// of all grains by a lattice spacing.
+  std::optional<std::string> add(const model::SceneModel& model,
+                                 const contact::EnergyExchange& exchange);
 
   /// Since the start of the stage.
   const contact::EnergyExchange& exchanged() const { return exchanged_; }
@@ -75,8 +69,8 @@ class EnergyRecord : public SavedObserver<EnergyRecord> {
   /// the present energy.
   double dissipated(const contact::Energy& now) const;
 
-  /// Largest rise above an earlier minimum, relative to the scale. None if sources, walls or the
-  /// vessel did work.
+  /// Largest rise above an earlier minimum, relative to the same as in add(). None if sources,
+  /// walls or the vessel did work.
   std::optional<double> growth() const;
 
   static constexpr const char* kPath = "records/energy";

@@ -65,7 +65,7 @@ class FieldRecord : public SavedObserver<FieldRecord> {
   static double bytes(const scene::Scene& scene, double particles) {
     const double side = scene.output.fields->cell;
     return 2 * measure::Snapshot::bytes_for(particles) + particles * sizeof(measure::Displacement) +
-           measure::Fields::bytes_for(scene.box.width * scene.box.height / (side * side));
+           measure::FieldWindow::bytes_for(scene.box.width * scene.box.height / (side * side));
   }
 
   void after_step(const StageView& now) override {
@@ -117,8 +117,8 @@ class FieldRecord : public SavedObserver<FieldRecord> {
   }
   void end_window(const StageView& now) {
     const grains::State& state = now.model.state();
-    const measure::Fields fields = window_->fields(state, fields_.cell);
-    for (const measure::FieldCell& cell : fields.cells) {
+    const std::vector<measure::FieldCell> fields = window_->fields(state, fields_.cell);
+    for (const measure::FieldCell& cell : fields) {
       if (cell.particles > 0 || cell.packing > 0) {
         fields_table_.add({now, cell, velocity_unit_});
       }

@@ -222,25 +222,21 @@ void add_steady_flow(Closure& table, const GasScene& scene, const GasCase& gas_c
 
 }  // namespace
 
-const std::vector<TableInfo>& gas_tables() {
-  static const std::vector<TableInfo> kAll = {
-      gas_series_table({}).info(), gas_histogram_table({}).info(), gas_closure_table({}).info()};
-  return kAll;
+std::vector<TableInfo> gas_tables() {
+  return {gas_series_table({}).info(), gas_histogram_table({}).info(),
+          gas_closure_table({}).info()};
 }
 
-const std::vector<Quantity>& gas_quantities() {
-  static const std::vector<Quantity> kQuantities = [] {
-    std::vector<Quantity> all = {kRestitution,
-                                 {"hellinger_floor", "Distance by sampling alone", "",
-                                  "Hellinger distance that a sample without any difference has"},
-                                 kGasTime,
-                                 {"gases", "Gases", "", "members of the ensemble"}};
-    for (const GasValue& value : gas_values()) {
-      all.push_back(value.quantity);
-    }
-    return all;
-  }();
-  return kQuantities;
+std::vector<Quantity> gas_quantities() {
+  std::vector<Quantity> all = {kRestitution,
+                               {"hellinger_floor", "Distance by sampling alone", "",
+                                "Hellinger distance that a sample without any difference has"},
+                               kGasTime,
+                               {"gases", "Gases", "", "members of the ensemble"}};
+  for (const GasValue& value : gas_values()) {
+    all.push_back(value.quantity);
+  }
+  return all;
 }
 
 std::size_t GasCase::observations() const {

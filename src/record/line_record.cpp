@@ -18,8 +18,8 @@ struct LineRow {
   double flux_unit;      // a site per step and spacing in kg/(s·m), with a density
 };
 
-statistics::SampleStatistics mean(const measure::LineMean& mean, double unit) {
-  return {.mean = mean.value * unit, .standard_error = mean.error * unit};
+statistics::SampleStatistics in_units(const statistics::SampleStatistics& mean, double unit) {
+  return {.mean = mean.mean * unit, .standard_error = mean.standard_error * unit};
 }
 
 TableOf<LineRow> lines_table(const scene::Scene& scene) {
@@ -32,11 +32,11 @@ TableOf<LineRow> lines_table(const scene::Scene& scene) {
        {{"", "Position", "spacings", "of the middle of the part"},
         [](auto& row) { return row.part.middle; }},
        {{"flux", "Flux", "sites/(step·spacing)", "sites that pass"},
-        [](auto& row) { return mean(row.part.flux, 1); }},
+        [](auto& row) { return row.part.flux; }},
        {{"v_across", "Velocity across the line", "spacings/step", "mean of what lies on the line"},
-        [](auto& row) { return mean(row.part.across, row.velocity_unit); }},
+        [](auto& row) { return in_units(row.part.across, row.velocity_unit); }},
        {{"v_along", "Velocity along the line", "spacings/step", "mean of what lies on the line"},
-        [](auto& row) { return mean(row.part.along, row.velocity_unit); }},
+        [](auto& row) { return in_units(row.part.along, row.velocity_unit); }},
        {{"filling", "Filling", "",
          "share of the part that particles cover, of what no wall covers; 0 if walls cover all"},
         [](auto& row) { return row.part.filling; }},
@@ -46,7 +46,7 @@ TableOf<LineRow> lines_table(const scene::Scene& scene) {
       {{"with `units.density`",
         scene::has_density(scene),
         {{{"mass_flux", "Mass flux", "kg/(s·m)", "`flux` in SI units"},
-          [](auto& row) { return mean(row.part.flux, row.flux_unit); }}}}}};
+          [](auto& row) { return in_units(row.part.flux, row.flux_unit); }}}}}};
 }
 
 /// Observes the lines at the steps that have rows in series.csv.

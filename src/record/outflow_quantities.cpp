@@ -102,10 +102,8 @@ Named discharged_of_each(const StageView& stage) {
   std::vector<std::uint64_t> particles = measure::discharged_particles(state, scene.species.size());
   std::transform(particles.begin(), particles.end(), stage.history.discharged_at_start.begin(),
                  particles.begin(), std::minus<>());
-  const std::vector<std::string> names = discharge_names(scene);
-  const std::vector<std::uint64_t> values = discharge_values(scene, particles);
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    results.emplace_back(names[i], static_cast<double>(values[i]));
+  for (const auto& [name, count] : discharge_by_name(scene, particles)) {
+    results.emplace_back(name, static_cast<double>(count));
   }
   const std::vector<bool> outlets = clogged(stage);
   for (std::size_t outlet = 0; outlets.size() > 1 && outlet < outlets.size(); ++outlet) {
@@ -122,7 +120,10 @@ Named discharged_of_each(const StageView& stage) {
 
 /// Names of the measures of single outlets, also where there is only one.
 std::vector<std::string> names_by_outlet(const scene::Scene& scene) {
-  std::vector<std::string> names = discharge_names(scene);
+  std::vector<std::string> names;
+  for (const auto& [name, none] : discharge_by_name(scene)) {
+    names.push_back(name);
+  }
   if (scene.outlets.size() == 1) {
     names.push_back("discharged." + scene.outlets.front().name);
   }
@@ -137,38 +138,23 @@ std::vector<std::string> names_by_outlet(const scene::Scene& scene) {
   return names;
 }
 
-std::vector<std::string> discharge_names(const scene::Scene& scene) {
-  std::vector<std::string> names;
-  if (!has_values_of_each(scene)) {
-    return names;
-  }
-  for (const scene::Outlet& outlet : scene.outlets) {
-    const std::string name = "discharged." + outlet.name;
+std::vector<std::pair<std::string, std::uint64_t>> discharge_by_name(
+    const scene::Scene& scene, std::vector<std::uint64_t> particles) {
+  std::vector<std::pair<std::string, std::uint64_t>> all;
+  particles.resize(scene.outlets.size() * scene.species.size());
+  auto count = particles.begin();
+  for (std::size_t i = 0; i < scene.outlets.size() && has_values_of_each(scene); ++i) {
+    const std::string name = "discharged." + scene.outlets[i].name;
+    const auto end = std::next(count, static_cast<std::ptrdiff_t>(scene.species.size()));
     if (scene.outlets.size() > 1) {
-      names.push_back(name);
+      all.emplace_back(name, std::accumulate(count, end, std::uint64_t{0}));
     }
-    for (const scene::Species& species : scene.species) {
-      if (scene.species.size() > 1) {
-        names.push_back(name + "." + species.name);
-      }
+    for (std::size_t of = 0; scene.species.size() > 1 && of < scene.species.size(); ++of) {
+      all.emplace_back(name + "." + scene.species[of].name, count[static_cast<std::ptrdiff_t>(of)]);
     }
+    count = end;
   }
-  return names;
-}
-
-std::vector<std::uint64_t> discharge_values(const scene::Scene& scene,
-                                            const std::vector<std::uint64_t>& particles) {
-  std::vector<std::uint64_t> values;
-  const auto species = static_cast<std::ptrdiff_t>(scene.species.size());
-  for (auto first = particles.begin(); first != particles.end(); first += species) {
-    if (scene.outlets.size() > 1) {
-      values.push_back(std::accumulate(first, first + species, std::uint64_t{0}));
-    }
-    if (species > 1) {
-      values.insert(values.end(), first, first + species);
-    }
-  }
-  return values;
+  return all;
 }
 
 std::vector<QuantityGroup> outflow_quantities() {

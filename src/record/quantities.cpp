@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <span>
 #include <string>
 #include <utility>
@@ -29,39 +30,102 @@ std::string described(const Quantity& quantity) {
   return text;
 }
 
-/// The series first: a key that several tables have is explained as there.
-const std::vector<TableInfo>& all_tables() {
-  static const std::vector<TableInfo> kAll = [] {
-    std::vector<TableInfo> all;
-    for (const ObserverKind& kind : observer_kinds()) {
-      for (const auto& table : kind.tables) {
-        all.push_back(table({}));
-      }
+TableInfo sweep_table(std::string_view name, const std::vector<Quantity>& columns) {
+  TableInfo table = {.name = name, .kind = TableInfo::Kind::whole};
+  for (const Quantity& column : columns) {
+    table.columns.push_back({column});
+  }
+  return table;
+}
+
+/// Measures that only a sweep has.
+std::vector<Quantity> sweep_quantities() {
+  return {{"steps", "Steps", "", "of the stage"},
+          {"time", "Time", "time", "of the stage"},
+          {"discharged_until_clog", "Discharged until a clog", "particles",
+           "all that left in the runs, over the number of clogs"}};
+}
+
+/// Names in capitals stand for several columns.
+std::vector<TableInfo> sweep_tables() {
+  constexpr Quantity kVaried = {"KEY", "Value", "", "of each key that varies"};
+  std::vector<TableInfo> all = {
+      sweep_table(
+          "runs",
+          {kVaried,
+           {"seed", "Seed", "", ""},
+           {"status", "Status", "",
+            "`done`, `failed`, `interrupted` or `waiting` (not begun); only runs that are done "
+            "have numbers"},
+           {"steps", "Steps", "", "of the whole run"},
+           {"state_hash", "State hash", "", "of the final state"},
+           {"STAGE.MEASURE", "Measure", "",
+            "each of each stage; `STAGE.steps` and, with `model: contact`, `STAGE.time` are what "
+            "the stage took"},
+           {"folder", "Folder", "", "of the run"},
+           {"error", "Error", "", "why the run failed"}}),
+      sweep_table("measures",
+                  {kVaried,
+                   kStage,
+                   {"measure", "Measure", "", "its name in run.json"},
+                   {"mean", "Mean", "", "over the seeds; yes is 1, no is 0"},
+                   {"standard_deviation", "Standard deviation", "", "of the sample, over n - 1"},
+                   {"standard_error", "Standard error", "", "of the mean"},
+                   {"runs", "Runs", "", "number of values"},
+                   {"min", "Smallest value", "", ""},
+                   {"max", "Largest value", "", ""},
+                   {"low", "Lower end", "", "of the interval of one standard error"},
+                   {"high", "Upper end", "", "of the same interval"}}),
+      sweep_table("mean",
+                  {kVaried,
+                   {"ROW", "Row", "",
+                    "what tells rows of the run apart, such as stage and step; steps and times "
+                    "since the stage began"},
+                   {"runs", "Runs", "", "number of values"},
+                   {"COLUMN", "Mean", "of the column", "of each column, over the seeds"}})};
+  all.back().columns.back().endings = {"", kErrorEnding};
+  return all;
+}
+
+/// What is declared of a kind of runs.
+struct Declared {
+  std::string prefix;  ///< of the tables, where columns_table() takes them
+  std::string of;      ///< behind the names of their files
+  std::string where;   ///< the measures are
+  std::vector<Quantity> measures = {};
+  std::vector<TableInfo> tables = {};
+};
+
+Declared declared_of_grains() {
+  Declared all = {.prefix = "", .of = "", .where = "run.json, tables of a sweep"};
+  for (const QuantityGroup& group : stage_quantities()) {
+    all.measures.insert(all.measures.end(), group.quantities.begin(), group.quantities.end());
+  }
+  for (const ObserverKind& kind : observer_kinds()) {
+    for (const auto& table : kind.tables) {
+      all.tables.push_back(table({}));
     }
-    std::stable_partition(all.begin(), all.end(),
-                          [](const TableInfo& table) { return table.name == "series"; });
-    return all;
-  }();
+  }
+  // The series first: a key that several tables have is explained as there.
+  std::stable_partition(all.tables.begin(), all.tables.end(),
+                        [](const TableInfo& table) { return table.name == "series"; });
+  return all;
+}
+
+/// By KnownQuantities::Of.
+const std::array<Declared, 3>& declared() {
+  static const std::array<Declared, 3> kAll = {
+      {declared_of_grains(),
+       {"gas.", " of a gas", "run.json of a gas", gas_quantities(), gas_tables()},
+       {"sweep.", " of a sweep", "tables of a sweep", sweep_quantities(), sweep_tables()}}};
   return kAll;
 }
 
-constexpr const char* kTrajectory = "trajectory";
-
-using NamedTable = std::pair<std::string, const TableInfo*>;
-
-/// By the names that columns_table() takes; the trajectory is none of them.
-std::vector<NamedTable> named_tables() {
-  std::vector<NamedTable> named;
-  const auto add = [&named](const std::string& prefix, const std::vector<TableInfo>& tables) {
-    for (const TableInfo& table : tables) {
-      named.emplace_back(prefix + std::string(table.name), &table);
-    }
-  };
-  add("", all_tables());
-  add("gas.", gas_tables());
-  add("sweep.", sweep_tables());
-  return named;
+const Declared& declared(KnownQuantities::Of of) {
+  return declared().at(static_cast<std::size_t>(of));
 }
+
+constexpr const char* kTrajectory = "trajectory";
 
 /// x or y of a column of a vector; empty for others.
 std::string_view part_of_vector(const Quantity& quantity, std::string_view column) {
@@ -103,61 +167,44 @@ const Quantity* find_in(std::span<const Quantity> quantities, std::string_view k
 
 }  // namespace
 
-const Quantity* find_quantity(std::string_view key) {
+const Quantity* find_quantity(std::string_view key, KnownQuantities::Of of) {
+  using Of = KnownQuantities::Of;
   const std::string_view whole = key.substr(0, key.find('.'));
-  for (const QuantityGroup& group : stage_quantities()) {
-    if (const Quantity* found = find_in(group.quantities, whole)) {
-      return found;
-    }
+  if (const Quantity* measure = find_in(declared(of).measures, of == Of::gas ? key : whole)) {
+    return measure;
+  }
+  if (of == Of::gas) {
+    return nullptr;
+  }
+  if (of == Of::sweep) {
+    const Quantity* of_runs = find_quantity(key);
+    return of_runs != nullptr ? of_runs : find_column(declared(of).tables, key);
   }
   const bool has_name = whole != key;  // KEY.NAME: those of each wall or outlet first
   for (const bool is_of_each : {has_name, !has_name}) {
-    if (const Quantity* found = find_column(all_tables(), whole, is_of_each)) {
+    if (const Quantity* found = find_column(declared(of).tables, whole, is_of_each)) {
       return found;
     }
   }
-  return find_in(sweep_quantities(), whole);
-}
-
-const Quantity* find_gas_quantity(std::string_view key) {
-  return find_in(gas_quantities(), key);
-}
-
-const Quantity* find_sweep_quantity(std::string_view key) {
-  const Quantity* measure = find_in(sweep_quantities(), key.substr(0, key.find('.')));
-  const Quantity* of_runs = measure != nullptr ? measure : find_quantity(key);
-  return of_runs != nullptr ? of_runs : find_column(sweep_tables(), key);
+  return find_in(declared(Of::sweep).measures, whole);
 }
 
 std::vector<NamedQuantity> named_quantities() {
   std::vector<NamedQuantity> all;
-  const auto add_measures = [&all](const std::vector<Quantity>& quantities, const char* where) {
-    for (const Quantity& quantity : quantities) {
-      all.push_back({std::string(quantity.key), &quantity, where, true});
+  for (const Declared& kind : declared()) {
+    for (const Quantity& measure : kind.measures) {
+      all.push_back({std::string(measure.key), &measure, kind.where, true});
     }
-  };
-  const auto add_tables = [&all](const std::vector<TableInfo>& tables, const char* of) {
-    for (const TableInfo& table : tables) {
-      const std::string name(table.name);
-      const std::string where =
-          (table.kind == TableInfo::Kind::parts ? store::table_name(name, "STAGE")
-                                                : store::table_name(name)) +
-          of;
+    for (const TableInfo& table : kind.tables) {
+      const std::string file =
+          store::table_name(table.name, table.kind == TableInfo::Kind::parts ? "STAGE" : "");
       for (const ColumnInfo& column : table.columns) {
         for (const std::string& key : column.names()) {
-          all.push_back({key, &column.quantity, where, !column.of_each.empty()});
+          all.push_back({key, &column.quantity, file + kind.of, !column.of_each.empty()});
         }
       }
     }
-  };
-  for (const QuantityGroup& group : stage_quantities()) {
-    add_measures(group.quantities, "run.json, tables of a sweep");
   }
-  add_tables(all_tables(), "");
-  add_measures(gas_quantities(), "run.json of a gas");
-  add_tables(gas_tables(), " of a gas");
-  add_measures(sweep_quantities(), "tables of a sweep");
-  add_tables(sweep_tables(), " of a sweep");
   return all;
 }
 
@@ -169,9 +216,7 @@ std::optional<store::ColumnSummary> KnownQuantities::find(std::string_view key) 
                                 .unit = own->unit == "1" ? "" : shown_unit(own->unit, units),
                                 .meaning = own->value};
   }
-  const Quantity* known = kind == Kind::gas     ? find_gas_quantity(key)
-                          : kind == Kind::sweep ? find_sweep_quantity(key)
-                                                : find_quantity(key);
+  const Quantity* known = find_quantity(key, of);
   if (known == nullptr) {
     return std::nullopt;
   }
@@ -201,6 +246,30 @@ std::vector<store::ColumnSummary> sweep_summary(const std::vector<std::string>& 
     result.back().key = key;
   }
   return result;
+}
+
+std::vector<std::string> sweep_measures() {
+  std::vector<std::string> keys;
+  for (const Quantity& quantity : declared(KnownQuantities::Of::sweep).measures) {
+    keys.emplace_back(quantity.key);
+  }
+  return keys;
+}
+
+std::vector<std::string> sweep_columns(
+    std::string_view table, const std::map<std::string_view, std::vector<std::string>>& names) {
+  const std::vector<TableInfo>& tables = declared(KnownQuantities::Of::sweep).tables;
+  std::vector<std::string> columns;
+  for (const ColumnInfo& column : std::ranges::find(tables, table, &TableInfo::name)->columns) {
+    const auto several = names.find(column.quantity.key);
+    for (const std::string& key :
+         several != names.end() ? several->second : std::vector{std::string(column.quantity.key)}) {
+      for (const std::string_view ending : column.endings) {
+        columns.push_back(key + std::string(ending));
+      }
+    }
+  }
+  return columns;
 }
 
 std::vector<store::ColumnSummary> RunTable::summary() const {
@@ -235,8 +304,10 @@ std::string shown_unit(std::string_view unit, const std::optional<scene::Convers
 
 std::vector<std::string> table_names() {
   std::vector<std::string> names = {kTrajectory};
-  for (const NamedTable& table : named_tables()) {
-    names.push_back(table.first);
+  for (const Declared& kind : declared()) {
+    for (const TableInfo& table : kind.tables) {
+      names.push_back(kind.prefix + std::string(table.name));
+    }
   }
   return names;
 }
@@ -245,14 +316,18 @@ std::string columns_table(std::string_view table) {
   if (table == kTrajectory) {
     return store::datasets_table();
   }
-  const std::vector<NamedTable> tables = named_tables();
-  const auto found = std::ranges::find(tables, table, &NamedTable::first);
-  if (found == tables.end()) {
+  const TableInfo* found = nullptr;
+  for (const Declared& kind : declared()) {
+    for (const TableInfo& known : kind.tables) {
+      found = table == kind.prefix + std::string(known.name) ? &known : found;
+    }
+  }
+  if (found == nullptr) {
     throw text::InputError(
         fmt::format("no table '{}'; there are {}", table, fmt::join(table_names(), ", ")));
   }
   std::string text = "| column | unit | what |\n|---|---|---|\n";
-  for (const ColumnInfo& column : found->second->columns) {
+  for (const ColumnInfo& column : found->columns) {
     const Quantity& what = column.quantity;
     const std::string names = !column.of_each.empty()
                                   ? fmt::format("`{}.{}`", what.key, column.of_each)

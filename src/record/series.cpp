@@ -34,17 +34,9 @@ Eigen::Vector2d middle(const lattice::Lattice& box) {
 
 /// Of a side of the box.
 Eigen::Vector2d middle(const lattice::Lattice& box, grains::Owner side) {
-  const Eigen::Vector2d half = box.size() / 2;
-  switch (side) {
-    case contact::kFloor:
-      return middle(box) - Eigen::Vector2d(0, half.y());
-    case contact::kCeiling:
-      return middle(box) + Eigen::Vector2d(0, half.y());
-    case contact::kLeftSide:
-      return middle(box) - Eigen::Vector2d(half.x(), 0);
-    default:
-      return middle(box) + Eigen::Vector2d(half.x(), 0);
-  }
+  const double x = side == contact::kLeftSide ? -0.5 : side == contact::kRightSide ? 0.5 : 0;
+  const double y = side == contact::kFloor ? -0.5 : side == contact::kCeiling ? 0.5 : 0;
+  return middle(box) + box.size().cwiseProduct(Eigen::Vector2d(x, y));
 }
 
 /// From one point to another; in a periodic box to its nearest image.
@@ -315,8 +307,9 @@ std::vector<std::string> names_of_each(const scene::Scene& scene) {
       names.push_back("index." + wall.name);
     }
   }
-  const std::vector<std::string> discharged = discharge_names(scene);
-  names.insert(names.end(), discharged.begin(), discharged.end());
+  for (const auto& [name, none] : discharge_by_name(scene)) {
+    names.push_back(name);
+  }
   if (scene.output.series->forces) {
     const std::vector<std::string> forces = SeriesRecord::force_names(scene);
     names.insert(names.end(), forces.begin(), forces.end());
@@ -353,9 +346,9 @@ std::vector<store::Cell> cells_of_each(const SeriesRow& row) {
       cells.emplace_back(sites[wall]);
     }
   }
-  if (!discharge_names(scene).empty()) {
+  if (!discharge_by_name(scene).empty()) {
     const auto particles = measure::discharged_particles(state, scene.species.size());
-    for (const std::uint64_t count : discharge_values(scene, particles)) {
+    for (const auto& [name, count] : discharge_by_name(scene, particles)) {
       cells.emplace_back(count);
     }
   }

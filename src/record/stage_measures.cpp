@@ -9,7 +9,6 @@
 #include <stdexcept>
 
 #include "clca/document/document.hpp"
-#include "clca/measure/coordination.hpp"
 #include "clca/measure/displacement.hpp"
 #include "clca/measure/mixing.hpp"
 #include "clca/measure/profile.hpp"
@@ -27,8 +26,8 @@ constexpr std::string_view kFlank =
     "straight line through the surface between 15 % and 80 % of its height";
 
 Values values_of(const measure::ReposeAngle& angle) {
-  return {store::value_or_null(angle.mean()), store::value_or_null(angle.left),
-          store::value_or_null(angle.right)};
+  return {store::value_or_null(angle.mean()), store::value_or_null(angle.left.degrees),
+          store::value_or_null(angle.right.degrees)};
 }
 
 /// Empty in a periodic box.
@@ -319,12 +318,12 @@ std::vector<std::string> measure_notes(const scene::Scene& scene, const model::S
     return notes;
   }
   const auto angle = measure::repose_angle(measure::surface_profile(model.state()));
-  add("repose_left_deg", angle.left_uneven);
-  add("repose_right_deg", angle.right_uneven);
+  add("repose_left_deg", angle.left.uneven);
+  add("repose_right_deg", angle.right.uneven);
   if (model::has_vessel(scene)) {
     const auto in_gravity = repose_in_gravity(model);
-    add("repose_gravity_left_deg", in_gravity.left_uneven);
-    add("repose_gravity_right_deg", in_gravity.right_uneven);
+    add("repose_gravity_left_deg", in_gravity.left.uneven);
+    add("repose_gravity_right_deg", in_gravity.right.uneven);
   }
   return notes;
 }

@@ -45,21 +45,21 @@ std::vector<std::string> ColumnInfo::names() const {
   return names;
 }
 
+namespace {
+
 // No wall has a dot in its name, so none is called as a side of the box.
+constexpr std::array kSides = {
+    std::pair(contact::kFloor, "box.floor"), std::pair(contact::kCeiling, "box.top"),
+    std::pair(contact::kLeftSide, "box.left"), std::pair(contact::kRightSide, "box.right")};
+
+}  // namespace
+
 std::string body_name(const scene::Scene& scene, grains::Owner owner) {
-  switch (owner) {
-    case contact::kFloor:
-      return "box.floor";
-    case contact::kCeiling:
-      return "box.top";
-    case contact::kLeftSide:
-      return "box.left";
-    case contact::kRightSide:
-      return "box.right";
-    default:
-      return grains::is_particle(owner) ? fmt::format("{}", owner)
-                                        : scene.walls[grains::wall_number(owner)].name;
+  if (contact::is_side(owner)) {
+    return std::ranges::find(kSides, owner, [](const auto& side) { return side.first; })->second;
   }
+  return grains::is_particle(owner) ? fmt::format("{}", owner)
+                                    : scene.walls[grains::wall_number(owner)].name;
 }
 
 std::vector<grains::Owner> walls_and_sides(const scene::Scene& scene) {
@@ -67,14 +67,15 @@ std::vector<grains::Owner> walls_and_sides(const scene::Scene& scene) {
   for (std::size_t wall = 0; wall < scene.walls.size(); ++wall) {
     all.push_back(grains::wall_code(wall));
   }
-  all.insert(all.end(),
-             {contact::kFloor, contact::kCeiling, contact::kLeftSide, contact::kRightSide});
+  for (const auto& [side, name] : kSides) {
+    all.push_back(side);
+  }
   return all;
 }
 
 void RunTable::open(const store::OutputFolder& folder) {
   if (info_.kind == TableInfo::Kind::growing) {
-    file_.emplace(folder, store::table_name(std::string(info_.name)), bytes_);
+    file_.emplace(folder, store::table_name(info_.name), bytes_);
   }
 }
 
@@ -89,11 +90,9 @@ void RunTable::write_rows(std::size_t least) {
 }
 
 void RunTable::write(const store::OutputFolder* folder, const std::string& part) {
-  const std::string name(info_.name);
   const std::string rows = table_.take();
   if (folder != nullptr) {
-    folder->write(part.empty() ? store::table_name(name) : store::table_name(name, part),
-                  table_.header() + rows);
+    folder->write(store::table_name(info_.name, part), table_.header() + rows);
   }
 }
 

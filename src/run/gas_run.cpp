@@ -16,7 +16,6 @@
 
 #include "clca/parallel/team.hpp"
 #include "clca/random/word_hash.hpp"
-#include "clca/record/provenance.hpp"
 #include "clca/run/run.hpp"
 #include "clca/scene/parse.hpp"
 #include "clca/tasks/pool.hpp"
@@ -154,7 +153,7 @@ void GasRun::carry_out() {
     warn_of_long_step();
   }
   if (ranks_.size() > 1) {
-    ranks_.begin(record::version());
+    ranks_.begin(store::version());
   }
   const bool is_inline = threads_.gases == 1 && ranks_.size() == 1;  // gases advance in this thread
   startable_threads_ = is_inline ? parallel::start_team(threads_.per_gas) : threads_.per_gas;
@@ -416,7 +415,7 @@ store::RunSummary resume_gas(SavedRun& saved, const RunOptions& options, const R
 }
 
 void serve(const RunOptions& options) {
-  options.ranks->begin(record::version());
+  options.ranks->begin(store::version());
   while (const auto work = options.ranks->wait_for_work(options.stop)) {
     const store::Checkpoint content = store::parse_checkpoint(*work, kAnySize);
     GasShare share;

@@ -10,7 +10,6 @@
 #include <set>
 #include <utility>
 
-#include "clca/record/provenance.hpp"
 #include "clca/record/quantity.hpp"
 #include "clca/store/file.hpp"
 
@@ -148,7 +147,7 @@ store::Checkpoint RunBase::checkpoint() const {
 }
 
 store::RunSummary RunBase::summary(const std::string& status) const {
-  store::RunSummary summary = record::provenance();
+  store::RunSummary summary = store::provenance();
   summary.kind = identity_.kind;
   summary.scene = identity_.scene;
   summary.title = identity_.title;

@@ -103,6 +103,12 @@ void check(std::int64_t result, const char* what) {
   throw Error(what);
 }
 
+hid_t number_type(const Hdf5Dataset::Values& values) {
+  const std::array types = {H5T_NATIVE_UINT8,  H5T_NATIVE_UINT16, H5T_NATIVE_UINT32,
+                            H5T_NATIVE_UINT64, H5T_NATIVE_INT32,  H5T_NATIVE_DOUBLE};
+  return types.at(values.index());
+}
+
 Handle space_of(const std::vector<hsize_t>& extent) {
   return {extent.empty()
               ? H5Screate(H5S_SCALAR)
@@ -125,7 +131,7 @@ Handle make_dataset(const Handle& file, const Hdf5Dataset& dataset, hid_t type, 
               H5Dclose, "dataset");
   if (const auto& [unit, text] = dataset.meaning; !text.empty()) {
     add_text(made, "units", std::string(unit.empty() ? "1" : unit));
-    add_text(made, "description", std::string(text));
+    add_text(made, "description", text);
   }
   return made;
 }
@@ -232,7 +238,7 @@ void take(double& bytes_left, const Extent& extent, double item_bytes) {
 template <Number T>
 void read(const Handle& dataset, const Extent& extent, double& bytes_left, std::vector<T>& values) {
   const Handle type = type_of(dataset);
-  if (H5Tequal(type.id(), hdf5::number_type<T>()) <= 0) {
+  if (H5Tequal(type.id(), hdf5::number_type(&values)) <= 0) {
     throw Error("holds other numbers");
   }
   take(bytes_left, extent, sizeof(T));
@@ -289,10 +295,10 @@ void hdf5::add(const Handle& file, const Hdf5Dataset& dataset) {
         } else if constexpr (std::same_as<T, std::vector<std::string>>) {
           write_texts(file, dataset, *values, space_of({values->size()}));
         } else {
-          using Item = typename T::value_type;
           const hsize_t rows = values->size() / dataset.columns;
-          write_dataset(file, dataset, number_type<Item>(), space_of(rows, dataset.columns),
-                        creation_properties(rows, dataset.columns, sizeof(Item)), values->data());
+          write_dataset(file, dataset, number_type(dataset.values), space_of(rows, dataset.columns),
+                        creation_properties(rows, dataset.columns, sizeof(typename T::value_type)),
+                        values->data());
         }
       },
       dataset.values);

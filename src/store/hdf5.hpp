@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -21,14 +22,12 @@ namespace clca::store {
 
 /// Number types of a dataset.
 template <class T>
-concept Number = std::same_as<T, std::uint8_t> || std::same_as<T, std::uint16_t> ||
-    std::same_as<T, std::uint32_t> || std::same_as<T, std::uint64_t> ||
-    std::same_as<T, std::int32_t> || std::same_as<T, double>;
+concept Number = std::is_arithmetic_v<T> && !std::same_as<T, char>;
 
 /// What a dataset says of itself; as Quantity.
 struct Meaning {
   std::string_view unit;  ///< of a pure number, a name or a text empty
-  std::string_view text;  ///< empty: it says nothing
+  std::string text;       ///< empty: it says nothing
 };
 
 /// A dataset in memory: rows of `columns` numbers, a list of texts or a single one. It is written
@@ -85,19 +84,8 @@ inline Handle properties(hid_t of) {
   return {H5Pcreate(of), H5Pclose, "properties"};
 }
 
-/// In the byte order of the machine, which HDF5 records.
-template <Number T>
-hid_t number_type() {
-  struct Types {
-    static hid_t of(std::uint8_t) { return H5T_NATIVE_UINT8; }
-    static hid_t of(std::uint16_t) { return H5T_NATIVE_UINT16; }
-    static hid_t of(std::uint32_t) { return H5T_NATIVE_UINT32; }
-    static hid_t of(std::uint64_t) { return H5T_NATIVE_UINT64; }
-    static hid_t of(std::int32_t) { return H5T_NATIVE_INT32; }
-    static hid_t of(double) { return H5T_NATIVE_DOUBLE; }
-  };
-  return Types::of(T());
-}
+/// Of numbers, in the byte order of the machine, which HDF5 records.
+hid_t number_type(const Hdf5Dataset::Values& values);
 
 /// The dataspace of a dataset with these dimensions; none: a single value.
 Handle space_of(const std::vector<hsize_t>& extent);

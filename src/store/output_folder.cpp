@@ -2,17 +2,13 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
 #include <sys/stat.h>
-#include <sys/sysmacros.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <mutex>
 #include <set>
 #include <sstream>
@@ -71,30 +67,6 @@ void require_folder_or_nothing(const fs::path& folder) {
 Descriptor opened(const fs::path& file, int flags) {
   return Descriptor(
       ::open(file.c_str(), flags | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, kNewFileMode));
-}
-
-/// The id of the process that holds the lock, from /proc/locks; empty if unknown.
-std::string holder_of(int descriptor) {
-  struct stat status {};
-  if (::fstat(descriptor, &status) != 0) {
-    return "";
-  }
-  const std::string file =
-      fmt::format("{:02x}:{:02x}:{}", major(status.st_dev), minor(status.st_dev), status.st_ino);
-  std::ifstream locks("/proc/locks");
-  for (std::string line; std::getline(locks, line);) {
-    std::istringstream words(line);
-    // Number, kind, mode, access, process, file.
-    const std::vector<std::string> fields{std::istream_iterator<std::string>(words), {}};
-    if (fields.size() > 5 && fields[1] == "FLOCK" && fields[5] == file && fields[4] != "0") {
-      return fields[4];
-    }
-  }
-  return "";
-}
-
-[[noreturn]] void refuse_lock(const fs::path& file, const char* reason) {
-  throw FolderLockError(fmt::format("cannot lock {}: {}", file.string(), reason));
 }
 
 }  // namespace
@@ -411,33 +383,6 @@ void GrowingFile::append(std::string_view text) {
   }
   bytes_ += text.size();
   folder_.flush_later(name_);
-}
-
-FolderLock::FolderLock(const fs::path& folder) {
-  const fs::path file = folder / ".clca.lock";
-  constexpr int kFlags = O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC;
-  Descriptor opened(::open(file.c_str(), kFlags, kNewFileMode));
-  if (!opened.is_open()) {
-    refuse_lock(file, std::strerror(errno));
-  }
-  if (!opened.is_regular()) {
-    refuse_lock(file, "it is no regular file");
-  }
-  if (::flock(opened.number(), LOCK_EX | LOCK_NB) != 0) {
-    if (errno != EWOULDBLOCK) {
-      refuse_lock(file, std::strerror(errno));
-    }
-    const std::string holder = holder_of(opened.number());
-    throw FolderInUseError(fmt::format("cannot write to {}: another run is at work in it{}",
-                                       folder.string(),
-                                       holder.empty() ? "" : fmt::format(" (process {})", holder)));
-  }
-  held_ = {nullptr, [number = opened.release(), process = ::getpid()](std::nullptr_t) {
-             if (process == ::getpid()) {
-               ::flock(number, LOCK_UN);  // forked children may have the descriptor, too
-             }
-             ::close(number);
-           }};
 }
 
 }  // namespace clca::store

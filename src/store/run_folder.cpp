@@ -141,12 +141,8 @@ void RunFolder::remove_frames_after(std::optional<std::uint64_t> last_step) cons
   }
 }
 
-std::string table_name(const std::string& kind) {
-  return kind + ".csv";
-}
-
-std::string table_name(const std::string& kind, const std::string& stage) {
-  return kind + "-" + stage + ".csv";
+std::string table_name(std::string_view kind, const std::string& stage) {
+  return fmt::format("{}{}{}.csv", kind, stage.empty() ? "" : "-", stage);
 }
 
 std::string frame_name(const std::string& scene, std::uint64_t step, int digits,

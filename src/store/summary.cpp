@@ -277,6 +277,18 @@ Json to_object(const std::vector<TableSummary>& tables) {
   return object;
 }
 
+std::string version() {
+  return CLCA_VERSION;
+}
+
+RunSummary provenance() {
+  RunSummary summary;
+  summary.version = version();
+  summary.compiler = CLCA_COMPILER;
+  summary.build_type = CLCA_BUILD_TYPE;
+  return summary;
+}
+
 const char* rate_key(std::string_view kind) {
   return kind == "boltzmann" ? "collisions_per_second" : "particle_updates_per_second";
 }

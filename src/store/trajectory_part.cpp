@@ -3,11 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <functional>
 #include <numeric>
-#include <optional>
-#include <system_error>
 #include <type_traits>
 
 #include "clca/scene/units.hpp"
@@ -38,32 +35,6 @@ std::string units_text(const scene::Scene& scene) {
   return text;
 }
 
-/// Reads the columns of a use, with what else there is in the file.
-std::vector<Column> read_columns(const std::filesystem::path& path, TrajectoryPart& part,
-                                 const Layout& layout, Use use, double max_bytes,
-                                 std::vector<Hdf5Dataset> datasets) {
-  std::vector<Column> columns = part.columns(layout);
-  std::erase_if(columns, [use](const Column& column) { return column.use != use; });
-  datasets.insert(datasets.end(), columns.begin(), columns.end());
-  read_hdf5(path, kTrajectoryKind, datasets, max_bytes);
-  return columns;
-}
-
-/// Throws StoreError unless the columns have as many rows as the frames say.
-void check_rows(const std::filesystem::path& path, const std::vector<Column>& columns,
-                const RowCounts& row_counts) {
-  for (const Column& column : columns) {
-    const std::size_t numbers =
-        std::visit([](const auto* list) { return list->size(); }, column.values);
-    const std::size_t rows = numbers / column.columns;
-    const bool missing = column.may_be_missing && numbers == 0;
-    if (!missing && rows != row_counts[column.row_kind]) {
-      refuse_part(path, fmt::format("{} has {} rows, not {}", column.path, rows,
-                                    row_counts[column.row_kind]));
-    }
-  }
-}
-
 /// `u8` to `f64`, or `text`.
 template <class Item>
 std::string type_name() {
@@ -75,8 +46,12 @@ std::string type_name() {
   }
 }
 
+std::string name_of(RowKind row_kind) {
+  return kRowKindNames.at(static_cast<std::size_t>(row_kind));
+}
+
 std::string shape_text(const Column& column) {
-  std::string text = kRowKindNames.at(static_cast<std::size_t>(column.row_kind));
+  std::string text = name_of(column.row_kind);
   for (std::size_t i = 0; i < column.row.size(); ++i) {
     text += column.row_kind == RowKind::frames && i == 0 ? " x walls"
                                                          : fmt::format(" x {}", column.row[i]);
@@ -84,62 +59,10 @@ std::string shape_text(const Column& column) {
   return text;
 }
 
-std::optional<std::uint64_t> part_number(const std::string& name) {
-  constexpr std::string_view kStart = "part-";
-  if (!name.starts_with(kStart)) {
-    return std::nullopt;
-  }
-  std::uint64_t number = 0;
-  std::from_chars(name.data() + kStart.size(), name.data() + name.size(), number);
-  return name == part_name(number) ? std::optional(number) : std::nullopt;
-}
-
 }  // namespace
 
 void refuse_part(const std::filesystem::path& path, std::string_view reason) {
   throw StoreError(fmt::format("cannot read {}: {}", path.string(), reason));
-}
-
-std::string part_name(std::uint64_t number) {
-  return fmt::format("part-{:06}.h5", number);
-}
-
-std::set<std::uint64_t> part_numbers(const std::filesystem::path& folder) {
-  std::set<std::uint64_t> numbers;
-  std::error_code error;
-  std::filesystem::directory_iterator it(folder, error);
-  for (; !error && it != std::filesystem::directory_iterator(); it.increment(error)) {
-    if (const auto number = part_number(it->path().filename())) {
-      numbers.insert(*number);
-    }
-  }
-  if (error && error != std::errc::no_such_file_or_directory) {
-    throw StoreError(
-        fmt::format("cannot read the folder {}: {}", folder.string(), error.message()));
-  }
-  return numbers;
-}
-
-std::vector<std::filesystem::path> find_parts(const std::filesystem::path& run_folder) {
-  const std::filesystem::path folder = run_folder / kTrajectoryFolder;
-  std::vector<std::filesystem::path> parts;
-  for (const std::uint64_t number : part_numbers(folder)) {
-    const std::filesystem::path next = folder / part_name(parts.size());
-    if (number != parts.size()) {
-      refuse_part(next, "missing, though later parts are there");
-    }
-    parts.push_back(next);
-  }
-  if (parts.empty()) {
-    refuse_part(folder, "no trajectory there (see output.trajectory)");
-  }
-  return parts;
-}
-
-void check_parts(const std::filesystem::path& run_folder) {
-  for (const std::filesystem::path& part : find_parts(run_folder)) {
-    read_hdf5(part, kTrajectoryKind, {}, kNoByteLimit);
-  }
 }
 
 Layout layout_of(const scene::Scene& scene) {
@@ -149,9 +72,12 @@ Layout layout_of(const scene::Scene& scene) {
           .contacts = trajectory && trajectory->contacts};
 }
 
-RowCounts& RowCounts::operator+=(const RowCounts& other) {
-  std::transform(rows_.begin(), rows_.end(), other.rows_.begin(), rows_.begin(), std::plus());
-  return *this;
+RowCounts& operator+=(RowCounts& row_counts, const RowCounts& more) {
+  row_counts[RowKind::frames] += more[RowKind::frames];
+  for (const RowKind row_kind : kRowsOfFrames) {
+    row_counts[row_kind] += more[row_kind];
+  }
+  return row_counts;
 }
 
 void RowRanges::end_frame(std::uint64_t before, std::size_t rows) {
@@ -168,10 +94,9 @@ RowSpan RowRanges::rows_of(std::size_t frame) const {
 RowCounts PartFrames::row_counts() const {
   RowCounts row_counts;
   row_counts[RowKind::frames] = step.size();
-  row_counts[RowKind::particles] = sum_of(particles.count);
-  row_counts[RowKind::origins] = sum_of(origins.count);
-  row_counts[RowKind::pushes] = sum_of(pushes.count);
-  row_counts[RowKind::contacts] = sum_of(contacts.count);
+  for (const RowKind row_kind : kRowsOfFrames) {
+    row_counts[row_kind] = sum_of(rows[row_kind].count);
+  }
   return row_counts;
 }
 
@@ -219,17 +144,19 @@ void TrajectoryPart::add(const grains::State& state, std::size_t stage, std::siz
   frames.step.push_back(state.step);
   frames.stage.push_back(static_cast<std::uint32_t>(stage));
   frames.entered.push_back(static_cast<std::uint32_t>(state.particles.size()));
-  frames.particles.end_frame(before[RowKind::particles], rows.id.size());
-  frames.origins.end_frame(before[RowKind::origins], origins.id.size());
-  frames.pushes.end_frame(before[RowKind::pushes], rows.pushed.size());
-  frames.contacts.end_frame(before[RowKind::contacts], rows.upper.size());
+  const std::array lists = {&rows.id, &origins.id, &rows.pushed, &rows.upper};
+  for (std::size_t i = 0; i < lists.size(); ++i) {
+    const RowKind row_kind = kRowsOfFrames.at(i);
+    frames.rows[row_kind].end_frame(before[row_kind], lists.at(i)->size());
+  }
 }
 
 std::vector<Column> TrajectoryPart::columns(const Layout& layout) {
   std::vector<Column> all;
   const auto columns = [&all](RowKind row_kind, Use use) {
-    return [&all, row_kind, use](const char* path, Hdf5Dataset::Values values, const char* text,
-                                 const char* unit = "", const std::vector<std::size_t>& row = {},
+    return [&all, row_kind, use](const std::string& path, Hdf5Dataset::Values values,
+                                 const std::string& text, const char* unit = "",
+                                 const std::vector<std::size_t>& row = {},
                                  bool may_be_missing = false) {
       const std::size_t width =
           std::accumulate(row.begin(), row.end(), std::size_t{1}, std::multiplies<>());
@@ -240,17 +167,16 @@ std::vector<Column> TrajectoryPart::columns(const Layout& layout) {
   of_frames("frames/step", &frames.step, "of the whole run", "steps");
   of_frames("frames/stage", &frames.stage, "which of `scene/stages`, from 0");
   of_frames("frames/entered", &frames.entered, "particles that had entered; ids are below this");
-  of_frames("frames/first", &frames.particles.first, "the first row of the frame in `particles`");
-  of_frames("frames/particles", &frames.particles.count, "rows of the frame in `particles`");
-  of_frames("frames/first_origin", &frames.origins.first,
-            "the first row of the frame in `origins`");
-  of_frames("frames/origins", &frames.origins.count, "rows of the frame in `origins`");
-  of_frames("frames/first_push", &frames.pushes.first, "the first row of the frame in `pushes`");
-  of_frames("frames/pushes", &frames.pushes.count, "rows of the frame in `pushes`");
-  if (layout.contacts) {
-    of_frames("frames/first_contact", &frames.contacts.first,
-              "the first row of the frame in `contacts`");
-    of_frames("frames/contacts", &frames.contacts.count, "rows of the frame in `contacts`");
+  for (const auto& [row_kind, first] : {std::pair(RowKind::particles, "first"),
+                                        {RowKind::origins, "first_origin"},
+                                        {RowKind::pushes, "first_push"},
+                                        {RowKind::contacts, "first_contact"}}) {
+    const std::string of = name_of(row_kind);
+    if (row_kind != RowKind::contacts || layout.contacts) {
+      of_frames("frames/" + std::string(first), &frames.rows[row_kind].first,
+                "the first row of the frame in `" + of + "`");
+      of_frames("frames/" + of, &frames.rows[row_kind].count, "rows of the frame in `" + of + "`");
+    }
   }
 
   const auto of_origins = columns(RowKind::origins, Use::index);
@@ -406,27 +332,6 @@ void SceneTables::require_same(const SceneTables& read, const std::filesystem::p
       "other species");
   require(walls == read.walls && wall_sites == read.wall_sites, "other walls");
   require(stages == read.stages, "other stages");
-}
-
-TrajectoryPart read_index(const std::filesystem::path& path, const SceneTables& tables,
-                          const Layout& layout, double max_bytes) {
-  TrajectoryPart part;
-  SceneTables read;
-  const auto columns = read_columns(path, part, layout, Use::index, max_bytes, read.datasets());
-  tables.require_same(read, path);
-  if (part.frames.step.empty()) {
-    refuse_part(path, "no frames");
-  }
-  check_rows(path, columns, part.frames.row_counts());
-  return part;
-}
-
-PartRows read_rows(const std::filesystem::path& path, const PartFrames& frames,
-                   const Layout& layout, double max_bytes) {
-  TrajectoryPart part;
-  const auto columns = read_columns(path, part, layout, Use::rows, max_bytes, {});
-  check_rows(path, columns, frames.row_counts());
-  return std::move(part.rows);
 }
 
 std::vector<Dataset> datasets(const scene::Scene& scene, const grains::State& state,

@@ -78,21 +78,25 @@ Layout layout_of(const scene::Scene& scene);
 enum class RowKind : std::uint8_t { frames, particles, origins, pushes, contacts };
 inline constexpr std::array kRowKindNames = {"frames", "particles", "origins", "pushes",
                                              "contacts"};
+inline constexpr std::array kRowsOfFrames = {RowKind::particles, RowKind::origins, RowKind::pushes,
+                                             RowKind::contacts};
 
-/// Numbers of rows.
-class RowCounts {
+/// A value for each kind of rows.
+template <class T>
+class ByRowKind {
  public:
-  std::uint64_t& operator[](RowKind row_kind) {
-    return rows_.at(static_cast<std::size_t>(row_kind));
+  T& operator[](RowKind row_kind) { return values_.at(static_cast<std::size_t>(row_kind)); }
+  const T& operator[](RowKind row_kind) const {
+    return values_.at(static_cast<std::size_t>(row_kind));
   }
-  std::uint64_t operator[](RowKind row_kind) const {
-    return rows_.at(static_cast<std::size_t>(row_kind));
-  }
-  RowCounts& operator+=(const RowCounts& other);
 
  private:
-  std::array<std::uint64_t, kRowKindNames.size()> rows_ = {};
+  std::array<T, kRowKindNames.size()> values_ = {};
 };
+
+/// Numbers of rows.
+using RowCounts = ByRowKind<std::uint64_t>;
+RowCounts& operator+=(RowCounts& extents, const RowCounts& more);
 
 /// What a dataset is read for.
 enum class Use : std::uint8_t {
@@ -130,10 +134,7 @@ struct PartFrames {
   std::vector<std::uint64_t> step;
   std::vector<std::uint32_t> stage;
   std::vector<std::uint32_t> entered;  ///< particles so far, whether still present or not
-  RowRanges particles;
-  RowRanges origins;
-  RowRanges pushes;
-  RowRanges contacts;
+  ByRowKind<RowRanges> rows;           ///< of kRowsOfFrames
 
   /// Rows of the part, by the counts of its frames.
   RowCounts row_counts() const;

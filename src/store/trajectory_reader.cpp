@@ -6,12 +6,15 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <set>
 #include <stdexcept>
+#include <system_error>
 #include <utility>
 
 #include "clca/grains/occupancy.hpp"
 #include "clca/store/file.hpp"
 #include "clca/store/trajectory.hpp"
+#include "clca/text/number.hpp"
 #include "grains/internal/occupancy_table.hpp"
 #include "store/trajectory_part.hpp"
 
@@ -66,7 +69,8 @@ void require_in_frame(bool well, const IndexedPart& part, std::uint64_t step, co
   }
 }
 
-void check_ranges(const IndexedPart& part, const RowRanges& ranges, RowKind row_kind) {
+void check_ranges(const IndexedPart& part, RowKind row_kind) {
+  const RowRanges& ranges = part.content.frames.rows[row_kind];
   std::uint64_t first = part.before[row_kind];
   for (std::size_t frame = 0; frame < ranges.first.size(); ++frame) {
     require(ranges.first[frame] == first, part, "rows of frames do not follow each other");
@@ -87,7 +91,102 @@ void check_ids(const IndexedPart& part, const std::vector<std::uint32_t>& ids,
   }
 }
 
+/// Reads the columns of a use, with what else there is in the file.
+std::vector<Column> read_columns(const std::filesystem::path& path, TrajectoryPart& part,
+                                 const Layout& layout, Use use, double max_bytes,
+                                 std::vector<Hdf5Dataset> datasets) {
+  std::vector<Column> columns = part.columns(layout);
+  std::erase_if(columns, [use](const Column& column) { return column.use != use; });
+  datasets.insert(datasets.end(), columns.begin(), columns.end());
+  read_hdf5(path, kTrajectoryKind, datasets, max_bytes);
+  return columns;
+}
+
+/// They have the rows that the frames say.
+void check_rows(const std::filesystem::path& path, const std::vector<Column>& columns,
+                const RowCounts& row_counts) {
+  for (const Column& column : columns) {
+    const std::size_t numbers =
+        std::visit([](const auto* list) { return list->size(); }, column.values);
+    const std::size_t rows = numbers / column.columns;
+    const bool missing = column.may_be_missing && numbers == 0;
+    if (!missing && rows != row_counts[column.row_kind]) {
+      refuse_part(path, fmt::format("{} has {} rows, not {}", column.path, rows,
+                                    row_counts[column.row_kind]));
+    }
+  }
+}
+
+std::optional<std::uint64_t> part_number(const std::string& name) {
+  const std::size_t dash = std::min(name.find('-'), name.size() - 1);
+  const auto number = text::number<std::uint64_t>(name.substr(dash + 1, name.find('.') - dash - 1));
+  return number && name == part_name(*number) ? number : std::nullopt;
+}
+
 }  // namespace
+
+std::string part_name(std::uint64_t number) {
+  return fmt::format("part-{:06}.h5", number);
+}
+
+std::set<std::uint64_t> part_numbers(const std::filesystem::path& folder) {
+  std::set<std::uint64_t> numbers;
+  std::error_code error;
+  std::filesystem::directory_iterator it(folder, error);
+  for (; !error && it != std::filesystem::directory_iterator(); it.increment(error)) {
+    if (const auto number = part_number(it->path().filename())) {
+      numbers.insert(*number);
+    }
+  }
+  if (error && error != std::errc::no_such_file_or_directory) {
+    throw StoreError(
+        fmt::format("cannot read the folder {}: {}", folder.string(), error.message()));
+  }
+  return numbers;
+}
+
+std::vector<std::filesystem::path> find_parts(const std::filesystem::path& run_folder) {
+  const std::filesystem::path folder = run_folder / kTrajectoryFolder;
+  std::vector<std::filesystem::path> parts;
+  for (const std::uint64_t number : part_numbers(folder)) {
+    const std::filesystem::path next = folder / part_name(parts.size());
+    if (number != parts.size()) {
+      refuse_part(next, "missing, though later parts are there");
+    }
+    parts.push_back(next);
+  }
+  if (parts.empty()) {
+    refuse_part(folder, "no trajectory there (see output.trajectory)");
+  }
+  return parts;
+}
+
+void check_parts(const std::filesystem::path& run_folder) {
+  for (const std::filesystem::path& part : find_parts(run_folder)) {
+    read_hdf5(part, kTrajectoryKind, {}, kAnyBytes);
+  }
+}
+
+TrajectoryPart read_index(const std::filesystem::path& path, const SceneTables& tables,
+                          const Layout& layout, double max_bytes) {
+  TrajectoryPart part;
+  SceneTables read;
+  const auto columns = read_columns(path, part, layout, Use::index, max_bytes, read.datasets());
+  tables.require_same(read, path);
+  if (part.frames.step.empty()) {
+    refuse_part(path, "no frames");
+  }
+  check_rows(path, columns, part.frames.row_counts());
+  return part;
+}
+
+PartRows read_rows(const std::filesystem::path& path, const PartFrames& frames,
+                   const Layout& layout, double max_bytes) {
+  TrajectoryPart part;
+  const auto columns = read_columns(path, part, layout, Use::rows, max_bytes, {});
+  check_rows(path, columns, frames.row_counts());
+  return std::move(part.rows);
+}
 
 class Trajectory::Impl {
  public:
@@ -117,7 +216,7 @@ class Trajectory::Impl {
     state.step = frames_[frame].step;
     state.particles.assign(origins_.size(), {.present = false});
     state.origins.assign(origins_.size(), {});
-    const RowSpan particles = part->content.frames.particles.rows_of(within);
+    const RowSpan particles = part->content.frames.rows[RowKind::particles].rows_of(within);
     for (std::size_t row = particles.first; row < particles.end; ++row) {
       const std::uint32_t id = rows_.id[row];
       const lattice::Site site = site_at(rows_.site, row);
@@ -135,7 +234,7 @@ class Trajectory::Impl {
       state.walls[wall].present = rows_.wall_present[at] == 1;
       state.walls[wall].travel.offset = rows_.wall_offset[at];
     }
-    const RowSpan pushes = part->content.frames.pushes.rows_of(within);
+    const RowSpan pushes = part->content.frames.rows[RowKind::pushes].rows_of(within);
     for (std::size_t row = pushes.first; row < pushes.end; ++row) {
       state.pushes.push_back(
           {.pushed = rows_.pushed[row],
@@ -160,7 +259,7 @@ class Trajectory::Impl {
     if (layout_.velocities) {
       result.velocities.resize(entered, Eigen::Vector2d::Zero());
       result.spins.resize(entered, 0);
-      const RowSpan rows = frames.particles.rows_of(within);
+      const RowSpan rows = frames.rows[RowKind::particles].rows_of(within);
       for (std::size_t row = rows.first; row < rows.end; ++row) {
         result.velocities[rows_.id[row]] = point_at(rows_.velocity, row);
         result.spins[rows_.id[row]] =
@@ -168,7 +267,7 @@ class Trajectory::Impl {
       }
     }
     if (layout_.contacts) {
-      const RowSpan rows = frames.contacts.rows_of(within);
+      const RowSpan rows = frames.rows[RowKind::contacts].rows_of(within);
       for (std::size_t row = rows.first; row < rows.end; ++row) {
         const grains::Owner other = rows_.other[row];
         const bool is_there =
@@ -197,7 +296,7 @@ class Trajectory::Impl {
       const Frame last = frames_.empty() ? Frame() : frames_.back();
       const Frame next = {.step = frames.step[frame],
                           .stage = frames.stage[frame],
-                          .particles = frames.particles.count[frame]};
+                          .particles = frames.rows[RowKind::particles].count[frame]};
       require(next.step >= last.step && next.stage >= last.stage, part, "frames are not in order");
       require_in_frame(next.stage < stages, part, next.step,
                        "a stage that the scene does not have");
@@ -205,11 +304,10 @@ class Trajectory::Impl {
                        "needs more memory than the limit");
       frames_.push_back(next);
     }
-    check_ranges(part, frames.particles, RowKind::particles);
-    check_ranges(part, frames.origins, RowKind::origins);
-    check_ranges(part, frames.pushes, RowKind::pushes);
-    check_ranges(part, frames.contacts, RowKind::contacts);
-    check_ids(part, part.content.origins.id, frames.origins);
+    for (const RowKind row_kind : kRowsOfFrames) {
+      check_ranges(part, row_kind);
+    }
+    check_ids(part, part.content.origins.id, frames.rows[RowKind::origins]);
   }
 
   /// The part of a frame, and the place of the frame in it.
@@ -217,9 +315,8 @@ class Trajectory::Impl {
     if (frame >= frames_.size()) {
       throw std::out_of_range("a trajectory has no such frame");
     }
-    const auto after = std::upper_bound(
-        parts_.begin(), parts_.end(), frame,
-        [](std::size_t f, const IndexedPart& part) { return f < part.before[RowKind::frames]; });
+    const auto after = std::ranges::upper_bound(
+        parts_, frame, {}, [](const IndexedPart& part) { return part.before[RowKind::frames]; });
     const IndexedPart& part = *std::prev(after);
     return {&part, frame - static_cast<std::size_t>(part.before[RowKind::frames])};
   }
@@ -232,7 +329,7 @@ class Trajectory::Impl {
       loaded_ = nullptr;
       rows_ = {};
       auto rows = read_rows(part.path, part.content.frames, layout_, bytes_left_);
-      check_ids(part, rows.id, part.content.frames.particles);
+      check_ids(part, rows.id, part.content.frames.rows[RowKind::particles]);
       rows_ = std::move(rows);
       loaded_ = &part;
     }
@@ -258,7 +355,7 @@ class Trajectory::Impl {
     const auto [part, within] = found(frame);
     const TrajectoryPart& content = part->content;
     origins_.resize(content.frames.entered[within], kUnknown);
-    const RowSpan rows = content.frames.origins.rows_of(within);
+    const RowSpan rows = content.frames.rows[RowKind::origins].rows_of(within);
     for (std::size_t row = rows.first; row < rows.end; ++row) {
       origins_[content.origins.id[row]] = site_at(content.origins.site, row);
     }

@@ -44,7 +44,7 @@ void add_dataset(const Handle& file, const Column& column, const std::vector<Row
   }
   const Handle whole = hdf5::space_of(shape_of(column, rows));
   const Handle creation = hdf5::properties(H5P_DATASET_CREATE);
-  hid_t type = H5I_INVALID_HID;
+  const hid_t type = hdf5::number_type(column.values);
   std::visit(
       [&]<class T>(const T* /*values*/) {
         using Item = typename T::value_type;
@@ -54,7 +54,6 @@ void add_dataset(const Handle& file, const Column& column, const std::vector<Row
           const Item none = Numbers::has_quiet_NaN ? Numbers::quiet_NaN()
                             : Numbers::is_signed   ? Numbers::min()
                                                    : Numbers::max();
-          type = hdf5::number_type<Item>();
           check(H5Pset_fill_value(creation.id(), type, &none), "fill value");
         }
       },

@@ -6,12 +6,12 @@
 #include <cctype>
 #include <set>
 
-#include "clca/record/provenance.hpp"
 #include "clca/record/quantity.hpp"
 #include "clca/run/run.hpp"
 #include "clca/run/setup.hpp"
 #include "clca/scene/parse.hpp"
 #include "clca/scene/walls.hpp"
+#include "clca/store/summary.hpp"
 #include "clca/text/message.hpp"
 #include "clca/text/read.hpp"
 
@@ -190,7 +190,7 @@ int fitting_jobs(const Plan& plan, int jobs, double max_bytes,
 }
 
 std::uint64_t hash_of(const Plan& plan, std::string_view more) {
-  std::string all = fmt::format("{} {} {}", record::version(), to_text(plan.request.seeds), more);
+  std::string all = fmt::format("{} {} {}", store::version(), to_text(plan.request.seeds), more);
   for (const Variant& variant : plan.variants) {
     all += scene::to_yaml(variant.scene);
   }

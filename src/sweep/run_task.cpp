@@ -5,8 +5,7 @@
 #include <system_error>
 #include <utility>
 
-#include "clca/record/provenance.hpp"
-#include "clca/scene/parse.hpp"
+#include "clca/scene/resolve.hpp"
 #include "clca/store/checkpoint.hpp"
 #include "clca/store/file.hpp"
 #include "clca/store/output_folder.hpp"
@@ -43,7 +42,7 @@ std::optional<store::RunSummary> summary_in(const fs::path& folder) {
 bool is_same(const fs::path& folder, const store::RunSummary& summary, const scene::Scene& scene) {
   try {
     const auto text = store::read_whole(folder / store::kSceneFile, document::kMaxBytes);
-    return summary.version == record::version() &&
+    return summary.version == store::version() &&
            std::string(text.begin(), text.end()) == scene::to_yaml(scene);
   } catch (const store::StoreError&) {
     return false;

@@ -10,13 +10,13 @@
 #include <nlohmann/json.hpp>
 
 #include "clca/image/png.hpp"
-#include "clca/record/provenance.hpp"
 #include "clca/record/quantity.hpp"
 #include "clca/render/painter.hpp"
 #include "clca/statistics/sample.hpp"
 #include "clca/store/file.hpp"
 #include "clca/store/output_folder.hpp"
 #include "clca/store/run_folder.hpp"
+#include "clca/store/summary.hpp"
 #include "clca/tasks/pool.hpp"
 #include "sweep/results.hpp"
 
@@ -74,7 +74,7 @@ std::string to_json(const Plan& plan, const std::vector<store::TableSummary>& ta
   for (const Variation& variation : plan.request.variations) {
     variations.push_back({{"keys", variation.keys}, {"rows", variation.rows}});
   }
-  const Json object = {{"clca", record::version()},
+  const Json object = {{"clca", store::version()},
                        {"scene", plan.request.scene.string()},
                        {"title", plan.title()},
                        {"set", plan.request.overrides},
@@ -342,7 +342,7 @@ class Sweep {
     }
     files_.write(kOverview, image::encode_png(
                                 *image, {{"Title", plan_.title()},
-                                         {"Software", fmt::format("clca {}", record::version())}}));
+                                         {"Software", fmt::format("clca {}", store::version())}}));
     const std::size_t shown = selection(plan_).runs.size();
     if (shown < progress_.runs) {
       events_.message(fmt::format("the overview shows {} of {} runs", shown, progress_.runs));

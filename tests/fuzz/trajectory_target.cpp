@@ -95,9 +95,9 @@ void make_fit(store::TrajectoryPart& part, const store::RowCounts& before) {
     ranges.count.resize(ranges.first.size());
     std::exclusive_scan(ranges.count.begin(), ranges.count.end(), ranges.first.begin(), first);
   };
-  follow(part.frames.particles, before[store::RowKind::particles]);
-  follow(part.frames.origins, before[store::RowKind::origins]);
-  follow(part.frames.pushes, before[store::RowKind::pushes]);
+  follow(part.frames.rows[store::RowKind::particles], before[store::RowKind::particles]);
+  follow(part.frames.rows[store::RowKind::origins], before[store::RowKind::origins]);
+  follow(part.frames.rows[store::RowKind::pushes], before[store::RowKind::pushes]);
   const store::RowCounts row_counts = part.frames.row_counts();
   for (const store::Column& column : part.columns(kLayout)) {
     const std::size_t numbers = column.columns * std::min(row_counts[column.row_kind], kMaxRows);
@@ -160,8 +160,8 @@ void require_sound(const grains::State& state, const store::TrajectoryPart& part
                       all.begin() + static_cast<std::ptrdiff_t>(width * rows.end), some.begin(),
                       some.end());
   };
-  const store::RowSpan particles = part.frames.particles.rows_of(frame);
-  const store::RowSpan pushes = part.frames.pushes.rows_of(frame);
+  const store::RowSpan particles = part.frames.rows[store::RowKind::particles].rows_of(frame);
+  const store::RowSpan pushes = part.frames.rows[store::RowKind::pushes].rows_of(frame);
   const store::RowSpan itself = {frame, frame + 1};
   fuzz::require(same(part.frames.step, itself, again.frames.step, 1) &&
                     same(part.frames.entered, itself, again.frames.entered, 1) &&

@@ -135,8 +135,10 @@ RC_GTEST_PROP(MirrorProperty, OfProfilesAndFronts, ()) {
   const std::vector<double> profile = measure::surface_profile(beds.after);
   const std::vector<double> image = measure::surface_profile(beds.mirrored_after);
   RC_ASSERT(are_mirrored(profile, image));
-  RC_ASSERT(is_near(measure::repose_angle(profile).left, measure::repose_angle(image).right));
-  RC_ASSERT(is_near(measure::repose_angle(profile).right, measure::repose_angle(image).left));
+  RC_ASSERT(is_near(measure::repose_angle(profile).left.degrees,
+                    measure::repose_angle(image).right.degrees));
+  RC_ASSERT(is_near(measure::repose_angle(profile).right.degrees,
+                    measure::repose_angle(image).left.degrees));
   RC_ASSERT(is_near(measure::packing_fraction(beds.after),
                     measure::packing_fraction(beds.mirrored_after)));
   RC_ASSERT(
@@ -148,10 +150,10 @@ RC_GTEST_PROP(MirrorProperty, OfProfilesAndFronts, ()) {
 RC_GTEST_PROP(MirrorProperty, OfFields, ()) {
   const Beds beds = any_beds();
   const double cell = any_cell();
-  const measure::Fields fields = measure::FieldWindow(beds.before).fields(beds.after, cell);
-  const measure::Fields image =
-      measure::FieldWindow(beds.mirrored_before).fields(beds.mirrored_after, cell);
-  for_each_image(fields.cells, image.cells, fields.columns, [](const auto& one, const auto& other) {
+  const auto fields = measure::FieldWindow(beds.before).fields(beds.after, cell);
+  const auto image = measure::FieldWindow(beds.mirrored_before).fields(beds.mirrored_after, cell);
+  const std::size_t columns = measure::Grid(beds.after.lattice, cell).columns();
+  for_each_image(fields, image, columns, [](const auto& one, const auto& other) {
     RC_ASSERT(is_near(one.packing, other.packing));
     RC_ASSERT(is_near(one.particles, other.particles));
     RC_ASSERT(is_near(one.velocity.x(), -other.velocity.x()));
@@ -224,7 +226,7 @@ RC_GTEST_PROP(MirrorProperty, OfWhatPassesALevelLine, ()) {
     std::vector<double> flux;
     std::vector<double> particles;
     for (const measure::LinePart& part : line.means(sums)) {
-      flux.push_back(part.flux.value);
+      flux.push_back(part.flux.mean);
       particles.push_back(part.particles);
     }
     return std::pair(flux, particles);

@@ -32,27 +32,21 @@ struct FieldCell : RegionMotion {
   double packing = 0;                                ///< share of its sites taken by particles now
 };
 
-struct Fields {
-  std::size_t columns = 0;
-  std::size_t rows = 0;
-  std::vector<FieldCell> cells = {};  ///< in the order of Grid
-
-  /// Memory of so many cells, with that for measuring them and their fluctuations.
-  static double bytes_for(double cells) {
-    return cells * (sizeof(FieldCell) + 2 * sizeof(RegionMotion) + 2 * sizeof(double));
-  }
-};
-
 /// A window of steps: velocity is displacement per step.
 class FieldWindow {
  public:
   /// Starts the window.
   explicit FieldWindow(const grains::State& state) : begin_(state) {}
 
-  /// The fields if the window ends now, on a Grid of side `cell` (lattice spacings).
+  /// Memory of so many cells, with that for measuring them and their fluctuations.
+  static double bytes_for(double cells) {
+    return cells * (sizeof(FieldCell) + 2 * sizeof(RegionMotion) + 2 * sizeof(double));
+  }
+
+  /// The fields if the window ends now, in the cells of a Grid of side `cell` (lattice spacings).
   /// Particles that entered or left during the window count for the packing only. In a window of
   /// zero steps all velocities are 0.
-  Fields fields(const grains::State& now, double cell) const;
+  std::vector<FieldCell> fields(const grains::State& now, double cell) const;
   /// Displacements of the particles if the window ends now.
   std::vector<Displacement> displacements(const grains::State& now) const {
     return begin_.displacements(now);
@@ -67,7 +61,7 @@ class FieldWindow {
 };
 
 /// Mean fluctuation over cells, weighted by their particles; 0 if there are none.
-double fluctuation_energy(const Fields& fields);
+double fluctuation_energy(const std::vector<FieldCell>& cells);
 
 /// Of each region, share of its sites without walls that particles cover; 0 if walls cover all.
 std::vector<double> fillings(const grains::State& state,

@@ -37,9 +37,6 @@ std::vector<OverlapContact> contacts(const grains::State& state,
 std::vector<double> force_indices(std::size_t particle_count,
                                   const std::vector<OverlapContact>& contacts);
 
-/// The push between the two of a contact, in either direction; null if there is none.
-const grains::Push* push_between(const grains::State& state, const OverlapContact& contact);
-
 /// A moving wall and the overlaps that began at it.
 struct WallOverlap {
   std::size_t wall = 0;
@@ -89,14 +86,12 @@ struct ForceBin {
 };
 
 struct ForceDistribution {
-  std::size_t contacts = 0;
   double mean = 0;              ///< <f>, sites
   double share_above_mean = 0;  ///< of the contacts
   std::size_t tail = 0;         ///< contacts above the mean
-  /// Decay of the tail, P(f/<f>) ~ exp(-beta f/<f>) for f > <f>, by maximum likelihood, with its
-  /// standard error. None for fewer than two contacts in the tail or if all are equal.
+  /// Decay of the tail, P(f/<f>) ~ exp(-beta f/<f>) for f > <f>, by maximum likelihood. None for
+  /// fewer than two contacts in the tail or if all are equal.
   std::optional<double> beta = {};
-  std::optional<double> beta_error = {};
   /// Contiguous bins. Whole sites: one bin per number n, from n - 1/2 to n + 1/2. Averages: bins of
   /// a quarter of the mean, from 0.
   std::vector<ForceBin> bins = {};

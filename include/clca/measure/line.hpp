@@ -3,7 +3,6 @@
 
 #include <Eigen/Core>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <span>
 #include <utility>
@@ -13,6 +12,7 @@
 #include "clca/grains/state.hpp"
 #include "clca/measure/displacement.hpp"
 #include "clca/reflection/reflection.hpp"
+#include "clca/statistics/sample.hpp"
 
 namespace clca::measure {
 
@@ -62,22 +62,18 @@ class LineSums {
   std::vector<LineBlock> blocks_;
 };
 
-/// A mean over time; NaN if there was nothing to average.
-struct LineMean {
-  double value = std::numeric_limits<double>::quiet_NaN();
-  /// Standard error by the scatter of the blocks; NaN with fewer than kMaxBlocks / 2 of them.
-  double error = std::numeric_limits<double>::quiet_NaN();
-};
-
-/// Means over time for one part of a line. Across: positive to the right of its direction.
+/// Means over time for one part of a line, with standard errors by the scatter of the blocks; NaN
+/// if there was nothing to average, the error with fewer than LineSums::kMaxBlocks / 2 blocks.
+/// Across: positive to the right of its direction.
 struct LinePart {
   double position = 0;     ///< of its middle, from the start of the line
   Eigen::Vector2d middle;  ///< of the part
-  LineMean flux;           ///< sites that pass, per step and spacing; to the right less to the left
-  LineMean across;         ///< velocity, spacings per step
-  LineMean along;          ///< likewise, positive in the direction of the line
-  double filling = 0;      ///< share that particles cover of what no wall covers; 0 if walls do all
-  double particles = 0;    ///< whose centre has passed, either way
+  statistics::SampleStatistics
+      flux;  ///< sites that pass, per step and spacing; to the right less to the left
+  statistics::SampleStatistics across;  ///< velocity, spacings per step
+  statistics::SampleStatistics along;   ///< likewise, positive in the direction of the line
+  double filling = 0;    ///< share that particles cover of what no wall covers; 0 if walls do all
+  double particles = 0;  ///< whose centre has passed, either way
 };
 
 /// A line in a box, cut into parts of equal length. Its end does not belong to it; an edge between

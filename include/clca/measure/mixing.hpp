@@ -1,15 +1,25 @@
 #pragma once
-// How particles mix in a flow and part by size.
+// Neighbours: how many there are, and how particles mix in a flow and part by size.
 
 #include <cstdint>
 #include <optional>
 #include <vector>
 
+#include "clca/grains/occupancy.hpp"
 #include "clca/grains/state.hpp"
 #include "clca/measure/displacement.hpp"
 #include "clca/reflection/reflection.hpp"
 
 namespace clca::measure {
+
+/// Number of other particles and walls that have a site beside a site of the particle, or the same
+/// one; by id, 0 for removed particles. All sides of the box count as one wall. `occupancy` belongs
+/// to `state`.
+std::vector<int> coordination(const grains::State& state, const grains::Occupancy& occupancy);
+
+/// Share of the pairs of neighbouring grains that have the same axis; a third at random. None
+/// without a pair.
+std::optional<double> axis_order(const grains::State& state);
 
 /// Two grains that were neighbours.
 struct NeighbourPair {

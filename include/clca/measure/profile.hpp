@@ -21,12 +21,14 @@ std::vector<double> surface_profile(const grains::State& state, const Eigen::Vec
 /// Mean of the profile over columns with particles; 0 if there are none.
 double mean_height(const std::vector<double>& profile);
 
-/// Slopes of both flanks of a pile in degrees, if present.
+/// Slopes of both flanks of a pile, if present.
 struct ReposeAngle {
-  std::optional<double> left;
-  std::optional<double> right;
-  bool left_uneven = false;  ///< none, since no single slope describes it
-  bool right_uneven = false;
+  struct Flank {
+    std::optional<double> degrees = {};
+    bool uneven = false;  ///< none, since no single slope describes it
+  };
+  Flank left;
+  Flank right;
 
   /// Mean of the flanks that are present.
   std::optional<double> mean() const;

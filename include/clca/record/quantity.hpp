@@ -26,14 +26,6 @@ struct Quantity {
 /// Ends the names of columns with standard errors of means, in the units of these.
 inline constexpr std::string_view kErrorEnding = "_se";
 
-/// The quantity of a key: of a run of grains or a sweep, also of one outlet or wall, KEY.OUTLET,
-/// and of a part of a vector, KEYx; null if there is none of this key.
-const Quantity* find_quantity(std::string_view key);
-/// The quantity of a key of a gas; null if there is none.
-const Quantity* find_gas_quantity(std::string_view key);
-/// The quantity of a column of tables of a sweep over runs of grains; null if there is none.
-const Quantity* find_sweep_quantity(std::string_view key);
-
 /// A name in run.json or in tables, and what it stands for.
 struct NamedQuantity {
   std::string name;
@@ -55,6 +47,11 @@ struct KnownQuantities {
   /// One that is declared, or that the scene derives.
   std::optional<store::ColumnSummary> find(std::string_view key) const;
 };
+
+/// Of a run, a gas, or the tables of a sweep over runs of grains; also of one outlet or wall,
+/// KEY.OUTLET, and of a part of a vector, KEYx; null if there is none of this key.
+const Quantity* find_quantity(std::string_view key,
+                              KnownQuantities::Of of = KnownQuantities::Of::run);
 
 KnownQuantities known_quantities(const store::RunSummary& summary);
 

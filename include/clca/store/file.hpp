@@ -1,5 +1,5 @@
 #pragma once
-// Reading and writing files; those written appear complete or not at all.
+// Reading and writing files, those written appear complete or not at all; locks of folders.
 
 #include <cstdint>
 #include <filesystem>
@@ -70,6 +70,30 @@ void refresh_folder(const std::filesystem::path& folder);
 /// All bytes of a regular file. Throws StoreError, also for other kinds of files and more than
 /// `max_bytes`.
 std::vector<std::uint8_t> read_whole(const std::filesystem::path& path, double max_bytes);
+
+/// A folder in which nothing can be written.
+class FolderLockError : public StoreError {
+ public:
+  using StoreError::StoreError;
+};
+
+/// Another process is at work in a folder.
+class FolderInUseError : public FolderLockError {
+ public:
+  using FolderLockError::FolderLockError;
+};
+
+/// Locks the file `.clca.lock` of a folder; copies share the lock. The system releases the lock
+/// when the process ends, and children that it has forked meanwhile. The file is empty and remains.
+class FolderLock {
+ public:
+  /// Throws FolderInUseError if another process holds the lock, with its id if known, and
+  /// FolderLockError if the file cannot be made.
+  explicit FolderLock(const std::filesystem::path& folder);
+
+ private:
+  std::shared_ptr<void> held_;  // unlocks it at the end
+};
 
 /// Maximum size of a picture file.
 inline constexpr double kMaxPictureBytes = 256 << 20;

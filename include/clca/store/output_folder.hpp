@@ -1,5 +1,5 @@
 #pragma once
-// A folder that clca writes to, text files in it that grow during a run, and its lock.
+// A folder that clca writes to, and text files in it that grow during a run.
 
 #include <cstdint>
 #include <filesystem>
@@ -91,30 +91,6 @@ class GrowingFile {
   OutputFolder folder_;
   std::string name_;
   std::uint64_t bytes_;
-};
-
-/// A folder in which nothing can be written.
-class FolderLockError : public StoreError {
- public:
-  using StoreError::StoreError;
-};
-
-/// Another process is at work in a folder.
-class FolderInUseError : public FolderLockError {
- public:
-  using FolderLockError::FolderLockError;
-};
-
-/// Locks the file `.clca.lock` of a folder; copies share the lock. The system releases the lock
-/// when the process ends, and children that it has forked meanwhile. The file is empty and remains.
-class FolderLock {
- public:
-  /// Throws FolderInUseError if another process holds the lock, with its id if known, and
-  /// FolderLockError if the file cannot be made.
-  explicit FolderLock(const std::filesystem::path& folder);
-
- private:
-  std::shared_ptr<void> held_;  // unlocks it at the end
 };
 
 }  // namespace clca::store

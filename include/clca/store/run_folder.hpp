@@ -30,8 +30,7 @@ inline constexpr const char* kPlotsFolder = "plots";
 inline constexpr const char* kExportFolder = "export";
 
 /// A table of the whole run, `series.csv`, or of one stage, `profile-STAGE.csv`.
-std::string table_name(const std::string& kind);
-std::string table_name(const std::string& kind, const std::string& stage);
+std::string table_name(std::string_view kind, const std::string& stage = "");
 
 /// An earlier run found in a folder.
 struct EarlierRun {

@@ -96,6 +96,11 @@ struct RunSummary {
   std::vector<TableSummary> tables = {};
 };
 
+/// Version of this program, as in CMakeLists.txt.
+std::string version();
+/// A summary with version, compiler and build type filled in.
+RunSummary provenance();
+
 /// Key of the rate in run.json: collisions (pairs) per second for the Boltzmann equation, particle
 /// updates per second otherwise.
 const char* rate_key(std::string_view kind);

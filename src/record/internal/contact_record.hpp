@@ -11,7 +11,6 @@ namespace clca::record {
 /// A window over the last steps, kept as two blocks: the current and the previous one.
 class ForceWindow {
  public:
-  void clear() { *this = {}; }
   /// Adds a step. The window holds at most `most` steps, and at least half of that once there were
   /// so many.
   void add(const std::vector<contact::Force>& forces, std::uint64_t most);

@@ -46,11 +46,10 @@ class CycleRecord : public SavedObserver<CycleRecord> {
 
  private:
   void prepare(const StageView& now) override;
-  std::uint64_t completed(const grains::State& state, std::uint64_t of_vessel) const;
+  std::uint64_t completed(const StageView& now) const;
   void add_row(const StageView& now);
 
   double cell_;
-  bool vessel_has_cycles_ = false;
   std::uint64_t cycles_ = 0;
   std::vector<grains::Travel> at_start_;  // by wall: when the stage began; cycles count from it
   std::optional<measure::Convection> convection_;

@@ -57,19 +57,12 @@ std::vector<std::string> stall_lines(const scene::Scene& scene, const model::Sce
 
 /// `discharged.OUTLET` where there are several outlets, each followed by
 /// `discharged.OUTLET.SPECIES` where there are several species. None if they are so many that
-/// run.json would have too many measures.
-std::vector<std::string> discharge_names(const scene::Scene& scene);
-
-/// The values of these names, from those of measure::discharged_particles.
-std::vector<std::uint64_t> discharge_values(const scene::Scene& scene,
-                                            const std::vector<std::uint64_t>& particles);
+/// run.json would have too many measures. `particles`: measure::discharged_particles.
+std::vector<std::pair<std::string, std::uint64_t>> discharge_by_name(
+    const scene::Scene& scene, std::vector<std::uint64_t> particles = {});
 
 // Of gases.
-const std::vector<Quantity>& gas_quantities();
-const std::vector<TableInfo>& gas_tables();
-
-// Of sweeps: measures, and tables with names in capitals where they have several columns.
-const std::vector<Quantity>& sweep_quantities();
-const std::vector<TableInfo>& sweep_tables();
+std::vector<Quantity> gas_quantities();
+std::vector<TableInfo> gas_tables();
 
 }  // namespace clca::record

@@ -5,7 +5,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "clca/measure/coordination.hpp"
+#include "clca/measure/mixing.hpp"
 #include "support/states.hpp"
 
 namespace clca::baxter::baxter_model_test {

@@ -1,9 +1,8 @@
 // How many bodies each particle touches.
 
-#include "clca/measure/coordination.hpp"
-
 #include <gtest/gtest.h>
 
+#include "clca/measure/mixing.hpp"
 #include "support/states.hpp"
 
 namespace clca::measure::coordination_test {

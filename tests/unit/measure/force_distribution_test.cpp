@@ -40,7 +40,6 @@ TEST(ForceDistribution, OfEqualForcesLiesInOneBinAndNoneAboveTheMean) {
 TEST(ForceDistribution, OfWholeSitesHasABinForEachNumber) {
   const auto found =
       force_distribution({1, 1, 1, 1, 2, 2, 3, 5}, StrengthKind::whole_sites).value();
-  EXPECT_EQ(found.contacts, 8U);
   EXPECT_DOUBLE_EQ(found.mean, 2);
   EXPECT_DOUBLE_EQ(found.share_above_mean, 0.25);
   EXPECT_THAT(counts_of(found), ElementsAre(4, 2, 1, 0, 1));
@@ -50,7 +49,6 @@ TEST(ForceDistribution, OfWholeSitesHasABinForEachNumber) {
   EXPECT_DOUBLE_EQ(integral(found), 1);
   EXPECT_EQ(found.tail, 2U);
   EXPECT_DOUBLE_EQ(found.beta.value(), 2 * std::log(2));  // 0 and 2 over 3: one in the mean
-  EXPECT_DOUBLE_EQ(found.beta_error.value(), 1);
 }
 
 TEST(ForceDistribution, OfAveragesHasBinsOfAQuarterOfTheMean) {
@@ -61,7 +59,6 @@ TEST(ForceDistribution, OfAveragesHasBinsOfAQuarterOfTheMean) {
   EXPECT_DOUBLE_EQ(integral(found), 1);
   EXPECT_EQ(found.tail, 2U);
   EXPECT_DOUBLE_EQ(found.beta.value(), 2 / 1.5);
-  EXPECT_DOUBLE_EQ(found.beta_error.value(), 2 / 1.5 / std::sqrt(2));
 }
 
 TEST(ForceDistribution, FindsTheSlopeOfAnExponential) {
@@ -77,8 +74,6 @@ TEST(ForceDistribution, FindsTheSlopeOfAnExponential) {
     EXPECT_NEAR(force_distribution(real, StrengthKind::averaged)->beta.value(), 1, 0.01);
     const auto found = force_distribution(whole, StrengthKind::whole_sites).value();
     EXPECT_NEAR(found.beta.value(), -std::log(q) / (1 - q), 0.01);
-    EXPECT_NEAR(found.beta_error.value(), found.beta.value() / std::sqrt(found.tail),
-                0.05 * found.beta_error.value());
   }
 }
 

@@ -41,7 +41,7 @@ std::vector<LinePart> seen(const Line& line, const State& before, State now,
 double passed(const std::vector<LinePart>& parts, double length, double steps = 1) {
   const double flux =
       std::accumulate(parts.begin(), parts.end(), 0.0,
-                      [](double sum, const LinePart& part) { return sum + part.flux.value; });
+                      [](double sum, const LinePart& part) { return sum + part.flux.mean; });
   return flux * length / static_cast<double>(parts.size()) * steps;
 }
 
@@ -86,7 +86,7 @@ TEST(Line, FindsTheRightSideOfAnyDirection) {
   const Line slope(now, {0, 6}, {8, 14}, 1);  // x = y - 6
   EXPECT_NEAR(passed(seen(up, before, now), 10), 1, 1e-12);
   EXPECT_NEAR(passed(seen(slope, before, now), std::sqrt(128)), 1, 1e-12);
-  EXPECT_NEAR(seen(up, before, now, 2).front().flux.value, 1.0 / 20, 1e-12);
+  EXPECT_NEAR(seen(up, before, now, 2).front().flux.mean, 1.0 / 20, 1e-12);
 }
 
 TEST(Line, CountsEachSiteOfAParticleInThePartWhereItPasses) {
@@ -95,7 +95,7 @@ TEST(Line, CountsEachSiteOfAParticleInThePartWhereItPasses) {
   now.particles[0].row = 2;
   // Columns 9 to 11 have 2, 3 and 2 sites and stand at 7.79, 8.66 and 9.53.
   const auto parts = seen(level(now, 0, 15, 5), before, now);
-  EXPECT_NEAR(parts[2].flux.value * 3, 2 * 1 + 3 * 0.8397 + 2 * 0, 0.08);
+  EXPECT_NEAR(parts[2].flux.mean * 3, 2 * 1 + 3 * 0.8397 + 2 * 0, 0.08);
   EXPECT_NEAR(passed(parts, 15), 7, 1e-12);
   EXPECT_EQ(parts[2].particles, 1U);
   EXPECT_EQ(parts[3].particles, 0U);
@@ -151,8 +151,8 @@ TEST(Line, AveragesTheVelocitiesOfWhatItCutsOverItsLength) {
   now.particles[0].column = 5;
   const auto part = seen(level(now, 0, 17), before, now, 2).front();
   EXPECT_NEAR(part.filling, 8 * lattice::kColumnPitch / 17, 0.02);
-  EXPECT_NEAR(part.across.value, 1.75 * 5 / 8, 0.05);  // 3.5 spacings down in 2 steps
-  EXPECT_NEAR(part.along.value, 0.433 * 5 / 8, 0.02);
+  EXPECT_NEAR(part.across.mean, 1.75 * 5 / 8, 0.05);  // 3.5 spacings down in 2 steps
+  EXPECT_NEAR(part.along.mean, 0.433 * 5 / 8, 0.02);
 }
 
 TEST(Line, LeavesWallsOutOfTheFilling) {
@@ -167,9 +167,9 @@ TEST(Line, LeavesWallsOutOfTheFilling) {
 TEST(Line, HasNoVelocityWhereNothingIsOnIt) {
   const State state = box_of({});
   const auto part = seen(level(state, 0, 10), state, state).front();
-  EXPECT_TRUE(std::isnan(part.across.value));
-  EXPECT_TRUE(std::isnan(part.along.value));
-  EXPECT_EQ(part.flux.value, 0);
+  EXPECT_TRUE(std::isnan(part.across.mean));
+  EXPECT_TRUE(std::isnan(part.along.mean));
+  EXPECT_EQ(part.flux.mean, 0);
 }
 
 TEST(Line, TakesItsErrorFromTheScatterOfBlocks) {
@@ -184,13 +184,13 @@ TEST(Line, TakesItsErrorFromTheScatterOfBlocks) {
     line.observe(before, now, grains::Occupancy(now), before.velocities(now), sums);
     before = Snapshot(now);
     EXPECT_LE(sums.blocks().size(), LineSums::kMaxBlocks);
-    EXPECT_EQ(std::isnan(line.means(sums).front().flux.error), i + 1 < 8) << i;
+    EXPECT_EQ(std::isnan(line.means(sums).front().flux.standard_error), i + 1 < 8) << i;
   }
   EXPECT_EQ(sums.blocks().size(), 13U) << "of 8 observations";
   EXPECT_TRUE(sums.fit(1));
   EXPECT_FALSE(sums.fit(2));
-  EXPECT_NEAR(line.means(sums).front().flux.value, 0, 1e-12);
-  EXPECT_NEAR(line.means(sums).front().flux.error, 0, 1e-12) << "all blocks are alike";
+  EXPECT_NEAR(line.means(sums).front().flux.mean, 0, 1e-12);
+  EXPECT_NEAR(line.means(sums).front().flux.standard_error, 0, 1e-12) << "all blocks are alike";
 }
 
 TEST(LineSums, JoinBlocksInPairs) {
@@ -215,9 +215,9 @@ TEST(LineMean, HasTheStandardErrorOfIndependentBlocks) {
   for (int i = 0; i < 10; ++i) {
     sums.begin_observation(2).parts[0].sites += i % 2;
   }
-  const LineMean flux = line.means(sums).front().flux;
-  EXPECT_NEAR(flux.value, 0.5 / 20, 1e-12);
-  EXPECT_NEAR(flux.error, 0.5 / 20 / std::sqrt(9.0), 1e-12);
+  const statistics::SampleStatistics flux = line.means(sums).front().flux;
+  EXPECT_NEAR(flux.mean, 0.5 / 20, 1e-12);
+  EXPECT_NEAR(flux.standard_error, 0.5 / 20 / std::sqrt(9.0), 1e-12);
 }
 
 TEST(Line, RefusesWhatItCannotMeasure) {

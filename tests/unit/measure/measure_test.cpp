@@ -64,10 +64,10 @@ TEST(Repose, AStraightFlankHasTheAngleOfItsSlope) {
       wedge.push_back(std::max(0.0, 50 - slope * kColumnPitch * column));
     }
     const ReposeAngle found = repose_angle(wedge);
-    EXPECT_NEAR(found.right.value(), angle, 1e-9);
-    EXPECT_FALSE(found.left.has_value());
+    EXPECT_NEAR(found.right.degrees.value(), angle, 1e-9);
+    EXPECT_FALSE(found.left.degrees.has_value());
     const ReposeAngle mirrored = repose_angle({wedge.rbegin(), wedge.rend()});
-    EXPECT_NEAR(mirrored.left.value(), angle, 1e-9);
+    EXPECT_NEAR(mirrored.left.degrees.value(), angle, 1e-9);
   }
 }
 
@@ -77,7 +77,7 @@ TEST(Repose, AFlatTopAndAThinToeDoNotSpoilTheAngle) {
     profile.push_back(50 - std::tan(std::numbers::pi / 4) * kColumnPitch * column);
   }
   profile.resize(250, 2.0);
-  EXPECT_NEAR(repose_angle(profile).right.value(), 45, 0.01);
+  EXPECT_NEAR(repose_angle(profile).right.degrees.value(), 45, 0.01);
 }
 
 TEST(Repose, TheFlankIsFrom15To80PercentOfTheHeight) {
@@ -88,7 +88,7 @@ TEST(Repose, TheFlankIsFrom15To80PercentOfTheHeight) {
       const bool is_flank = profile.back() < high && profile.back() > low;
       profile.push_back(profile.back() - (is_flank ? 1 : 0.3) * kColumnPitch);
     }
-    return repose_angle(profile).right.value();
+    return repose_angle(profile).right.degrees.value();
   };
   EXPECT_NEAR(angle(15, 80), 45, 1e-9);
   EXPECT_LT(angle(17, 80), 44.9);
@@ -101,8 +101,10 @@ TEST(Repose, AHeapHasTwoFlanksAndAFlatBedHasNone) {
     heap.push_back(50 - (column < 0 ? 0.5 : 0.8) * std::abs(column));
   }
   const ReposeAngle angle = repose_angle(heap);
-  EXPECT_NEAR(angle.left.value(), std::atan(0.5 / kColumnPitch) * 180 / std::numbers::pi, 1e-9);
-  EXPECT_NEAR(angle.right.value(), std::atan(0.8 / kColumnPitch) * 180 / std::numbers::pi, 1e-9);
+  EXPECT_NEAR(angle.left.degrees.value(), std::atan(0.5 / kColumnPitch) * 180 / std::numbers::pi,
+              1e-9);
+  EXPECT_NEAR(angle.right.degrees.value(), std::atan(0.8 / kColumnPitch) * 180 / std::numbers::pi,
+              1e-9);
   EXPECT_FALSE(repose_angle(std::vector<double>(80, 30.0)).mean().has_value());
 }
 
@@ -115,10 +117,10 @@ TEST(Repose, TwoHeapsAreNoFlank) {
     profile[static_cast<std::size_t>(column)] = std::max({0.0, left, right});
   }
   const ReposeAngle angle = repose_angle(profile);
-  EXPECT_FALSE(angle.right.has_value());
-  EXPECT_TRUE(angle.right_uneven);
-  EXPECT_FALSE(angle.left.has_value());
-  EXPECT_FALSE(angle.left_uneven);  // there is none
+  EXPECT_FALSE(angle.right.degrees.has_value());
+  EXPECT_TRUE(angle.right.uneven);
+  EXPECT_FALSE(angle.left.degrees.has_value());
+  EXPECT_FALSE(angle.left.uneven);  // there is none
 }
 
 /// A pile that falls to the right by 40 degrees, in a vessel turned by some degrees anticlockwise.
@@ -133,7 +135,7 @@ TEST(Repose, AgainstGravityIsWhatTheVesselTurnsItBy) {
   for (const double turned : {-20.0, 0.0, 25.0}) {
     const Eigen::Vector2d down(-std::sin(turned * kDegree), -std::cos(turned * kDegree));
     const ReposeAngle angle = repose_angle(surface_profile(state, down));
-    EXPECT_NEAR(angle.right.value(), 40 - turned, 1.5) << turned;
+    EXPECT_NEAR(angle.right.degrees.value(), 40 - turned, 1.5) << turned;
   }
   EXPECT_TRUE(surface_profile(stacks({0, 0}), {0, -1}).empty());
 }

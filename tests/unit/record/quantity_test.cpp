@@ -12,6 +12,8 @@
 namespace clca::record::quantity_test {
 namespace {
 
+using Of = KnownQuantities::Of;
+
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
@@ -61,18 +63,18 @@ TEST(Quantity, IsFoundByItsKeyAlsoOfOneOutlet) {
 }
 
 TEST(Quantity, OfAGasMayHaveTheKeyOfOneOfGrains) {
-  EXPECT_EQ(find_gas_quantity("t_tr")->name, "Translational temperature");
+  EXPECT_EQ(find_quantity("t_tr", Of::gas)->name, "Translational temperature");
   EXPECT_EQ(find_quantity("t_tr"), nullptr);
-  EXPECT_NE(find_quantity("time")->unit, find_gas_quantity("time")->unit);
+  EXPECT_NE(find_quantity("time")->unit, find_quantity("time", Of::gas)->unit);
 }
 
 TEST(Quantity, OfASweepHasTheMeasuresOfStagesAndColumnsOfItsOwn) {
-  EXPECT_EQ(find_sweep_quantity("time")->meaning, "of the stage");
+  EXPECT_EQ(find_quantity("time", Of::sweep)->meaning, "of the stage");
   EXPECT_EQ(find_quantity("time")->meaning, "of the whole run");
-  EXPECT_EQ(find_sweep_quantity("discharged_until_clog.drain")->unit, "particles");
-  EXPECT_EQ(find_sweep_quantity("standard_error")->name, "Standard error");
+  EXPECT_EQ(find_quantity("discharged_until_clog.drain", Of::sweep)->unit, "particles");
+  EXPECT_EQ(find_quantity("standard_error", Of::sweep)->name, "Standard error");
   EXPECT_EQ(find_quantity("standard_error"), nullptr);
-  EXPECT_EQ(find_sweep_quantity("runout_99"), find_quantity("runout_99"));
+  EXPECT_EQ(find_quantity("runout_99", Of::sweep), find_quantity("runout_99"));
 }
 
 TEST(Quantity, HasTheUnitsOfARun) {

@@ -14,10 +14,10 @@
 #include "clca/automaton/automaton.hpp"
 #include "clca/image/png.hpp"
 #include "clca/model/initial_state.hpp"
-#include "clca/record/provenance.hpp"
 #include "clca/record/quantity.hpp"
 #include "clca/store/file.hpp"
 #include "clca/store/run_folder.hpp"
+#include "clca/store/summary.hpp"
 #include "clca/store/table.hpp"
 #include "support/runs.hpp"
 
@@ -183,7 +183,7 @@ TEST(Run, PicturesSayWhereTheyComeFrom) {
   EXPECT_EQ(png.text.at("Scene"), "small");
   EXPECT_EQ(png.text.at("Seed"), "5");
   EXPECT_EQ(png.text.at("Step"), "0");
-  EXPECT_EQ(png.text.at("Software"), "clca " + record::version());
+  EXPECT_EQ(png.text.at("Software"), "clca " + store::version());
 }
 
 TEST(Run, AFillThatDoesNotFitSaysHowManyFittedAndMakesNoFolder) {

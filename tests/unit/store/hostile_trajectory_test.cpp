@@ -140,7 +140,7 @@ TEST(HostileTrajectory, ContactsOfBodiesThatAreNotThereAreRefused) {
               EndsWith("particles/spin has 1 rows, not 2"));
   EXPECT_THAT(reason_of([](auto& part) { part.rows.normal.resize(2); }),
               EndsWith("contacts/normal has 1 rows, not 2"));
-  EXPECT_THAT(reason_of([](auto& part) { part.frames.contacts.count[0] = 1; }),
+  EXPECT_THAT(reason_of([](auto& part) { part.frames.rows[RowKind::contacts].count[0] = 1; }),
               EndsWith("contacts/upper has 2 rows, not 1"));
 }
 
@@ -148,7 +148,7 @@ TEST(HostileTrajectory, ThePartThatIsChangedIsReadAsLongAsItIsNot) {
   const testing::ScratchFolder folder;
   write_plate(folder.path());
   rewrite(only_part(folder.path()), [](TrajectoryPart& part) {
-    EXPECT_GT(part.frames.pushes.count.back(), 1U) << "there is something to change";
+    EXPECT_GT(part.frames.rows[RowKind::pushes].count.back(), 1U) << "there is something to change";
     EXPECT_EQ(part.frames.step.size(), 8U);
   });
   EXPECT_EQ(reason(folder.path()), "");
@@ -173,7 +173,7 @@ INSTANTIATE_TEST_SUITE_P(
         Hostile{"lists_of_frames", [](TrajectoryPart& part) { part.frames.stage.pop_back(); },
                 "frames/stage has 7 rows, not 8"},
         Hostile{"counts_of_pushes",
-                [](TrajectoryPart& part) { part.frames.pushes.count.pop_back(); },
+                [](TrajectoryPart& part) { part.frames.rows[RowKind::pushes].count.pop_back(); },
                 "frames/pushes has 7 rows, not 8"},
         Hostile{"steps", [](TrajectoryPart& part) { std::swap(part.frames.step[0], part.frames.step[5]); },
                 "frames are not in order"},
@@ -184,28 +184,28 @@ INSTANTIATE_TEST_SUITE_P(
         Hostile{"fewer_entered", [](TrajectoryPart& part) { part.frames.entered.back() = 79; },
                 "frame of step 130: ids out of order or out of range"},
         Hostile{"more_particles",
-                [](TrajectoryPart& part) { part.frames.particles.count.back() = 4'000'000'000; },
+                [](TrajectoryPart& part) { part.frames.rows[RowKind::particles].count.back() = 4'000'000'000; },
                 "particles/id has 640 rows, not 4000000560"},
-        Hostile{"fewer_rows", [](TrajectoryPart& part) { part.frames.particles.count.back() = 70; },
+        Hostile{"fewer_rows", [](TrajectoryPart& part) { part.frames.rows[RowKind::particles].count.back() = 70; },
                 "particles/id has 640 rows, not 630"},
         Hostile{"more_origins",
-                [](TrajectoryPart& part) { part.frames.origins.count.back() = 81; },
+                [](TrajectoryPart& part) { part.frames.rows[RowKind::origins].count.back() = 81; },
                 "origins/id has 80 rows, not 161"},
         Hostile{"origins_without_rows",
-                [](TrajectoryPart& part) { part.frames.origins.count.back() = 80; },
+                [](TrajectoryPart& part) { part.frames.rows[RowKind::origins].count.back() = 80; },
                 "origins/id has 80 rows, not 160"},
         Hostile{"first_rows",
-                [](TrajectoryPart& part) { part.frames.particles.first[3] = ~std::uint64_t{0}; },
+                [](TrajectoryPart& part) { part.frames.rows[RowKind::particles].first[3] = ~std::uint64_t{0}; },
                 "rows of frames do not follow each other"},
         Hostile{"first_of_all",
                 [](TrajectoryPart& part) {
-                  for (std::uint64_t& first : part.frames.pushes.first) {
+                  for (std::uint64_t& first : part.frames.rows[RowKind::pushes].first) {
                     first += 1;
                   }
                 },
                 "rows of frames do not follow each other"},
         Hostile{"pushes_without_rows",
-                [](TrajectoryPart& part) { part.frames.pushes.count.back() = 4'000'000'000; },
+                [](TrajectoryPart& part) { part.frames.rows[RowKind::pushes].count.back() = 4'000'000'000; },
                 "pushes/pushed has 97 rows, not 4000000069"},
         Hostile{"origin_column", [](TrajectoryPart& part) { part.origins.site[0] = kLeast; },
                 "frame of step 60: an origin is too far away"},
@@ -214,8 +214,8 @@ INSTANTIATE_TEST_SUITE_P(
         Hostile{"no_origins",
                 [](TrajectoryPart& part) {
                   part.origins = {};
-                  part.frames.origins.first.assign(8, 0);
-                  part.frames.origins.count.assign(8, 0);
+                  part.frames.rows[RowKind::origins].first.assign(8, 0);
+                  part.frames.rows[RowKind::origins].count.assign(8, 0);
                 },
                 "frame of step 60: a particle without an origin"},
         Hostile{"odd_sites", [](TrajectoryPart& part) { part.rows.site.resize(part.rows.site.size() - 2); },
