@@ -10,7 +10,6 @@
 
 #include "clca/drawing/redraw.hpp"
 #include "clca/image/png.hpp"
-#include "clca/render/coloring.hpp"
 #include "clca/run/run.hpp"
 #include "clca/store/file.hpp"
 #include "clca/store/run_folder.hpp"
@@ -20,11 +19,6 @@
 #include "cli/progress_line.hpp"
 #include "cli/scene_options.hpp"
 #include "cli/terminal.hpp"
-
-namespace clca::drawing {
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TimePicture::Axis, label, low, high)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TimePicture::Stage, name, begin)
-}  // namespace clca::drawing
 
 namespace clca::cli {
 
@@ -135,34 +129,10 @@ void set_folders(std::vector<drawing::RunToDraw>& runs, const RenderOptions& opt
   }
 }
 
-/// For _space_time.py.
-nlohmann::json json_of(const drawing::TimePicture& picture) {
-  constexpr int kColors = 64;
-  nlohmann::json json = {{"width", picture.width},
-                         {"height", picture.height},
-                         {"annotations", picture.annotations},
-                         {"title", picture.title},
-                         {"time", picture.time},
-                         {"position", picture.position},
-                         {"stages", picture.stages},
-                         {"legend", nlohmann::json::parse(render::to_text(picture.legend))},
-                         {"text", picture.text}};
-  json["colors"] = nlohmann::json::array();
-  for (const auto& bar : picture.legend.bars) {
-    nlohmann::json colors = nlohmann::json::array();
-    for (int i = 0; i < kColors; ++i) {
-      const render::Rgb color = render::bar_color(bar, i / (kColors - 1.0));
-      colors.push_back({{"red", color.red}, {"green", color.green}, {"blue", color.blue}});
-    }
-    json["colors"].push_back(std::move(colors));
-  }
-  return json;
-}
-
 /// Axes and legend are those of figures.
 int draw_over_time(const drawing::TimePicture& picture, const fs::path& file) {
   return run_package(
-      "space_time", json_of(picture), {},
+      "space_time", nlohmann::json::parse(picture.figure), {},
       [&](const std::string& /*name*/, std::span<const std::uint8_t> bytes) {
         store::write_whole(file, bytes);
       },

@@ -55,7 +55,8 @@ class SpaceTime {
   Eigen::ArrayXXd surface(const grains::State& state) const;
   template <class ColorOf>
   image::Image content(ColorOf color_of) const;
-  void show_surface(TimePicture& picture) const;
+  /// Also adds what they mean.
+  image::Image surfaces(render::Legend& legend) const;
 
   SpaceTimeOptions options_;
   std::vector<store::Trajectory::Frame> frames_;
