@@ -50,8 +50,8 @@ int diff(const DiffOptions& options) {
     return kDone;
   }
   print_out("{} pixels differ by up to {} in x {} to {}, y {} to {}\n", difference.pixels,
-            difference.largest, difference.left, difference.right, difference.top,
-            difference.bottom);
+            difference.largest, difference.box.min().x(), difference.box.max().x(),
+            difference.box.min().y(), difference.box.max().y());
   return difference.pixels <= options.pixels ? kDone : kFailed;
 }
 
