@@ -189,8 +189,8 @@ double FramePainter::bytes(const scene::Scene& scene, double particles, int capt
 CapturedFrame FramePainter::capture(const View& view, const PictureHistory& history) {
   const std::uint64_t step = view.state.step;
   render::Coloring colors = coloring(view, history);
-  DrawnOverlay drawn = overlay_of(frames_.overlay, view, history, scales_);
-  colors.legend.lines = std::move(drawn.keys);
+  render::Overlay overlay = overlay_of(frames_.overlay, view, history, scales_);
+  colors.legend.lines = overlay.keys;
   image::PngText text = scene_metadata(scene_);
   text["Stage"] = history.stage;
   text["Step"] = fmt::format("{}", step);
@@ -203,7 +203,7 @@ CapturedFrame FramePainter::capture(const View& view, const PictureHistory& hist
           .caption = {.title = scene_.title,
                       .detail = fmt::format("{}, {}", history.stage, when),
                       .spacing = scene_.units ? scene_.units->spacing : 0},
-          .overlay = std::move(drawn.overlay),
+          .overlay = std::move(overlay),
           .turn = frames_.upright ? contact::degrees(view.angle) : 0,
           .text = std::move(text)};
 }

@@ -1,4 +1,4 @@
-#include "drawing/overlay.hpp"
+// Forces, convection and velocities in pictures.
 
 #include <fmt/format.h>
 
@@ -128,37 +128,35 @@ void add_line(const grains::State& state, const grains::Particle& first, grains:
   lines.push_back({.from = {in, height}, .to = lattice.in_box(to), .strength = strength});
 }
 
-DrawnOverlay contact_forces(const View& view, const std::vector<contact::Force>& forces,
-                            const OverlayScales& scales) {
+render::Overlay contact_forces(const View& view, const std::vector<contact::Force>& forces,
+                               const OverlayScales& scales) {
   const double grain_weight = scales.value_of(scene::kContactForceUnit, view.state);
   std::vector<render::ForceLine> lines;
   for (const contact::Force& force : forces) {
     add_line(view.state, view.state.particles[force.upper], force.other, force.point,
              grain_weight * force.along_normal, lines);
   }
-  const double strongest = scales.strongest_force;
-  return {render::force_network(lines, strongest),
-          {render::force_key(strongest, fmt::format("{:g} {}", strongest,
-                                                    scales.unit_of(scene::kContactForceUnit)))}};
+  return render::force_network(
+      lines, scales.strongest_force,
+      fmt::format("{:g} {}", scales.strongest_force, scales.unit_of(scene::kContactForceUnit)));
 }
 
-DrawnOverlay weight(const View& view, measure::WeightRule rule, const OverlayScales& scales) {
+render::Overlay weight(const View& view, measure::WeightRule rule, const OverlayScales& scales) {
   const auto supported = measure::supported_grains(view.state, view.occupancy);
   return contact_forces(view, measure::weight_paths(view.state, supported, rule).forces, scales);
 }
 
-DrawnOverlay overlaps(const View& view) {
+render::Overlay overlaps(const View& view) {
   std::vector<render::ForceLine> lines;
   for (const measure::OverlapContact& contact : measure::contacts(view.state, view.occupancy)) {
     add_line(view.state, view.state.particles[contact.first], contact.second, contact.point,
              static_cast<double>(contact.sites), lines);
   }
-  return {render::force_network(lines, kMaxOverlapSites),
-          {render::force_key(kMaxOverlapSites,
-                             fmt::format("{:g} overlapped sites", kMaxOverlapSites))}};
+  return render::force_network(lines, kMaxOverlapSites,
+                               fmt::format("{:g} overlapped sites", kMaxOverlapSites));
 }
 
-DrawnOverlay arrows(const record::CycleRecord& cycles) {
+render::Overlay arrows(const record::CycleRecord& cycles) {
   const measure::Convection* convection = cycles.convection();
   if (convection == nullptr || convection->cycles() == 0) {
     return {};
@@ -172,9 +170,8 @@ DrawnOverlay arrows(const record::CycleRecord& cycles) {
     }
   }
   const double scale = std::max(kMinDisplacement, render::typical_length(field));
-  return {render::arrow_field(field, cycles.cell(), scale),
-          {render::arrow_key(cycles.cell(), scale,
-                             {.one = "spacing per cycle", .several = "spacings per cycle"})}};
+  return render::arrow_field(field, cycles.cell(), scale,
+                             {.one = "spacing per cycle", .several = "spacings per cycle"});
 }
 
 /// Arrows of the cells with enough grains. Their cost does not depend on the size of the box.
@@ -209,13 +206,11 @@ std::vector<render::FieldArrow> velocity_arrows(const grains::State& state,
   return result;
 }
 
-DrawnOverlay velocities(const grains::State& state, const measure::Snapshot& begin,
-                        const OverlayScales& scales) {
-  const double cell = scales.velocity_cell;
+render::Overlay velocities(const grains::State& state, const measure::Snapshot& begin,
+                           const OverlayScales& scales) {
   const std::vector<render::FieldArrow> field = velocity_arrows(state, begin, scales);
   const double scale = arrow_scale(render::typical_length(field), scales);
-  return {render::arrow_field(field, cell, scale),
-          {render::arrow_key(cell, scale, scales.velocity_unit)}};
+  return render::arrow_field(field, scales.velocity_cell, scale, scales.velocity_unit);
 }
 
 }  // namespace
@@ -225,13 +220,13 @@ double typical_velocity(const View& view, const PictureHistory& history,
   return render::typical_length(velocity_arrows(view.state, *history.window, scales));
 }
 
-DrawnOverlay overlay_of(scene::Overlay overlay, const View& view, const PictureHistory& history,
-                        const OverlayScales& scales) {
+render::Overlay overlay_of(scene::Overlay overlay, const View& view, const PictureHistory& history,
+                           const OverlayScales& scales) {
   switch (overlay) {
     case scene::Overlay::forces:
       return view.contact ? contact_forces(view, view.contact->forces, scales) : overlaps(view);
     case scene::Overlay::arrows:
-      return view.cycles != nullptr ? arrows(*view.cycles) : DrawnOverlay();
+      return view.cycles != nullptr ? arrows(*view.cycles) : render::Overlay();
     case scene::Overlay::velocity:
       return velocities(view.state, *history.window, scales);
     case scene::Overlay::weight_inner:
