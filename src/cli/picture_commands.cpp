@@ -9,7 +9,6 @@
 
 #include "clca/drawing/redraw.hpp"
 #include "clca/image/png.hpp"
-#include "clca/render/coloring.hpp"
 #include "clca/render/difference.hpp"
 #include "clca/run/run.hpp"
 #include "clca/store/file.hpp"
@@ -19,11 +18,6 @@
 #include "cli/package.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/terminal.hpp"
-
-namespace clca::drawing {
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SpaceTimePicture::Axis, label, low, high)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SpaceTimePicture::Stage, name, begin)
-}  // namespace clca::drawing
 
 namespace clca::cli {
 
@@ -134,34 +128,10 @@ void set_folders(std::vector<drawing::RunToDraw>& runs, const RenderOptions& opt
   }
 }
 
-/// For _space_time.py.
-nlohmann::json json_of(const drawing::SpaceTimePicture& picture) {
-  constexpr int kColors = 64;
-  nlohmann::json json = {{"width", picture.width},
-                         {"height", picture.height},
-                         {"annotations", picture.annotations},
-                         {"title", picture.title},
-                         {"time", picture.time},
-                         {"position", picture.position},
-                         {"stages", picture.stages},
-                         {"legend", nlohmann::json::parse(render::to_text(picture.legend))},
-                         {"text", picture.text}};
-  json["colors"] = nlohmann::json::array();
-  for (const auto& bar : picture.legend.bars) {
-    nlohmann::json colors = nlohmann::json::array();
-    for (int i = 0; i < kColors; ++i) {
-      const render::Rgb color = render::bar_color(bar, i / (kColors - 1.0));
-      colors.push_back({{"red", color.red}, {"green", color.green}, {"blue", color.blue}});
-    }
-    json["colors"].push_back(std::move(colors));
-  }
-  return json;
-}
-
 /// By the Python package, with axes and legend as in figures. Returns the exit code.
 int write_space_time(const drawing::SpaceTimePicture& picture, const fs::path& file) {
   return run_package(
-      "space_time", json_of(picture), {},
+      "space_time", nlohmann::json::parse(picture.figure), {},
       [&](const std::string& /*name*/, std::span<const std::uint8_t> bytes) {
         store::write_whole(file, bytes);
       },
@@ -327,8 +297,8 @@ int diff(const DiffOptions& options) {
     return kDone;
   }
   print_out("{} pixels differ by up to {} in x {} to {}, y {} to {}\n", difference.pixels,
-            difference.largest, difference.left, difference.right, difference.top,
-            difference.bottom);
+            difference.largest, difference.box.min().x(), difference.box.max().x(),
+            difference.box.min().y(), difference.box.max().y());
   return difference.pixels <= options.pixels ? kDone : kFailed;
 }
 

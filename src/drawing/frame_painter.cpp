@@ -191,8 +191,8 @@ double FramePainter::bytes(const scene::Scene& scene, double particles, int capt
 CapturedFrame FramePainter::capture(const PictureContent& content, const PictureHistory& history) {
   const std::uint64_t step = content.state.step;
   render::Coloring colors = coloring(content, history);
-  DrawnOverlay drawn = overlay_of(frames_.overlay, content, history, scales_);
-  colors.legend.lines = std::move(drawn.legend_lines);
+  render::Overlay overlay = overlay_of(frames_.overlay, content, history, scales_);
+  colors.legend.lines = overlay.keys;
   image::PngText text = scene_metadata(scene_);
   text["Stage"] = history.stage;
   text["Step"] = fmt::format("{}", step);
@@ -205,7 +205,7 @@ CapturedFrame FramePainter::capture(const PictureContent& content, const Picture
           .caption = {.title = scene_.title,
                       .detail = fmt::format("{}, {}", history.stage, when),
                       .spacing = scene_.units ? scene_.units->spacing : 0},
-          .overlay = std::move(drawn.overlay),
+          .overlay = std::move(overlay),
           .turn = frames_.upright ? contact::degrees(content.angle) : 0,
           .text = std::move(text)};
 }

@@ -1,4 +1,4 @@
-#include "drawing/overlay.hpp"
+// Forces, convection and velocities in pictures.
 
 #include <fmt/format.h>
 
@@ -130,41 +130,39 @@ void add_line(const grains::State& state, const grains::Particle& first, grains:
   lines.push_back({.from = {in, height}, .to = lattice.in_box(to), .strength = strength});
 }
 
-DrawnOverlay contact_forces(const PictureContent& content,
-                            const std::vector<contact::Force>& forces,
-                            const OverlayScales& scales) {
+render::Overlay contact_forces(const PictureContent& content,
+                               const std::vector<contact::Force>& forces,
+                               const OverlayScales& scales) {
   const double grain_weight = scales.value_of(scene::kContactForceUnit, content.state);
   std::vector<render::ForceLine> lines;
   for (const contact::Force& force : forces) {
     add_line(content.state, content.state.particles[force.upper], force.other, force.point,
              grain_weight * force.along_normal, lines);
   }
-  const double strongest = scales.strongest_force;
-  return {render::force_network(lines, strongest),
-          {render::force_legend(strongest, fmt::format("{:g} {}", strongest,
-                                                       scales.unit_of(scene::kContactForceUnit)))}};
+  return render::force_network(
+      lines, scales.strongest_force,
+      fmt::format("{:g} {}", scales.strongest_force, scales.unit_of(scene::kContactForceUnit)));
 }
 
-DrawnOverlay weight(const PictureContent& content, measure::WeightRule rule,
-                    const OverlayScales& scales) {
+render::Overlay weight(const PictureContent& content, measure::WeightRule rule,
+                       const OverlayScales& scales) {
   const auto supported = measure::supported_grains(content.state, content.occupancy);
   return contact_forces(content, measure::weight_paths(content.state, supported, rule).forces,
                         scales);
 }
 
-DrawnOverlay overlaps(const PictureContent& content) {
+render::Overlay overlaps(const PictureContent& content) {
   std::vector<render::ForceLine> lines;
   for (const measure::OverlapContact& contact :
        measure::contacts(content.state, content.occupancy)) {
     add_line(content.state, content.state.particles[contact.first], contact.second, contact.point,
              static_cast<double>(contact.sites), lines);
   }
-  return {render::force_network(lines, kMaxOverlapSites),
-          {render::force_legend(kMaxOverlapSites,
-                                fmt::format("{:g} overlapped sites", kMaxOverlapSites))}};
+  return render::force_network(lines, kMaxOverlapSites,
+                               fmt::format("{:g} overlapped sites", kMaxOverlapSites));
 }
 
-DrawnOverlay convection_arrows(const record::CycleRecord& cycles) {
+render::Overlay convection_arrows(const record::CycleRecord& cycles) {
   const measure::Convection* convection = cycles.convection();
   if (convection == nullptr || convection->cycles() == 0) {
     return {};
@@ -178,9 +176,8 @@ DrawnOverlay convection_arrows(const record::CycleRecord& cycles) {
     }
   }
   const double scale = std::max(kMinDisplacement, render::typical_length(field));
-  return {render::arrow_field(field, cycles.cell(), scale),
-          {render::arrow_legend(cycles.cell(), scale,
-                                {.one = "spacing per cycle", .several = "spacings per cycle"})}};
+  return render::arrow_field(field, cycles.cell(), scale,
+                             {.one = "spacing per cycle", .several = "spacings per cycle"});
 }
 
 /// Arrows of the cells with enough grains. Their cost does not depend on the size of the box.
@@ -215,13 +212,11 @@ std::vector<render::FieldArrow> velocity_arrows(const grains::State& state,
   return result;
 }
 
-DrawnOverlay velocities(const grains::State& state, const measure::Snapshot& begin,
-                        const OverlayScales& scales) {
-  const double cell = scales.velocity_cell;
+render::Overlay velocities(const grains::State& state, const measure::Snapshot& begin,
+                           const OverlayScales& scales) {
   const std::vector<render::FieldArrow> field = velocity_arrows(state, begin, scales);
   const double scale = arrow_velocity_for(render::typical_length(field), scales);
-  return {render::arrow_field(field, cell, scale),
-          {render::arrow_legend(cell, scale, scales.velocity_unit)}};
+  return render::arrow_field(field, scales.velocity_cell, scale, scales.velocity_unit);
 }
 
 }  // namespace
@@ -231,14 +226,14 @@ double typical_velocity(const PictureContent& content, const PictureHistory& his
   return render::typical_length(velocity_arrows(content.state, *history.window, scales));
 }
 
-DrawnOverlay overlay_of(scene::Overlay overlay, const PictureContent& content,
-                        const PictureHistory& history, const OverlayScales& scales) {
+render::Overlay overlay_of(scene::Overlay overlay, const PictureContent& content,
+                           const PictureHistory& history, const OverlayScales& scales) {
   switch (overlay) {
     case scene::Overlay::forces:
       return content.contact ? contact_forces(content, content.contact->forces, scales)
                              : overlaps(content);
     case scene::Overlay::arrows:
-      return content.cycles != nullptr ? convection_arrows(*content.cycles) : DrawnOverlay();
+      return content.cycles != nullptr ? convection_arrows(*content.cycles) : render::Overlay();
     case scene::Overlay::velocity:
       return velocities(content.state, *history.window, scales);
     case scene::Overlay::weight_inner:

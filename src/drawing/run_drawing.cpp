@@ -13,7 +13,6 @@
 #include "clca/store/run_folder.hpp"
 #include "clca/store/summary.hpp"
 #include "clca/text/message.hpp"
-#include "drawing/overlay.hpp"
 
 namespace clca::drawing {
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "clca/measure/profile.hpp"
@@ -89,23 +90,24 @@ std::pair<std::string, double> unit_for(const scene::Scene& scene, double length
   return {unit.name, unit.in_metre * spacing};
 }
 
-/// The axis of the time from one step to another.
-SpaceTimePicture::Axis time_axis(const scene::Scene& scene, std::uint64_t from, std::uint64_t to) {
-  if (const auto conversion = scene::conversion(scene)) {
-    return {.label = fmt::format("time ({})", conversion->time_unit),
-            .low = conversion->time(from),
-            .high = conversion->time(to)};
-  }
-  return {.label = "step", .low = static_cast<double>(from), .high = static_cast<double>(to)};
+/// Its label, with the unit, and its ends.
+nlohmann::json axis(const std::string& label, double low, double high) {
+  return {{"label", label}, {"low", low}, {"high", high}};
 }
 
-SpaceTimePicture::Axis position_axis(const scene::Scene& scene, const SpaceTimeOptions& options,
-                                     const lattice::Rectangle& part) {
+nlohmann::json time_axis(const scene::Scene& scene, std::uint64_t from, std::uint64_t to) {
+  if (const auto conversion = scene::conversion(scene)) {
+    return axis(fmt::format("time ({})", conversion->time_unit), conversion->time(from),
+                conversion->time(to));
+  }
+  return axis("step", static_cast<double>(from), static_cast<double>(to));
+}
+
+nlohmann::json position_axis(const scene::Scene& scene, const SpaceTimeOptions& options,
+                             const lattice::Rectangle& part) {
   if (!options.column) {
     const auto [unit, spacing] = unit_for(scene, part.right - part.left);
-    return {.label = fmt::format("x ({})", unit),
-            .low = spacing * part.left,
-            .high = spacing * part.right};
+    return axis(fmt::format("x ({})", unit), spacing * part.left, spacing * part.right);
   }
   const auto [unit, spacing] = unit_for(scene, part.top - part.bottom);
   const double x = spacing * *options.column;
@@ -113,9 +115,8 @@ SpaceTimePicture::Axis position_axis(const scene::Scene& scene, const SpaceTimeO
   const std::string where = options.slit > SpaceTimeOptions().slit
                                 ? fmt::format("x = {:g} to {:g}", x - half, x + half)
                                 : fmt::format("x = {:g}", x);
-  return {.label = fmt::format("height at {} ({})", where, unit),
-          .low = spacing * part.bottom,
-          .high = spacing * part.top};
+  return axis(fmt::format("height at {} ({})", where, unit), spacing * part.bottom,
+              spacing * part.top);
 }
 
 /// The scene with pictures of the particles alone: of the slit or, where they may be turned, of the
@@ -150,6 +151,20 @@ int rows_of(const scene::Scene& scene, const SpaceTimeOptions& options,
             const lattice::Rectangle& part, int pixels) {
   const auto [first, last] = columns_in(scene, part);
   return options.column ? pixels : last - first + 1;
+}
+
+/// Of the bars of the legend, from low to high.
+nlohmann::json bar_colors(const render::Legend& legend) {
+  constexpr int kColors = 64;
+  nlohmann::json all = nlohmann::json::array();
+  for (const render::Legend::Bar& bar : legend.bars) {
+    nlohmann::json& colors = all.emplace_back(nlohmann::json::array());
+    for (int i = 0; i < kColors; ++i) {
+      const render::Rgb color = render::bar_color(bar, i / (kColors - 1.0));
+      colors.push_back({{"red", color.red}, {"green", color.green}, {"blue", color.blue}});
+    }
+  }
+  return all;
 }
 
 std::uint8_t channel(double value) {
@@ -244,7 +259,7 @@ image::Image SpaceTime::image_of_means(ColorOf color_of) const {
   return image;
 }
 
-void SpaceTime::show_surface(SpaceTimePicture& picture) const {
+image::Image SpaceTime::surfaces(render::Legend& legend) const {
   double highest = 0;
   bool bare = false;
   for (int x = 0; x < means_.columns(); ++x) {
@@ -258,40 +273,48 @@ void SpaceTime::show_surface(SpaceTimePicture& picture) const {
     }
   }
   const auto [unit, spacing] = unit_for(scene_, highest);
-  picture.legend.bars = {
+  legend.bars = {
       {.label = fmt::format("height of the surface ({})", unit), .high = spacing * highest}};
   if (bare) {
-    picture.legend.patches = {{.label = "no grains", .color = kWhite}};
+    legend.patches = {{.label = "no grains", .color = kWhite}};
   }
-  picture.content = image_of_means([&](const Eigen::ArrayXd& mean) {
+  return image_of_means([&](const Eigen::ArrayXd& mean) {
     return mean[1] < kBare ? kWhite : render::map_color(mean[0] / mean[1] / highest);
   });
 }
 
 SpaceTimePicture SpaceTime::picture() {
-  const std::uint64_t begin = frames_.front().step;
-  SpaceTimePicture picture = {
-      .width = means_.columns(),
-      .height = *scene_.output.frames->height,
-      .annotations = annotations_,
-      .title = scene_.output.frames->style == scene::PictureStyle::screen ? scene_.title : "",
-      .time = time_axis(scene_, begin, frames_.back().step),
-      .position = position_axis(scene_, options_, shown_part_),
-      .text = scene_metadata(scene_)};
-  for (std::size_t i = 0; i < frames_.size(); ++i) {
-    if (i == 0 || frames_[i].stage != frames_[i - 1].stage) {
-      picture.stages.push_back({.name = scene_.stages[frames_[i].stage].name,
-                                .begin = time_axis(scene_, begin, frames_[i].step).high});
-    }
-  }
+  SpaceTimePicture picture;
+  render::Legend legend;
   if (options_.column) {
-    picture.legend = legend_.value_or(render::Legend());
+    legend = legend_.value_or(render::Legend());
     picture.content = image_of_means([](const Eigen::ArrayXd& mean) {
       return render::Rgb{channel(mean[0]), channel(mean[1]), channel(mean[2])};
     });
   } else {
-    show_surface(picture);
+    picture.content = surfaces(legend);
   }
+  const std::uint64_t begin = frames_.front().step;
+  nlohmann::json stages;
+  for (std::size_t i = 0; i < frames_.size(); ++i) {
+    if (i == 0 || frames_[i].stage != frames_[i - 1].stage) {
+      stages.push_back({{"name", scene_.stages[frames_[i].stage].name},
+                        {"begin", time_axis(scene_, begin, frames_[i].step).at("high")}});
+    }
+  }
+  const scene::Frames& frames = *scene_.output.frames;
+  picture.figure =
+      nlohmann::json({{"width", means_.columns()},
+                      {"height", *frames.height},
+                      {"annotations", annotations_},
+                      {"title", frames.style == scene::PictureStyle::screen ? scene_.title : ""},
+                      {"time", time_axis(scene_, begin, frames_.back().step)},
+                      {"position", position_axis(scene_, options_, part_)},
+                      {"stages", stages},
+                      {"legend", nlohmann::json::parse(render::to_text(legend))},
+                      {"colors", bar_colors(legend)},
+                      {"text", scene_metadata(scene_)}})
+          .dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
   return picture;
 }
 

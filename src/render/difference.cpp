@@ -23,18 +23,6 @@ Rgb pale(Rgb color) {
   return {light, light, light};
 }
 
-void include(Difference& difference, int x, int y) {
-  if (difference.pixels == 0) {
-    difference.left = difference.right = x;
-    difference.top = difference.bottom = y;
-  }
-  difference.left = std::min(difference.left, x);
-  difference.right = std::max(difference.right, x);
-  difference.top = std::min(difference.top, y);
-  difference.bottom = std::max(difference.bottom, y);
-  ++difference.pixels;
-}
-
 }  // namespace
 
 Difference difference_of(const Image& first, const Image& second, int tolerance) {
@@ -50,7 +38,8 @@ Difference difference_of(const Image& first, const Image& second, int tolerance)
       const int change = channel_difference(first.at(x, y), second.at(x, y));
       result.largest = std::max(result.largest, change);
       if (change > tolerance) {
-        include(result, x, y);
+        ++result.pixels;
+        result.box.extend(Eigen::Vector2i(x, y));
       }
       result.picture.at(x, y) = change > tolerance ? kStrong : pale(first.at(x, y));
     }

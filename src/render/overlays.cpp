@@ -32,8 +32,11 @@ Rgb arrow_color(double share) {
 
 }  // namespace
 
-Overlay force_network(std::span<const ForceLine> lines, double strongest) {
-  Overlay overlay = {.strokes = {}, .fade = kForceFade};
+Overlay force_network(std::span<const ForceLine> lines, double strongest, std::string label) {
+  const double key_width = strongest > 0 ? kMaxForceWidth : kMinForceWidth;
+  Overlay overlay = {.strokes = {},
+                     .fade = kForceFade,
+                     .keys = {{std::move(label), key_width, 0, kForceColor, false}}};
   if (!(strongest > 0)) {
     return overlay;
   }
@@ -45,10 +48,6 @@ Overlay force_network(std::span<const ForceLine> lines, double strongest) {
         {line.from, line.to, force_width(line.strength / strongest), kForceColor, false});
   }
   return overlay;
-}
-
-Legend::Line force_legend(double strongest, std::string label) {
-  return {std::move(label), strongest > 0 ? kMaxForceWidth : kMinForceWidth, 0, kForceColor, false};
 }
 
 double typical_length(std::span<const FieldArrow> arrows) {
@@ -63,30 +62,27 @@ double typical_length(std::span<const FieldArrow> arrows) {
   return squares > 0 ? round_number_up_to(1.5 * squares / sum) : 0;
 }
 
-Overlay arrow_field(std::span<const FieldArrow> arrows, double cell, double scale) {
+Overlay arrow_field(std::span<const FieldArrow> arrows, double cell, double scale,
+                    const UnitName& unit) {
   Overlay overlay = {.strokes = {}, .fade = kArrowFade};
   if (!(scale > 0 && cell > 0)) {
+    overlay.keys = {{fmt::format("0 {}", unit.several), 0, 0, arrow_color(0), true}};
     return overlay;
   }
+  const double width = kArrowWidth * cell;
+  const double shown = round_length(scale);
+  const double share = shown / scale;
+  overlay.keys = {{fmt::format("{:g} {}", shown, shown == 1 ? unit.one : unit.several), width,
+                   kArrowShare * cell * share, arrow_color(share), true}};
   std::vector<FieldArrow> sorted(arrows.begin(), arrows.end());
   std::erase_if(sorted, [](const FieldArrow& arrow) { return arrow.vector.hasNaN(); });
   std::ranges::stable_sort(sorted, {}, [](const FieldArrow& arrow) { return arrow.vector.norm(); });
   for (const FieldArrow& arrow : sorted) {
     const Eigen::Vector2d half = kArrowShare * cell / scale / 2 * arrow.vector;
-    overlay.strokes.push_back({arrow.at - half, arrow.at + half, kArrowWidth * cell,
-                               arrow_color(arrow.vector.norm() / scale), true});
+    overlay.strokes.push_back(
+        {arrow.at - half, arrow.at + half, width, arrow_color(arrow.vector.norm() / scale), true});
   }
   return overlay;
-}
-
-Legend::Line arrow_legend(double cell, double scale, const UnitName& unit) {
-  if (!(scale > 0 && cell > 0)) {
-    return {fmt::format("0 {}", unit.several), 0, 0, arrow_color(0), true};
-  }
-  const double shown = round_number_up_to(scale);
-  const double share = shown / scale;
-  return {fmt::format("{:g} {}", shown, shown == 1 ? unit.one : unit.several), kArrowWidth * cell,
-          kArrowShare * cell * share, arrow_color(share), true};
 }
 
 }  // namespace clca::render

@@ -80,8 +80,8 @@ void compare_or_bless(const std::string& name, const image::Image& image, bool e
   store::write_whole(folder / (name + "-difference.png"),
                      image::encode_png(difference.picture, {}));
   ADD_FAILURE() << difference.pixels << " pixels differ by up to " << difference.largest << " in x "
-                << difference.left << " to " << difference.right << ", y " << difference.top
-                << " to " << difference.bottom << "; see "
+                << difference.box.min().x() << " to " << difference.box.max().x() << ", y "
+                << difference.box.min().y() << " to " << difference.box.max().y() << "; see "
                 << (folder / (name + "-difference.png")).string();
 }
 

@@ -9,7 +9,6 @@
 
 #include "clca/store/table.hpp"
 #include "drawing/internal/frame_painter.hpp"
-#include "drawing/overlay.hpp"
 #include "model/internal/scene_model.hpp"
 #include "property/random_motions.hpp"
 #include "run/stage.hpp"
@@ -127,9 +126,9 @@ void look_at_pictures(const store::Trajectory& trajectory, bool contact, Places&
     if (contact) {
       content.contact = trajectory.contact_frame(frame);
     }
-    const drawing::DrawnOverlay drawn =
+    const render::Overlay overlay =
         drawing::overlay_of(scene::Overlay::forces, content, {}, scales);
-    for (const render::Stroke& stroke : drawn.overlay.strokes) {
+    for (const render::Stroke& stroke : overlay.strokes) {
       places.require(stroke.from.x(), stroke.from.y(), "the beginning of a line");
       places.require(stroke.to.x(), stroke.to.y(), "the end of a line");
       // Not across the picture.

@@ -14,8 +14,6 @@
 #include <vector>
 
 #include "clca/image/image.hpp"
-#include "clca/image/png.hpp"
-#include "clca/render/legend.hpp"
 #include "clca/scene/parse.hpp"
 #include "clca/scene/scene.hpp"
 #include "clca/store/output_folder.hpp"
@@ -75,25 +73,8 @@ struct RedrawOptions {
 
 /// A line of the box or its free surface over time, without axes.
 struct SpaceTimePicture {
-  struct Axis {
-    std::string label;  ///< with the unit
-    double low = 0;
-    double high = 1;
-  };
-  struct Stage {
-    std::string name;
-    double begin = 0;  ///< on the axis of time
-  };
-  int width = 1280;  ///< pixels of the picture with axes
-  int height = 720;
-  bool annotations = true;  ///< title, axes, legend
-  std::string title;
-  Axis time;
-  Axis position;
-  std::vector<Stage> stages = {};  ///< in their order
-  render::Legend legend = {};
   image::Image content = {};  ///< time to the right, position upwards; white where nothing is
-  image::PngText text;
+  std::string figure = {};    ///< what stands around it: JSON, as _space_time.py reads it
 };
 
 struct RedrawProgress {

@@ -23,8 +23,9 @@ struct Stroke {
 };
 
 struct Overlay {
-  std::vector<Stroke> strokes;  ///< later ones lie on top
-  double fade = 0;              ///< 0 to 1: how far everything below is faded to white
+  std::vector<Stroke> strokes;          ///< later ones lie on top
+  double fade = 0;                      ///< 0 to 1: how far everything below is faded to white
+  std::vector<Legend::Line> keys = {};  ///< for the legend: what the strokes mean
 };
 
 /// A contact that carries force, between two points in lattice spacings.
@@ -35,11 +36,8 @@ struct ForceLine {
 };
 
 /// Lines with widths by strength, widest at `strongest`, stronger lines on top. Lines of zero
-/// strength are left out.
-Overlay force_network(std::span<const ForceLine> lines, double strongest);
-
-/// Legend entry of a force network: the line of a contact of strength `strongest`.
-Legend::Line force_legend(double strongest, std::string label);
+/// strength are left out. The key is the line of a contact of strength `strongest`.
+Overlay force_network(std::span<const ForceLine> lines, double strongest, std::string label);
 
 /// A vector at the centre of a cell (lattice spacings), in any unit.
 struct FieldArrow {
@@ -51,17 +49,15 @@ struct FieldArrow {
 /// weighted by length. 0 where there is none.
 double typical_length(std::span<const FieldArrow> arrows);
 
-/// Arrows centred in cells `cell` spacings wide; one of length `scale` spans 0.9 cells. Those that
-/// are weaker are paler.
-Overlay arrow_field(std::span<const FieldArrow> arrows, double cell, double scale);
-
 /// What a number of a unit is followed by: `spacing` and `spacings`.
 struct UnitName {
   std::string one;
   std::string several;
 };
 
-/// Legend entry of an arrow field: a round length up to `scale`, labelled with `unit`.
-Legend::Line arrow_legend(double cell, double scale, const UnitName& unit);
+/// Arrows centred in cells `cell` spacings wide; one of length `scale` spans 0.9 cells. Those that
+/// are weaker are paler. The key is an arrow of a round length up to `scale`, labelled with `unit`.
+Overlay arrow_field(std::span<const FieldArrow> arrows, double cell, double scale,
+                    const UnitName& unit);
 
 }  // namespace clca::render

@@ -22,10 +22,8 @@ TEST(Compare, BoundsThePixelsThatDiffer) {
   const Difference difference = difference_of(first, second, 0);
   EXPECT_EQ(difference.pixels, 2U);
   EXPECT_EQ(difference.largest, 100);
-  EXPECT_EQ(difference.left, 2);
-  EXPECT_EQ(difference.top, 3);
-  EXPECT_EQ(difference.right, 6);
-  EXPECT_EQ(difference.bottom, 5);
+  EXPECT_EQ(difference.box.min(), Eigen::Vector2i(2, 3));
+  EXPECT_EQ(difference.box.max(), Eigen::Vector2i(6, 5));
   EXPECT_NE(difference.picture.at(2, 3), difference.picture.at(0, 0));
 }
 

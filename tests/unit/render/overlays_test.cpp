@@ -15,6 +15,7 @@ namespace clca::render::overlays_test {
 namespace {
 
 const double kNan = std::numeric_limits<double>::quiet_NaN();
+const UnitName kUnit = {"spacing per cycle", "spacings per cycle"};
 
 int darkness(Rgb color) {
   return 3 * 255 - color.red - color.green - color.blue;
@@ -23,7 +24,7 @@ int darkness(Rgb color) {
 TEST(ForceNetwork, DrawsStrongContactsWideAndOnTop) {
   const std::vector<ForceLine> lines = {
       {{0, 0}, {1, 0}, 6}, {{0, 1}, {1, 1}, 1}, {{0, 2}, {1, 2}, 60}, {{0, 3}, {1, 3}, 3}};
-  const Overlay overlay = force_network(lines, 6);
+  const Overlay overlay = force_network(lines, 6, "overlap");
   ASSERT_EQ(overlay.strokes.size(), 4U);
   EXPECT_GT(overlay.fade, 0);
   EXPECT_EQ(overlay.strokes[0].from.y(), 1);
@@ -33,22 +34,23 @@ TEST(ForceNetwork, DrawsStrongContactsWideAndOnTop) {
   EXPECT_LT(overlay.strokes[0].width, overlay.strokes[1].width);
   EXPECT_DOUBLE_EQ(overlay.strokes[2].width, 1.2);
   EXPECT_DOUBLE_EQ(overlay.strokes[3].width, 1.2);  // no wider than the strongest
-  EXPECT_DOUBLE_EQ(force_legend(6, "overlap").width, 1.2);
-  EXPECT_EQ(force_legend(6, "overlap").color, overlay.strokes[0].color);
+  EXPECT_EQ(overlay.keys.front().label, "overlap");
+  EXPECT_DOUBLE_EQ(overlay.keys.front().width, 1.2);
+  EXPECT_EQ(overlay.keys.front().color, overlay.strokes[0].color);
 }
 
 TEST(ForceNetwork, LeavesOutContactsWithoutStrength) {
   const std::vector<ForceLine> lines = {
       {{0, 0}, {1, 0}, 0}, {{0, 1}, {1, 1}, -1}, {{0, 2}, {1, 2}, kNan}, {{0, 3}, {1, 3}, 0.001}};
-  EXPECT_EQ(force_network(lines, 6).strokes.size(), 1U);
-  EXPECT_TRUE(force_network(lines, 0).strokes.empty());
-  EXPECT_TRUE(force_network(lines, kNan).strokes.empty());
-  EXPECT_TRUE(force_network({}, 6).strokes.empty());
+  EXPECT_EQ(force_network(lines, 6, "overlap").strokes.size(), 1U);
+  EXPECT_TRUE(force_network(lines, 0, "").strokes.empty());
+  EXPECT_TRUE(force_network(lines, kNan, "").strokes.empty());
+  EXPECT_TRUE(force_network({}, 6, "").strokes.empty());
 }
 
 TEST(ArrowField, CentresArrowsOnTheirCells) {
   const std::vector<FieldArrow> arrows = {{{10, 20}, {0.3, 0.4}}, {{30, 20}, {-0.1, 0}}};
-  const Overlay overlay = arrow_field(arrows, 5, 0.5);
+  const Overlay overlay = arrow_field(arrows, 5, 0.5, kUnit);
   ASSERT_EQ(overlay.strokes.size(), 2U);
   const Stroke& weak = overlay.strokes[0];
   const Stroke& strong = overlay.strokes[1];
@@ -63,24 +65,23 @@ TEST(ArrowField, CentresArrowsOnTheirCells) {
 
 TEST(ArrowField, TakesNoMotionAndNoNumbers) {
   const std::vector<FieldArrow> arrows = {{{10, 20}, {0, 0}}, {{10, 20}, {kNan, 0}}};
-  EXPECT_EQ(arrow_field(arrows, 5, 0.5).strokes.size(), 1U);  // a dot
-  EXPECT_TRUE(arrow_field(arrows, 5, 0).strokes.empty());
-  EXPECT_TRUE(arrow_field(arrows, kNan, 1).strokes.empty());
+  EXPECT_EQ(arrow_field(arrows, 5, 0.5, kUnit).strokes.size(), 1U);  // a dot
+  EXPECT_TRUE(arrow_field(arrows, 5, 0, kUnit).strokes.empty());
+  EXPECT_TRUE(arrow_field(arrows, kNan, 1, kUnit).strokes.empty());
 }
 
 TEST(ArrowField, KeyIsARoundLengthToTheSameScale) {
-  const UnitName unit = {"spacing per cycle", "spacings per cycle"};
-  const Legend::Line key = arrow_legend(5, 0.61, unit);
+  const Legend::Line key = arrow_field({}, 5, 0.61, kUnit).keys.front();
   EXPECT_EQ(key.label, "0.5 spacings per cycle");
   EXPECT_NEAR(key.length, 0.9 * 5 * 0.5 / 0.61, 1e-12);
   EXPECT_TRUE(key.arrow);
-  EXPECT_EQ(arrow_legend(5, 0, unit).label, "0 spacings per cycle");
-  EXPECT_EQ(arrow_legend(5, 1.5, unit).label, "1 spacing per cycle");
+  EXPECT_EQ(arrow_field({}, 5, 0, kUnit).keys.front().label, "0 spacings per cycle");
+  EXPECT_EQ(arrow_field({}, 5, 1.5, kUnit).keys.front().label, "1 spacing per cycle");
 }
 
 TEST(ArrowField, CutsNoArrow) {
   const std::vector<FieldArrow> arrows = {{{10, 20}, {0.6, 0}}, {{30, 20}, {0, 1.2}}};
-  const Overlay overlay = arrow_field(arrows, 5, 0.6);
+  const Overlay overlay = arrow_field(arrows, 5, 0.6, kUnit);
   EXPECT_NEAR((overlay.strokes[0].to - overlay.strokes[0].from).norm(), 0.9 * 5, 1e-12);
   EXPECT_NEAR((overlay.strokes[1].to - overlay.strokes[1].from).norm(), 0.9 * 10, 1e-12);
 }
@@ -161,7 +162,7 @@ TEST_F(LegendLine, StandsBesideABarInsideThePicture) {
     Legend legend;
     legend.bars = {{"overlapped sites", 0, 12}};
     legend.patches = {{"none", {1, 200, 3}}};
-    legend.lines = {force_legend(6, "overlap 6 sites")};
+    legend.lines = force_network({}, 6, "overlap 6 sites").keys;
     const Image image = with_legend(layout, legend);
     const Box patch = around(image, layout, {1, 200, 3});
     const Box line = around(image, layout, legend.lines[0].color);
