@@ -309,7 +309,7 @@ SpaceTimePicture SpaceTime::picture() {
                       {"annotations", annotations_},
                       {"title", frames.style == scene::PictureStyle::screen ? scene_.title : ""},
                       {"time", time_axis(scene_, begin, frames_.back().step)},
-                      {"position", position_axis(scene_, options_, part_)},
+                      {"position", position_axis(scene_, options_, shown_part_)},
                       {"stages", stages},
                       {"legend", nlohmann::json::parse(render::to_text(legend))},
                       {"colors", bar_colors(legend)},

@@ -112,7 +112,7 @@ Declared declared_of_grains() {
   return all;
 }
 
-/// By KnownQuantities::Of.
+/// By KnownQuantities::Kind.
 const std::array<Declared, 3>& declared() {
   static const std::array<Declared, 3> kAll = {
       {declared_of_grains(),
@@ -121,8 +121,8 @@ const std::array<Declared, 3>& declared() {
   return kAll;
 }
 
-const Declared& declared(KnownQuantities::Of of) {
-  return declared().at(static_cast<std::size_t>(of));
+const Declared& declared(KnownQuantities::Kind kind) {
+  return declared().at(static_cast<std::size_t>(kind));
 }
 
 constexpr const char* kTrajectory = "trajectory";
@@ -167,26 +167,26 @@ const Quantity* find_in(std::span<const Quantity> quantities, std::string_view k
 
 }  // namespace
 
-const Quantity* find_quantity(std::string_view key, KnownQuantities::Of of) {
-  using Of = KnownQuantities::Of;
+const Quantity* find_quantity(std::string_view key, KnownQuantities::Kind kind) {
+  using Kind = KnownQuantities::Kind;
   const std::string_view whole = key.substr(0, key.find('.'));
-  if (const Quantity* measure = find_in(declared(of).measures, of == Of::gas ? key : whole)) {
+  if (const Quantity* measure = find_in(declared(kind).measures, kind == Kind::gas ? key : whole)) {
     return measure;
   }
-  if (of == Of::gas) {
+  if (kind == Kind::gas) {
     return nullptr;
   }
-  if (of == Of::sweep) {
+  if (kind == Kind::sweep) {
     const Quantity* of_runs = find_quantity(key);
-    return of_runs != nullptr ? of_runs : find_column(declared(of).tables, key);
+    return of_runs != nullptr ? of_runs : find_column(declared(kind).tables, key);
   }
   const bool has_name = whole != key;  // KEY.NAME: those of each wall or outlet first
   for (const bool is_of_each : {has_name, !has_name}) {
-    if (const Quantity* found = find_column(declared(of).tables, whole, is_of_each)) {
+    if (const Quantity* found = find_column(declared(kind).tables, whole, is_of_each)) {
       return found;
     }
   }
-  return find_in(declared(Of::sweep).measures, whole);
+  return find_in(declared(Kind::sweep).measures, whole);
 }
 
 std::vector<NamedQuantity> named_quantities() {
@@ -216,7 +216,7 @@ std::optional<store::ColumnSummary> KnownQuantities::find(std::string_view key) 
                                 .unit = own->unit == "1" ? "" : shown_unit(own->unit, units),
                                 .meaning = own->value};
   }
-  const Quantity* known = find_quantity(key, of);
+  const Quantity* known = find_quantity(key, kind);
   if (known == nullptr) {
     return std::nullopt;
   }
@@ -250,7 +250,7 @@ std::vector<store::ColumnSummary> sweep_summary(const std::vector<std::string>& 
 
 std::vector<std::string> sweep_measures() {
   std::vector<std::string> keys;
-  for (const Quantity& quantity : declared(KnownQuantities::Of::sweep).measures) {
+  for (const Quantity& quantity : declared(KnownQuantities::Kind::sweep).measures) {
     keys.emplace_back(quantity.key);
   }
   return keys;
@@ -258,7 +258,7 @@ std::vector<std::string> sweep_measures() {
 
 std::vector<std::string> sweep_columns(
     std::string_view table, const std::map<std::string_view, std::vector<std::string>>& names) {
-  const std::vector<TableInfo>& tables = declared(KnownQuantities::Of::sweep).tables;
+  const std::vector<TableInfo>& tables = declared(KnownQuantities::Kind::sweep).tables;
   std::vector<std::string> columns;
   for (const ColumnInfo& column : std::ranges::find(tables, table, &TableInfo::name)->columns) {
     const auto several = names.find(column.quantity.key);

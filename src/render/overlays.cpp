@@ -70,7 +70,7 @@ Overlay arrow_field(std::span<const FieldArrow> arrows, double cell, double scal
     return overlay;
   }
   const double width = kArrowWidth * cell;
-  const double shown = round_length(scale);
+  const double shown = round_number_up_to(scale);
   const double share = shown / scale;
   overlay.keys = {{fmt::format("{:g} {}", shown, shown == 1 ? unit.one : unit.several), width,
                    kArrowShare * cell * share, arrow_color(share), true}};

@@ -256,7 +256,7 @@ GasCourse saved_course(const SavedRun& saved) {
   for (record::GasCase& gas_case : course.cases) {
     for (model::GasMember& member : gas_case.members) {
       if (member.gas) {
-        member.count();
+        member.note_counts();
       }
     }
   }

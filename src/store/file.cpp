@@ -204,7 +204,7 @@ std::vector<std::uint8_t> read_whole(const fs::path& path, double max_bytes) {
 FolderLock::FolderLock(const fs::path& folder) {
   const fs::path file = folder / ".clca.lock";
   constexpr int kFlags = O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC;
-  Descriptor opened(::open(file.c_str(), kFlags, kReadableByAll));
+  Descriptor opened(::open(file.c_str(), kFlags, kNewFileMode));
   if (!opened.is_open()) {
     refuse_lock(file, std::strerror(errno));
   }

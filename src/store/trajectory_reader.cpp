@@ -14,7 +14,7 @@
 #include "clca/grains/occupancy.hpp"
 #include "clca/store/file.hpp"
 #include "clca/store/trajectory.hpp"
-#include "clca/text/number.hpp"
+#include "clca/text/read.hpp"
 #include "grains/internal/occupancy_table.hpp"
 #include "store/trajectory_part.hpp"
 
@@ -163,7 +163,7 @@ std::vector<std::filesystem::path> find_parts(const std::filesystem::path& run_f
 
 void check_parts(const std::filesystem::path& run_folder) {
   for (const std::filesystem::path& part : find_parts(run_folder)) {
-    read_hdf5(part, kTrajectoryKind, {}, kAnyBytes);
+    read_hdf5(part, kTrajectoryKind, {}, kNoByteLimit);
   }
 }
 

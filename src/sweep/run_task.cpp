@@ -5,7 +5,6 @@
 #include <system_error>
 #include <utility>
 
-#include "clca/scene/resolve.hpp"
 #include "clca/store/checkpoint.hpp"
 #include "clca/store/file.hpp"
 #include "clca/store/output_folder.hpp"

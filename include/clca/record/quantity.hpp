@@ -48,10 +48,10 @@ struct KnownQuantities {
   std::optional<store::ColumnSummary> find(std::string_view key) const;
 };
 
-/// Of a run, a gas, or the tables of a sweep over runs of grains; also of one outlet or wall,
-/// KEY.OUTLET, and of a part of a vector, KEYx; null if there is none of this key.
+/// The quantity of a key, also of one outlet or wall, KEY.OUTLET, and of a part of a vector, KEYx;
+/// null if there is none of this key. Kind::sweep: of the tables of a sweep over runs of grains.
 const Quantity* find_quantity(std::string_view key,
-                              KnownQuantities::Of of = KnownQuantities::Of::run);
+                              KnownQuantities::Kind kind = KnownQuantities::Kind::run);
 
 KnownQuantities known_quantities(const store::RunSummary& summary);
 

@@ -12,7 +12,7 @@
 namespace clca::record::quantity_test {
 namespace {
 
-using Of = KnownQuantities::Of;
+using Kind = KnownQuantities::Kind;
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
@@ -63,18 +63,18 @@ TEST(Quantity, IsFoundByItsKeyAlsoOfOneOutlet) {
 }
 
 TEST(Quantity, OfAGasMayHaveTheKeyOfOneOfGrains) {
-  EXPECT_EQ(find_quantity("t_tr", Of::gas)->name, "Translational temperature");
+  EXPECT_EQ(find_quantity("t_tr", Kind::gas)->name, "Translational temperature");
   EXPECT_EQ(find_quantity("t_tr"), nullptr);
-  EXPECT_NE(find_quantity("time")->unit, find_quantity("time", Of::gas)->unit);
+  EXPECT_NE(find_quantity("time")->unit, find_quantity("time", Kind::gas)->unit);
 }
 
 TEST(Quantity, OfASweepHasTheMeasuresOfStagesAndColumnsOfItsOwn) {
-  EXPECT_EQ(find_quantity("time", Of::sweep)->meaning, "of the stage");
+  EXPECT_EQ(find_quantity("time", Kind::sweep)->meaning, "of the stage");
   EXPECT_EQ(find_quantity("time")->meaning, "of the whole run");
-  EXPECT_EQ(find_quantity("discharged_until_clog.drain", Of::sweep)->unit, "particles");
-  EXPECT_EQ(find_quantity("standard_error", Of::sweep)->name, "Standard error");
+  EXPECT_EQ(find_quantity("discharged_until_clog.drain", Kind::sweep)->unit, "particles");
+  EXPECT_EQ(find_quantity("standard_error", Kind::sweep)->name, "Standard error");
   EXPECT_EQ(find_quantity("standard_error"), nullptr);
-  EXPECT_EQ(find_quantity("runout_99", Of::sweep), find_quantity("runout_99"));
+  EXPECT_EQ(find_quantity("runout_99", Kind::sweep), find_quantity("runout_99"));
 }
 
 TEST(Quantity, HasTheUnitsOfARun) {
