@@ -1,6 +1,6 @@
 #pragma once
-// Which values an option takes, and options that several commands have. CLI11 alone takes -1 as
-// 2^64 - 1, 010 as 8 and nan as a number.
+// Which values an option takes (CLI11 alone takes -1 as 2^64 - 1, 010 as 8 and nan as a number),
+// and options that several commands have.
 
 #include <CLI/CLI.hpp>
 #include <cstdint>

@@ -1,3 +1,5 @@
+// Values: found in a tree, read as numbers, written.
+
 #include <algorithm>
 #include <cstdint>
 #include <type_traits>

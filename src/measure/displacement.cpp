@@ -50,6 +50,7 @@ double displacement(const grains::State& state, std::size_t id) {
 
 std::vector<Displacement> displacements_in_step(const grains::State& state,
                                                 const std::vector<Eigen::Vector2d>& velocities) {
+  require(velocities.size() == state.particles.size(), "not every particle has a velocity");
   std::vector<Displacement> result;
   for_each_present(state, [&](std::uint32_t id, const grains::Particle& particle) {
     result.push_back({.from = grains::centre_in_box(state, particle),

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <set>
 
 #include "clca/baxter/baxter_model.hpp"
 #include "clca/measure/grid.hpp"
@@ -114,11 +113,16 @@ std::optional<std::uint32_t> intruder(const State& state) {
 std::vector<int> coordination(const State& state, const grains::Occupancy& occupancy) {
   check_occupancy(state, occupancy);
   std::vector<int> result(state.particles.size(), 0);
+  std::vector<grains::Owner> touched;
   for_each_present(state, [&](std::uint32_t id, const Particle& particle) {
-    std::set<grains::Owner> touched = {grains::kFree, grains::as_owner(id)};
+    touched = {grains::kFree, grains::as_owner(id)};
     const auto add = [&](lattice::Site site) {
       const std::size_t index = state.lattice.index(site);
-      touched.insert({occupancy.owner(index), occupancy.second_owner(index)});
+      for (const grains::Owner owner : {occupancy.owner(index), occupancy.second_owner(index)}) {
+        if (std::ranges::find(touched, owner) == touched.end()) {
+          touched.push_back(owner);
+        }
+      }
     };
     for (const lattice::Axial part : state.shape(particle).sites()) {
       const lattice::Site site = particle.site() + part;

@@ -152,8 +152,11 @@ std::optional<double> packing_fraction(const grains::State& state) {
     int floor = -1;  // row of the highest wall site under the bed
     for (int row = 0; row < bed.high; ++row) {
       const bool is_walled = walled[state.lattice.index({column, row})];
-      floor = is_walled && row < bed.low ? row : floor;
-      available += row >= bed.low && !is_walled ? 1 : 0;
+      if (row >= bed.low) {
+        available += is_walled ? 0 : 1;
+      } else if (is_walled) {
+        floor = row;
+      }
     }
     available += bed.empty() ? 0 : bed.low - floor;
   }

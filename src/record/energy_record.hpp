@@ -57,9 +57,9 @@ class EnergyRecord : public SavedObserver<EnergyRecord> {
   void after_step(const StageView& now) override;
 
   void begin(const scene::Stage& stage, const model::SceneModel& model);
-  /// `exchange`: of the step. Once in a run, what there is to warn of: the energy has grown by more
-  /// than 1 % of the most of the initial, the dissipated and the kinetic energy, and that of a fall
-  /// of all grains by a lattice spacing.
+  /// `exchange`: of the step. Once in a run, the text of a warning if the energy has grown by more
+  /// than 1 % of its scale: the greatest of the energy at the start, the dissipated and the kinetic
+  /// energy, and the energy of a fall of all grains by a lattice spacing.
   std::optional<std::string> add(const model::SceneModel& model,
                                  const contact::EnergyExchange& exchange);
 
@@ -69,7 +69,7 @@ class EnergyRecord : public SavedObserver<EnergyRecord> {
   /// the present energy.
   double dissipated(const contact::Energy& now) const;
 
-  /// Largest rise above an earlier minimum, relative to the same as in add(). None if sources,
+  /// Largest rise above an earlier minimum, as a share of the scale of add(). None if sources,
   /// walls or the vessel did work.
   std::optional<double> growth() const;
 
@@ -86,7 +86,7 @@ class EnergyRecord : public SavedObserver<EnergyRecord> {
   double fall_ = 0;        // energy of a fall of all grains by a lattice spacing
   contact::EnergyExchange exchanged_;
   double lowest_ = 0;  // energy of the stage less what came from outside, at its lowest
-  double growth_ = 0;  // greatest rise above it, over Growth::scale
+  double growth_ = 0;  // greatest rise above it, as a share of the scale of add()
   bool has_warned_ = false;
   bool has_been_too_fast_ = false;
   RestWatch rest_;  // of the stage

@@ -89,9 +89,9 @@ std::vector<TableInfo> sweep_tables() {
 
 /// What is declared of a kind of runs.
 struct Declared {
-  std::string prefix;  ///< of the tables, where columns_table() takes them
-  std::string of;      ///< behind the names of their files
-  std::string where;   ///< the measures are
+  std::string prefix;  ///< of the names of its tables in columns_table(): `gas.`
+  std::string of;      ///< follows the name of a file: ` of a gas`
+  std::string where;   ///< where its measures are: `run.json of a gas`
   std::vector<Quantity> measures = {};
   std::vector<TableInfo> tables = {};
 };
@@ -113,7 +113,7 @@ Declared declared_of_grains() {
 }
 
 /// By KnownQuantities::Kind.
-const std::array<Declared, 3>& declared() {
+const std::array<Declared, 3>& all_declared() {
   static const std::array<Declared, 3> kAll = {
       {declared_of_grains(),
        {"gas.", " of a gas", "run.json of a gas", gas_quantities(), gas_tables()},
@@ -122,7 +122,7 @@ const std::array<Declared, 3>& declared() {
 }
 
 const Declared& declared(KnownQuantities::Kind kind) {
-  return declared().at(static_cast<std::size_t>(kind));
+  return all_declared().at(static_cast<std::size_t>(kind));
 }
 
 constexpr const char* kTrajectory = "trajectory";
@@ -191,7 +191,7 @@ const Quantity* find_quantity(std::string_view key, KnownQuantities::Kind kind) 
 
 std::vector<NamedQuantity> named_quantities() {
   std::vector<NamedQuantity> all;
-  for (const Declared& kind : declared()) {
+  for (const Declared& kind : all_declared()) {
     for (const Quantity& measure : kind.measures) {
       all.push_back({std::string(measure.key), &measure, kind.where, true});
     }
@@ -304,7 +304,7 @@ std::string shown_unit(std::string_view unit, const std::optional<scene::Convers
 
 std::vector<std::string> table_names() {
   std::vector<std::string> names = {kTrajectory};
-  for (const Declared& kind : declared()) {
+  for (const Declared& kind : all_declared()) {
     for (const TableInfo& table : kind.tables) {
       names.push_back(kind.prefix + std::string(table.name));
     }
@@ -317,7 +317,7 @@ std::string columns_table(std::string_view table) {
     return store::datasets_table();
   }
   const TableInfo* found = nullptr;
-  for (const Declared& kind : declared()) {
+  for (const Declared& kind : all_declared()) {
     for (const TableInfo& known : kind.tables) {
       found = table == kind.prefix + std::string(known.name) ? &known : found;
     }

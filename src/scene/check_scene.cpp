@@ -1,5 +1,6 @@
-// Checks of the scene as a whole: its model has all that it asks for, every thing is used, and
-// walls are removed, moved and inserted in an order that can be.
+// Checks of the scene as a whole: the model can do what the scene asks for, time step and vessel
+// are possible, everything declared is used, and no stage removes or moves a wall that is not there
+// or inserts one that is.
 
 #include <algorithm>
 #include <cmath>

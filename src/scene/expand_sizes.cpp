@@ -42,7 +42,7 @@ class Expansion {
   Expansion(Value& species, const Scene& scene) {
     std::vector<Entry> entries;
     for (Entry& entry : species.entries) {
-      names_.push_back(entry.key);
+      species_names_.push_back(entry.key);
       const Value* sizes = entry.value.find("sizes");
       if (sizes == nullptr || entry.value.find("shape") != nullptr) {
         entries.push_back(std::move(entry));
@@ -115,7 +115,7 @@ class Expansion {
   /// Each species with the weight 1.
   Value equal_weights(const TextLocation& location) const {
     Value weights = Value::map(location);
-    for (const std::string& name : names_) {
+    for (const std::string& name : species_names_) {
       weights.add(name, whole(1, location));
     }
     return weights;
@@ -210,7 +210,7 @@ class Expansion {
     map.entries = std::move(result);
   }
 
-  std::vector<std::string> names_;  // of all species
+  std::vector<std::string> species_names_;
   std::map<std::string, SizedSpecies> sized_species_;
   std::set<std::string> used_kinds_;
 };

@@ -26,11 +26,12 @@ void check_wave(const PlacedValue& fields, grains::Wave& wave) {
   }
 }
 
-/// The sine of a motion takes 4 x amplitude x period squared in 64 bits.
 Type<grains::Wave> wave() {
   using grains::Wave;
   return type_of<Wave>(
       {.keys = {key("form", &Wave::form, choice(kWaveformNames), "offset over time"),
+                // The limits of amplitude and period: a sine takes 4 x amplitude x period squared
+                // in 64 bits.
                 required("amplitude", &Wave::amplitude, integer(1, 10'000), "sites to either side"),
                 required(
                     "period", &Wave::period, count(1, 10'000'000),
@@ -167,10 +168,10 @@ Type<Disc> disc() {
                          "all sites at most this far from the centre")}});
 }
 
-/// A ring thinner than a spacing would let sites through.
 Keys<Ring> ring_keys() {
   return {required("centre", &Ring::centre, point(), "centre"),
           required("radius", &Ring::radius, length(above_zero(kMaxCoordinate)), "inner radius"),
+          // A thinner ring would let sites through.
           key("thickness", &Ring::thickness, length(number(1, kMaxThickness)),
               "outer radius less the inner one")};
 }

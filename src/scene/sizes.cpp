@@ -87,6 +87,7 @@ double largest_diameter(const Sizes& sizes) {
   return largest;
 }
 
+/// With the weight in a law by area, and no share yet.
 SizeClass round_kind(double radius, double sites) {
   return {.radius = radius,
           .weight_in_law = sites,
@@ -192,7 +193,9 @@ std::vector<SizeClass> size_classes(const Sizes& sizes) {
   std::erase_if(kinds, [](const SizeClass& kind) { return kind.share <= 0; });
   double all = 0;
   for (SizeClass& kind : kinds) {
-    kind.weight_in_law = sizes.by == SharesBy::area ? kind.weight_in_law : 1;
+    if (sizes.by == SharesBy::number) {
+      kind.weight_in_law = 1;
+    }
     kind.share /= kind.weight_in_law;
     all += kind.share;
   }

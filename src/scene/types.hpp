@@ -1,5 +1,5 @@
 #pragma once
-// Kinds of values that several keys have, and their limits.
+// Kinds of values that several keys have, and limits and patterns that several share.
 
 #include <cstdint>
 #include <limits>
@@ -20,7 +20,7 @@ inline constexpr const char* kExpressionNamePattern = "^[A-Za-z_][A-Za-z0-9_]*$"
 inline constexpr double kMaxBoxHeight = 1'000'000;
 inline constexpr double kMaxCoordinate = 1'000'000;  ///< in lattice spacings
 inline constexpr std::uint64_t kMaxParticles = std::numeric_limits<std::int32_t>::max();
-inline constexpr std::uint64_t kMaxSpeciesWeight = 1'000'000;
+inline constexpr std::uint64_t kMaxSpeciesWeight = 1'000'000;  ///< of a fill or source
 inline constexpr double kMaxTime = 1e9;
 
 Type<double> number(double low, double high);

@@ -106,6 +106,10 @@ void check(std::int64_t result, const char* what) {
 hid_t number_type(const Hdf5Dataset::Values& values) {
   const std::array types = {H5T_NATIVE_UINT8,  H5T_NATIVE_UINT16, H5T_NATIVE_UINT32,
                             H5T_NATIVE_UINT64, H5T_NATIVE_INT32,  H5T_NATIVE_DOUBLE};
+  static_assert(std::variant_size_v<Hdf5Dataset::Values> == std::tuple_size_v<decltype(types)> + 2);
+  if (values.index() >= types.size()) {
+    throw Error("is no number");
+  }
   return types.at(values.index());
 }
 

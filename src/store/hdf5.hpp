@@ -20,7 +20,7 @@
 
 namespace clca::store {
 
-/// Number types of a dataset.
+/// Tells numbers of a dataset from texts.
 template <class T>
 concept Number = std::is_arithmetic_v<T> && !std::same_as<T, char>;
 
@@ -33,6 +33,7 @@ struct Meaning {
 /// A dataset in memory: rows of `columns` numbers, a list of texts or a single one. It is written
 /// from these values, or read into them. Its path is relative to the root.
 struct Hdf5Dataset {
+  /// Numbers in the order of number_type() in hdf5.cpp, then texts.
   using Values = std::variant<std::vector<std::uint8_t>*, std::vector<std::uint16_t>*,
                               std::vector<std::uint32_t>*, std::vector<std::uint64_t>*,
                               std::vector<std::int32_t>*, std::vector<double>*,

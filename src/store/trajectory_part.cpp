@@ -74,7 +74,7 @@ Layout layout_of(const scene::Scene& scene) {
 
 RowCounts& operator+=(RowCounts& row_counts, const RowCounts& more) {
   row_counts[RowKind::frames] += more[RowKind::frames];
-  for (const RowKind row_kind : kRowsOfFrames) {
+  for (const RowKind row_kind : kKindsInFrames) {
     row_counts[row_kind] += more[row_kind];
   }
   return row_counts;
@@ -94,7 +94,7 @@ RowSpan RowRanges::rows_of(std::size_t frame) const {
 RowCounts PartFrames::row_counts() const {
   RowCounts row_counts;
   row_counts[RowKind::frames] = step.size();
-  for (const RowKind row_kind : kRowsOfFrames) {
+  for (const RowKind row_kind : kKindsInFrames) {
     row_counts[row_kind] = sum_of(rows[row_kind].count);
   }
   return row_counts;
@@ -144,10 +144,11 @@ void TrajectoryPart::add(const grains::State& state, std::size_t stage, std::siz
   frames.step.push_back(state.step);
   frames.stage.push_back(static_cast<std::uint32_t>(stage));
   frames.entered.push_back(static_cast<std::uint32_t>(state.particles.size()));
-  const std::array lists = {&rows.id, &origins.id, &rows.pushed, &rows.upper};
-  for (std::size_t i = 0; i < lists.size(); ++i) {
-    const RowKind row_kind = kRowsOfFrames.at(i);
-    frames.rows[row_kind].end_frame(before[row_kind], lists.at(i)->size());
+  for (const auto& [row_kind, count] : {std::pair(RowKind::particles, rows.id.size()),
+                                        {RowKind::origins, origins.id.size()},
+                                        {RowKind::pushes, rows.pushed.size()},
+                                        {RowKind::contacts, rows.upper.size()}}) {
+    frames.rows[row_kind].end_frame(before[row_kind], count);
   }
 }
 

@@ -78,8 +78,9 @@ Layout layout_of(const scene::Scene& scene);
 enum class RowKind : std::uint8_t { frames, particles, origins, pushes, contacts };
 inline constexpr std::array kRowKindNames = {"frames", "particles", "origins", "pushes",
                                              "contacts"};
-inline constexpr std::array kRowsOfFrames = {RowKind::particles, RowKind::origins, RowKind::pushes,
-                                             RowKind::contacts};
+/// Kinds of which each frame has a range of rows.
+inline constexpr std::array kKindsInFrames = {RowKind::particles, RowKind::origins, RowKind::pushes,
+                                              RowKind::contacts};
 
 /// A value for each kind of rows.
 template <class T>
@@ -96,7 +97,7 @@ class ByRowKind {
 
 /// Numbers of rows.
 using RowCounts = ByRowKind<std::uint64_t>;
-RowCounts& operator+=(RowCounts& extents, const RowCounts& more);
+RowCounts& operator+=(RowCounts& row_counts, const RowCounts& more);
 
 /// What a dataset is read for.
 enum class Use : std::uint8_t {
@@ -134,7 +135,7 @@ struct PartFrames {
   std::vector<std::uint64_t> step;
   std::vector<std::uint32_t> stage;
   std::vector<std::uint32_t> entered;  ///< particles so far, whether still present or not
-  ByRowKind<RowRanges> rows;           ///< of kRowsOfFrames
+  ByRowKind<RowRanges> rows;           ///< of kKindsInFrames; that of RowKind::frames stays empty
 
   /// Rows of the part, by the counts of its frames.
   RowCounts row_counts() const;
@@ -177,8 +178,8 @@ struct TrajectoryPart {
   PartOrigins origins;
   PartRows rows;
 
-  /// Adds a frame. `before`: row_counts of the previous parts. Stores origins of the particles with
-  /// ids from `first_origin` on.
+  /// Adds a frame. `before`: numbers of rows of the previous parts. Stores origins of the particles
+  /// with ids from `first_origin` on.
   void add(const grains::State& state, std::size_t stage, std::size_t first_origin,
            const RowCounts& before, const ContactFrame& contact);
   /// This object must outlive the list. Earlier versions did not write what may be missing.

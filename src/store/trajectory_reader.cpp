@@ -1,5 +1,5 @@
-// Reads parts and reconstructs states. What could lead out of a list, out of the box or to more
-// memory than the limit is refused.
+// Finds and reads parts, and reconstructs states. What could lead out of a list, out of the box or
+// to more memory than the limit is refused.
 
 #include <fmt/format.h>
 
@@ -118,8 +118,12 @@ void check_rows(const std::filesystem::path& path, const std::vector<Column>& co
 }
 
 std::optional<std::uint64_t> part_number(const std::string& name) {
-  const std::size_t dash = std::min(name.find('-'), name.size() - 1);
-  const auto number = text::number<std::uint64_t>(name.substr(dash + 1, name.find('.') - dash - 1));
+  constexpr std::string_view kBegin = "part-";
+  if (!name.starts_with(kBegin)) {
+    return std::nullopt;
+  }
+  const std::string rest = name.substr(kBegin.size());
+  const auto number = text::number<std::uint64_t>(rest.substr(0, rest.find('.')));
   return number && name == part_name(*number) ? number : std::nullopt;
 }
 
@@ -304,7 +308,7 @@ class Trajectory::Impl {
                        "needs more memory than the limit");
       frames_.push_back(next);
     }
-    for (const RowKind row_kind : kRowsOfFrames) {
+    for (const RowKind row_kind : kKindsInFrames) {
       check_ranges(part, row_kind);
     }
     check_ids(part, part.content.origins.id, frames.rows[RowKind::origins]);

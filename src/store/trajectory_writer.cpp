@@ -78,7 +78,7 @@ void add_dataset(const Handle& file, const Column& column, const std::vector<Row
   hdf5::make_dataset(file, column, type, whole, creation);
 }
 
-/// Writes `trajectory.h5`: virtual datasets over parts with these row_counts, and a link to group
+/// Writes `trajectory.h5`: virtual datasets over parts with so many rows, and a link to group
 /// `scene` of the first part. At least one part. Throws StoreError.
 void write_index(const OutputFolder& run_folder, const std::vector<RowCounts>& parts,
                  const std::vector<Column>& columns) {
@@ -170,7 +170,7 @@ class TrajectoryWriter::Impl {
     written_ += part;
   }
 
-  /// Reads the row_counts of the kept parts.
+  /// Counts the rows of the kept parts.
   void take_up(const Written& kept) {
     const std::vector<std::filesystem::path> parts = find_parts(run_folder_.path());
     if (parts.size() < kept.parts) {

@@ -170,9 +170,9 @@ std::vector<Position> common_positions(const std::vector<const Curve*>& curves) 
 
 struct MeanRow {
   std::vector<store::Cell> place;  ///< varied values, group and position
-  double time;                     ///< of the step; NaN where steps have no length
+  double time;  ///< of the step; NaN without units, and in tables that are not by step
   std::uint64_t runs;
-  std::vector<store::Cell> means;  ///< of each column the mean and its standard error
+  std::vector<double> means;  ///< of each column the mean and its standard error
 };
 
 /// Means over seeds, with rows for each combination.
@@ -241,8 +241,9 @@ std::optional<store::Table> mean_table(const AveragedTable& what, const Names& k
       cells.emplace_back(row.time);
     }
     cells.emplace_back(row.runs);
+    row.means.resize(2 * means.columns.size(),
+                     kNoMean);  // some columns only later combinations have
     cells.insert(cells.end(), row.means.begin(), row.means.end());
-    cells.resize(heads.size(), kNoMean);  // columns that only later combinations have
     table.add_row(std::move(cells));
   }
   return table;

@@ -98,7 +98,7 @@ Variant parsed(const Request& request, const std::vector<std::string>& keys,
   }
   scene::AnyScene any;
   try {
-    any = scene::parse_any(*request.text, request.scene.string(), request.overrides, varied);
+    any = scene::parse_any(text, request.scene.string(), request.overrides, varied);
   } catch (const scene::SceneError& error) {
     if (std::ranges::any_of(values, is_part_of_range)) {
       throw scene::SceneError(std::string(error.what()) + "; a range is FIRST:LAST:STEP");
@@ -162,9 +162,7 @@ std::string file_name(const std::string& text) {
 Plan plan(Request request, double max_bytes, const std::function<void()>& interrupt) {
   check_keys(request);
   const std::size_t count = combination_count(request);
-  if (!request.text) {
-    request.text = scene::scene_text(request.scene);
-  }
+  const std::string text = request.text ? *request.text : scene::scene_text(request.scene);
   Plan result = {std::move(request), {}};
   const std::vector<std::string> keys = result.keys();
   for (std::size_t number = 0; number < count; ++number) {

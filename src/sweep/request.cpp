@@ -1,3 +1,5 @@
+// The seeds and varied values of a sweep, from text.
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 // The runs of a sweep, new or of an earlier sweep, and what is made of their results: tables, and
-// the overview, the final pictures side by side. These do not depend on the order in which runs
-// ended.
+// the overview, the final pictures side by side. Tables and overview do not depend on the order in
+// which runs ended.
 
 #include <atomic>
 #include <cstdint>

@@ -1,3 +1,5 @@
+// One run of a sweep, new or of an earlier sweep.
+
 #include <fmt/format.h>
 
 #include <limits>

@@ -1,3 +1,5 @@
+// runs.csv and measures.csv.
+
 #include <fmt/format.h>
 
 #include <array>

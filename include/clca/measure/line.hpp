@@ -64,12 +64,13 @@ class LineSums {
 
 /// Means over time for one part of a line, with standard errors by the scatter of the blocks; NaN
 /// if there was nothing to average, the error with fewer than LineSums::kMaxBlocks / 2 blocks.
-/// Across: positive to the right of its direction.
+/// Across: positive to the right of its direction. Of each SampleStatistics only mean and standard
+/// error are set.
 struct LinePart {
   double position = 0;     ///< of its middle, from the start of the line
   Eigen::Vector2d middle;  ///< of the part
-  statistics::SampleStatistics
-      flux;  ///< sites that pass, per step and spacing; to the right less to the left
+  /// Sites that pass, per step and spacing; to the right less to the left.
+  statistics::SampleStatistics flux;
   statistics::SampleStatistics across;  ///< velocity, spacings per step
   statistics::SampleStatistics along;   ///< likewise, positive in the direction of the line
   double filling = 0;    ///< share that particles cover of what no wall covers; 0 if walls do all

@@ -1,5 +1,6 @@
 #pragma once
-// Neighbours: how many there are, and how particles mix in a flow and part by size.
+// Neighbours of particles: how many there are, and of which species; how particles mix in a flow or
+// separate by size.
 
 #include <cstdint>
 #include <optional>

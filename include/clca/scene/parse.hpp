@@ -1,6 +1,6 @@
 #pragma once
-// Strict parsing of scene text, in which every error has a location; scenes as text with every
-// default filled in, and what they need.
+// Strict parsing of scene text, in which every error has a location; the text of a scene with every
+// default filled in; the memory that its run takes.
 
 #include <cstdint>
 #include <filesystem>

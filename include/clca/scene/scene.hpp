@@ -25,7 +25,7 @@
 
 namespace clca::scene {
 
-/// Between the orientations of particles.
+/// Degrees between neighbouring orientations of a particle.
 inline constexpr int kDegreesPerSixth = 360 / lattice::kDirectionCount;
 
 struct Box {

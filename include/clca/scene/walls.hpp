@@ -11,6 +11,7 @@
 
 namespace clca::scene {
 
+/// The lattice that covers the box.
 lattice::Lattice lattice_of(const Box& box);
 
 /// The sites of the region inside the shape or at most 10^-6 spacings outside it, column by column
@@ -20,8 +21,9 @@ lattice::Lattice lattice_of(const Box& box);
 /// thickness are in [0, 10^8), and the angles are as in Arc and between -10^8 and 10^8.
 std::vector<lattice::Site> sites_in(const lattice::SweptRegion& swept_region, const Circle& circle);
 
-/// Whether no site of the lattice lies in the shape, in the rectangle, or on the straight wall.
+/// Whether sites_in() of the box is empty. Does not build the list.
 bool holds_no_site(const lattice::Lattice& lattice, const Circle& circle);
+/// Whether no site of the lattice lies in the rectangle, or on the straight wall.
 bool holds_no_site(const lattice::Lattice& lattice, const lattice::Rectangle& rectangle);
 bool holds_no_site(const lattice::Lattice& lattice, const lattice::Segment& segment);
 

@@ -1,5 +1,5 @@
 #pragma once
-// Reading and writing files, those written appear complete or not at all; locks of folders.
+// Files: read, and written so that they appear complete or not at all. Locks of folders.
 
 #include <cstdint>
 #include <filesystem>

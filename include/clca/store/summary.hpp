@@ -1,5 +1,5 @@
 #pragma once
-// run.json: parameters and results of a run.
+// run.json: parameters and results of a run, and which program made it.
 
 #include <cstdint>
 #include <filesystem>

@@ -1,5 +1,5 @@
 #pragma once
-// A sweep: the scene, varied values and seeds that are asked for, and with every scene parsed its
+// What a sweep is asked for: a scene, varied values, seeds. What follows: every scene parsed, the
 // runs, their order and names.
 
 #include <cstdint>

@@ -57,7 +57,8 @@ std::vector<std::string> stall_lines(const scene::Scene& scene, const model::Sce
 
 /// `discharged.OUTLET` where there are several outlets, each followed by
 /// `discharged.OUTLET.SPECIES` where there are several species. None if they are so many that
-/// run.json would have too many measures. `particles`: measure::discharged_particles.
+/// run.json would have too many measures. `particles`: measure::discharged_particles; without them
+/// all numbers are 0, for who needs the names alone.
 std::vector<std::pair<std::string, std::uint64_t>> discharge_by_name(
     const scene::Scene& scene, std::vector<std::uint64_t> particles = {});
 

@@ -208,7 +208,7 @@ TEST(LineSums, JoinBlocksInPairs) {
   EXPECT_EQ(total, 39 * 40 / 2);
 }
 
-TEST(LineMean, HasTheStandardErrorOfIndependentBlocks) {
+TEST(LineSums, HasTheStandardErrorOfIndependentBlocks) {
   const State state = box_of({});
   const Line line = level(state, 0, 10);
   LineSums sums(1);
