@@ -192,7 +192,7 @@ CapturedFrame FramePainter::capture(const PictureContent& content, const Picture
   const std::uint64_t step = content.state.step;
   render::Coloring colors = coloring(content, history);
   render::Overlay overlay = overlay_of(frames_.overlay, content, history, scales_);
-  colors.legend.lines = overlay.keys;
+  colors.legend.lines = overlay.legend_lines;
   image::PngText text = scene_metadata(scene_);
   text["Stage"] = history.stage;
   text["Step"] = fmt::format("{}", step);

@@ -90,7 +90,7 @@ std::pair<std::string, double> unit_for(const scene::Scene& scene, double length
   return {unit.name, unit.in_metre * spacing};
 }
 
-/// Its label, with the unit, and its ends.
+/// An axis as _space_time.py reads it: its label, with the unit, and its ends.
 nlohmann::json axis(const std::string& label, double low, double high) {
   return {{"label", label}, {"low", low}, {"high", high}};
 }
@@ -153,7 +153,7 @@ int rows_of(const scene::Scene& scene, const SpaceTimeOptions& options,
   return options.column ? pixels : last - first + 1;
 }
 
-/// Of the bars of the legend, from low to high.
+/// Of each bar of the legend its colours, from low to high.
 nlohmann::json bar_colors(const render::Legend& legend) {
   constexpr int kColors = 64;
   nlohmann::json all = nlohmann::json::array();
@@ -259,7 +259,7 @@ image::Image SpaceTime::image_of_means(ColorOf color_of) const {
   return image;
 }
 
-image::Image SpaceTime::surfaces(render::Legend& legend) const {
+image::Image SpaceTime::surface_image(render::Legend& legend) const {
   double highest = 0;
   bool bare = false;
   for (int x = 0; x < means_.columns(); ++x) {
@@ -292,7 +292,7 @@ SpaceTimePicture SpaceTime::picture() {
       return render::Rgb{channel(mean[0]), channel(mean[1]), channel(mean[2])};
     });
   } else {
-    picture.content = surfaces(legend);
+    picture.content = surface_image(legend);
   }
   const std::uint64_t begin = frames_.front().step;
   nlohmann::json stages;

@@ -57,8 +57,8 @@ class SpaceTime {
   /// `color_of`: the colour of means().mean().
   template <class ColorOf>
   image::Image image_of_means(ColorOf color_of) const;
-  /// Also adds what they mean.
-  image::Image surfaces(render::Legend& legend) const;
+  /// The height of the surface in colours. Adds to `legend` what they mean.
+  image::Image surface_image(render::Legend& legend) const;
 
   SpaceTimeOptions options_;
   std::vector<store::Trajectory::Frame> frames_;

@@ -33,10 +33,11 @@ Rgb arrow_color(double share) {
 }  // namespace
 
 Overlay force_network(std::span<const ForceLine> lines, double strongest, std::string label) {
-  const double key_width = strongest > 0 ? kMaxForceWidth : kMinForceWidth;
-  Overlay overlay = {.strokes = {},
-                     .fade = kForceFade,
-                     .keys = {{std::move(label), key_width, 0, kForceColor, false}}};
+  const double legend_line_width = strongest > 0 ? kMaxForceWidth : kMinForceWidth;
+  Overlay overlay = {
+      .strokes = {},
+      .fade = kForceFade,
+      .legend_lines = {{std::move(label), legend_line_width, 0, kForceColor, false}}};
   if (!(strongest > 0)) {
     return overlay;
   }
@@ -66,14 +67,14 @@ Overlay arrow_field(std::span<const FieldArrow> arrows, double cell, double scal
                     const UnitName& unit) {
   Overlay overlay = {.strokes = {}, .fade = kArrowFade};
   if (!(scale > 0 && cell > 0)) {
-    overlay.keys = {{fmt::format("0 {}", unit.several), 0, 0, arrow_color(0), true}};
+    overlay.legend_lines = {{fmt::format("0 {}", unit.several), 0, 0, arrow_color(0), true}};
     return overlay;
   }
   const double width = kArrowWidth * cell;
   const double shown = round_number_up_to(scale);
   const double share = shown / scale;
-  overlay.keys = {{fmt::format("{:g} {}", shown, shown == 1 ? unit.one : unit.several), width,
-                   kArrowShare * cell * share, arrow_color(share), true}};
+  overlay.legend_lines = {{fmt::format("{:g} {}", shown, shown == 1 ? unit.one : unit.several),
+                           width, kArrowShare * cell * share, arrow_color(share), true}};
   std::vector<FieldArrow> sorted(arrows.begin(), arrows.end());
   std::erase_if(sorted, [](const FieldArrow& arrow) { return arrow.vector.hasNaN(); });
   std::ranges::stable_sort(sorted, {}, [](const FieldArrow& arrow) { return arrow.vector.norm(); });

@@ -71,10 +71,10 @@ struct RedrawOptions {
   const std::atomic<int>* stop = nullptr;
 };
 
-/// A line of the box or its free surface over time, without axes.
+/// A column of the box or its free surface over time.
 struct SpaceTimePicture {
   image::Image content = {};  ///< time to the right, position upwards; white where nothing is
-  std::string figure = {};    ///< what stands around it: JSON, as _space_time.py reads it
+  std::string figure = {};    ///< title, axes, stages, legend and text around it, as JSON
 };
 
 struct RedrawProgress {

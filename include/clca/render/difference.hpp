@@ -10,7 +10,7 @@ namespace clca::render {
 struct Difference {
   std::size_t pixels = 0;   ///< that differ by more than the tolerance in some channel
   int largest = 0;          ///< channel difference, 0 to 255
-  Eigen::AlignedBox2i box;  ///< around those pixels, from the upper left one to the lower right one
+  Eigen::AlignedBox2i box;  ///< the smallest around those pixels, both corners in it; empty if none
   Image picture;            ///< the first picture pale, differing pixels strong
 };
 

@@ -23,9 +23,9 @@ struct Stroke {
 };
 
 struct Overlay {
-  std::vector<Stroke> strokes;          ///< later ones lie on top
-  double fade = 0;                      ///< 0 to 1: how far everything below is faded to white
-  std::vector<Legend::Line> keys = {};  ///< for the legend: what the strokes mean
+  std::vector<Stroke> strokes;  ///< later ones lie on top
+  double fade = 0;              ///< 0 to 1: how far everything below is faded to white
+  std::vector<Legend::Line> legend_lines = {};  ///< what the strokes mean
 };
 
 /// A contact that carries force, between two points in lattice spacings.
@@ -36,7 +36,7 @@ struct ForceLine {
 };
 
 /// Lines with widths by strength, widest at `strongest`, stronger lines on top. Lines of zero
-/// strength are left out. The key is the line of a contact of strength `strongest`.
+/// strength are left out. The legend line is that of a contact of strength `strongest`.
 Overlay force_network(std::span<const ForceLine> lines, double strongest, std::string label);
 
 /// A vector at the centre of a cell (lattice spacings), in any unit.
@@ -56,7 +56,8 @@ struct UnitName {
 };
 
 /// Arrows centred in cells `cell` spacings wide; one of length `scale` spans 0.9 cells. Those that
-/// are weaker are paler. The key is an arrow of a round length up to `scale`, labelled with `unit`.
+/// are weaker are paler. The legend line is an arrow of a round length up to `scale`, labelled with
+/// `unit`.
 Overlay arrow_field(std::span<const FieldArrow> arrows, double cell, double scale,
                     const UnitName& unit);
 

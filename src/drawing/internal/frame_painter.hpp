@@ -82,9 +82,9 @@ struct OverlayScales {
   double step_velocity = 1;
   render::UnitName velocity_unit;
 
-  /// Of pictures, for a unit of the contact model: that of SI where the scene has a density.
+  /// The unit of pictures in place of one of the contact model: in SI where there is a density.
   std::string unit_of(std::string_view unit) const;
-  /// One of the unit of the contact model, in that of pictures of this state.
+  /// One `unit` of the contact model, in unit_of(unit). `state` gives the mean mass of grains.
   double value_of(std::string_view unit, const grains::State& state) const;
 };
 
@@ -97,9 +97,9 @@ struct OverlayScales {
 ///   a fall from the fall height, rounded down in the same way.
 OverlayScales overlay_scales(const scene::Scene& scene);
 
-/// Drawn as an arrow of 0.9 cells where velocities are about this high.
+/// The velocity drawn as an arrow of 0.9 cells where velocities are about `typical`.
 double arrow_velocity_for(double typical, const OverlayScales& scales);
-/// About that of the arrows of a picture; 0 where there are none.
+/// The typical velocity of the arrows of a picture; 0 where there are none.
 double typical_velocity(const PictureContent& content, const PictureHistory& history,
                         const OverlayScales& scales);
 

@@ -26,21 +26,21 @@ if TYPE_CHECKING:
     __version__: str
 
 # Loaded when it is asked for: what runs and steps is compiled, and folders can be read without it.
-_OF_SCENES = {"Gas", "Scene", "Simulation", "__version__", "resume", "run", "sweep"}
+_NAMES = ("Gas", "Scene", "Simulation", "__version__", "resume", "run", "sweep")
+_MODULE_OF = {"compare": "_compare"} | dict.fromkeys(_NAMES, "_scene")
 
 
 def __getattr__(name: str) -> Any:
-    if name in _OF_SCENES:
-        compiled(f"clca.{name}")
-    elif name != "compare":
+    if name not in _MODULE_OF:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    module = "_scene" if name in _OF_SCENES else "_compare"
-    globals()[name] = found = getattr(importlib.import_module(f".{module}", __name__), name)
+    if _MODULE_OF[name] == "_scene":
+        compiled(f"clca.{name}")
+    globals()[name] = found = getattr(importlib.import_module(f".{_MODULE_OF[name]}", __name__), name)
     return found
 
 
 def __dir__() -> list[str]:
-    return sorted({*globals(), *_OF_SCENES, "compare"})
+    return sorted({*globals(), *_MODULE_OF})
 
 
 __all__ = ["Calibration", "CompiledPartError", "Error", "Frame", "Frames", "Gas", "Kind", "Movie", "Picture", "Progress"]

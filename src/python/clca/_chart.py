@@ -77,7 +77,7 @@ class Chart(NamedTuple):
     rank: float
     panels: Callable[[], list[Panel]]
     title: str = ""  #: above it: that of the scene
-    source: str = ""  #: name of the row that it comes from
+    source: str = ""  #: name of the row of FIGURES, or of the column, that it comes from
 
 
 @functools.lru_cache(maxsize=64)

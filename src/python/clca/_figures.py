@@ -123,8 +123,9 @@ def curve_of(source: ChosenTables, label: str, rows: Table, x: str, y: str, **mo
     """A column, with its standard error where it has one."""
     if source.choice.mean > 1:
         return Curve(label, rows[x], running_mean(rows[y], source.choice.mean), **more)
-    error = rows[f"{y}_se"] if f"{y}_se" in rows.names else numpy.nan
-    return Curve(label, rows[x], rows[y], rows[y] - error, rows[y] + error, **more)
+    if f"{y}_se" not in rows.names:
+        return Curve(label, rows[x], rows[y], **more)
+    return Curve(label, rows[x], rows[y], rows[y] - rows[f"{y}_se"], rows[y] + rows[f"{y}_se"], **more)
 
 
 def legend_entry(label: str, line: str = "--") -> Curve:
@@ -133,7 +134,7 @@ def legend_entry(label: str, line: str = "--") -> Curve:
 
 
 class Figure(NamedTuple):
-    """A row of FIGURES: what a figure shows, and of which table."""
+    """What a figure shows, and of which table: a row of FIGURES, or a column that was asked for (`table` is empty)."""
 
     name: str
     table: str  #: `*` stands for a stage or a time
@@ -564,11 +565,15 @@ def charts_of(source: ChosenTables, figure: Figure) -> list[Chart]:
 
 
 def chart_of(source: ChosenTables, figure: Figure, files: Files, part: str = "") -> Chart:
-    what, table, log = "Stage" if figure.each == "file" else figure.each, files[0][1], source.choice.log
+    table, part_of = files[0][1], "Stage" if figure.each == "file" else figure.each
     name = f"{figure.name}-{part}" if part else figure.name
-    about = f"{figure.about} {what}: {part}." if part else figure.about
+    about = f"{figure.about} {part_of}: {part}." if part else figure.about
     draw = partial(figure.draw or lines, source, figure, files, part, table)
-    return Chart(name, about, figure.rank, lambda: [log_scaled(with_y2(source, figure, table, draw()), log)], source.title, figure.name)
+
+    def panels() -> list[Panel]:
+        return [log_scaled(with_y2(source, figure, table, draw()), source.choice.log)]
+
+    return Chart(name, about, figure.rank, panels, source.title, figure.name)
 
 
 def with_y2(source: ChosenTables, figure: Figure, table: Table, panel: Panel) -> Panel:
@@ -606,7 +611,7 @@ def column_chart(source: ChosenTables, y: str) -> Chart:
     by = next((name for name in choice.over or ("line", "probe", "restitution", "stage") if name in table.names), "")
     if not x:
         raise Error(f"{where}: say which column is x")
-    table._check_numbers(x, y)
+    table._check_numbers(x, y, *filter(None, [choice.y2]))
     if not len(table):
         raise Error(f"{where}: '{y}' has no rows in the stages and times that are chosen")
     return chart_of(source, Figure(y, "", y, table.descriptions.get(y, y), x=x, by=by), [("", table)])

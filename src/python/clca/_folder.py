@@ -49,20 +49,24 @@ CALIBRATION = {"notes": [str], "vary": {"*": [NUMBER]}, "correlations": [[NUMBER
 SHAPES = {"run.json": RUN, "sweep.json": SWEEP, "calibration.json": CALIBRATION}
 
 
+def is_scalar_of(value: Any, shape: Any) -> bool:
+    """Whether a text, a number, yes, no or nothing is of that shape."""
+    if isinstance(shape, re.Pattern):
+        return isinstance(value, str) and shape.fullmatch(value) is not None
+    is_huge = type(value) is int and abs(value) >= 2**64
+    return type(value) in (shape if isinstance(shape, tuple) else (shape,)) and not is_huge
+
+
 def check(value: Any, shape: Any, file: Path, place: str = "") -> None:
     """Throws Error where a value is not of that shape, with its place in the file."""
     parts: list[tuple[Any, Any, Any]] = []
-    is_right = type(value) in (shape if isinstance(shape, tuple) else (shape,))
-    if isinstance(shape, re.Pattern):
-        is_right = isinstance(value, str) and shape.fullmatch(value) is not None
-    is_huge = type(value) is int and abs(value) >= 2**64
     if isinstance(shape, list) and type(value) is list:
         parts = [(number, one, shape[0]) for number, one in enumerate(value)]
     elif isinstance(shape, dict) and type(value) is dict:
         shapes = {key.rstrip("?"): of for key, of in shape.items() if key.rstrip("?") in value or key[-1] != "?"}
         shapes = dict.fromkeys(value, shape["*"]) if "*" in shape else shapes
         parts = [(key, value.get(key), of) for key, of in shapes.items()]
-    elif not is_right or is_huge:
+    elif not is_scalar_of(value, shape):
         raise Error(f"cannot read {file}: '{place}' is missing or not what it should be")
     for key, one, of in parts:
         check(one, of, file, f"{place}.{key}" if place else str(key))

@@ -6,7 +6,7 @@ import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import PosixPath
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, cast
 
 import numpy
 
@@ -77,7 +77,7 @@ class Shown:
             from ._report import in_notebook
         except ImportError:  # a notebook shows text where Jinja2 is missing
             return None
-        return in_notebook(self)
+        return in_notebook(cast(Any, self))
 
 
 @contextmanager

@@ -394,7 +394,7 @@ def sweep_page(page: Page, sweep: Sweep) -> bytes:
     return page.rendered("sweep.html", title=sweep.title or scene, scene=scene, **found)
 
 
-def in_notebook(thing: Any) -> str:
+def in_notebook(thing: Table | Run | Sweep) -> str:
     """Rows of a table, or measures of a run or a sweep."""
     values: dict[str, Any] = {"said": repr(thing).strip("<>"), "columns": [], "parts": [], "notes": []}
     if isinstance(thing, Table):

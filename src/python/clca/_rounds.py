@@ -1,7 +1,7 @@
 """The runs of a calibration: what has to be run next, what came out, and the answer that follows.
 
-Measures as smooth functions of parameters, by Gaussian processes, say which parameters are likely, given measured values. Points
-of the unit cube are N x D arrays.
+A Gaussian process for each measure interpolates it between the points that were run; from these and the measured values follows
+how likely other parameters are. Points of the unit cube are N x D arrays.
 """
 
 import math

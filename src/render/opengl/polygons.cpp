@@ -3,29 +3,15 @@
 #define GL_GLEXT_PROTOTYPES  // types of functions; no library is linked
 #include <GL/gl.h>
 #include <GL/glext.h>
-#include <dlfcn.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cstdlib>
 #include <memory>
-#include <mutex>
 #include <optional>
-#include <string_view>
 
 #include "clca/render/painter.hpp"
 #include "render/colors.hpp"
-#include "render/graphics.hpp"
-
-#ifdef CLCA_OSMESA
-#include <GL/osmesa.h>
-#endif
-#ifdef CLCA_EGL
-#define EGL_NO_X11
-#include <EGL/egl.h>
-#include <EGL/eglext.h>
-#endif
+#include "render/opengl/context.hpp"
 
 // The OpenGL functions used here, without "gl".
 // clang-format off
@@ -41,138 +27,12 @@ namespace clca::render {
 namespace {
 
 using lattice::Axial;
-using GlFunction = void (*)();
-
-/// What makes contexts, to the end of the process. Loaded before the first of them: it brings
-/// LLVM, which takes longer to load than many a run takes.
-struct Library {
-  std::function<void*()> create;
-  std::function<void(void* context)> destroy;
-  std::function<bool(void* context)> use;  ///< null: none
-  std::function<GlFunction(const char* name)> address;
-};
-
-void* found(void* place) {
-  return place != nullptr ? place : throw RenderError(::dlerror());
-}
-
-void* shared_library(const char* name) {
-  require_memory(std::size_t{384} << 20U);
-  return found(::dlopen(name, RTLD_NOW | RTLD_LOCAL));
-}
-
-template <class Function>
-Function* function_of(void* library, const char* name) {
-  return reinterpret_cast<Function*>(found(::dlsym(library, name)));
-}
-
-#ifdef CLCA_OSMESA
-Library osmesa() {
-  void* const library = shared_library("libOSMesa.so.8");
-  const auto create =
-      function_of<decltype(OSMesaCreateContextExt)>(library, "OSMesaCreateContextExt");
-  const auto destroy = function_of<decltype(OSMesaDestroyContext)>(library, "OSMesaDestroyContext");
-  const auto use = function_of<decltype(OSMesaMakeCurrent)>(library, "OSMesaMakeCurrent");
-  return {.create = [=] { return create(OSMESA_RGBA, 0, 0, 0, nullptr); },
-          .destroy = [=](void* context) { destroy(static_cast<OSMesaContext>(context)); },
-          .use =
-              [=](void* context) {
-                thread_local std::array<GLubyte, 4> pixel;  // wanted; drawing goes elsewhere
-                return use(static_cast<OSMesaContext>(context), pixel.data(), GL_UNSIGNED_BYTE, 1,
-                           1);
-              },
-          .address = function_of<decltype(OSMesaGetProcAddress)>(library, "OSMesaGetProcAddress")};
-}
-#endif
-
-#ifdef CLCA_EGL
-Library egl() {
-  void* const library = shared_library("libEGL.so.1");
-  const auto bind = function_of<decltype(eglBindAPI)>(library, "eglBindAPI");
-  const auto create = function_of<decltype(eglCreateContext)>(library, "eglCreateContext");
-  const auto destroy = function_of<decltype(eglDestroyContext)>(library, "eglDestroyContext");
-  const auto use = function_of<decltype(eglMakeCurrent)>(library, "eglMakeCurrent");
-  setenv("LIBGL_ALWAYS_SOFTWARE", "1", 0);  // about the same picture on any machine
-  void* display = function_of<decltype(eglGetPlatformDisplay)>(library, "eglGetPlatformDisplay")(
-      EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr);
-  const auto initialize = function_of<decltype(eglInitialize)>(library, "eglInitialize");
-  if (initialize(display, nullptr, nullptr) == EGL_FALSE) {
-    throw RenderError("EGL draws nothing without a surface");
-  }
-  return {.create =
-              [=] {
-                bind(EGL_OPENGL_API);
-                return create(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, nullptr);
-              },
-          .destroy = [=](void* context) { destroy(display, context); },
-          .use =
-              [=](void* context) {
-                bind(EGL_OPENGL_API);  // for this thread
-                return use(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context);
-              },
-          .address = function_of<decltype(eglGetProcAddress)>(library, "eglGetProcAddress")};
-}
-#endif
-
-/// The first library that there is. Throws RenderError.
-Library loaded() {
-  std::string problems;
-  for (Library (*const load)() : {
-#ifdef CLCA_OSMESA
-           osmesa,
-#endif
-#ifdef CLCA_EGL
-           egl,
-#endif
-       }) {
-    try {
-      return load();
-    } catch (const RenderError& error) {
-      problems += fmt::format("{}{}", problems.empty() ? "" : "; ", error.what());
-    }
-  }
-  throw RenderError(fmt::format("nothing here draws polygons: {}", problems));
-}
-
-const Library& library() {
-  static const Library kLibrary = loaded();
-  return kLibrary;
-}
-
-/// To be used by one thread at a time.
-using Context = std::shared_ptr<void>;
-
-/// Off screen. Throws RenderError, std::bad_alloc.
-Context new_context() {
-  prepare_polygons();
-  require_memory();
-  void* context = library().create();
-  if (context == nullptr) {
-    throw RenderError("there is no OpenGL context");
-  }
-  return {context, library().destroy};
-}
-
-/// Makes it current for this thread, as long as there is what is returned.
-[[nodiscard]] Context made_current(const Context& context) {
-  require_memory();
-  if (!library().use(context.get())) {
-    throw RenderError("the OpenGL context cannot be used");
-  }
-  return {context.get(), [](void* /*context*/) { library().use(nullptr); }};
-}
-
-/// An OpenGL function, without its type. Throws RenderError when there is none of that name.
-GlFunction gl_function(const char* name) {
-  const GlFunction function = library().address(name);
-  return function != nullptr ? function : throw RenderError(fmt::format("OpenGL has no {}", name));
-}
 
 /// The OpenGL functions of the current context, whose objects live as long as it does.
 struct Gl {
 // NOLINTBEGIN(bugprone-macro-parentheses): a name that is declared has none
 #define CLCA_GL(name) \
-  decltype(&gl##name) name = reinterpret_cast<decltype(name)>(gl_function("gl" #name));
+  decltype(&gl##name) name = reinterpret_cast<decltype(name)>(Context::function("gl" #name));
   // NOLINTEND(bugprone-macro-parentheses)
   CLCA_GL_FUNCTIONS(CLCA_GL)
 #undef CLCA_GL
@@ -233,7 +93,7 @@ class Canvas {
         add_line(triangles_[kind], outline(kinds[kind].shape));
       }
     }
-    const Context current = made_current(context_);
+    const auto current = context_.current();
     gl_.emplace();
     add_framebuffer();
     gl_->Viewport(0, 0, projection.width, projection.height);
@@ -245,7 +105,7 @@ class Canvas {
 
   std::vector<Sample> drawn(std::span<const Body> bodies) const {
     constexpr std::size_t kMaxVertices = std::size_t{3} << 16U;  // at a time: 2.4 MB
-    const Context current = made_current(context_);
+    const auto current = context_.current();
     gl_->Disable(GL_SCISSOR_TEST);
     gl_->Clear(GL_COLOR_BUFFER_BIT);
     gl_->Enable(GL_SCISSOR_TEST);
@@ -316,7 +176,7 @@ class Canvas {
   Projection projection_;
   int samples_;
   std::vector<Triangles> triangles_;  // by kind
-  Context context_ = new_context();
+  Context context_;
   std::optional<Gl> gl_;
 };
 
@@ -326,31 +186,6 @@ PolygonPainter polygon_painter(const Projection& projection, int samples, const 
                                std::span<const grains::Kind> kinds) {
   return [canvas = std::make_shared<const Canvas>(projection, samples, box, kinds)](
              std::span<const Body> bodies) { return canvas->drawn(bodies); };
-}
-
-std::string environment_problem(const char* driver, const char* vector_width) {
-  const std::string_view name = driver == nullptr ? "" : driver;
-  if (!name.empty() && name != "llvmpipe" && name != "softpipe") {
-    return fmt::format(
-        "GALLIUM_DRIVER is \"{}\"; polygons are drawn with llvmpipe or softpipe: unset it", name);
-  }
-  const std::string_view width = vector_width == nullptr ? "128" : vector_width;
-  if (width != "128" && width != "256") {
-    return fmt::format("LP_NATIVE_VECTOR_WIDTH is \"{}\"; 128 and 256 work: unset it", width);
-  }
-  return {};
-}
-
-void prepare_polygons() {
-  static std::mutex mutex;  // setenv races with itself
-  const std::lock_guard lock(mutex);
-  const std::string problem =
-      environment_problem(std::getenv("GALLIUM_DRIVER"), std::getenv("LP_NATIVE_VECTOR_WIDTH"));
-  if (!problem.empty()) {
-    throw RenderError(problem);
-  }
-  setenv("LP_NUM_THREADS", "0", 0);
-  library();
 }
 
 }  // namespace clca::render

@@ -1,10 +1,8 @@
 #pragma once
-// Draws particles as polygons, by OpenGL: of OSMesa or, where there is none, of EGL without a
-// surface.
+// Draws particles as polygons, by OpenGL.
 
 #include <functional>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "clca/grains/state.hpp"
@@ -21,9 +19,5 @@ using PolygonPainter = std::function<std::vector<Sample>(std::span<const Body> b
 /// lower left sample comes first. Throws RenderError.
 PolygonPainter polygon_painter(const Projection& projection, int samples, const PixelBox& box,
                                std::span<const grains::Kind> kinds);
-
-/// The problem with these values of GALLIUM_DRIVER and LP_NATIVE_VECTOR_WIDTH (null: unset), if
-/// any. Mesa crashes on unknown values, so they are checked first.
-std::string environment_problem(const char* driver, const char* vector_width);
 
 }  // namespace clca::render

@@ -12,6 +12,7 @@ TEST(Compare, FindsNothingBetweenEqualPictures) {
   const Difference difference = difference_of(image, image, 0);
   EXPECT_EQ(difference.pixels, 0U);
   EXPECT_EQ(difference.largest, 0);
+  EXPECT_TRUE(difference.box.isEmpty());
 }
 
 TEST(Compare, BoundsThePixelsThatDiffer) {

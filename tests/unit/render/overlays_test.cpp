@@ -34,9 +34,9 @@ TEST(ForceNetwork, DrawsStrongContactsWideAndOnTop) {
   EXPECT_LT(overlay.strokes[0].width, overlay.strokes[1].width);
   EXPECT_DOUBLE_EQ(overlay.strokes[2].width, 1.2);
   EXPECT_DOUBLE_EQ(overlay.strokes[3].width, 1.2);  // no wider than the strongest
-  EXPECT_EQ(overlay.keys.front().label, "overlap");
-  EXPECT_DOUBLE_EQ(overlay.keys.front().width, 1.2);
-  EXPECT_EQ(overlay.keys.front().color, overlay.strokes[0].color);
+  EXPECT_EQ(overlay.legend_lines.front().label, "overlap");
+  EXPECT_DOUBLE_EQ(overlay.legend_lines.front().width, 1.2);
+  EXPECT_EQ(overlay.legend_lines.front().color, overlay.strokes[0].color);
 }
 
 TEST(ForceNetwork, LeavesOutContactsWithoutStrength) {
@@ -70,13 +70,13 @@ TEST(ArrowField, TakesNoMotionAndNoNumbers) {
   EXPECT_TRUE(arrow_field(arrows, kNan, 1, kUnit).strokes.empty());
 }
 
-TEST(ArrowField, KeyIsARoundLengthToTheSameScale) {
-  const Legend::Line key = arrow_field({}, 5, 0.61, kUnit).keys.front();
-  EXPECT_EQ(key.label, "0.5 spacings per cycle");
-  EXPECT_NEAR(key.length, 0.9 * 5 * 0.5 / 0.61, 1e-12);
-  EXPECT_TRUE(key.arrow);
-  EXPECT_EQ(arrow_field({}, 5, 0, kUnit).keys.front().label, "0 spacings per cycle");
-  EXPECT_EQ(arrow_field({}, 5, 1.5, kUnit).keys.front().label, "1 spacing per cycle");
+TEST(ArrowField, LegendLineIsARoundLengthToTheSameScale) {
+  const Legend::Line line = arrow_field({}, 5, 0.61, kUnit).legend_lines.front();
+  EXPECT_EQ(line.label, "0.5 spacings per cycle");
+  EXPECT_NEAR(line.length, 0.9 * 5 * 0.5 / 0.61, 1e-12);
+  EXPECT_TRUE(line.arrow);
+  EXPECT_EQ(arrow_field({}, 5, 0, kUnit).legend_lines.front().label, "0 spacings per cycle");
+  EXPECT_EQ(arrow_field({}, 5, 1.5, kUnit).legend_lines.front().label, "1 spacing per cycle");
 }
 
 TEST(ArrowField, CutsNoArrow) {
@@ -162,7 +162,7 @@ TEST_F(LegendLine, StandsBesideABarInsideThePicture) {
     Legend legend;
     legend.bars = {{"overlapped sites", 0, 12}};
     legend.patches = {{"none", {1, 200, 3}}};
-    legend.lines = force_network({}, 6, "overlap 6 sites").keys;
+    legend.lines = force_network({}, 6, "overlap 6 sites").legend_lines;
     const Image image = with_legend(layout, legend);
     const Box patch = around(image, layout, {1, 200, 3});
     const Box line = around(image, layout, legend.lines[0].color);

@@ -1,0 +1,34 @@
+#pragma once
+// An off-screen OpenGL context: of OSMesa or, where there is none, of EGL without a
+// surface. Only context.cpp depends on them.
+
+#include <memory>
+#include <string>
+
+namespace clca::render {
+
+class Context {
+ public:
+  using Function = void (*)();
+
+  /// Throws RenderError, std::bad_alloc.
+  Context();
+  ~Context();
+  Context(const Context&) = delete;
+  Context& operator=(const Context&) = delete;
+
+  /// An OpenGL function. Throws RenderError when there is none of that name.
+  static Function function(const char* name);
+
+  /// Makes it current for this thread, as long as there is what is returned.
+  [[nodiscard]] std::shared_ptr<void> current() const;
+
+ private:
+  void* handle_ = nullptr;
+};
+
+/// The problem with these values of GALLIUM_DRIVER and LP_NATIVE_VECTOR_WIDTH (null: unset), if
+/// any. Mesa crashes on unknown values, so they are checked first.
+std::string environment_problem(const char* driver, const char* vector_width);
+
+}  // namespace clca::render
