@@ -90,7 +90,7 @@ bool is_part_of_range(std::string_view value) {
          is_number(value.substr(colon + 1));
 }
 
-Variant parsed(const Request& request, const std::vector<std::string>& keys,
+Variant parsed(const Request& request, std::string_view text, const std::vector<std::string>& keys,
                std::vector<std::string> values) {
   std::vector<scene::Override> varied;
   for (std::size_t i = 0; i < values.size(); ++i) {
@@ -168,7 +168,7 @@ Plan plan(Request request, double max_bytes, const std::function<void()>& interr
   for (std::size_t number = 0; number < count; ++number) {
     interrupt();
     result.variants.push_back(
-        parsed(result.request, keys, combination(result.request.variations, number)));
+        parsed(result.request, text, keys, combination(result.request.variations, number)));
   }
   find_begins(result.variants, max_bytes);
   return result;
