@@ -187,7 +187,7 @@ int run_as_rank(int argc, char** argv, tasks::Ranks& ranks) {
 /// Returns the exit code. `ranks`: that have been started, until the end.
 int run_main(int argc, char** argv, std::unique_ptr<tasks::Ranks>& ranks) {
   try {
-    ranks = started_ranks(argv);
+    ranks = start_ranks(argv);
   } catch (const text::InputError& error) {
     const bool is_told = *error.what() == '\0';  // by another process
     return is_told ? kWrongInput : tell(failure(kWrongInput, error.what()));

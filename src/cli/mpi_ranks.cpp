@@ -90,7 +90,7 @@ class MpiRanks : public tasks::Ranks {
 
 }  // namespace
 
-std::unique_ptr<tasks::Ranks> started_ranks(char** /*arguments*/) {
+std::unique_ptr<tasks::Ranks> start_ranks(char** /*arguments*/) {
   return std::make_unique<MpiRanks>();
 }
 

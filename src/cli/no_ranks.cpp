@@ -39,7 +39,7 @@ bool has_part(char** arguments) {
 
 }  // namespace
 
-std::unique_ptr<tasks::Ranks> started_ranks(char** arguments) {
+std::unique_ptr<tasks::Ranks> start_ranks(char** arguments) {
   // Open MPI, Slurm with PMIx, MPICH and Intel MPI.
   const auto rank = variable({"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK", "SLURM_PROCID"});
   const auto size = variable({"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "SLURM_STEP_NUM_TASKS"});

@@ -20,11 +20,11 @@ inline int stop_signal_of(const tasks::Ranks* ranks) {
   return own != 0 || ranks == nullptr ? own : ranks->stop_signal();
 }
 
-/// All ranks, in clca-mpi. In clca none: where mpirun has started it for a command that can be
-/// shared, and without --part, clca-mpi takes its place. `arguments`: of the command line, ending
-/// in a null pointer. Throws text::InputError if mpirun has started several and there is no
-/// clca-mpi.
-std::unique_ptr<tasks::Ranks> started_ranks(char** arguments);
+/// clca-mpi: starts MPI and returns all ranks. clca: returns none; but where mpirun has started it
+/// for a command that can be shared, and without --part, it becomes clca-mpi. `arguments`: of the
+/// command line, ending in a null pointer. Throws text::InputError if mpirun has started several
+/// and there is no clca-mpi.
+std::unique_ptr<tasks::Ranks> start_ranks(char** arguments);
 
 /// Ends this process and all others at once, with an exit code.
 void end_all_ranks(int code);

@@ -146,7 +146,7 @@ class Walls {
     if (length >= reached) {
       return force.branch;
     }
-    const double most = to_side(centre, force.normal);
+    const double most = distance_to_side(centre, force.normal);
     while (length < most && (is_wall(at(length)) || !is_inside(at(length)))) {
       length += kStep;
     }
@@ -169,8 +169,8 @@ class Walls {
     });
   }
 
-  /// How far the side of the box lies from a point against the normal.
-  double to_side(const Eigen::Vector2d& point, const Eigen::Vector2d& normal) const {
+  /// From a point to the side of the box, against the normal, in lattice spacings.
+  double distance_to_side(const Eigen::Vector2d& point, const Eigen::Vector2d& normal) const {
     const Eigen::Vector2d low = lattice::Lattice::corner();
     const Eigen::Vector2d high = low + state_.lattice.size();
     double least = state_.lattice.size().norm();

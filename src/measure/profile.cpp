@@ -15,7 +15,8 @@ constexpr double kFlankLow = 0.15;
 constexpr double kFlankHigh = 0.80;
 constexpr std::size_t kFlankColumns = 5;
 constexpr double kExplained = 0.25;  // of the variance of the heights, at least
-constexpr double kSiteTop = 1.0;     // from the floor at y = -1/2 to the top of a site at y: y + 1
+constexpr double kTopOverCentre =
+    1.0;  // height of a site's top over the floor (y = -1/2), less its y
 
 /// Lowest and highest row with a particle, per column.
 struct RowBounds {
@@ -91,7 +92,7 @@ std::vector<double> surface_profile(const grains::State& state) {
   for (std::size_t column = 0; column < bounds.size(); ++column) {
     if (!bounds[column].empty()) {
       const lattice::Site top = {static_cast<int>(column), bounds[column].high};
-      profile[column] = lattice::position(top).y() + kSiteTop;
+      profile[column] = lattice::position(top).y() + kTopOverCentre;
     }
   }
   return profile;
@@ -116,7 +117,7 @@ std::vector<double> surface_profile(const grains::State& state, const Eigen::Vec
   }
   for (const Eigen::Vector2d& point : points) {
     double& height = profile[column_of(point.x())];
-    height = std::max(height, point.y() - lowest.y() + kSiteTop);
+    height = std::max(height, point.y() - lowest.y() + kTopOverCentre);
   }
   return profile;
 }

@@ -171,10 +171,10 @@ class SeriesRecord : public SavedObserver<SeriesRecord> {
   }
 
   scene::Series series_;
-  std::optional<scene::Conversion> conversion_;
-  std::vector<grains::Owner> bodies_;      // with forces; else empty
-  std::vector<Eigen::Vector2d> centres_;   // of each, before walls travelled
-  std::optional<Eigen::Vector2d> centre_;  // that the vessel turns about
+  std::optional<scene::Conversion> conversion_;  // of units; none: steps have no length
+  std::vector<grains::Owner> bodies_;            // with forces; else empty
+  std::vector<Eigen::Vector2d> centres_;         // of each, before walls travelled
+  std::optional<Eigen::Vector2d> centre_;        // that the vessel turns about
   std::uint64_t steps_ = 0;
   std::vector<Load> loads_;    // by body
   measure::Discharge before_;  // what had left the box at the last row

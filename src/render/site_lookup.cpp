@@ -94,7 +94,8 @@ constexpr std::int32_t chosen(std::int32_t mask, std::int32_t yes, std::int32_t 
 
 /// Rows of the two kinds of columns in a row of samples.
 struct Rows {
-  std::int32_t even_up = 0, odd_up = 0;  // above even_row and odd_row at the left column, as kOne
+  // How far it is above even_row and odd_row at the left column; 2^30 is a spacing.
+  std::int32_t even_fraction = 0, odd_fraction = 0;
   std::int32_t even_row = 0, odd_row = 0;
 };
 
@@ -116,14 +117,14 @@ template <class OwnerAt>
 Owner take_corners(Block& block, std::size_t count, const Rows& rows, const std::int32_t* odd,
                    const std::int32_t* fractions, Owner least, OwnerAt owner_at) {
   constexpr std::int32_t kOne = std::int32_t{1} << 30;
-  const std::int32_t even_up = rows.even_up;
-  const std::int32_t other_up = rows.even_up ^ rows.odd_up;
+  const std::int32_t even_fraction = rows.even_fraction;
+  const std::int32_t other_up = rows.even_fraction ^ rows.odd_fraction;
   const std::int32_t even_row = rows.even_row;
   const std::int32_t other_row = rows.even_row ^ rows.odd_row;
   Owner unlike = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const std::int32_t fraction = fractions[i];
-    const std::int32_t above = (even_up ^ (other_up & odd[i])) - (fraction >> 1);
+    const std::int32_t above = (even_fraction ^ (other_up & odd[i])) - (fraction >> 1);
     const std::int32_t below = above >> 31;  // -1 or 0
     const std::int32_t up = above + (kOne & below);
     const std::int32_t row = (even_row ^ (other_row & odd[i])) + below;
@@ -251,8 +252,8 @@ void SiteLookup::draw_samples(const Colors& colors, const Height& height,
                               std::span<const std::uint8_t> changed, Sample* samples) const {
   // Sites of odd columns lie half a spacing higher.
   const bool below = height.fraction < kHalf;
-  const Rows rows = {.even_up = height.fraction,
-                     .odd_up = height.fraction + (below ? kHalf : -kHalf),
+  const Rows rows = {.even_fraction = height.fraction,
+                     .odd_fraction = height.fraction + (below ? kHalf : -kHalf),
                      .even_row = height.row,
                      .odd_row = height.row - (below ? 1 : 0)};
   const grains::Occupancy& occupancy = colors.occupancy();

@@ -95,7 +95,7 @@ class Run : public RunBase {
   void show_progress(bool until_rest, std::optional<double> seconds_left);
   const scene::Stage& stage() const { return course_.stage(); }
   double rate() const {
-    const Reached& reached = course_.reached;
+    const RunCounters& reached = course_.reached;
     return reached.step_seconds > 0 ? reached.updates / reached.step_seconds : 0;
   }
 

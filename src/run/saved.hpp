@@ -9,8 +9,8 @@
 
 namespace clca::run {
 
-/// Progress of a run of grains.
-struct Reached {
+/// How far a run of grains is, as checkpoints have it.
+struct RunCounters {
   std::uint64_t stage = 0;    ///< that it is in, from 0
   std::uint64_t moving = 0;   ///< particles, in the last step
   std::uint64_t stepped = 0;  ///< as StageView::stepped
@@ -32,7 +32,7 @@ inline constexpr const char* kSavedPictures = "outputs/wanted_pictures";
 /// The parts of a checkpoint that are not of observers.
 struct SavedParts {
   model::ModelState state;
-  Reached reached = {};
+  RunCounters reached = {};
   record::StageHistory history = {};
   std::vector<store::StageSummary> stages = {};  ///< those that have ended
 };

@@ -52,7 +52,7 @@ struct Course {
   const store::OutputFolder* files = nullptr;  ///< as StageView::files
   /// As StageView::warn.
   std::function<void(const std::string& line)> warn = [](const std::string& /*line*/) {};
-  Reached reached = {};
+  RunCounters reached = {};
   record::StageHistory history = {};
   std::size_t present = 0;  ///< particles in the box
 

@@ -18,7 +18,7 @@ void check_region(const lattice::Rectangle& region, const PlacedValue& place) {
   }
 }
 
-void check_end(const Eigen::Vector2d& end, const PlacedValue& place) {
+void check_line_end(const Eigen::Vector2d& end, const PlacedValue& place) {
   const Box& box = place.scene.box;
   // From one side of a periodic box to where it repeats.
   const double width = box.periodic ? lattice_of(box).size().x() : box.width;
@@ -29,8 +29,8 @@ void check_end(const Eigen::Vector2d& end, const PlacedValue& place) {
 }
 
 void check_line(const PlacedValue& fields, Line& line) {
-  check_end(line.from, fields.at("from"));
-  check_end(line.to, fields.at("to"));
+  check_line_end(line.from, fields.at("from"));
+  check_line_end(line.to, fields.at("to"));
   const double length = (line.to - line.from).norm();
   if (length < kMinLineLength) {
     fail(fields.at("to"),

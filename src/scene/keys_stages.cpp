@@ -174,8 +174,8 @@ void check_until(const PlacedValue& fields, Stage& stage) {
   stage.max_steps = std::max(stage.max_steps, least);
 }
 
-/// An end other than settled.
-Type<Until> end_type() {
+/// `{steps: N}` and so on: every `until` but the word `settled`.
+Type<Until> until_map_type() {
   const auto end = [](std::string_view name, const auto& type, std::string_view about) {
     return alternative<Until>(name, type, about);
   };
@@ -214,7 +214,7 @@ Type<VesselMotion> vessel_type() {
 
 Type<Until> until_type() {
   return or_map(
-      "`settled`", word_schema("settled"), end_type(), read_settled, [](const Until& until) {
+      "`settled`", word_schema("settled"), until_map_type(), read_settled, [](const Until& until) {
         return std::holds_alternative<UntilSettled>(until) ? std::optional(Value::scalar("settled"))
                                                            : std::nullopt;
       });

@@ -159,10 +159,10 @@ double source_bytes(const Scene& scene, const lattice::Lattice& lattice) {
   return sum;
 }
 
-// Of a gas.
+// Of each particle of a gas.
 constexpr double kMotionBytes = 6 * sizeof(double);
-constexpr double kScratchBytes = 8;
-constexpr double kOrderBytes = 16;
+constexpr double kWorkspaceBytes = 8;
+constexpr double kSortEntryBytes = 16;  // speed and number
 // Kept for each gas of the ensemble until the end, and as the text of a table.
 constexpr double kRowBytes = 256;
 constexpr double kRowTextBytes = 512;
@@ -233,9 +233,9 @@ double bytes_of(const BoltzmannScene& scene, int threads) {
       std::min(scene.ensemble, static_cast<std::uint64_t>(std::max(1, threads))));
   // There are two copies: at first the sample that a gas is made from, with the literal scheme the
   // state before a step.
-  double per_particle = 2 * kMotionBytes + kScratchBytes;
+  double per_particle = 2 * kMotionBytes + kWorkspaceBytes;
   if (scene.quasi && std::holds_alternative<boltzmann::OgawaKato>(scene.scheme)) {
-    per_particle += kMotionBytes + kOrderBytes;  // it is sorted
+    per_particle += kMotionBytes + kSortEntryBytes;  // it is sorted
   }
   const double saved = kSavedCopies * kMotionBytes;
   // A checkpoint goes to the disk while the gases go on; a run that is stopped has no more need of

@@ -176,7 +176,7 @@ void Engine::assign_strips() {
   }
   records_work_ = false;
   if (!in_parallel_) {
-    workers_.front().inner = strips_.whole_box();
+    workers_.front().inner = strips_.all_columns();
     return;
   }
   constexpr std::uint64_t kRebalance = 16;  // steps; seldom, so that caches stay warm

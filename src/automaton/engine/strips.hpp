@@ -67,8 +67,8 @@ class Strips {
   /// Where particles of the strip change and read no word of bits that particles of another strip
   /// change or read, unless they are at the periodic boundary.
   Interval inner(std::size_t strip) const;
-  /// inner() where one strip is the whole box.
-  Interval whole_box() const {
+  /// The interval of a single strip: all columns.
+  Interval all_columns() const {
     return {.axis = Axis::columns, .first = 0, .end = extents_[0].length};
   }
   /// Whether particles there reach across the periodic boundary.

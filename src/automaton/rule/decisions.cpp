@@ -63,9 +63,10 @@ const OverlapChange* find(const std::vector<OverlapChange>& changes, grains::Own
   return found == changes.end() ? nullptr : &*found;
 }
 
-/// Whether no move leads out of an overlap with another particle after the one to `there`. Out of
-/// an overlap that begins the way back does.
-bool is_too_deep(const World& world, const grains::Particle& there, const OverlapChange& change) {
+/// Whether a particle that overlaps another one already could not leave it by any move from
+/// `there`. Out of an overlap that begins, the way back leads.
+bool cannot_leave_overlap(const World& world, const grains::Particle& there,
+                          const OverlapChange& change) {
   return grains::is_particle(change.owner) && change.sites_before > 0 && change.sites_after > 0 &&
          !can_leave(world, there, change.owner, lattice::kDirections);
 }
@@ -166,7 +167,7 @@ std::optional<int> grown_depth(const World& world, std::uint32_t id, Direction d
   const grains::Particle there = moved(world.state.particles[id], direction);
   int grown = 0;
   for (const OverlapChange& change : changes) {
-    if (is_too_deep(world, there, change)) {
+    if (cannot_leave_overlap(world, there, change)) {
       return std::nullopt;
     }
     grown += change.begins() ? 1 + radius_of(shape_of(world, change.owner)) : 0;
@@ -310,7 +311,8 @@ bool is_free(const World& world, std::uint32_t id, Direction direction) {
   const std::vector<OverlapChange> all = overlap_changes(world, id, direction);
   const grains::Particle there = moved(world.state.particles[id], direction);
   return std::ranges::none_of(all, [&](const OverlapChange& change) {
-    return change.depth_after() > change.depth_before() || is_too_deep(world, there, change);
+    return change.depth_after() > change.depth_before() ||
+           cannot_leave_overlap(world, there, change);
   });
 }
 

@@ -33,9 +33,9 @@ std::uint64_t draw(std::uint64_t seed, std::uint64_t step, std::uint32_t item) {
 StridedPermutation::StridedPermutation(std::uint64_t count)
     : count_(count), modulus_(prime_from(count)) {}
 
-void StridedPermutation::shuffle(std::uint64_t bits, std::uint64_t more_bits) {
-  start_ = random::below(bits, modulus_);
-  stride_ = 1 + random::below(more_bits, modulus_ - 1);
+void StridedPermutation::shuffle(std::uint64_t start_bits, std::uint64_t stride_bits) {
+  start_ = random::below(start_bits, modulus_);
+  stride_ = 1 + random::below(stride_bits, modulus_ - 1);
 }
 
 Grouping::Grouping(Eigen::Index particles, Eigen::Index group_size)

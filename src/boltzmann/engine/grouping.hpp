@@ -15,7 +15,7 @@ class StridedPermutation {
  public:
   explicit StridedPermutation(std::uint64_t count);
 
-  void shuffle(std::uint64_t bits, std::uint64_t more_bits);
+  void shuffle(std::uint64_t start_bits, std::uint64_t stride_bits);
   /// Calls `visit` for the numbers of part `part` of `parts` equal parts of the permutation.
   template <class Visit>
   void visit_part(std::uint64_t part, std::uint64_t parts, Visit visit) const {

@@ -118,8 +118,9 @@ template <class Int>
   const auto change = [](const auto& stopped) {
     return limited(stopped, kMassBits, 2 * kMaxImpulse);
   };
-  const auto bound = [](Int wanted, const auto& friction_force) {
-    const Int limit = clamped(limited(friction_force, kRatioBits, kMaxImpulse), 0, kMaxImpulse);
+  // `friction_limit`: coefficient x normal impulse, of sliding or of rolling.
+  const auto bound = [](Int wanted, const auto& friction_limit) {
+    const Int limit = clamped(limited(friction_limit, kRatioBits, kMaxImpulse), 0, kMaxImpulse);
     return clamped(wanted, -limit, limit);
   };
   impulse.normal =
@@ -196,8 +197,9 @@ struct Rule {
   std::int32_t slow_speed() const { return 2 * gravity; }
 };
 
-/// Throws std::invalid_argument if a parameter is out of range. `gravity` in lattice spacings per
-/// step squared.
+/// The parameters as whole numbers, and the coefficients of all pairs of kinds. Throws
+/// std::invalid_argument if a parameter is out of range. `gravity` in lattice spacings per step
+/// squared.
 Rule make_rule(const grains::State& state, const Parameters& parameters, double gravity);
 
 /// The velocities of all bodies, which contacts change.

@@ -18,7 +18,7 @@ MOST_PANELS = 16
 MOST_LETTERS = 72  # of all words under an axis
 DERIVED_RANK = 1e6  # of figures of measures that the scene derives: these come first
 VESSEL_ANGLE = "vessel_angle_deg"
-Cell = tuple[Any, ...]  # a value of each key
+Combination = tuple[Any, ...]  # a value of each key
 
 
 def in_order(cells: Any) -> list[Any]:
@@ -30,11 +30,11 @@ def listed(*parts: str) -> str:
     return ", ".join(filter(None, parts))
 
 
-def label_of(keys: Sequence[str], cell: Cell) -> str:
+def label_of(keys: Sequence[str], cell: Combination) -> str:
     return ", ".join(f"{key}={text_of(value)}" for key, value in zip(keys, cell))
 
 
-def grouped(rows: Table, keys: Sequence[str]) -> list[tuple[Cell, Table]]:
+def grouped(rows: Table, keys: Sequence[str]) -> list[tuple[Combination, Table]]:
     """The rows of each combination of values that is there."""
     cells = rows_of(rows, keys)
     return [(cell, rows[numpy.array([one == cell for one in cells])]) for cell in dict.fromkeys(cells)]
@@ -57,12 +57,12 @@ class Keys:
     def count(self, keys: Sequence[str]) -> int:
         return math.prod(len(self.values[key]) for key in keys)
 
-    def combinations(self, rows: Table, keys: Sequence[str]) -> list[tuple[Cell, Table]]:
+    def combinations(self, rows: Table, keys: Sequence[str]) -> list[tuple[Combination, Table]]:
         """As grouped(), in order."""
         places = [self.values[key] for key in keys]
         return sorted(grouped(rows, keys), key=lambda group: [place.index(value) for place, value in zip(places, group[0])])
 
-    def label(self, cell: Cell) -> str:
+    def label(self, cell: Combination) -> str:
         """Of a curve; a word alone says enough."""
         is_word = self.apart and len(cell) == 1 and isinstance(cell[0], str)
         return str(cell[0]) if is_word else label_of(self.over, cell)
@@ -120,7 +120,7 @@ def measure_charts(source: ChosenTables, sweep: Sweep, table: Table) -> list[Cha
     x_name, derived = axis if is_key else choice.x, derived_of(sweep)
     x_axis = Axis(of(x_name).label() if not is_key or x_name in derived else x_name, words=shown_words)
 
-    def of_row(row: Any) -> Cell:
+    def of_row(row: Any) -> Combination:
         return (str(row["stage"]), *(row[key] for key in keys))
 
     turned = {of_row(row) for row in table[(table["measure"] == VESSEL_ANGLE) & (table["mean"] != 0)]}

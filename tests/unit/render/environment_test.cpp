@@ -4,7 +4,7 @@
 #include <cstdlib>
 
 #include "packed_state.hpp"
-#include "render/opengl/polygons.hpp"
+#include "render/opengl/context.hpp"
 
 namespace clca::render::environment_test {
 namespace {
