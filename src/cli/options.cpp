@@ -109,7 +109,8 @@ CLI::Validator with_unit(const std::string& what,
   });
 }
 
-/// Sets the key begin.run to a folder; a relative path starts at the current folder.
+/// The override of the whole key begin by the run in a folder; a relative path starts at the
+/// current folder.
 scene::Override override_of_begin(const std::string& folder) {
   std::string quoted;
   for (const char letter : std::filesystem::absolute(folder).string()) {

@@ -29,7 +29,7 @@ struct RenderOptions {
   std::vector<fs::path> runs;
   drawing::RedrawOptions redraw;
   fs::path folder;  ///< for the pictures
-  // Of a picture over time.
+  // Of a space-time picture.
   drawing::SpaceTimeOptions space_time;
   std::optional<double> slit;
   bool surface = false;
@@ -64,7 +64,7 @@ scene::Scene scene_of(const fs::path& run, const RenderOptions& options) {
   return scene;
 }
 
-/// The picture over time, if one is wanted.
+/// The space-time picture, if one is wanted.
 void set_space_time(RenderOptions& options) {
   const auto& [file, column, slit] = options.space_time;
   if (file.empty()) {

@@ -150,14 +150,14 @@ std::string quantity_text(const std::string& name, const std::optional<scene::Co
 }
 
 /// A key of scenes, a quantity, or what a scene derives.
-std::string explained(const std::string& name, const SceneAdditions& derived) {
-  const auto own = std::ranges::find(derived.measures, name, &scene::DerivedMeasure::name);
-  if (own != derived.measures.end()) {
+std::string explained(const std::string& name, const SceneAdditions& additions) {
+  const auto own = std::ranges::find(additions.measures, name, &scene::DerivedMeasure::name);
+  if (own != additions.measures.end()) {
     return text_of(name, own->about.value_or(name), own->value,
-                   own->unit == "1" ? "" : record::shown_unit(own->unit, derived.units),
+                   own->unit == "1" ? "" : record::shown_unit(own->unit, additions.units),
                    {"run.json: the scene derives it"});
   }
-  std::string quantity = quantity_text(name, derived.units);
+  std::string quantity = quantity_text(name, additions.units);
   try {
     const std::string key = scene::explain(name);
     return quantity.empty() ? key : key + "\n" + quantity;
@@ -167,7 +167,7 @@ std::string explained(const std::string& name, const SceneAdditions& derived) {
     }
     const std::vector<record::NamedQuantity> declared = record::named_quantities();
     std::vector<std::string_view> names = text::names_of(declared);
-    std::ranges::transform(derived.measures, std::back_inserter(names),
+    std::ranges::transform(additions.measures, std::back_inserter(names),
                            &scene::DerivedMeasure::name);
     const auto near = text::nearest(name, names);
     throw text::InputError(
@@ -182,10 +182,10 @@ std::string text_of(const ExplainOptions& options) {
   if (options.format == "quantities") {
     return record::quantities_table();
   }
-  const SceneAdditions derived = scene_additions(options.scene);
+  const SceneAdditions additions = scene_additions(options.scene);
   std::vector<std::string> keys = options.keys;
   if (keys.empty()) {
-    std::ranges::transform(derived.measures, std::back_inserter(keys),
+    std::ranges::transform(additions.measures, std::back_inserter(keys),
                            &scene::DerivedMeasure::name);
   }
   if (keys.empty()) {
@@ -199,7 +199,7 @@ std::string text_of(const ExplainOptions& options) {
   }
   std::string text;
   for (const std::string& key : keys) {
-    text += (text.empty() ? "" : "\n") + explained(key, derived);
+    text += (text.empty() ? "" : "\n") + explained(key, additions);
   }
   return text;
 }

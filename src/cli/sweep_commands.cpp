@@ -62,7 +62,7 @@ void print_totals(const sweep::Progress& totals, double seconds, const std::stri
             some(left, ", {} interrupted or not begun"), seconds, folder);
 }
 
-/// Tells what is missing.
+/// Tells on standard error what has failed or is missing.
 int exit_code_of(const sweep::Progress& totals, tasks::Ranks* ranks) {
   const std::size_t missing = totals.runs - totals.done - totals.failed;
   if (const int signal = stop_signal_of(ranks); signal != 0 && missing > 0) {

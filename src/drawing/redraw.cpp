@@ -369,7 +369,7 @@ class Redraw::Impl {
                              options_.pdf ? ".pdf" : ".png");
   }
 
-  /// Adds the pictures before this one to the picture over time, also those that no movie shows.
+  /// Adds the pictures before this one to the space-time picture, also those that no movie shows.
   void add_to_space_time(std::size_t end) {
     for (; space_time_ && frames_added_ < end; ++frames_added_) {
       drawings_.front()->add_frame_to(*space_time_, frames_added_);

@@ -24,7 +24,7 @@ class RunDrawing {
   /// Ends of the scales of its pictures, by what they show and its unit.
   using ScaleEnds = std::map<std::string, double>;
   ScaleEnds scale_ends() const;
-  /// Has at least the names of scale_ends().
+  /// `ends`: has at least the names of scale_ends().
   void set_scale_ends(const ScaleEnds& ends);
   /// Of the folder, such as `gate-15`.
   const std::string& name() const { return name_; }
@@ -73,8 +73,9 @@ class RunDrawing {
   grains::State initial_;
   store::Trajectory trajectory_;
   std::vector<std::size_t> run_pictures_;  // frames, with `every` of the scene
-  std::vector<std::size_t> chosen_;        // frames that are drawn, among run_pictures_
-  std::vector<contact::Vessel> vessels_;   // by stage, at its start
+  std::vector<std::size_t>
+      chosen_;  // frames that are drawn: of run_pictures_, also the first of a stage or the nearest
+  std::vector<contact::Vessel> vessels_;  // by stage, at its start
   std::string note_;
   bool pdf_;
   std::optional<FramePainter> painter_;

@@ -54,7 +54,7 @@ class SpaceTime {
   Eigen::ArrayXXd column(const PictureContent& content, const PictureHistory& history);
   /// By column of the lattice: height in lattice spacings, and whether there are grains.
   Eigen::ArrayXXd surface(const grains::State& state) const;
-  /// `color_of`: the colour of means().mean().
+  /// `color_of(mean)`: the colour of a TimeMeans::mean().
   template <class ColorOf>
   image::Image image_of_means(ColorOf color_of) const;
   /// The height of the surface in colours. Adds to `legend` what they mean.

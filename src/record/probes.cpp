@@ -73,7 +73,7 @@ class Probes : public Observer {
       return;
     }
     const double steps = last_ ? static_cast<double>(state.step - last_->step()) : 0;
-    const double speed = velocity_unit(now.scene);
+    const double spacing_per_step = velocity_unit(now.scene);
     std::vector<measure::Displacement> displacements;
     if (is_contact(now.scene)) {
       displacements = measure::displacements_in_step(state, now.model.velocities());
@@ -90,8 +90,8 @@ class Probes : public Observer {
       if (const auto motion =
               measure::motion_in(regions[i], displacements, is_contact(now.scene) ? 1 : steps)) {
         row.particles = motion->particles;
-        row.velocity = motion->velocity * speed;
-        row.fluctuation = motion->fluctuation * speed * speed;
+        row.velocity = motion->velocity * spacing_per_step;
+        row.fluctuation = motion->fluctuation * spacing_per_step * spacing_per_step;
       }
       if (last_) {
         row.flow = measure::downward_flow(*last_, state, regions[i]) / steps;

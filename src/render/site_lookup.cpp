@@ -118,13 +118,13 @@ Owner take_corners(Block& block, std::size_t count, const Rows& rows, const std:
                    const std::int32_t* fractions, Owner least, OwnerAt owner_at) {
   constexpr std::int32_t kOne = std::int32_t{1} << 30;
   const std::int32_t even_fraction = rows.even_fraction;
-  const std::int32_t other_up = rows.even_fraction ^ rows.odd_fraction;
+  const std::int32_t other_fraction = rows.even_fraction ^ rows.odd_fraction;
   const std::int32_t even_row = rows.even_row;
   const std::int32_t other_row = rows.even_row ^ rows.odd_row;
   Owner unlike = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const std::int32_t fraction = fractions[i];
-    const std::int32_t above = (even_fraction ^ (other_up & odd[i])) - (fraction >> 1);
+    const std::int32_t above = (even_fraction ^ (other_fraction & odd[i])) - (fraction >> 1);
     const std::int32_t below = above >> 31;  // -1 or 0
     const std::int32_t up = above + (kOne & below);
     const std::int32_t row = (even_row ^ (other_row & odd[i])) + below;

@@ -121,8 +121,8 @@ class Expansion {
     return weights;
   }
 
-  /// The value of a colour in fill.picture: a species with sizes, or weights of species, becomes
-  /// weights of its kinds.
+  /// The value of a colour or letter in fill.picture (colors, pixels): a species with sizes, or
+  /// weights of species, becomes weights of its kinds.
   void divide_picture_part(Value& part, const std::string& path) {
     if (sized_species_.contains(part.text)) {
       Value weights = Value::map(part.location);

@@ -133,7 +133,7 @@ struct AnyKey {
   std::string about;                         ///< one phrase
   std::shared_ptr<const AnyType> type = {};  ///< of the value
   Access access = {};  ///< from the owner to the value; null: only `action` reads, `text` writes it
-  std::string default_phrase = {};          ///< what holds if the key is left out
+  std::string default_phrase = {};          ///< what holds if the key is left out, or a condition
   bool is_condition = false;                ///< `default_phrase` says when the key is given
   std::optional<Value> default_value = {};  ///< that of `default_phrase`, if it is a value
   bool required = false;

@@ -11,18 +11,18 @@ namespace clca::scene {
 
 namespace {
 
-constexpr std::size_t kMaxTitleLength = 200;
+constexpr std::size_t kMaxLineLength = 200;
 
-std::string read_title(const PlacedValue& place) {
-  const std::string& title = read_text(place);
-  const std::optional<std::size_t> characters = line_length(title);
+std::string read_text_line(const PlacedValue& place) {
+  const std::string& line = read_text(place);
+  const std::optional<std::size_t> characters = line_length(line);
   if (!characters) {
-    fail(place, "expected one line of text, found {}", text::shown(title));
+    fail(place, "expected one line of text, found {}", text::shown(line));
   }
-  if (*characters == 0 || *characters > kMaxTitleLength) {
-    fail(place, "expected 1 to {} characters, found {}", kMaxTitleLength, *characters);
+  if (*characters == 0 || *characters > kMaxLineLength) {
+    fail(place, "expected 1 to {} characters, found {}", kMaxLineLength, *characters);
   }
-  return title;
+  return line;
 }
 
 constexpr std::size_t kHashDigits = 16;
@@ -135,33 +135,33 @@ Keys<Scene> scene_keys() {
 }
 
 /// A key of one model goes with that alone; without `model` it is the automaton.
-std::string model_conditions() {
-  std::vector<std::string> schema_members;
+std::string model_schema_members() {
+  std::vector<std::string> dependencies;
   for (const AnyKey& key : scene_keys()) {
     if (key.model) {
-      schema_members.push_back(
+      dependencies.push_back(
           fmt::format(R"("{}": {{{}"properties": {{"model": {{"const": "{}"}}}}}})", key.name,
                       *key.model == Model::automaton ? "" : R"("required": ["model"], )",
                       name_of(kModelNames, *key.model)));
     }
   }
-  return fmt::format(R"("dependencies": {{{}}})", fmt::join(schema_members, ", "));
+  return fmt::format(R"("dependencies": {{{}}})", fmt::join(dependencies, ", "));
 }
 
 }  // namespace
 
 Type<std::string> text_line_type() {
   return own_type<std::string>(
-      fmt::format("1 to {} characters", kMaxTitleLength),
+      fmt::format("1 to {} characters", kMaxLineLength),
       fmt::format(R"({{"type": ["string", "number", "boolean"], "minLength": 1, "maxLength": {}}})",
-                  kMaxTitleLength),
-      read_title, [](const std::string& title) { return Value::quoted_text(title); });
+                  kMaxLineLength),
+      read_text_line, [](const std::string& line) { return Value::quoted_text(line); });
 }
 
 const Type<Scene>& scene_type() {
-  static const std::string kConditions = model_conditions();
+  static const std::string kSchemaMembers = model_schema_members();
   static const Type<Scene> kType =
-      type_of<Scene>({.keys = scene_keys(), .schema_members = kConditions});
+      type_of<Scene>({.keys = scene_keys(), .schema_members = kSchemaMembers});
   return kType;
 }
 

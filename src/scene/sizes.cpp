@@ -17,7 +17,7 @@ constexpr double kMaxDiameter = 100;  // of a distribution of sizes
 constexpr std::size_t kMaxKinds = 64;
 
 constexpr double kCutQuantile = 2.5758293035489004;  // of the normal law, at half a percent
-// Shares are whole multiples of it, as functions of the machine's library differ in the last bits.
+// Shares are ratios of whole numbers of it: functions of machines differ in the last bits.
 constexpr double kShareUnit = 1e-9;
 
 struct Diameter {

@@ -102,7 +102,7 @@ std::vector<Column> read_columns(const std::filesystem::path& path, TrajectoryPa
   return columns;
 }
 
-/// They have the rows that the frames say.
+/// Throws StoreError unless the columns have as many rows as the frames say.
 void check_rows(const std::filesystem::path& path, const std::vector<Column>& columns,
                 const RowCounts& row_counts) {
   for (const Column& column : columns) {

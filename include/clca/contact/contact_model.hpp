@@ -114,7 +114,7 @@ class ContactModel : public grains::Model {
   const Vessel& vessel() const;
   /// In lattice spacings per step squared.
   double gravity() const;
-  /// Nothing moved in the last two steps, and all velocities were small: impulses of contacts are
+  /// Nothing moved in the last two steps, and all grains were at rest: impulses of contacts are
   /// those of rest, not of impacts.
   bool quiet() const;
   /// The same as contact::energy() of state(), without the cost of state().

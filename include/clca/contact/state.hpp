@@ -112,7 +112,7 @@ struct State {
   /// True if walls or grains were changed from outside: contacts are sorted anew.
   bool changed = true;
   std::uint64_t unmoved_steps = 0;  ///< in a row: no wall and no anchor of a grain moved
-  std::uint64_t quiet_steps = 0;    ///< in a row: nothing moved by a site, and no grain was fast
+  std::uint64_t quiet_steps = 0;    ///< in a row: nothing moved by a site, all grains were at rest
   Vessel vessel = {};
 
   bool operator==(const State&) const = default;

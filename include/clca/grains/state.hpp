@@ -151,7 +151,7 @@ inline constexpr double kParticleBytes = kListRoom * (sizeof(Particle) + sizeof(
 
 /// Centre of mass in lattice spacings; counted on across a periodic boundary, as the column is.
 Eigen::Vector2d centre(const State& state, const Particle& particle);
-/// Centre of mass within a periodic box: the same bits for every image of a particle.
+/// Centre of mass, within the box if periodic: the same bits for every image of a particle.
 Eigen::Vector2d centre_in_box(const State& state, const Particle& particle);
 
 /// Number of particles in the box.

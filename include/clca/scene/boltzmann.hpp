@@ -18,7 +18,7 @@ struct QuantileBins {
   int count = 20;
 };
 struct UniformBins {
-  double width = 0.5;  ///< of the energy X = v²/T
+  double width = 0.5;  ///< of the energy X: v²/T_tr or w²/T_rot
   double end = 15;     ///< where the last bin begins
 };
 using BinsSpec = std::variant<QuantileBins, UniformBins>;

@@ -25,10 +25,10 @@ struct OverlapChange {
   int sites_after = 0;
 
   /// What has to shrink: the depth in a particle, the sites shared with a wall.
-  int depth_before() const {
+  int size_before() const {
     return grains::is_particle(owner) ? std::min(sites_before, 1) : sites_before;
   }
-  int depth_after() const {
+  int size_after() const {
     return grains::is_particle(owner) ? std::min(sites_after, 1) : sites_after;
   }
   bool grows() const { return grains::is_particle(owner) && sites_after > sites_before; }
@@ -139,10 +139,10 @@ std::optional<PushAlignment> alignment_with_pushes(const World& world, std::uint
   bool any_shrinks = false;
   for (const grains::Push& push : world.pushes_onto(id)) {
     const OverlapChange* change = find(changes, push.pusher);
-    if (change == nullptr || change->depth_after() > change->depth_before()) {
+    if (change == nullptr || change->size_after() > change->size_before()) {
       return std::nullopt;
     }
-    const bool shrinks = change->depth_after() < change->depth_before();
+    const bool shrinks = change->size_after() < change->size_before();
     all_shrink = all_shrink && shrinks;
     any_shrinks = any_shrinks || shrinks;
     alignment.sixths =
@@ -311,8 +311,7 @@ bool is_free(const World& world, std::uint32_t id, Direction direction) {
   const std::vector<OverlapChange> all = overlap_changes(world, id, direction);
   const grains::Particle there = moved(world.state.particles[id], direction);
   return std::ranges::none_of(all, [&](const OverlapChange& change) {
-    return change.depth_after() > change.depth_before() ||
-           cannot_leave_overlap(world, there, change);
+    return change.size_after() > change.size_before() || cannot_leave_overlap(world, there, change);
   });
 }
 

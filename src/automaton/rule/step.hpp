@@ -15,7 +15,7 @@ namespace clca::automaton {
 /// Rank in the total order of one step, the smallest first.
 struct UpdateKey {
   std::uint64_t update_class = 0;  ///< rank in Rules::update_priority; behind all: in none
-  std::uint64_t tie = 0;           ///< by a draw, see Ties
+  std::uint64_t tie = 0;           ///< a draw, or the angle to gravity and a coin: see Ties
   std::uint32_t id = 0;
 
   auto operator<=>(const UpdateKey&) const = default;

@@ -71,7 +71,7 @@ class Group {
   bool decide_at_once(const Law& law, const GroupKey& key, std::uint32_t batch);
   /// Decides candidates in order until a speed exceeds s_max; returns how many.
   std::size_t decide_one_by_one(const Law& law, const GroupKey& key, std::uint32_t batch);
-  /// Whether two pairs that collide share a particle.
+  /// Whether candidates depend on each other: a pair that collides shares a particle with another.
   bool pairs_share_particle();
 
   template <int kWidth>

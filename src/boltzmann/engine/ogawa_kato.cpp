@@ -66,7 +66,7 @@ class Draws {
   }
 
  private:
-  // Dimensions of the rule are those of partners from the first on.
+  // Dimensions of the rule from kFirstPartner on are those of partners.
   static constexpr int kFirstPartner = 5;
   static constexpr std::size_t kPartners = LatticeRule::kDimensions - kFirstPartner;
 

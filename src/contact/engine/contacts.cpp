@@ -121,7 +121,7 @@ std::int32_t ContactSlots::separation_velocity(std::int32_t at,
                       .pair = {}});
 }
 
-/// The first free lane of a batch behind all batches of the contacts of both grains.
+/// The next lane of the first batch that is not full, behind all batches of contacts of both.
 std::int32_t ContactSlots::new_lane(const Contact& contact) {
   std::uint32_t& after_upper = next_batch_[contact.upper];
   std::uint32_t unused = 0;

@@ -96,7 +96,7 @@ class ContactSlots {
   std::vector<Slot> slots_;
   std::vector<std::int32_t> first_slot_;  // by grain, -1 none
   std::vector<Batch> batches_;
-  std::vector<std::uint8_t> used_lanes_;   // by batch
+  std::vector<std::uint8_t> used_lanes_;   // by batch, emptied ones included
   std::vector<std::uint32_t> next_batch_;  // by grain: the first behind all of its contacts
   std::size_t first_not_full_ = 0;         // all batches before it are full
 };

@@ -22,9 +22,9 @@ struct Coefficients {
   Int upper_inverse_mass;
   Int other_inverse_mass;
   // Rolling impulses are moments divided by the reduced radius.
-  Int upper_rolling_mass;  ///< rolling impulse over the upper spin: 0.3 of what would stop it
+  Int upper_rolling_mass;  ///< rolling impulse over the upper spin, by 0.3 of the reduced mass
   Int other_rolling_mass;
-  /// Half of the spin that a rolling impulse of 1 gives; all would be 2 for a site at a wall.
+  /// Half of the spin that a rolling impulse of 1 gives: at most 8, as inverse masses are.
   Int upper_turning;
   Int other_turning;
 };

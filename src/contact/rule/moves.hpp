@@ -26,7 +26,7 @@ inline constexpr int kSquaredRateBits = 40;  ///< of squared angular velocities
 /// Acceleration in one step; depends on a grain only through position and velocity.
 struct Acceleration {
   Vector gravity;                 ///< and shaking, in 2^-23 lattice spacings per step squared
-  bool rotates = false;           ///< the vessel does: Coriolis and centrifugal acceleration
+  bool rotates = false;           ///< the vessel does, in a box that is not periodic
   std::int32_t rate = 0;          ///< angular velocity of the vessel, in 2^-30 radians per step
   std::int64_t squared_rate = 0;  ///< in 2^-40
   std::int32_t centre_x = 0;      ///< of turning, in 2^-8 lattice spacings

@@ -41,7 +41,7 @@ TEST(Grouping, PutsEachParticleIntoOneGroupAndBackToOnePlace) {
   }
 }
 
-TEST(Grouping, BringsAnyTwoRunsTogetherEquallyOften) {
+TEST(Grouping, BringsAnyTwoBlocksTogetherEquallyOften) {
   constexpr Eigen::Index kParticles = kBlockSize * 40;
   constexpr int kSteps = 20'000;
   Grouping grouping(kParticles, 10 * kBlockSize);  // 4 groups of 10 blocks each
