@@ -7,6 +7,7 @@
 
 #include "clca/scene/walls.hpp"
 #include "scene/sections.hpp"
+#include "scene/sizes.hpp"
 #include "scene/types.hpp"
 
 namespace clca::scene {

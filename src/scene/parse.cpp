@@ -5,6 +5,7 @@
 
 #include "clca/text/read.hpp"
 #include "scene/sections.hpp"
+#include "scene/sizes.hpp"
 #include "scene/types.hpp"
 
 namespace clca::scene {

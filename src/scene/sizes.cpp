@@ -1,12 +1,13 @@
 // Distributions of sizes: the kinds of particles of a law, and its keys.
 
+#include "scene/sizes.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "clca/lattice/lattice.hpp"
 #include "clca/lattice/shape.hpp"
-#include "scene/sections.hpp"
 #include "scene/types.hpp"
 
 namespace clca::scene {

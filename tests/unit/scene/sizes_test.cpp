@@ -1,5 +1,7 @@
 // Species whose sizes follow a law.
 
+#include "scene/sizes.hpp"
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -9,7 +11,6 @@
 
 #include "bad_scenes.hpp"
 #include "clca/scene/parse.hpp"
-#include "scene/sections.hpp"
 
 namespace clca::scene::sizes_test {
 namespace {
