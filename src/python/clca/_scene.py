@@ -101,7 +101,7 @@ def run(
     with reporting(progress) as report:
         checked = Scene.of(scene, seed, set)
         folder = output or absolute(f"renders/{checked.name}")
-        return Run(_clca.run(checked, folder, workers("threads", threads), keep, overwrite, report))
+        return Run(_clca.run(checked, str(folder), workers("threads", threads), keep, overwrite, report))
 
 
 def resume(
@@ -111,7 +111,7 @@ def resume(
     """Goes on with a run that was stopped, or prolongs one to `until`, as in a scene. As `clca resume`; `progress` as of `run`."""
     folder = absolute(folder)
     with reporting(progress) as report:
-        _clca.resume(folder, None if until is None else to_yaml("until", until), workers("threads", threads), report)
+        _clca.resume(str(folder), None if until is None else to_yaml("until", until), workers("threads", threads), report)
     return Run(folder)
 
 
@@ -141,7 +141,8 @@ def sweep(
     numbers = [whole("seeds", seed, 0, MAX_U64) for seed in at_most_runs("seeds", seeds)]
     folder = absolute(f"renders/{checked.name}-sweep" if output is None else output)
     with reporting(progress) as report:
-        _clca.sweep(*checked._origin, checked._options, varied, numbers, folder, workers("jobs", jobs), report)
+        # A text: Ctrl-C in the middle of a path's __fspath__ would be a TypeError.
+        _clca.sweep(*checked._origin, checked._options, varied, numbers, str(folder), workers("jobs", jobs), report)
     return Sweep(folder)
 
 
