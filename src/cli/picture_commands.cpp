@@ -246,20 +246,23 @@ void add_target_options(CLI::App* command, RenderOptions& options) {
           "Of these pictures: png, or pdf (vector graphics) [png]")
       ->type_name("FORMAT")
       ->transform(CLI::IsMember({"png", "pdf"}));
-  add_option(command, "--movie", redraw.movie, "FILE",
-             "Write a movie, with ffmpeg: FILE.mp4, FILE.webm, FILE.webp, FILE.gif or "
-             "FILE.png (animated)");
+  CLI::Option* movie =
+      add_option(command, "--movie", redraw.movie, "FILE",
+                 "Write a movie, with ffmpeg: FILE.mp4, FILE.webm, FILE.webp, FILE.gif or "
+                 "FILE.png (animated)");
   add_option(command, "--duration", redraw.duration, "SECONDS",
              "Length of the movie: with more pictures some are chosen evenly, with less they "
              "last longer; --every is 1 unless given",
              finite_number());
   add_option(command, "--fps", redraw.frames_per_second, "",
              "Pictures per second of the movie; of a GIF at most 50", whole_number(1, 240))
+      ->needs(movie)
       ->capture_default_str();
-  add_option(command, "--sheet", redraw.sheet, "FILE",
-             "Write a contact sheet of pictures evenly chosen: FILE.png");
+  CLI::Option* sheet = add_option(command, "--sheet", redraw.sheet, "FILE",
+                                  "Write a contact sheet of pictures evenly chosen: FILE.png");
   add_option(command, "--columns", redraw.columns, "", "Pictures in a row of the contact sheet",
              whole_number(1, 16))
+      ->needs(sheet)
       ->capture_default_str();
 }
 

@@ -234,6 +234,10 @@ std::optional<double> lacey_index(const State& state, double cell) {
     return std::nullopt;
   }
   const Grid grid(state.lattice, cell);
+  const double sites = state.lattice.columns() * static_cast<double>(state.lattice.rows());
+  if (sites / static_cast<double>(grid.size()) < 2 * static_cast<double>(sizes.largest)) {
+    return std::nullopt;
+  }
   std::vector<Count> counts(grid.size());
   Count total;
   for_each_present(state, [&](std::uint32_t /*id*/, const Particle& particle) {

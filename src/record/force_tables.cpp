@@ -77,7 +77,7 @@ TableOf<measure::ForceBin> forces_table(const scene::Scene& scene) {
          "of the index of force; of the contact model of normal forces between grains, in grain "
          "weights"},
         &Bin::low},
-       {{"high", "Upper end of the bin", unit, "likewise"}, &Bin::high},
+       {{"high", "Upper end of the bin", unit, "as the lower end"}, &Bin::high},
        {{"count", "Contacts", "", "in the bin"}, &Bin::count},
        {{"density", "Probability density", "", "of f/⟨f⟩"}, &Bin::density}}};
 }

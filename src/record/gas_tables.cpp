@@ -27,8 +27,8 @@ constexpr Quantity kRotational = {
     "t_rot", "Rotational temperature", "",
     "⟨w²⟩/3, relative to time 0; without spin then, to the translational one"};
 constexpr Quantity kPressureXx = {"p_xx", "Pressure p_xx", "mean pressure", "3⟨v_x²⟩/⟨v²⟩"};
-constexpr Quantity kPressureYy = {"p_yy", "Pressure p_yy", "mean pressure", "likewise"};
-constexpr Quantity kShearStress = {"p_xy", "Shear stress p_xy", "mean pressure", "likewise"};
+constexpr Quantity kPressureYy = {"p_yy", "Pressure p_yy", "mean pressure", "3⟨v_y²⟩/⟨v²⟩"};
+constexpr Quantity kShearStress = {"p_xy", "Shear stress p_xy", "mean pressure", "3⟨v_x v_y⟩/⟨v²⟩"};
 
 /// What is observed of a gas at a time, with its first observation.
 struct ObservedGas {

@@ -234,16 +234,26 @@ KnownQuantities known_quantities(const store::RunSummary& summary) {
           .derived = summary.derived};
 }
 
-std::vector<store::ColumnSummary> sweep_summary(const std::vector<std::string>& columns,
+std::vector<store::ColumnSummary> sweep_summary(std::string_view table,
+                                                const std::vector<std::string>& columns,
                                                 const KnownQuantities& known) {
+  const bool has_means = table.starts_with("mean-");
+  const std::vector<TableInfo>& tables = declared(KnownQuantities::Kind::sweep).tables;
+  const auto info =
+      std::ranges::find(tables, has_means ? std::string_view("mean") : table, &TableInfo::name);
   std::vector<store::ColumnSummary> result;
   for (const std::string& key : columns) {
     const std::size_t ending = key.ends_with(kErrorEnding) ? kErrorEnding.size() : 0;
     const std::string of = key.substr(0, key.size() - ending);
-    const auto of_stage = known.find(of.substr(of.find('.') + 1));
-    const auto found = of_stage ? of_stage : known.find(of);
+    const Quantity* own = info != tables.end() ? find_column({&*info, 1}, key) : nullptr;
+    auto found = own != nullptr ? std::optional(summary_of(key, *own, known.units))
+                                : known.find(of.substr(of.find('.') + 1));
+    found = found ? found : known.find(of);
     result.push_back(found.value_or(store::ColumnSummary{.key = key, .name = key}));
     result.back().key = key;
+    if (has_means && (key == kStep.key || key == "time")) {
+      result.back().meaning = "since the stage began";
+    }
   }
   return result;
 }

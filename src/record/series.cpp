@@ -236,11 +236,13 @@ TableOf<SeriesRow> series_table(const scene::Scene& scene) {
                   "with `forces`, of each wall and of `box.floor`, `box.top`, `box.left`, "
                   "`box.right`"},
              .of_each = "WALL"},
-            {.quantity = {"force_y", "Force on the wall, y", scene::kForceUnit, "likewise"},
+            {.quantity = {"force_y", "Force on the wall, y", scene::kForceUnit,
+                          "of the grains on it, in the frame of the vessel, mean since the last "
+                          "row"},
              .of_each = "WALL"},
             {.quantity = {"torque", "Torque on the wall", scene::kMomentUnit,
-                          "likewise, anticlockwise, about its centroid; in a stage that turns the "
-                          "vessel about the centre of turning"},
+                          "of the grains on it, mean since the last row, anticlockwise, about its "
+                          "centroid; in a stage that turns the vessel about the centre of turning"},
              .of_each = "WALL"}}},
       {{kStep, [](auto& row) { return row.state().step; }},
        {kStage, [](auto& row) { return row.now.stage.name; }},

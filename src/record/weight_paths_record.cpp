@@ -139,6 +139,11 @@ Values values_of_contact_forces(const StageView& stage) {
   return result;
 }
 
+constexpr std::string_view kOutside =
+    "share of the grains with no support on one side of their force";
+constexpr std::string_view kDeviation =
+    "from that of the forces, over its mean: root mean square over the 13 bins";
+
 }  // namespace
 
 ObserverKind weight_paths_observer() {
@@ -153,20 +158,18 @@ ObserverKind weight_paths_observer() {
          {"centre_minus_ring_outer", "Centre minus ring, outer", "", "to the farthest supports"},
          {"centre_minus_ring_pair", "Centre minus ring, pair", "", "to drawn supports"},
          {"centre_minus_ring_q", "Centre minus ring, q", "", "to all supports in drawn shares"},
-         {"outside_inner", "Outside, inner", "",
-          "share of the grains with no support on one side of their force"},
-         {"outside_outer", "Outside, outer", "", "likewise"},
-         {"outside_pair", "Outside, pair", "", "likewise"},
+         {"outside_inner", "Outside, inner", "", kOutside},
+         {"outside_outer", "Outside, outer", "", kOutside},
+         {"outside_pair", "Outside, pair", "", kOutside},
          {"unsupported", "Without support", "", "share of the grains, where their force ends"}},
         values_of_weight_rules},
        {scene::Measure::weight_paths,
         "model `contact`",
         {{"centre_minus_ring_contact", "Centre minus ring, contact model", "", "of its forces"},
-         {"base_deviation_inner", "Deviation of the base pressure, inner", "",
-          "from that of the forces, over its mean: root mean square over the 13 bins"},
-         {"base_deviation_outer", "Deviation of the base pressure, outer", "", "likewise"},
-         {"base_deviation_pair", "Deviation of the base pressure, pair", "", "likewise"},
-         {"base_deviation_q", "Deviation of the base pressure, q", "", "likewise"}},
+         {"base_deviation_inner", "Deviation of the base pressure, inner", "", kDeviation},
+         {"base_deviation_outer", "Deviation of the base pressure, outer", "", kDeviation},
+         {"base_deviation_pair", "Deviation of the base pressure, pair", "", kDeviation},
+         {"base_deviation_q", "Deviation of the base pressure, q", "", kDeviation}},
         values_of_contact_forces}});
 }
 

@@ -303,22 +303,31 @@ class Sweep {
     }
   }
 
+  /// A run that is done, if there is one: with units, which not all models have.
+  store::RunSummary described_run() const {
+    store::RunSummary found;
+    for (const Result& result : results_) {
+      if (result.status == Status::done && !found.units) {
+        found = result.summary;
+      }
+    }
+    return found;
+  }
+
   void write_tables(const std::vector<NamedTable>& means = {}) {
     const std::vector<NamedTable> tables = {runs_table(plan_, results_),
                                             measures_table(plan_, results_)};
-    const auto done = std::ranges::find(results_, Status::done, &Result::status);
-    auto known =
-        record::known_quantities(done != results_.end() ? done->summary : store::RunSummary());
+    auto known = record::known_quantities(described_run());
     known.kind = record::KnownQuantities::Kind::sweep;
     std::vector<store::TableSummary> summaries;
     for (const auto* list : {&tables, &means}) {
       for (const auto& [name, table] : *list) {
         files_.write(store::table_name(name), table.to_csv());
-        summaries.emplace_back(name, record::sweep_summary(table.columns(), known));
+        summaries.emplace_back(name, record::sweep_summary(name, table.columns(), known));
       }
     }
-    files_.write(kRequestFile,
-                 to_json(plan_, summaries, record::sweep_summary(record::sweep_measures(), known)));
+    files_.write(kRequestFile, to_json(plan_, summaries,
+                                       record::sweep_summary("", record::sweep_measures(), known)));
   }
 
   /// Every so often, and never for more than a small part of the time.

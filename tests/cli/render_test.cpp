@@ -257,6 +257,8 @@ TEST_F(RenderCommandTest, WhatCannotBeDrawnIsOneLineAndExitCodeTwo) {
   expect_refused(render({"run", "--sheet", "a.png", "--movie", "./a.png"}), 2,
                  HasSubstr("both movie and contact sheet"));
   expect_refused(render({"run", "--fps", "0"}), 2, HasSubstr("--fps"));
+  expect_refused(render({"run", "--fps", "10"}), 2, HasSubstr("--fps requires --movie"));
+  expect_refused(render({"run", "--columns", "2"}), 2, HasSubstr("--columns requires --sheet"));
 }
 
 TEST_F(RenderCommandTest, APictureOverTimeNeedsNoOtherPictures) {

@@ -36,7 +36,7 @@ SILO = {
         {"name": "discharge", "remove": ["plug", "plate"], "until": {"steps": 600}},
     ],
     "measure": ["profile", "repose", "packing", "outflow", "force", "segregation", "intruder", "convection", "mixing"],
-    "output": {"frames": "none", "series": {"every": 10}, "fields": {"cell": 8, "every": 100}},
+    "output": {"frames": "none", "series": {"every": 10}, "fields": {"cell": 12, "every": 100}},
 }
 
 # What only the automaton has: an index of force at walls; and paths of weight, which a vessel does not have.

@@ -134,6 +134,7 @@ class FiguresTest(ScratchTest):
             ({"first": 1e9, "y": ["moving_share"]}, "'moving_share' has no rows in the stages and times that are chosen"),
             ({"y2": "stage"}, "series.csv: column 'stage' is text, no numbers"),
             ({"y2": "mean_height", "first": 1e9}, "run: nothing to draw of what is chosen"),
+            ({"first": 9, "last": 3}, "the last time 3 is before the first, 9"),
             ({"y2": "movin", "first": 1e9}, "no figure over time of a table with a column 'movin'"),
         ):
             with self.assertRaisesRegex(clca.Error, said):

@@ -7,6 +7,7 @@ import warnings
 
 import clca
 import numpy
+from clca import _figures
 from support import CONTACT, GAS, PROGRAM, SCENE, ScratchTest, needs
 
 
@@ -76,6 +77,25 @@ class SweepTest(ScratchTest):
     def test_units_are_those_of_the_runs(self):
         sweep = clca.sweep(CONTACT, seeds=[1, 2], set={"output.fields": {"every": 20}}, output="sweep")
         self.assertEqual(sweep.runs.units["flow.fluctuation_energy"], "(m/s)²")
+
+    def test_models_with_and_without_a_time_are_drawn_over_steps(self):
+        scene = SCENE | {"species": {"grain": {"shape": {"hexagon": 1}}}}
+        counts = {"stages.packing.fill.counts": {"grain": 40}}
+        sweep = clca.sweep(scene, seeds=[1, 2], vary={"model": ["automaton", "contact"]}, set=counts, output="sweep")
+        self.assertEqual(sweep.runs.units["flow.time"], "√(spacing/gravity)")
+        charts = _figures.charts(sweep, _figures.Choice(y=["mean_height"]))
+        means = next(chart for chart in charts if chart.name == "mean-series-flow-mean_height")
+        (panel,) = means.panels()
+        self.assertEqual([curve.label for curve in panel.curves], ["model=automaton", "model=contact"])
+        self.assertEqual(panel.x.label, "Step, since the stage began")
+        with self.assertRaisesRegex(clca.Error, "figures of a sweep have no second axis"):
+            _figures.charts(sweep, _figures.Choice(y2="mean_height"))
+
+    def test_columns_of_its_tables_are_described_as_such(self):
+        sweep = clca.sweep(SCENE, seeds=[1, 2], output="sweep")
+        self.assertEqual(sweep.measures.descriptions["low"], "Lower end: of the interval of one standard error")
+        self.assertEqual(sweep.runs.descriptions["steps"], "Steps: of the whole run")
+        self.assertEqual(sweep.table("mean-series").descriptions["step"], "Step: since the stage began")
 
     def test_mistakes_are_named(self):
         with self.assertRaisesRegex(clca.Error, "--vary rules.inertia=.*error: rules.inertia: expected a number"):

@@ -99,8 +99,9 @@ std::optional<double> segregation_index(const grains::State& state);
 /// (lattice spacings): 0 if separated, 1 on average if mixed at random. s^2: variance of the share
 /// of the largest particles over cells, by number, weighted by particles. s0^2 = p (1 - p),
 /// separated. sr^2 = p (1 - p) (C - 1) / (N - 1), the exact expectation over random permutations of
-/// N particles in C cells. None unless two sizes are present and some cell holds more than one
-/// particle.
+/// N particles in C cells. None unless two sizes are present, some cell holds more than one
+/// particle, and a cell has the sites of two of the largest: else each is alone in its cell,
+/// however mixed.
 std::optional<double> lacey_index(const grains::State& state, double cell);
 
 /// Height of an intruder, the only particle of its species: 0 on the floor of the bed, 1 if its top

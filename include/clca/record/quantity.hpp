@@ -55,8 +55,10 @@ const Quantity* find_quantity(std::string_view key,
 
 KnownQuantities known_quantities(const store::RunSummary& summary);
 
-/// The columns of a table of a sweep over runs: `known` of these.
-std::vector<store::ColumnSummary> sweep_summary(const std::vector<std::string>& columns,
+/// The columns of a table of a sweep over runs, or its measures where `table` is empty: `known` of
+/// the runs.
+std::vector<store::ColumnSummary> sweep_summary(std::string_view table,
+                                                const std::vector<std::string>& columns,
                                                 const KnownQuantities& known);
 /// Measures that only a sweep has.
 std::vector<std::string> sweep_measures();

@@ -71,8 +71,10 @@ class ChosenTables:
                 keep &= numpy.array([self.is_wanted(str(stage)) for stage in table["stage"]], bool)
             time = "time" if "time" in table.names else "step"
             if time in table.names and is_numeric(table[time]):
-                keep &= table[time] >= (-math.inf if choice.first is None else choice.first)
-                keep &= table[time] <= (math.inf if choice.last is None else choice.last)
+                if choice.first is not None:
+                    keep &= table[time] >= choice.first
+                if choice.last is not None:
+                    keep &= table[time] <= choice.last
             self._tables[name] = table[keep]
         return self._tables[name]
 
@@ -450,7 +452,8 @@ def distribution_ratios(source: ChosenTables, figure: Figure, files: Files, part
 FIGURES = [
     Figure("profile", "profile-*", "height_end", "Surface of the bed above the floor of the box at the end of each stage; equal "
            "scales, so that slopes are seen as they are.", 9, "x", draw=profile),
-    Figure("motion", "series", "moving_share", "Share of the particles that move.", 5, zero=True, top=1),
+    Figure("motion", "series", "moving_share", "Share of the particles that move by a site in a step; by contact "
+           "dynamics a slow one does so only now and then.", 5, zero=True, top=1),
     Figure("mean-height", "series", "mean_height", "Mean height of all particles above the floor of the box.", 4, zero=True),
     Figure("kinetic-energy", "series", "kinetic_energy", "Kinetic energy of all grains.", 6, zero=True),
     Figure("particles", "series", "particles", "Particles in the box, where some enter or leave.", zero=True),
@@ -493,8 +496,8 @@ FIGURES = [
            "freedom.", 0, "lower", needs=("upper", "reference"), each="file", draw=fluctuation),
     Figure("contacts", "contacts-*", "y", "Contacts at the end of a stage: lines between the centres of particles, or from them to "
            "a wall. The stronger, the wider: by normal force, or by the sites that both have.", 5, "x", each="file", draw=contacts),
-    Figure("forces", "forces-*", "density", "Distribution of the index of force over the contacts, at the end of a stage or "
-           "averaged over it.", 6, "high", needs=("count",), draw=forces),
+    Figure("forces", "forces-*", "density", "Distribution of the normal forces of the contacts over their mean, by the automaton of "
+           "the index of force, at the end of a stage or averaged over it.", 6, "high", needs=("count",), draw=forces),
     Figure("temperature-translational", "series", "t_tr", "Temperature of the translational motion, and its closed form.", 9,
            "time", log=True, draw=gas),
     Figure("temperature-rotational", "series", "t_rot", "Temperature of the rotational motion, and its closed form.", 8, "time",
@@ -637,7 +640,11 @@ def charts(folder: Run | Sweep, choice: Choice = Choice(), unreadable: Callable[
     """All that the tables allow, or what is chosen. Throws Error, but for tables that `unreadable` is told of."""
     from ._sweep_figures import sweep_charts
 
+    if choice.first is not None and choice.last is not None and choice.first > choice.last:
+        raise Error(f"the last time {choice.last:g} is before the first, {choice.first:g}")
     source = ChosenTables(folder, choice)
+    if choice.y2 and isinstance(folder, Sweep):
+        raise Error(f"{folder.folder}: figures of a sweep have no second axis")
     if isinstance(folder, Sweep):
         makers: list[Callable[[], list[Chart]]] = [partial(sweep_charts, source, folder)]
     elif choice.y:

@@ -204,11 +204,16 @@ class Page:
         return re.sub(rb"%s-(\d+)\." % self._mark.encode(), lambda found: self._parts[int(found[1])], page)
 
 
+def marked(text: str) -> Markup:
+    """With names between backticks as code."""
+    return Markup(re.sub("`([^`]+)`", r"<code>\1</code>", escape(text)))
+
+
 def html(template: str, filters: Mapping[str, Any] = {}, **values: Any) -> bytes:
     loader, strict = jinja2.FileSystemLoader(TEMPLATES), jinja2.StrictUndefined
     environment = jinja2.Environment(loader=loader, autoescape=True, undefined=strict, trim_blocks=True, lstrip_blocks=True)
     environment.globals["verbatim"] = lambda name: Markup((TEMPLATES / name).read_text("utf-8"))
-    environment.filters |= {"breakable": breakable, "shell": shlex.quote, "whole": whole, "zip": zip, **filters}
+    environment.filters |= {"breakable": breakable, "marked": marked, "shell": shlex.quote, "whole": whole, "zip": zip, **filters}
     environment.filters["cell"] = lambda cell: plain(float(f"{cell:.6g}") if isinstance(cell, float) else cell)
     environment.filters["brief"] = lambda number: with_decimals(number, decimals_for([number]))  # four digits
     return CONTROL.sub("\ufffd", environment.get_template(template).render(**values)).encode()

@@ -150,7 +150,7 @@ def measure_charts(source: ChosenTables, sweep: Sweep, table: Table) -> list[Cha
                 continue
             log = choice.log + ("y" if measure.startswith("discharged_until_clog") else "")
             where = listed(stage, label_of(ways.apart, values))
-            about = listed(what.name, what.of) + (f": {what.description}" if what.description else "")
+            about = what.about()
             about += f", against {x_axis.label}, at the end of stage {where}. "
             about += "Bars are one standard error over the seeds."
             name = f"sweep-{stage}-{measure}" + (f"-{number}" if ways.apart else "")

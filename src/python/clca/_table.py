@@ -35,6 +35,10 @@ class Quantity(NamedTuple):
         name = ", ".join(filter(None, (self.name, self.of)))
         return f"{name} ({self.unit})" if self.unit else name
 
+    def about(self) -> str:
+        """Name and description."""
+        return ": ".join(filter(None, (self._replace(unit="").label(), self.description)))
+
 
 def quantities(listed: Iterable[Mapping[str, Any]]) -> dict[str, Quantity]:
     """What a list of `run.json` says of measures or columns."""
@@ -128,7 +132,7 @@ class Table(Shown, numpy.ndarray[Any, numpy.dtype[Any]]):
 
     @property
     def descriptions(self) -> dict[str, str]:
-        return {key: ": ".join(filter(None, (what.name, what.description))) for key, what in self._quantities.items()}
+        return {key: what.about() for key, what in self._quantities.items()}
 
     def _check_numbers(self, *columns: str) -> None:
         """Throws Error where a cell of these is none, with its line in the file."""

@@ -110,6 +110,8 @@ TEST(Lacey, IsNoneForOneSizeAndForLonelyParticles) {
   EXPECT_FALSE(lacey_index(column_of(""), 5).has_value());
   EXPECT_FALSE(lacey_index(column_of("ssss"), 5).has_value());
   EXPECT_FALSE(lacey_index(column_of("s---------l"), 5).has_value());
+  EXPECT_TRUE(lacey_index(column_of("slslslsl"), 4).has_value());
+  EXPECT_FALSE(lacey_index(column_of("slslslsl"), 3).has_value());  // no room for two of them
 }
 
 /// Three stacks of small particles, the last with a large one in it.
