@@ -2,6 +2,7 @@
 
 #include "clca/boltzmann/gas.hpp"
 
+#include <fmt/format.h>
 #include <pybind11/pybind11.h>
 
 #include <exception>
@@ -109,7 +110,8 @@ void add_gas(py::module_& module) {
       .def_property_readonly("moments", moments,
                              "By name: translational, rotational (<v^2>/3, <w^2>/3) ...")
       .def_property_readonly(
-          "state_hash", [](const Gas& gas) { return boltzmann::hash(gas.now()); },
+          "state_hash",
+          [](const Gas& gas) { return fmt::format("{:016x}", boltzmann::hash(gas.now())); },
           "Equal for equal bits.");
 }
 

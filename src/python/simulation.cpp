@@ -188,8 +188,10 @@ void add_simulation(py::module_& module) {
           },
           "How the stage has ended (settled, steps ...); None while it goes on.")
       .def_property_readonly("over", &Simulation::is_over, "Whether the last stage has ended.")
-      .def_property_readonly("state_hash", &Simulation::hash,
-                             "As `state_hash` of a run: equal for equal bits.")
+      .def_property_readonly(
+          "state_hash",
+          [](const Simulation& simulation) { return fmt::format("{:016x}", simulation.hash()); },
+          "As `state_hash` of a run: equal for equal bits.")
       .def_property_readonly(
           "particles", particles,
           "N: all particles as the model has them, by id: column and row of the reference site "

@@ -17,7 +17,8 @@ void RestWatch::add_move(const grains::State& state, std::uint32_t id) {
   const grains::Particle& grain = state.particles[id];
   const auto mover = std::ranges::find(movers_, id, &Mover::id);
   const bool is_known = mover != movers_.end();
-  if (is_known && grain.row >= mover->lowest) {
+  constexpr int kMostRise = 3;  // rows; what rises farther flies
+  if (is_known && grain.row >= mover->lowest && grain.row <= mover->lowest + kMostRise) {
     ++mover->moves;
     if (lattice::length(grain.site() - lattice::Site{mover->column, mover->row}) > 1) {
       mover->column = grain.column;
@@ -141,7 +142,7 @@ ObserverKind energy_observer() {
   return observer_kind<EnergyRecord>(
       is_contact, {},
       {{{},
-        "model `contact`, without sources",
+        "model `contact`, stages without sources in which neither walls nor the vessel move",
         {{"energy_growth", "Growth of the energy", "",
           "most that it has grown in the stage, as a share of that at its start"}},
         [](const StageView& stage) -> Values {

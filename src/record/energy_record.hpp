@@ -19,8 +19,8 @@ class RestWatch {
 
   /// After a step in which `moved` grains have moved. Once, what there is to warn of: for kSteps
   /// steps the same grains, kMostMovers at most, have been the only ones that moved, none of them
-  /// has come lower, and one has gone farther than to a neighbouring site and back; else the bed
-  /// settles by itself.
+  /// has come lower or flies up, and one has gone farther than to a neighbouring site and back;
+  /// else the bed settles by itself.
   std::optional<std::string> add(const scene::Scene& scene, const grains::State& state,
                                  std::size_t moved);
 

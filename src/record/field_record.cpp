@@ -25,12 +25,19 @@ TableOf<FieldRow> fields_table(const scene::Scene& /*scene*/) {
              "share of its sites that particles take at the end of the window"},
             [](auto& row) { return row.cell.packing; }},
            {{"particles", "Particles", "particles",
-             "that began the window in the cell; between two cells half in each"},
+             "that began the window in the cell and are still in the box; between two cells half "
+             "in each. Without one there is no velocity"},
             [](auto& row) { return row.cell.particles; }},
            {kVelocity,
-            [](auto& row) { return Eigen::Vector2d(row.cell.velocity * row.velocity_unit); }},
+            [](auto& row) {
+              return row.cell.particles > 0
+                         ? std::optional<Eigen::Vector2d>(row.cell.velocity * row.velocity_unit)
+                         : std::nullopt;
+            }},
            {kFluctuation, [](auto& row) {
-              return row.cell.fluctuation * row.velocity_unit * row.velocity_unit;
+              return row.cell.particles > 0 ? std::optional(row.cell.fluctuation *
+                                                            row.velocity_unit * row.velocity_unit)
+                                            : std::nullopt;
             }}}};
 }
 
@@ -165,7 +172,7 @@ ObserverKind fields_observer() {
       {{{},
         "`output.fields`",
         {{"fluctuation_energy", "Energy of fluctuations", "(spacings/step)²",
-          "½⟨|v - ⟨v⟩|²⟩, mean over cells and windows"},
+          "½⟨|v - ⟨v⟩|²⟩, mean over the particles of all cells and over the steps of all windows"},
          {"fluctuation_hellinger", "Distance from chi-square", "",
           "of the distribution of the fluctuations (Hellinger), over the mean of the window"},
          {"fluctuation_hellinger_local", "Distance from chi-square, local", "",

@@ -288,7 +288,8 @@ void write_tables(const GasScene& scene, const std::vector<GasCase>& cases,
       histogram.write(&folder, fmt::format("{}", times[i].time));
     }
   }
-  if (scene.shear_rate == 0 || scene.friction == 0) {
+  const bool is_smooth = scene.friction == 0 || scene.roughness == -1;
+  if (scene.shear_rate == 0 || is_smooth) {
     Closure closure(scene, gas_closure_table(scene));
     for (const GasCase& gas_case : cases) {
       (scene.shear_rate == 0 ? add_cooling : add_steady_flow)(closure, scene, gas_case);

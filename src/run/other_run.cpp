@@ -252,8 +252,9 @@ void take_contacts(const contact::State& other, const std::vector<std::size_t>& 
       contact.other = wall_in_place_of(contact.other, here.particles[contact.upper]);
     }
     if (contact.other != grains::kFree && known.emplace(contact.upper, contact.other).second) {
-      auto& [normal, shear, rolling] = contact.impulse;
-      contact.impulse = {impulse(normal), impulse(shear), impulse(rolling)};
+      for (contact::Impulse<>* part : {&contact.impulse, &contact.impact}) {
+        *part = {impulse(part->normal), impulse(part->shear), impulse(part->rolling)};
+      }
       state.contacts.push_back(contact);
     }
   }

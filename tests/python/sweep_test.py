@@ -26,7 +26,7 @@ class SweepTest(ScratchTest):
         self.assertEqual((len(here), len(here.runs)), (8, 8))
         # Each run of the sweep is that of a row.
         for run, row in zip(here, here.runs):
-            self.assertEqual((run.seed, f"{run.state_hash:016x}"), (row["seed"], row["state_hash"]))
+            self.assertEqual((run.seed, run.state_hash), (row["seed"], row["state_hash"]))
             numpy.testing.assert_equal(float(run.measures["flow"]["runout_99"]), row["flow.runout_99"])
         self.assertEqual(here.runs.units["flow.runout_99"], "spacings")
         self.assertEqual(here.runs["rules.ties"].tolist(), 2 * ["particle", "particle", "direction", "direction"])

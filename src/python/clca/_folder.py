@@ -238,14 +238,14 @@ class Run(Result):
     status: str  #: running, done, interrupted or failed
     particles: int
     steps: int
-    state_hash: int  #: of the last state: equal for equal bits
+    state_hash: str  #: of the last state: equal for equal bits
 
     def __init__(self, folder: str | os.PathLike[str]) -> None:
         super().__init__(folder, "run.json")
         said = self.summary
         self.kind, self.scene, self.title = said["kind"], said["scene"], said.get("title", "")
         self.version, self.seed, self.status = said["clca"], said["seed"], said["status"]
-        self.particles, self.steps, self.state_hash = said["particles"], said["steps"], int(said["state_hash"], 16)
+        self.particles, self.steps, self.state_hash = said["particles"], said["steps"], said["state_hash"]
         known = quantities(said.get("measures", []))
         self.stages: dict[str, Stage] = Named("stage", ())
         for stage in said["stages"]:

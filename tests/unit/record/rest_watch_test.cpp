@@ -87,6 +87,13 @@ TEST_F(RestWatchTest, BeginsAnewWithOtherGrainsAndWithOneThatComesLower) {
   EXPECT_TRUE(warns({3}, 3, 10));
 }
 
+TEST_F(RestWatchTest, BeginsAnewWithAGrainThatFlies) {
+  EXPECT_FALSE(warns({3}, 3, RestWatch::kSteps - 1));
+  state_.particles[3].row += 4;
+  EXPECT_FALSE(warns({3}, 3, RestWatch::kSteps - 1));
+  EXPECT_TRUE(warns({3}, 3, 10));
+}
+
 TEST(ARun, SaysEarlyThatAGrainDoesNotComeToRest) {
   constexpr const char* kSlide = R"(clca: 1
 model: contact

@@ -225,6 +225,24 @@ TEST_F(OtherRunTest, ABedOfTheContactModelAtRestStaysAtRest) {
   EXPECT_GT(std::get<contact::State>(first_state(flow(rest))).contacts.size(), 50U);
 }
 
+TEST_F(OtherRunTest, BeginsInTheMiddleOfImpactsWithAnotherTimeStep) {
+  const std::string grains =
+      "clca: 1\nseed: 3\nmodel: contact\nbox: {width: 20, height: 60}\n"
+      "species: {a: {shape: {hexagon: 1}}}\n";
+  // The next run's steps are shorter: grains may fall from the top of its box.
+  for (const int steps : {80, 95, 100}) {
+    run(scene::parse(grains + "stages: [{name: fall, until: {steps: " + std::to_string(steps) +
+                         "}, fill: {region: [0, 0, 20, 40], counts: {a: 8}}}]\n",
+                     "packing.yaml"),
+        {.folder = path("packing"), .overwrite = true});
+    const auto next = run(scene::parse(grains + "begin: {run: packing}\n"
+                                                "stages: [{name: on, until: {steps: 10}}]\n",
+                                       path("next.yaml").string()),
+                          {.folder = path("next"), .overwrite = true});
+    EXPECT_EQ(next.steps, 10);
+  }
+}
+
 TEST_F(OtherRunTest, RefusesWhatItCannotBeginWith) {
   const std::string folder = path("packing").string();
   EXPECT_THAT(refusal(), EndsWith("flow.yaml:2:8: error: begin: cannot read " + folder +
