@@ -19,7 +19,7 @@ SILO = {
     "model": "contact",
     "units": {"spacing": "1 mm", "density": 2},
     "box": {"width": 61, "height": 120},
-    "species": {"small": {"shape": {"hexagon": 1}}, "large": {"shape": {"hexagon": 2}}, "nut": {"shape": {"hexagon": 4}}},
+    "species": {"small": {"shape": {"hexagon": 1}}, "large": {"shape": {"hexagon": 2}}, "nut": {"shape": {"hexagon": 3}}},
     "walls": {
         "floor": {"parts": [{"box": [0, 10, 16, 12]}, {"box": [45, 10, 61, 12]}]},
         "plug": {"box": [16, 10, 45, 12]},
@@ -36,7 +36,7 @@ SILO = {
         {"name": "discharge", "remove": ["plug", "plate"], "until": {"steps": 600}},
     ],
     "measure": ["profile", "repose", "packing", "outflow", "force", "segregation", "intruder", "convection", "mixing"],
-    "output": {"frames": "none", "series": {"every": 10}, "fields": {"cell": 12, "every": 100}},
+    "output": {"frames": "none", "series": {"every": 10}, "fields": {"cell": 9, "every": 100}},
 }
 
 # What only the automaton has: an index of force at walls; and paths of weight, which a vessel does not have.

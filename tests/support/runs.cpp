@@ -94,7 +94,9 @@ std::vector<double> csv_column(const std::filesystem::path& file, const std::str
   const auto place = static_cast<std::size_t>(found - header.begin());
   std::vector<double> values;
   while (std::getline(stream, line)) {
-    values.push_back(std::stod(cells(line).at(place)));
+    if (const std::string cell = cells(line).at(place); !cell.empty()) {
+      values.push_back(std::stod(cell));
+    }
   }
   return values;
 }
