@@ -94,8 +94,9 @@ std::vector<double> csv_column(const std::filesystem::path& file, const std::str
   const auto place = static_cast<std::size_t>(found - header.begin());
   std::vector<double> values;
   while (std::getline(stream, line)) {
-    if (const std::string cell = cells(line).at(place); !cell.empty()) {
-      values.push_back(std::stod(cell));
+    const std::vector<std::string> row = cells(line);
+    if (place < row.size() && !row[place].empty()) {  // an empty last cell is none of them
+      values.push_back(std::stod(row[place]));
     }
   }
   return values;

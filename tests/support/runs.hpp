@@ -40,7 +40,7 @@ std::uint64_t steps_of(const store::RunSummary& summary, const std::string& stag
 /// Fails the test if a value is not finite.
 statistics::SampleStatistics sample(const std::vector<double>& values);
 
-/// A column of a CSV file with a header line.
+/// A column of a CSV file with a header line, without cells that are empty.
 std::vector<double> csv_column(const std::filesystem::path& file, const std::string& column);
 
 }  // namespace clca::testing
