@@ -221,7 +221,7 @@ void make_canonical(Value& value) {
 
 std::string canonical_value(const std::string& text) {
   try {
-    Value value = read_document(text, std::make_shared<const Origin>());
+    Value value = read_value(text, std::make_shared<const Origin>());
     Evaluator evaluator;
     for_each_expression(value, [&](Value& each) { evaluator.evaluate(each); });
     make_canonical(value);

@@ -10,6 +10,14 @@
 
 namespace clca::document {
 
+Value read_value(std::string_view text, const std::shared_ptr<const Origin>& origin) {
+  Value value = read_document(text, origin);
+  if (value.is(Value::Kind::scalar) && !value.quoted && text.find(" #") != std::string_view::npos) {
+    fail({origin}, "' #' begins a comment; put a text that has it in quotes");
+  }
+  return value;
+}
+
 namespace {
 
 constexpr std::size_t kMaxPathDepth = 32;
@@ -83,7 +91,7 @@ void apply_override(Value& root, const std::string& text, std::string_view optio
   if (parts.size() == 1 && let != nullptr && let->find(parts.front()) != nullptr) {
     parts.insert(parts.begin(), "let");
   }
-  Value value = read_document(whole.substr(equals + 1), origin);
+  Value value = read_value(whole.substr(equals + 1), origin);
   Value* target = &root;
   std::vector<std::string> above;
   for (const std::string& part : parts) {

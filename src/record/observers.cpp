@@ -70,10 +70,13 @@ std::vector<store::TableSummary> Observers::summary() const {
 }
 
 void Observers::open(const store::RunFolder& folder, const grains::State& now) {
+  for (const RunTable* table : tables_) {
+    table->check(folder.files());
+  }
+  call(&Observer::open, folder, now);
   for (RunTable* table : tables_) {
     table->open(folder.files());
   }
-  call(&Observer::open, folder, now);
 }
 
 void Observers::write_rows(std::size_t least) {

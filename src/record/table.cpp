@@ -73,6 +73,12 @@ std::vector<grains::Owner> walls_and_sides(const scene::Scene& scene) {
   return all;
 }
 
+void RunTable::check(const store::OutputFolder& folder) const {
+  if (info_.kind == TableInfo::Kind::growing) {
+    store::GrowingFile::check(folder, store::table_name(info_.name), bytes_);
+  }
+}
+
 void RunTable::open(const store::OutputFolder& folder) {
   if (info_.kind == TableInfo::Kind::growing) {
     file_.emplace(folder, store::table_name(info_.name), bytes_);

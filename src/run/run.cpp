@@ -84,6 +84,7 @@ class Run : public RunBase {
                 .warn = [this](const std::string& line) { warning(line); }},
         in_stage_(in_stage) {}
 
+  void open_files() override;
   void carry_out() override;
   void complete_summary(store::RunSummary& summary) const override;
   void run_stage();
@@ -107,9 +108,12 @@ class Run : public RunBase {
   std::optional<store::Checkpoint> end_checkpoint_;  // is written with what comes after it
 };
 
-void Run::carry_out() {
+void Run::open_files() {
   course_.files = &folder().files();
   course_.observers.open(folder(), model_.state());
+}
+
+void Run::carry_out() {
   const bool has_pictures = scene_.output.frames && options().pictures != WantedPictures::none;
   if (has_pictures && scene_.output.frames->caption && !render::font_problem().empty()) {
     warning(render::font_problem());

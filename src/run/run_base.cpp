@@ -55,10 +55,35 @@ RunOptions with_threads(RunOptions options, int startable, const RunEvents& even
   return options;
 }
 
-store::RunSummary RunBase::execute() {
+void RunBase::begin_files() {
+  constexpr double kMostBytes = 16 << 20;
+  const store::OutputFolder& files = folder_->files();
+  const fs::path summary = files.path() / store::kSummaryFile;
+  const fs::path scene = files.path() / store::kSceneFile;
+  const bool is_resumed = fs::exists(summary) && fs::exists(scene);
+  const auto content = [&](const fs::path& file) {
+    return is_resumed ? store::read_whole(file, kMostBytes) : std::vector<std::uint8_t>();
+  };
+  const std::vector<std::uint8_t> old_summary = content(summary);
+  const std::vector<std::uint8_t> old_scene = content(scene);
   // Before scene.yaml: the old summary must not be combined with the new scene.
   write_summary("running");
-  folder_->files().write(store::kSceneFile, identity_.scene_text);
+  files.write(store::kSceneFile, identity_.scene_text);
+  try {
+    open_files();
+  } catch (const std::exception& error) {
+    if (is_resumed) {
+      files.write(store::kSceneFile, old_scene);
+      files.write(store::kSummaryFile, old_summary);
+    } else {
+      note_failure(error);
+    }
+    throw;
+  }
+}
+
+store::RunSummary RunBase::execute() {
+  begin_files();
   try {
     carry_out();
     writing_.finish();

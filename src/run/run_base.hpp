@@ -56,6 +56,9 @@ class RunBase {
     }
   }
 
+  /// Opens the files that grow. Throws store::StoreError for those of a resumed run that its
+  /// checkpoint does not fit, before it changes one.
+  virtual void open_files() {}
   virtual void carry_out() = 0;
   virtual void complete_summary(store::RunSummary& summary) const = 0;
 
@@ -103,6 +106,9 @@ class RunBase {
  private:
   store::RunSummary summary(const std::string& status) const;
   void write_summary(const std::string& status) const;
+  /// Writes summary and scene, and opens the other files; where those of a resumed run do not fit,
+  /// summary and scene stay as they were.
+  void begin_files();
   void note_failure(const std::exception& failure);
   void note(const char* level, const std::string& line,
             const std::function<void(const std::string&)>& event);

@@ -9,6 +9,7 @@
 #include <atomic>
 #include <cerrno>
 #include <cstring>
+#include <fstream>
 #include <mutex>
 #include <set>
 #include <sstream>
@@ -265,22 +266,17 @@ void OutputFolder::write(const std::string& name, std::span<const std::uint8_t> 
   file.finish();
 }
 
-bool OutputFolder::truncate(const std::string& name, std::uint64_t bytes) const {
+void OutputFolder::truncate(const std::string& name, std::uint64_t bytes) const {
   const Descriptor file = opened(state_->at(prefix_ + name), O_RDWR);
   if (!file.is_open() && errno == ENOENT) {
-    return bytes == 0;
+    return;
   }
   struct stat status {};
-  if (!file.is_open() || ::fstat(file.number(), &status) != 0) {
+  if (!file.is_open() || ::fstat(file.number(), &status) != 0 ||
+      (std::cmp_greater(status.st_size, bytes) &&
+       ::ftruncate(file.number(), static_cast<off_t>(bytes)) != 0)) {
     fail("write", path(name));
   }
-  if (std::cmp_less(status.st_size, bytes)) {
-    return false;
-  }
-  if (::ftruncate(file.number(), static_cast<off_t>(bytes)) != 0) {
-    fail("write", path(name));
-  }
-  return true;
 }
 
 void OutputFolder::delay_flushing() const {
@@ -357,14 +353,33 @@ OutputFolder named_folder(const fs::path& named, const fs::path& run, const std:
   return folder;
 }
 
+void GrowingFile::check(const OutputFolder& folder, const std::string& name, std::uint64_t kept) {
+  if (kept == 0) {
+    return;
+  }
+  const fs::path path = folder.path(name);
+  const auto refuse = [&path](const char* why) {
+    throw UnusableCheckpointError(fmt::format("cannot go on with {}: {}", path.string(), why));
+  };
+  std::error_code missing;
+  const std::uint64_t bytes = fs::file_size(path, missing);
+  if (missing || bytes < kept) {
+    refuse(missing ? "it is missing" : "it is shorter than when the checkpoint was made");
+  }
+  std::ifstream file(path, std::ios::binary);
+  file.seekg(static_cast<std::streamoff>(kept - 1));
+  if (file.get() != '\n') {
+    refuse("it has been changed: no line ends where one did when the checkpoint was made");
+  }
+}
+
 GrowingFile::GrowingFile(OutputFolder folder, std::string name, std::uint64_t kept)
     : folder_(std::move(folder)), name_(std::move(name)), bytes_(kept) {
+  check(folder_, name_, kept);
   if (kept == 0) {
     folder_.state_->remove(folder_.prefix_ + name_);
-  } else if (!folder_.truncate(name_, kept)) {
-    throw UnusableCheckpointError(
-        fmt::format("cannot go on with {}: it is shorter than when the checkpoint was made",
-                    folder_.path(name_).string()));
+  } else {
+    folder_.truncate(name_, kept);
   }
 }
 

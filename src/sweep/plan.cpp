@@ -30,6 +30,13 @@ std::string without_let(const std::string& key) {
   return key.starts_with("let.") ? key.substr(std::string_view("let.").size()) : key;
 }
 
+/// One of the keys that is a part of the value of `whole`, as a.b of a; null if there is none.
+const std::string* part_of(const std::string& whole, const std::set<std::string>& keys) {
+  const auto found = std::ranges::find_if(
+      keys, [&](const std::string& key) { return key.starts_with(whole + "."); });
+  return found == keys.end() ? nullptr : &*found;
+}
+
 void check_keys(const Request& request) {
   std::set<std::string> keys;
   for (const Variation& variation : request.variations) {
@@ -43,6 +50,9 @@ void check_keys(const Request& request) {
       if (!keys.insert(without_let(key)).second) {
         refuse("the key varies twice; give all its values at once, with commas between");
       }
+      if (const std::string* part = part_of(without_let(key), keys)) {
+        refuse(fmt::format("it would replace {}, which varies, too: give it before that", *part));
+      }
     }
   }
   for (const scene::Override& text : request.overrides) {
@@ -51,6 +61,12 @@ void check_keys(const Request& request) {
       throw scene::SceneError(fmt::format(
           "--set {}: error: {}", text::shortened(text),
           key == "seed" ? "the seeds of a sweep are given by --seeds" : "the same key varies"));
+    }
+    const auto whole = std::ranges::find_if(
+        keys, [&](const std::string& varied) { return part_of(varied, {key}) != nullptr; });
+    if (whole != keys.end()) {
+      throw scene::SceneError(fmt::format("--set {}: error: {} replaces it, which varies",
+                                          text::shortened(text), *whole));
     }
   }
 }

@@ -97,10 +97,13 @@ class Sweep {
         ranks_(options.ranks != nullptr ? *options.ranks : alone_),
         files_(options.folder),
         results_(plan.run_count()) {
-    if (files_.owns(store::kSummaryFile)) {
-      throw store::StoreError(
-          fmt::format("cannot sweep in {}: it is the folder of a run; write elsewhere",
-                      files_.path().string()));
+    for (const auto& [file, kind] :
+         {std::pair(store::kSummaryFile, "run"), {store::kCalibrationFile, "calibration"}}) {
+      if (files_.owns(file)) {
+        throw store::StoreError(
+            fmt::format("cannot sweep in {}: it is the folder of a {}; write elsewhere",
+                        files_.path().string(), kind));
+      }
     }
     const Part part = options.part.value_or(Part());
     for (std::size_t run = part.number - 1; run < plan.run_count(); run += part.of) {
@@ -124,6 +127,12 @@ class Sweep {
     if (progress_.reused > 0) {
       events_.message(
           fmt::format("{} of {} runs are there from before", progress_.reused, progress_.runs));
+    }
+    if (replaced_runs_ > 0 && !options_.collect_only) {
+      events_.message(fmt::format(
+          "{} finished runs in the folder are replaced: they have another scene, other settings or "
+          "another version, or not the pictures that are wanted now",
+          replaced_runs_));
     }
     start_ = Clock::now();
     if (!options_.collect_only && !runs.empty() && !stop_asked()) {
@@ -175,6 +184,7 @@ class Sweep {
       }
       if (!earlier || !earlier->is_whole) {
         remaining.push_back(run);
+        replaced_runs_ += earlier ? 1 : 0;
       }
     }
     progress_.reused = progress_.done;
@@ -366,6 +376,7 @@ class Sweep {
   store::OutputFolder files_;
   std::optional<store::FolderLock> lock_;
   std::vector<std::size_t> runs_;       // to be done, of the plan
+  std::size_t replaced_runs_ = 0;       // of these, finished ones of other settings
   std::vector<Result> results_;         // in the order of the plan
   std::vector<std::size_t> in_use_;     // by other processes, to be tried again
   bool retries_in_use_ = false;         // those have been queued again

@@ -111,6 +111,9 @@ TEST_F(SweepCommandTest, ASecondCallRunsNothingAndWritesTheSameTables) {
   const auto again = sweep(call);
   EXPECT_THAT(again.out, StartsWith("3 runs: 3 done (3 from before), 0 failed"));
   EXPECT_EQ(text("out/runs.csv"), runs);
+  const auto other =
+      sweep({"small.yaml", "--seeds", "1..3", "-o", "out", "--set", "rules.scatter=0.5"});
+  EXPECT_THAT(other.out + other.err, HasSubstr("3 finished runs in the folder are replaced"));
 }
 
 TEST_F(SweepCommandTest, WrongCallsAreOneLineAndExitCodeTwo) {

@@ -141,6 +141,11 @@ class CompareTest(FolderTest):
         result = subprocess.run([PROGRAM, "compare", "grains", "gas", "-o", "grains"], capture_output=True, text=True)
         self.assertNotEqual(result.returncode, 0)
         self.assertEqual(json.loads(Path("grains/run.json").read_text())["kind"], "automaton")
+        Path("sweep").mkdir()
+        Path("sweep/sweep.json").write_text("{}")
+        with self.assertRaisesRegex(clca.Error, "sweep: it is the folder of a sweep; write elsewhere"):
+            clca.compare("grains", "gas", "sweep")
+        self.assertEqual([path.name for path in Path("sweep").iterdir()], ["sweep.json"])
         Path("mine").mkdir()
         Path("mine/comparison.png").write_text("mine")
         result = subprocess.run([PROGRAM, "compare", "grains", "gas", "-o", "mine"], capture_output=True, text=True)

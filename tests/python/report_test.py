@@ -385,6 +385,12 @@ class OfRunsTest(PageTest):
         self.assertEqual(self.html.count('<td data-of="Status">done</td>'), 8)
         self.assertGreater(len(page.all("figure")), 3)
         table = sweep.folder / "measures.csv"
+        wrong = table.read_text().splitlines()
+        cells = wrong[1].split(",")
+        cells[wrong[0].split(",").index("mean")] = "n/a"
+        table.write_text("\n".join([wrong[0], ",".join(cells), *wrong[2:], ""]))
+        self.page("sweep")
+        self.assertWarned("measures.csv: line 2: 'n/a' in column 'mean' is no number")
         table.unlink()
         self.page("sweep")
         self.assertWarned("no table 'measures'")

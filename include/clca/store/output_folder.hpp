@@ -61,8 +61,8 @@ class OutputFolder {
   struct State;
   /// Lists a file in the manifest and makes its folders; returns its path.
   std::filesystem::path prepared(const std::string& name) const;
-  /// Truncates the file to `bytes`. Returns false if it has fewer. A missing file has no bytes.
-  bool truncate(const std::string& name, std::uint64_t bytes) const;
+  /// Truncates the file to `bytes`, unless it has fewer.
+  void truncate(const std::string& name, std::uint64_t bytes) const;
   /// Flushes this file, if it exists, with the next flush().
   void flush_later(const std::string& name) const;
 
@@ -80,8 +80,11 @@ OutputFolder named_folder(const std::filesystem::path& named, const std::filesys
 class GrowingFile {
  public:
   /// Keeps the first `kept` bytes of the file, whoever has put it there; it is made with the first
-  /// append. Throws StoreError if it has fewer.
+  /// append. Throws as check().
   GrowingFile(OutputFolder folder, std::string name, std::uint64_t kept);
+  /// Throws UnusableCheckpointError unless the first `kept` bytes of the file are there and end a
+  /// line.
+  static void check(const OutputFolder& folder, const std::string& name, std::uint64_t kept);
 
   /// Is on the disk after OutputFolder::flush(). Throws StoreError.
   void append(std::string_view text);

@@ -23,6 +23,7 @@ std::filesystem::path frame_path(const std::filesystem::path& run, const std::st
 // Names in a run folder.
 inline constexpr const char* kSceneFile = "scene.yaml";
 inline constexpr const char* kSummaryFile = "run.json";
+inline constexpr const char* kCalibrationFile = "calibration.json";  ///< of the Python package
 inline constexpr const char* kLogFile = "log.txt";
 inline constexpr const char* kFramesFolder = "frames";
 inline constexpr const char* kRedrawnFolder = "render";  ///< pictures that are drawn again

@@ -117,6 +117,9 @@ void check_text(std::string_view text, std::shared_ptr<const Origin> origin);
 /// Without a document the value is nothing. Throws Error.
 Value read_document(std::string_view text, std::shared_ptr<const Origin> origin);
 
+/// The value of an option, KEY=VALUE: as read_document(), without comments. Throws Error.
+Value read_value(std::string_view text, const std::shared_ptr<const Origin>& origin);
+
 /// Puts the value of `text` into the tree. In a map at a path that `is_choice`, which holds one key
 /// out of several, a new key takes the place of the old one. Throws Error that names
 /// `OPTION KEY=VALUE`.

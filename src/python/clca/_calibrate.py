@@ -18,7 +18,7 @@ import numpy
 from . import _answer
 from ._arguments import absolute, mapping, plain, progress as checked_progress, to_yaml, workers
 from ._error import ArgumentError, Error
-from ._folder import Folder, make_own, write_files
+from ._folder import Folder, make_own, refuse_other_kind, write_files
 from ._notebook import Progress
 from ._rounds import Answer, Numbers, scaled, step
 from ._study import Place, read_study, study_of
@@ -247,6 +247,7 @@ def calibrate(
     study = study_of(said, refuse)
     workers("jobs", jobs), checked_progress(progress)
     folder = absolute(output if output is not None else Path("renders") / f"{study.tests[0].name}-calibration")
+    refuse_other_kind(folder, "calibration.json")
     make_own(folder)
     number = 0
     while not isinstance(following := step(study, folder, number), Answer):
@@ -260,6 +261,7 @@ def calibrate(
 def command(options: dict[str, Any], folder: str) -> None:
     """One step: answers with the sweeps that are needed, as options of `clca sweep`, or with the files of the answer."""
     study = read_study(Path(options["study"]))
+    refuse_other_kind(Path(folder), "calibration.json")
     following = step(study, Path(folder), options["step"])
     if isinstance(following, Answer):
         summary, tables = content_of(following)

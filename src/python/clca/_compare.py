@@ -21,7 +21,7 @@ from ._arguments import absolute, number, text
 from ._chart import Look, rendered
 from ._error import Error, printable
 from ._figures import Choice, chosen
-from ._folder import Run, read_json, write_files
+from ._folder import Run, read_json, refuse_other_kind, write_files
 from ._table import Table, csv_of
 
 ROUNDING = 1e-6  # tables may be cut to fewer digits
@@ -118,6 +118,7 @@ def compared(
         if len(one.shares) != bins or bins < 2:
             of = f"the {one.name} energy is in {len(one.shares)} bins, that of the automaton in {bins}"
             raise Error(f"{other.folder}: {of} (bins: q20 in the scene)")
+    refuse_other_kind(output, "run.json")
     there = output / "run.json"
     if there.exists() and (kind := read_json(there).get("kind")) != "comparison":
         raise Error(f"{output}: there is a run of kind {kind} in it; write the comparison elsewhere")

@@ -47,6 +47,7 @@ RUN = QUANTITY_LISTS | {
 SWEEP = QUANTITY_LISTS | {"scene": str, "vary": [{"keys": [str], "rows": [[str]]}], "set": [str], "seeds": str, "runs": int}
 CALIBRATION = {"notes": [str], "vary": {"*": [NUMBER]}, "correlations": [[NUMBER]]}
 SHAPES = {"run.json": RUN, "sweep.json": SWEEP, "calibration.json": CALIBRATION}
+KINDS_OF_FOLDER = {"run.json": "run", "sweep.json": "sweep", "calibration.json": "calibration"}
 
 
 def is_scalar_of(value: Any, shape: Any) -> bool:
@@ -90,6 +91,13 @@ def read_json(file: Path) -> dict[str, Any]:
     if not isinstance(found, dict):
         raise Error(f"cannot read {file}: it is cut off or no JSON")
     return found
+
+
+def refuse_other_kind(folder: Path, own: str) -> None:
+    """Throws Error for the folder of a run, a sweep or a calibration, unless `own` is what tells it."""
+    for name in SHAPES.keys() - {own}:
+        if (folder / name).exists():
+            raise Error(f"{folder}: it is the folder of a {KINDS_OF_FOLDER[name]}; write elsewhere")
 
 
 def make_own(folder: Path) -> None:

@@ -370,6 +370,7 @@ def run_page(page: Page, run: Run, most: int | None) -> bytes:
 def combinations_of(sweep: Sweep) -> tuple[list[str], list[tuple[str, list[Row], bool]]]:
     """Combinations as KEY=VALUE, a line each; of each stage its name, rows, and whether a vessel is turned."""
     table = sweep.measures
+    table._check_numbers("mean", "standard_error")
     values = rows_of(table, sweep.keys)
     names = ["\n".join(f"{key}={plain(value)}" for key, value in zip(sweep.keys, row)) for row in values]
     shown = evenly(list(dict.fromkeys(names)), MOST_COLUMNS)

@@ -158,6 +158,8 @@ class RunTable {
 
   /// Bytes of a growing table that are on the disk when a run resumes.
   std::uint64_t& bytes() { return bytes_; }
+  /// Of a growing table: throws StoreError where these bytes are not on the disk.
+  void check(const store::OutputFolder& folder) const;
   /// Of a growing table: removes what was written beyond these bytes.
   void open(const store::OutputFolder& folder);
   /// Of a growing table: writes the new rows if they have at least `least` bytes. Forgets them if

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <map>
 #include <fstream>
 
 #include "clca/run/run.hpp"
@@ -266,6 +267,26 @@ TEST_F(ResumeTest, AnEndThatTheRunHasPassedIsRefusedAndNothingIsChanged) {
                   HasSubstr("--until 2: error: stage flow has passed this end: it is at step")));
   EXPECT_EQ(testing::bytes_of(path() / "scene.yaml"), scene);
   EXPECT_EQ(testing::bytes_of(path() / "run.json"), summary);
+}
+
+TEST_F(ResumeTest, AFileThatDoesNotFitIsRefusedAndNothingIsChanged) {
+  const auto files = [&] {
+    std::map<fs::path, decltype(testing::bytes_of({}))> all;
+    for (const auto& entry : fs::recursive_directory_iterator(path())) {
+      if (entry.is_regular_file() && entry.path().filename() != "log.txt") {
+        all[entry.path()] = testing::bytes_of(entry.path());
+      }
+    }
+    return all;
+  };
+  for (const char* lost : {"series.csv", "trajectory/part-000000.h5"}) {
+    run(small({"output.trajectory.every=5", "output.fields={}"}),
+        {.folder = path(), .overwrite = true});
+    fs::remove(path() / lost);
+    const auto before = files();
+    EXPECT_THROW(resume(load_run(path(), kMuch, "5000"), {}), store::StoreError) << lost;
+    EXPECT_EQ(files(), before) << lost;
+  }
 }
 
 TEST_F(ResumeTest, AnInterruptedRunIsReplacedOnlyWhereThatIsAskedFor) {

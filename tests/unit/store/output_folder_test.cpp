@@ -243,6 +243,11 @@ TEST_F(OutputFolderTest, AGrowingFileKeepsWhatItIsToldAndCutsOffTheRest) {
   EXPECT_THAT(
       [&] { GrowingFile(out, "table.csv", 9); },
       ThrowsMessage<StoreError>(EndsWith("it is shorter than when the checkpoint was made")));
+  EXPECT_THAT([&] { GrowingFile(out, "table.csv", 5); },
+              ThrowsMessage<StoreError>(HasSubstr("it has been changed: no line ends")));
+  EXPECT_THAT([&] { GrowingFile(out, "other.csv", 5); },
+              ThrowsMessage<StoreError>(EndsWith("other.csv: it is missing")));
+  EXPECT_EQ(text("out/table.csv"), "a,b\n3,4\n");
   GrowingFile anew(out, "table.csv", 0);
   EXPECT_FALSE(fs::exists(path("out/table.csv")));
   out.flush();
