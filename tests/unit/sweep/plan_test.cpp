@@ -129,11 +129,8 @@ TEST(Plan, AKeyIsSetInOnePlaceOnlyAndTheSeedNowhereElse) {
   EXPECT_THAT([] { plan(request({"rules={scatter: 1}"}, "1", {"rules.inertia=1"})); },
               ThrowsMessage<scene::SceneError>(
                   AllOf(StartsWith("--set rules.inertia=1"), HasSubstr("rules replaces it"))));
-  EXPECT_THAT(
-      [] {
-        plan(request({"title=Run #1,Run #2"}));
-      },
-      ThrowsMessage<scene::SceneError>(HasSubstr("begins a comment")));
+  EXPECT_THAT([] { plan(request({"title=Run #1,Run #2"})); },
+              ThrowsMessage<scene::SceneError>(HasSubstr("begins a comment")));
 }
 
 TEST(Plan, MoreRunsThanASweepMayHaveAreRefusedBeforeTheyAreMade) {
