@@ -496,8 +496,8 @@ FIGURES = [
            "freedom.", 0, "lower", needs=("upper", "reference"), each="file", draw=fluctuation),
     Figure("contacts", "contacts-*", "y", "Contacts at the end of a stage: lines between the centres of particles, or from them to "
            "a wall. The stronger, the wider: by normal force, or by the sites that both have.", 5, "x", each="file", draw=contacts),
-    Figure("forces", "forces-*", "density", "Distribution of the normal forces of the contacts, or by the automaton of the index of "
-           "force, over their mean; at the end of a stage or averaged over it.", 6, "high", needs=("count",), draw=forces),
+    Figure("forces", "forces-*", "density", "Distribution of the normal forces of the contacts, or by the automaton of the index "
+           "of force, over their mean; at the end of a stage or averaged over it.", 6, "high", needs=("count",), draw=forces),
     Figure("temperature-translational", "series", "t_tr", "Temperature of the translational motion, and its closed form.", 9,
            "time", log=True, draw=gas),
     Figure("temperature-rotational", "series", "t_rot", "Temperature of the rotational motion, and its closed form.", 8, "time",
