@@ -70,6 +70,7 @@ std::vector<store::TableSummary> Observers::summary() const {
 }
 
 void Observers::open(const store::RunFolder& folder, const grains::State& now) {
+  // All are checked before one is changed.
   for (const RunTable* table : tables_) {
     table->check(folder.files());
   }

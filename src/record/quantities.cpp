@@ -237,10 +237,10 @@ KnownQuantities known_quantities(const store::RunSummary& summary) {
 std::vector<store::ColumnSummary> sweep_summary(std::string_view table,
                                                 const std::vector<std::string>& columns,
                                                 const KnownQuantities& known) {
-  const bool has_means = table.starts_with("mean-");
+  const bool is_of_means = table.starts_with("mean-");
   const std::vector<TableInfo>& tables = declared(KnownQuantities::Kind::sweep).tables;
   const auto info =
-      std::ranges::find(tables, has_means ? std::string_view("mean") : table, &TableInfo::name);
+      std::ranges::find(tables, is_of_means ? std::string_view("mean") : table, &TableInfo::name);
   std::vector<store::ColumnSummary> result;
   for (const std::string& key : columns) {
     const std::size_t ending = key.ends_with(kErrorEnding) ? kErrorEnding.size() : 0;
@@ -251,7 +251,7 @@ std::vector<store::ColumnSummary> sweep_summary(std::string_view table,
     found = found ? found : known.find(of);
     result.push_back(found.value_or(store::ColumnSummary{.key = key, .name = key}));
     result.back().key = key;
-    if (has_means && (key == kStep.key || key == "time")) {
+    if (is_of_means && (key == kStep.key || key == "time")) {
       result.back().meaning = "since the stage began";
     }
   }

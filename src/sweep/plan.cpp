@@ -65,7 +65,7 @@ void check_keys(const Request& request) {
     const auto whole = std::ranges::find_if(
         keys, [&](const std::string& varied) { return part_of(varied, {key}) != nullptr; });
     if (whole != keys.end()) {
-      throw scene::SceneError(fmt::format("--set {}: error: {} replaces it, which varies",
+      throw scene::SceneError(fmt::format("--set {}: error: {}, which varies, would replace it",
                                           text::shortened(text), *whole));
     }
   }

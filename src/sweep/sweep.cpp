@@ -129,10 +129,11 @@ class Sweep {
           fmt::format("{} of {} runs are there from before", progress_.reused, progress_.runs));
     }
     if (replaced_runs_ > 0 && !options_.collect_only) {
-      events_.message(fmt::format(
-          "{} finished runs in the folder are replaced: they have another scene, other settings or "
-          "another version, or not the pictures that are wanted now",
-          replaced_runs_));
+      events_.message(
+          fmt::format("replaces {} of the finished runs in the folder, which have another scene, "
+                      "other settings, "
+                      "another version or other pictures",
+                      replaced_runs_));
     }
     start_ = Clock::now();
     if (!options_.collect_only && !runs.empty() && !stop_asked()) {
@@ -313,7 +314,7 @@ class Sweep {
     }
   }
 
-  /// A run that is done, if there is one: with units, which not all models have.
+  /// Of a finished run: of one with units, if there is one, since not all models have them.
   store::RunSummary described_run() const {
     store::RunSummary found;
     for (const Result& result : results_) {

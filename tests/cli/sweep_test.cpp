@@ -113,7 +113,7 @@ TEST_F(SweepCommandTest, ASecondCallRunsNothingAndWritesTheSameTables) {
   EXPECT_EQ(text("out/runs.csv"), runs);
   const auto other =
       sweep({"small.yaml", "--seeds", "1..3", "-o", "out", "--set", "rules.scatter=0.5"});
-  EXPECT_THAT(other.out + other.err, HasSubstr("3 finished runs in the folder are replaced"));
+  EXPECT_THAT(other.out + other.err, HasSubstr("replaces 3 of the finished runs in the folder"));
 }
 
 TEST_F(SweepCommandTest, WrongCallsAreOneLineAndExitCodeTwo) {

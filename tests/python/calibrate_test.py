@@ -92,6 +92,8 @@ class CalibrateTest(ScratchTest):
         self.assertLessEqual(parameter["mean"], parameter["high"])
         self.assertEqual(clca.Calibration("found").best, here.best)
         self.assertIn("rules.inertia: ", repr(here))
+        with self.assertRaisesRegex(clca.Error, "here: it is the folder of a calibration; write elsewhere"):
+            clca.sweep("scene.yaml", seeds=[1], output="here")
         # The same command again runs nothing.
         before = {file: file.stat().st_mtime_ns for file in (self.folder / "found/runs").rglob("run.json")}
         self.assertEqual(self.study().returncode, 0)
@@ -222,6 +224,9 @@ class CalibrateTest(ScratchTest):
         with self.assertRaisesRegex(clca.Error, "clca did not make the folder"):
             clca.calibrate("scene.yaml", {"flow.runout_99": (12, 1)}, {"rules.inertia": (0, 0.9)}, output="found")
         self.assertEqual((self.folder / "found/parameters.csv").read_text(), "mine")
+        clca.run("scene.yaml", output="run")
+        with self.assertRaisesRegex(clca.Error, "run: it is the folder of a run; write elsewhere"):
+            clca.calibrate("scene.yaml", {"flow.runout_99": (12, 1)}, {"rules.inertia": (0, 0.9)}, output="run")
 
 
 if __name__ == "__main__":

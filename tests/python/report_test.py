@@ -331,6 +331,11 @@ class ReportTest(PageTest):
             rows, _ = _report.measured_rows([{"x": (number, error)}], lambda key: clca._table.Quantity(key))
             self.assertEqual(" ± ".join(filter(None, rows[0][2][0])), text, number)
 
+    def test_names_between_backticks_are_code(self):
+        self.assertEqual(_report.marked("as `a_b`, <x>"), "as <code>a_b</code>, &lt;x&gt;")
+        self.assertEqual(_report.html("notebook.html", said="", columns=["a"], notes=[], parts=[("", [(
+            "x", clca._table.Quantity("X", description="as `y`"), [("1", "")])], False)]).count(b"as <code>y</code>"), 1)
+
     def test_a_page_needs_no_compiled_part(self):
         self.page()
         first = self.html

@@ -47,7 +47,6 @@ RUN = QUANTITY_LISTS | {
 SWEEP = QUANTITY_LISTS | {"scene": str, "vary": [{"keys": [str], "rows": [[str]]}], "set": [str], "seeds": str, "runs": int}
 CALIBRATION = {"notes": [str], "vary": {"*": [NUMBER]}, "correlations": [[NUMBER]]}
 SHAPES = {"run.json": RUN, "sweep.json": SWEEP, "calibration.json": CALIBRATION}
-KINDS_OF_FOLDER = {"run.json": "run", "sweep.json": "sweep", "calibration.json": "calibration"}
 
 
 def is_scalar_of(value: Any, shape: Any) -> bool:
@@ -95,9 +94,9 @@ def read_json(file: Path) -> dict[str, Any]:
 
 def refuse_other_kind(folder: Path, own: str) -> None:
     """Throws Error for the folder of a run, a sweep or a calibration, unless `own` is what tells it."""
-    for name in SHAPES.keys() - {own}:
-        if (folder / name).exists():
-            raise Error(f"{folder}: it is the folder of a {KINDS_OF_FOLDER[name]}; write elsewhere")
+    for name in SHAPES:
+        if name != own and (folder / name).exists():
+            raise Error(f"{folder}: it is the folder of a {Path(name).stem}; write elsewhere")
 
 
 def make_own(folder: Path) -> None:

@@ -206,7 +206,7 @@ class Page:
 
 def marked(text: str) -> Markup:
     """With names between backticks as code."""
-    return Markup(re.sub("`([^`]+)`", r"<code>\1</code>", escape(text)))
+    return Markup(re.sub("`([^`]+)`", r"<code>\1</code>", str(escape(text))))
 
 
 def html(template: str, filters: Mapping[str, Any] = {}, **values: Any) -> bytes:

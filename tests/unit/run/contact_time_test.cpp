@@ -53,6 +53,11 @@ TEST_F(ContactTimeTest, UnitsChangeNoStateAndScaleTimesAndVelocities) {
   expect_scaled("fields.csv", "time", second);
   expect_scaled("fields.csv", "vx", speed);
   expect_scaled("fields.csv", "fluctuation", speed * speed);
+  const auto particles = testing::csv_column(path("plain") / "fields.csv", "particles");
+  const auto alone = std::count(particles.begin(), particles.end(), 0);
+  EXPECT_GT(alone, 0) << "cells with the sites of a particle and the centre of none";
+  EXPECT_EQ(testing::csv_column(path("plain") / "fields.csv", "vx").size(),
+            particles.size() - static_cast<std::size_t>(alone));
   expect_scaled("lines-flow.csv", "flux", 1);
   expect_scaled("lines-flow.csv", "v_across", speed);
   expect_scaled("lines-flow.csv", "v_along_se", speed);

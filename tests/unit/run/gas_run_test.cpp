@@ -143,6 +143,8 @@ TEST_F(GasRunTest, ShearAddsTheStressesAndTheSteadyStateOfSmoothSpheres) {
 TEST_F(GasRunTest, ShearWithFrictionHasNoClosure) {
   run_gas({"boltzmann.shear_rate=0.5"});
   EXPECT_FALSE(leaves("closure.csv"));
+  run_gas({"boltzmann.shear_rate=0.5", "boltzmann.roughness=-1"});  // smooth, whatever the friction
+  EXPECT_EQ(table("closure").numbers("t_tr")[1], boltzmann::shear_flow(0.5, 0.5).temperature);
 }
 
 TEST_F(GasRunTest, WithoutSpinsAtFirstTheirTemperatureIsRelativeToTheTranslationalOne) {
