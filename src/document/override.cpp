@@ -24,6 +24,23 @@ constexpr std::size_t kMaxPathDepth = 32;
 
 using IsChoice = bool (*)(const std::vector<std::string>& path);
 
+/// An option that has set the value, or something inside it, other than that of `origin`; null if
+/// there is none.
+const Origin* option_in(const Value& value, const std::shared_ptr<const Origin>& origin) {
+  if (!value.location.origin->has_lines && value.location.origin != origin &&
+      !value.is(Value::Kind::map)) {
+    return value.location.origin.get();
+  }
+  const Origin* found = nullptr;
+  for (std::size_t i = 0; i < value.items.size() && found == nullptr; ++i) {
+    found = option_in(value.items[i], origin);
+  }
+  for (std::size_t i = 0; i < value.entries.size() && found == nullptr; ++i) {
+    found = option_in(value.entries[i].value, origin);
+  }
+  return found;
+}
+
 /// The item of a list that `part` means: by number, or by name.
 Value& item(Value& list, const std::string& part, const std::string& path,
             const TextLocation& location) {
@@ -45,12 +62,13 @@ Value& item(Value& list, const std::string& part, const std::string& path,
        list.items.size(), called, text::suggestion(part, names));
 }
 
-/// The value under `part`; a map gets the key when it has none.
+/// The value under `part`; a map gets the key when it has none. `replace` replaces a value.
+template <class Replace>
 Value& child(Value& parent, const std::vector<std::string>& above, const std::string& part,
-             const TextLocation& location, IsChoice is_choice) {
+             const TextLocation& location, IsChoice is_choice, Replace replace) {
   const std::string path = text::printable(fmt::format("{}", fmt::join(above, ".")));
   if (is_choice(above) && parent.find(part) == nullptr) {
-    parent = Value::map(location);
+    replace(parent, Value::map(location));
   }
   if (parent.is(Value::Kind::list)) {
     return item(parent, part, path, location);
@@ -72,7 +90,7 @@ Value& child(Value& parent, const std::vector<std::string>& above, const std::st
 }  // namespace
 
 void apply_override(Value& root, const std::string& text, std::string_view option,
-                    IsChoice is_choice) {
+                    IsChoice is_choice, bool after_others) {
   const std::size_t equals = text.find('=');
   const std::string value_shown =
       equals == std::string::npos ? "" : "=" + text::shortened(text.substr(equals + 1));
@@ -91,14 +109,29 @@ void apply_override(Value& root, const std::string& text, std::string_view optio
   if (parts.size() == 1 && let != nullptr && let->find(parts.front()) != nullptr) {
     parts.insert(parts.begin(), "let");
   }
+  if (parts.size() == 2 && parts.front() == "let" &&
+      (let == nullptr || let->find(parts.back()) == nullptr)) {
+    std::vector<std::string_view> names;
+    for (const Entry& entry : let != nullptr ? let->entries : std::vector<Entry>()) {
+      names.push_back(entry.key);
+    }
+    fail(location, "nothing is called {} under let{}", text::shown(parts.back()),
+         text::suggestion(parts.back(), names));
+  }
+  const auto replace = [&](Value& old, Value value) {
+    if (const Origin* other = after_others ? option_in(old, origin) : nullptr) {
+      fail(location, "it would replace what {} sets", other->label);
+    }
+    old = std::move(value);
+  };
   Value value = read_value(whole.substr(equals + 1), origin);
   Value* target = &root;
   std::vector<std::string> above;
   for (const std::string& part : parts) {
-    target = &child(*target, above, part, location, is_choice);
+    target = &child(*target, above, part, location, is_choice, replace);
     above.push_back(part);
   }
-  *target = std::move(value);
+  replace(*target, std::move(value));
 }
 
 }  // namespace clca::document

@@ -30,7 +30,8 @@ constexpr const char* kCell = "cell";
 const scene::Scene& drawable(const RunToDraw& run) {
   const scene::Scene& scene = run.scene;
   std::error_code unknown;
-  if (!fs::exists(run.folder / "trajectory", unknown) && !unknown) {
+  const auto& trajectory = scene.output.trajectory;
+  if (!trajectory && !fs::exists(run.folder / "trajectory", unknown) && !unknown) {
     throw RedrawError(fmt::format(
         "{}: the run has left no trajectory; run the scene again with output.trajectory in it, as "
         "by --set output.trajectory.every=10",
@@ -42,7 +43,6 @@ const scene::Scene& drawable(const RunToDraw& run) {
         "with another overlay",
         scene.output.frames->location));
   }
-  const auto& trajectory = scene.output.trajectory;
   if (scene::pictures_show_forces(scene) && !(trajectory && trajectory->contacts)) {
     const bool overlay = scene.output.frames->overlay == scene::Overlay::forces;
     throw RedrawError(fmt::format(

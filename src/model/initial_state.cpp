@@ -68,11 +68,7 @@ void set_rate(grains::Source& source, double rate) {
 
 grains::Source make_source(const grains::State& state, const scene::Source& source) {
   grains::Source result;
-  if (const auto* point = std::get_if<Eigen::Vector2d>(&source.position)) {
-    result.sites = {lattice::nearest_site(*point)};
-  } else {
-    result.sites = lattice::sites_in(state.lattice, std::get<lattice::Rectangle>(source.position));
-  }
+  result.sites = scene::source_sites(state.lattice, source);
   result.weights = kind_weights(state, source.weights);
   set_rate(result, source.rate);
   result.count = source.count.value_or(std::numeric_limits<std::uint64_t>::max());

@@ -182,6 +182,16 @@ std::vector<std::string> named_measures(const scene::Scene& scene) {
   return names;
 }
 
+/// The measure under which a quantity is requested, if there is one.
+std::optional<scene::Measure> measure_of(std::string_view name) {
+  for (const QuantityGroup& group : stage_quantities()) {
+    if (std::ranges::find(group.quantities, name, &Quantity::key) != group.quantities.end()) {
+      return group.measure;
+    }
+  }
+  return std::nullopt;
+}
+
 /// Adds what the scene derives from them.
 void add_derived(std::vector<store::NamedMeasure>& results, const StageView& stage) {
   std::map<std::string, double, std::less<>> numbers;
@@ -285,8 +295,12 @@ void check_derived(const scene::Scene& scene) {
     for (const std::string& name : document::names_in(derived.value, is_known)) {
       if (!is_known(name)) {
         const std::vector<std::string_view> names(known.begin(), known.end());
+        const auto of = measure_of(name);
         refuse(fmt::format("unknown measure {} in {}{}", text::shown(name),
-                           text::shown(derived.value), text::suggestion(name, names)));
+                           text::shown(derived.value),
+                           of ? fmt::format("; it comes with {}, so name that under measure, too",
+                                            scene::name_of_measure(*of))
+                              : text::suggestion(name, names)));
       }
     }
     known.push_back(derived.name);

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "clca/text/read.hpp"
+
 namespace clca::render {
 
 namespace {
@@ -67,7 +69,7 @@ Arguments ffmpeg_arguments(const std::filesystem::path& file, MovieFormat format
                            int height, double frames_per_second) {
   if (format == MovieFormat::gif &&
       (frames_per_second > kMostGifRate || 1 / frames_per_second > kLongestGifPicture)) {
-    throw MovieError(fmt::format(
+    throw text::InputError(fmt::format(
         "a GIF has at most {:g} pictures a second, and shows each for at most {:g} s; choose "
         "another number of pictures, length or format",
         kMostGifRate, kLongestGifPicture));

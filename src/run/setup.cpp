@@ -82,11 +82,13 @@ double memory_of(const scene::Scene& scene) {
 void check_memory(const scene::Scene& scene, double limit) {
   if (const double bytes = memory_of(scene); bytes > limit) {
     const scene::Size size = scene::size_of(scene);
+    const bool without =
+        bytes - drawing::picture_bytes(scene, static_cast<double>(size.particles)) <= limit;
     throw scene::SceneError(fmt::format(
         "{}: error: the scene needs about {:.0f} MiB of memory for {} x {} sites and {} particles, "
-        "more than the limit of {:.0f} MiB; make the box smaller or raise --memory-limit",
-        scene.box.location, bytes / kMebibyte, size.columns, size.rows, size.particles,
-        limit / kMebibyte));
+        "more than the limit of {:.0f} MiB; make the {} smaller or raise --memory-limit",
+        without ? scene.output.frames->location : scene.box.location, bytes / kMebibyte,
+        size.columns, size.rows, size.particles, limit / kMebibyte, without ? "pictures" : "box"));
   }
 }
 

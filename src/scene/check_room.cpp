@@ -1,5 +1,5 @@
-// Rejects moving walls that never enter the box or meet another wall, fills that cannot fit, and
-// outlets that no particle fits into.
+// Rejects moving walls that never enter the box or meet another wall, fills that cannot fit,
+// outlets that no particle fits into, and sources of particles that fit nowhere.
 
 #include <algorithm>
 #include <cmath>
@@ -73,6 +73,17 @@ void check_pair(const lattice::Lattice& lattice, const Wall& mover, const std::v
   }
 }
 
+/// Whether a shape lies on `free` sites of the box with its site `reference` at `at`.
+template <class Free>
+bool lies_free(const lattice::Lattice& lattice, const lattice::Shape& shape,
+               lattice::Axial reference, lattice::Site at, Free free) {
+  return std::ranges::all_of(shape.sites(), [&](lattice::Axial part) {
+    lattice::Site site = at + (part - reference);
+    site.column = lattice.wrapped(site.column);
+    return lattice.contains(site) && free(site);
+  });
+}
+
 /// Whether the species fits into the rectangle in one of its orientations on `free` sites.
 template <class Free>
 bool finds_room(const lattice::Lattice& lattice, const lattice::Rectangle& rectangle,
@@ -80,25 +91,22 @@ bool finds_room(const lattice::Lattice& lattice, const lattice::Rectangle& recta
   const lattice::SweptRegion box(lattice);
   return std::ranges::any_of(species.orientations, [&](int degrees) {
     const lattice::Shape shape = species.shape.rotated(degrees / kDegreesPerSixth);
-    const lattice::Axial first = shape.sites().front();
     return any_site(box, rectangle, [&](lattice::Site at) {
-      return std::ranges::all_of(shape.sites(), [&](lattice::Axial part) {
-        lattice::Site site = at + (part - first);
-        site.column = lattice.wrapped(site.column);
-        return lattice.contains(site) && rectangle.contains(lattice::position(site)) && free(site);
+      return lies_free(lattice, shape, shape.sites().front(), at, [&](lattice::Site site) {
+        return rectangle.contains(lattice::position(site)) && free(site);
       });
     });
   });
 }
 
-/// One bit per site index: a lower bound of what walls cover at the start of a stage. Walls moved
-/// by an earlier stage may be anywhere.
-std::vector<bool> covered_at_begin(const Scene& scene, const lattice::Lattice& lattice,
-                                   std::size_t stage, const std::vector<bool>& there) {
+/// One bit per site index: a lower bound of what walls cover in a stage. Those that one of the
+/// first `moving_stages` moves may be anywhere.
+std::vector<bool> covered_in(const Scene& scene, const lattice::Lattice& lattice,
+                             std::size_t moving_stages, const std::vector<bool>& there) {
   std::vector<bool> covered(lattice.index_count(), false);
   for (std::size_t wall = 0; wall < scene.walls.size(); ++wall) {
     const bool moved = std::any_of(
-        scene.stages.begin(), scene.stages.begin() + static_cast<std::ptrdiff_t>(stage),
+        scene.stages.begin(), scene.stages.begin() + static_cast<std::ptrdiff_t>(moving_stages),
         [wall](const Stage& earlier) { return std::ranges::count(earlier.move, wall) > 0; });
     if (!there[wall] || moved) {
       continue;
@@ -143,7 +151,80 @@ void check_fill(const Scene& scene, const lattice::Lattice& lattice, const Stage
   }
 }
 
+/// The sites that walls cover throughout the stages for which `counts` is true.
+template <class Counts>
+std::vector<bool> always_covered(const Scene& scene, const lattice::Lattice& lattice,
+                                 Counts counts) {
+  std::vector<bool> always(lattice.index_count(), true);
+  const std::vector<std::vector<bool>> there = walls_present_by_stage(scene);
+  for (std::size_t stage = 0; stage < scene.stages.size(); ++stage) {
+    if (counts(scene.stages[stage])) {
+      const std::vector<bool> covered = covered_in(scene, lattice, stage + 1, there[stage]);
+      std::transform(always.begin(), always.end(), covered.begin(), always.begin(),
+                     std::logical_and<>());
+    }
+  }
+  return always;
+}
+
+void check_outlets(const Scene& scene, const lattice::Lattice& lattice) {
+  if (scene.outlets.empty()) {
+    return;
+  }
+  const std::vector<bool> covered =
+      always_covered(scene, lattice, [](const Stage& /*stage*/) { return true; });
+  for (const Outlet& outlet : scene.outlets) {
+    const bool any = std::ranges::any_of(scene.species, [&](const Species& species) {
+      return finds_room(lattice, outlet.region, species,
+                        [&](lattice::Site site) { return !covered[lattice.index(site)]; });
+    });
+    if (!any) {
+      throw_error(
+          outlet.location,
+          fmt::format("outlets.{}: no particle fits into the region, and only those that lie "
+                      "wholly inside are removed; enlarge it, or move it out of walls",
+                      outlet.name));
+    }
+  }
+}
+
+/// A source keeps what it has drawn until that fits, so each orientation has to fit somewhere.
+void check_source(const Scene& scene, const lattice::Lattice& lattice, std::size_t number) {
+  const Source& source = scene.sources[number];
+  const std::vector<bool> covered = always_covered(scene, lattice, [&](const Stage& stage) {
+    return std::ranges::count(stage.sources, number) > 0;
+  });
+  const std::vector<lattice::Site> sites = source_sites(lattice, source);
+  for (std::size_t i = 0; i < scene.species.size(); ++i) {
+    const Species& species = scene.species[i];
+    for (const int degrees : source.weights[i] > 0 ? species.orientations : std::vector<int>()) {
+      const lattice::Shape shape =
+          lattice::centred(species.shape.rotated(degrees / kDegreesPerSixth));
+      const bool fits = std::ranges::any_of(sites, [&](lattice::Site at) {
+        return lies_free(lattice, shape, {0, 0}, at,
+                         [&](lattice::Site site) { return !covered[lattice.index(site)]; });
+      });
+      if (!fits) {
+        throw_error(
+            source.location,
+            fmt::format(
+                "sources.{}: no {} ever fits there{}; move it away from walls and "
+                "the sides of the box",
+                source.name, species.name,
+                species.orientations.size() > 1 ? fmt::format(" at {} degrees", degrees) : ""));
+      }
+    }
+  }
+}
+
 }  // namespace
+
+std::vector<lattice::Site> source_sites(const lattice::Lattice& lattice, const Source& source) {
+  if (const auto* point = std::get_if<Eigen::Vector2d>(&source.position)) {
+    return {lattice::nearest_site(*point)};
+  }
+  return lattice::sites_in(lattice, std::get<lattice::Rectangle>(source.position));
+}
 
 void check_walls(const Scene& scene) {
   const lattice::Lattice lattice = lattice_of(scene.box);
@@ -177,23 +258,15 @@ void check_walls(const Scene& scene) {
 
 void check_room(const Scene& scene) {
   const lattice::Lattice lattice = lattice_of(scene.box);
-  for (const Outlet& outlet : scene.outlets) {
-    const bool any = std::ranges::any_of(scene.species, [&](const Species& species) {
-      return finds_room(lattice, outlet.region, species, [](lattice::Site) { return true; });
-    });
-    if (!any) {
-      throw_error(
-          outlet.location,
-          fmt::format("outlets.{}: no particle fits into the region, and only those that lie "
-                      "wholly inside are removed; enlarge it",
-                      outlet.name));
-    }
+  check_outlets(scene, lattice);
+  for (std::size_t source = 0; source < scene.sources.size(); ++source) {
+    check_source(scene, lattice, source);
   }
   const std::vector<std::vector<bool>> there = walls_present_by_stage(scene);
   for (std::size_t stage = 0; stage < scene.stages.size(); ++stage) {
     if (scene.stages[stage].fill) {
       check_fill(scene, lattice, scene.stages[stage],
-                 covered_at_begin(scene, lattice, stage, there[stage]));
+                 covered_in(scene, lattice, stage, there[stage]));
     }
   }
 }

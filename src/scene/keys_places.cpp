@@ -40,6 +40,7 @@ void check_line(const PlacedValue& fields, Line& line) {
 }
 
 void check_source(const PlacedValue& fields, Source& source) {
+  source.location = location_text(fields);
   if (const auto* at = std::get_if<Eigen::Vector2d>(&source.position)) {
     const Box& box = fields.scene.box;
     if (!lattice_of(box).contains(lattice::nearest_site(*at))) {

@@ -63,7 +63,10 @@ const Wall* cyclic_wall(const Stage& stage, const Scene& scene) {
   return nullptr;
 }
 
-constexpr std::uint64_t kMaxCycleSteps = 10'000'000;  // times kMaxSteps fits 64 bits
+/// Rounded up; at most kMaxSteps + 1.
+std::uint64_t steps_in_bounds(double steps) {
+  return static_cast<std::uint64_t>(std::min(std::ceil(steps), static_cast<double>(kMaxSteps + 1)));
+}
 
 /// Minimum steps of a cycle of the wall; 0 without cycles.
 std::uint64_t min_cycle_steps(const Wall& wall) {
@@ -131,17 +134,8 @@ void check_waits(const Stage& stage, const PlacedValue& until) {
   }
 }
 
-/// Refuses fewer steps than the end takes, if they are given.
-void check_max_steps(const PlacedValue& fields, const Stage& stage, std::uint64_t least,
-                     std::string_view reason) {
-  if (fields.find("max_steps") != nullptr && stage.max_steps < least) {
-    fail(fields.at("max_steps"), "{} is less than the {} steps {}", stage.max_steps, least, reason);
-  }
-}
-
-/// The end of a stage that has been read, and its `max_steps`, which may follow from it. Refuses
-/// ends that can never come.
-void check_until(const PlacedValue& fields, Stage& stage) {
+/// Refuses ends that can never come.
+void check_until(const PlacedValue& fields, const Stage& stage) {
   const Scene& scene = fields.scene;
   const Value* given = fields.find("until");
   const PlacedValue until = {given != nullptr ? *given : fields.value,
@@ -155,13 +149,8 @@ void check_until(const PlacedValue& fields, Stage& stage) {
   if (std::holds_alternative<UntilDischarged>(stage.until) && scene.outlets.empty()) {
     fail(until, "nothing can be discharged, the scene has no outlets");
   }
-  const std::uint64_t least = least_steps(stage, scene);
   if (fields.find("max_steps") != nullptr) {
-    check_max_steps(fields, stage, least, cycles ? "that the cycles of until take" : "of until");
     return;
-  }
-  if (least > kMaxSteps) {
-    fail(until, "the cycles take {} steps; expected at most {}", least, kMaxSteps);
   }
   if (std::holds_alternative<UntilSettled>(stage.until)) {
     if (const std::string reason = why_endless(stage, scene); !reason.empty()) {
@@ -171,7 +160,6 @@ void check_until(const PlacedValue& fields, Stage& stage) {
   if (cycles) {
     check_waits(stage, until);
   }
-  stage.max_steps = std::max(stage.max_steps, least);
 }
 
 /// `{steps: N}` and so on: every `until` but the word `settled`.
@@ -273,28 +261,35 @@ std::uint64_t least_steps(const Stage& stage, const Scene& scene) {
     return *steps;
   }
   const auto* cycles = std::get_if<UntilCycles>(&stage.until);
-  std::uint64_t longest = 0;
-  for (std::size_t i = 0; cycles != nullptr && i < stage.move.size(); ++i) {
-    longest = std::max(longest, min_cycle_steps(scene.walls[stage.move[i]]));
+  if (cycles == nullptr) {
+    return 0;
   }
-  return cycles != nullptr ? cycles->cycles * std::min(longest, kMaxCycleSteps) : 0;
+  double longest = 0;
+  for (const std::size_t wall : stage.move) {
+    longest = std::max(longest, static_cast<double>(min_cycle_steps(scene.walls[wall])));
+  }
+  if (vessel_has_cycles(stage)) {
+    const contact::Vessel vessel = vessel_in(scene, stage, {});
+    longest = std::max(longest, 0x1p64 / static_cast<double>(vessel.phase_step));
+  }
+  return steps_in_bounds(static_cast<double>(cycles->cycles) * longest);
 }
 
-void set_until_time_steps(Scene& scene, const Value& list) {
+void set_max_steps(Scene& scene, const Value& list) {
   for (std::size_t number = 0; number < scene.stages.size(); ++number) {
     Stage& stage = scene.stages[number];
-    auto* until = std::get_if<UntilTime>(&stage.until);
-    if (until == nullptr) {
-      continue;
-    }
     const PlacedValue fields = {list.items[number], join_path("stages", stage.name), scene};
-    const double steps = steps_until(until->time, *conversion(scene));
-    if (steps > static_cast<double>(kMaxSteps)) {
-      fail(fields.at("until"), "it takes {:.3g} steps; expected at most {}", steps, kMaxSteps);
+    if (auto* until = std::get_if<UntilTime>(&stage.until)) {
+      until->steps = steps_in_bounds(steps_until(until->time, *conversion(scene)));
     }
-    until->steps = static_cast<std::uint64_t>(steps);
-    check_max_steps(fields, stage, until->steps, "of until");
-    stage.max_steps = std::max(stage.max_steps, until->steps);
+    const std::uint64_t least = least_steps(stage, scene);
+    if (least > kMaxSteps) {
+      fail(fields.at("until"), "it takes more than {} steps", kMaxSteps);
+    }
+    if (fields.find("max_steps") != nullptr && stage.max_steps < least) {
+      fail(fields.at("max_steps"), "{} is less than the {} steps of until", stage.max_steps, least);
+    }
+    stage.max_steps = std::max(stage.max_steps, least);
   }
 }
 

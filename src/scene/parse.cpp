@@ -63,11 +63,11 @@ bool is_choice(const std::vector<std::string>& path) {
 }
 
 /// The view of pictures stays where they are set to none, for what is drawn of the run later.
-void override_with(Value& root, const Override& text, std::string_view option) {
+void override_with(Value& root, const Override& text, bool varies) {
   const Value* view =
       text.starts_with("output.frames=") ? root.find_path("output.frames.view") : nullptr;
   const std::optional<Value> kept = view != nullptr ? std::optional(*view) : std::nullopt;
-  document::apply_override(root, text, option, is_choice);
+  document::apply_override(root, text, varies ? "--vary" : "--set", is_choice, varies);
   const Value* frames = root.find_path("output.frames");
   if (kept && !frames->quoted && frames->text == "none") {
     Value& output = *root.find("output");
@@ -94,7 +94,7 @@ Scene read_scene(Value root, const std::string& file) {
   check_model(place);
   check_history(place.at("stages"));
   check_time_step(place);
-  set_until_time_steps(scene, *root.find("stages"));
+  set_max_steps(scene, *root.find("stages"));
   check_use(place);
   put_numbers_into_derived(scene);
   return scene;
@@ -134,10 +134,10 @@ AnyScene parse_any(std::string_view text, const std::string& file,
          found(root));
   }
   for (const Override& text_of_override : overrides) {
-    override_with(root, text_of_override, "--set");
+    override_with(root, text_of_override, /*varies=*/false);
   }
   for (const Override& text_of_override : varied) {
-    override_with(root, text_of_override, "--vary");
+    override_with(root, text_of_override, /*varies=*/true);
   }
   std::vector<std::string_view> keys = names_of(*scene_type().keys);
   std::ranges::copy(names_of(*boltzmann_type().keys), std::back_inserter(keys));

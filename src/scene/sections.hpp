@@ -41,9 +41,9 @@ Key<BoltzmannScene> boltzmann_output();
 /// Refuses a series of too many rows.
 void check_rows(const PlacedValue& root, const BoltzmannScene& scene);
 
-/// Sets the steps of stages until a time, once all that the time step follows from has been read.
-/// `list` is what the stages were read from.
-void set_until_time_steps(Scene& scene, const Value& list);
+/// Sets `max_steps` of stages, and the steps of those until a time, once all that the time step
+/// follows from has been read. `list` is what the stages were read from.
+void set_max_steps(Scene& scene, const Value& list);
 
 /// Puts the numbers of keys that derived measures name into their expressions, once all has been
 /// read.

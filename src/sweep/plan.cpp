@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <set>
 
 #include "clca/record/quantity.hpp"
 #include "clca/run/run.hpp"
@@ -25,48 +24,19 @@ std::string shown(const Variation& variation) {
                                                  fmt::join(variation.rows.front(), ",")));
 }
 
-/// A name under let goes with and without the path.
-std::string without_let(const std::string& key) {
-  return key.starts_with("let.") ? key.substr(std::string_view("let.").size()) : key;
-}
-
-/// One of the keys that is a part of the value of `whole`, as a.b of a; null if there is none.
-const std::string* part_of(const std::string& whole, const std::set<std::string>& keys) {
-  const auto found = std::ranges::find_if(
-      keys, [&](const std::string& key) { return key.starts_with(whole + "."); });
-  return found == keys.end() ? nullptr : &*found;
-}
-
+/// The seed is no key of a sweep.
 void check_keys(const Request& request) {
-  std::set<std::string> keys;
+  const auto refuse_seed = [](const std::string& option) {
+    throw scene::SceneError(option + ": error: the seeds of a sweep are given by --seeds");
+  };
   for (const Variation& variation : request.variations) {
-    for (const std::string& key : variation.keys) {
-      const auto refuse = [&](std::string_view why) {
-        throw scene::SceneError(fmt::format("{}: error: {}: {}", shown(variation), key, why));
-      };
-      if (key == "seed") {
-        refuse("the seeds of a sweep are given by --seeds");
-      }
-      if (!keys.insert(without_let(key)).second) {
-        refuse("the key varies twice; give all its values at once, with commas between");
-      }
-      if (const std::string* part = part_of(without_let(key), keys)) {
-        refuse(fmt::format("it would replace {}, which varies, too: give it before that", *part));
-      }
+    if (std::ranges::count(variation.keys, "seed") > 0) {
+      refuse_seed(shown(variation));
     }
   }
   for (const scene::Override& text : request.overrides) {
-    const std::string key = without_let(text.substr(0, text.find('=')));
-    if (key == "seed" || keys.contains(key)) {
-      throw scene::SceneError(fmt::format(
-          "--set {}: error: {}", text::shortened(text),
-          key == "seed" ? "the seeds of a sweep are given by --seeds" : "the same key varies"));
-    }
-    const auto whole = std::ranges::find_if(
-        keys, [&](const std::string& varied) { return part_of(varied, {key}) != nullptr; });
-    if (whole != keys.end()) {
-      throw scene::SceneError(fmt::format("--set {}: error: {}, which varies, would replace it",
-                                          text::shortened(text), *whole));
+    if (text.starts_with("seed=")) {
+      refuse_seed("--set " + text::shortened(text));
     }
   }
 }

@@ -247,6 +247,11 @@ TEST_F(RenderCommandTest, WhatCannotBeDrawnIsOneLineAndExitCodeTwo) {
   fs::copy(path("run"), path("bare"), fs::copy_options::recursive);
   fs::remove_all(path("bare/trajectory"));
   expect_refused(render({"bare"}), 2, HasSubstr("output.trajectory"));
+  fs::copy(path("run"), path("cut"), fs::copy_options::recursive);
+  store::RunSummary longer = store::read_summary(path("cut/run.json"));
+  ++longer.steps;
+  store::write_whole(path("cut/run.json"), store::to_json(longer));
+  expect_refused(render({"cut"}), 2, HasSubstr("part-000001.h5: missing, though the run had"));
   expect_refused(render({"run", "--from", "100000"}), 2, HasSubstr("no picture in that range"));
   expect_refused(render({"run", "--movie", "a.avi"}), 2,
                  AllOf(HasSubstr("a.avi"), HasSubstr(".mp4, .webm, .webp, .gif or .png")));

@@ -52,7 +52,7 @@ def lines(start, shares, end):
     return "".join(f"{start}{i},{i + 1 if i < last else ''},{share}{end}\n" for i, share in enumerate(shares))
 
 
-def write_run(folder, kind, scene, particles=0, stages=()):
+def write_run(folder, kind, scene, particles=0, stages=(), samples=4000.0):
     Path(folder).mkdir(exist_ok=True)
     numbers = dict.fromkeys(("seed", "steps", "wall_seconds", "step_seconds"), 0)
     numbers |= {"particle_updates_per_second": 0, "collisions_per_second": 0}
@@ -66,7 +66,7 @@ def write_run(folder, kind, scene, particles=0, stages=()):
         "state_hash": f"{0:016x}",
         "build": {"compiler": "", "type": ""},
         "stages": [
-            {"name": name, "steps": 1, "ended": "settled", "measures": {"fluctuation_samples": 4000.0}}
+            {"name": name, "steps": 1, "ended": "settled", "measures": {"fluctuation_samples": samples}}
             for name in stages
         ],
     }
@@ -176,6 +176,8 @@ class CompareTest(FolderTest):
         self.assertIn("nowhere", self.refused(other="nowhere"))
         write_gas("5", 0.001, 0.02, particles=0)
         self.assertIn("gas: there are no particles", self.refused())
+        write_run("grains", "contact", "shaken", stages=("shaking",), samples=0.0)
+        self.assertIn("grains: there are no particles", self.refused())
         Path("gas/run.json").write_text("{")
         self.assertIn("run.json", self.refused())
 

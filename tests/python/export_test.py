@@ -90,7 +90,7 @@ def enlarge(run, count, frames):
         side, many, ones = int(numpy.sqrt(count)) + 1, 2 * count, numpy.ones(frames, "u8")
         new["scene/lattice"][:] = [3 * side, 3 * side, 0]
         number, nothing = numpy.arange(frames, dtype="u8"), numpy.zeros(frames, "u8")
-        rows = {"step": 10 * number, "stage": nothing, "entered": count * ones, "particles": count * ones, "contacts": many * ones}
+        rows = {"step": run.steps * number, "stage": nothing, "entered": count * ones, "particles": count * ones, "contacts": many * ones}
         rows |= {"first": count * number, "first_contact": many * number, "first_push": nothing, "pushes": nothing}
         rows |= {"origins": count * (number == 0), "first_origin": count * (number > 0)}
         for name, values in rows.items():
@@ -274,6 +274,10 @@ class ExportTest(ScratchTest):
         self.assertIn("part-000000.h5", refused("run", "--format", "gsd"))
         part.write_bytes(content[:-1])
         self.assertIn("part-000000.h5: it is cut off", refused("run", "--format", "vtp"))
+        clca.run(PERIODIC, output="parts", set={"output.checkpoint": {"every": 5}})
+        *_, last = sorted(Path("parts/trajectory").iterdir())
+        last.unlink()
+        self.assertIn(f"{last.name}: missing, though the run had written it", refused("parts", "--format", "gsd"))
         self.assertFalse(Path("run/export").exists())
 
     def test_a_full_disk_is_a_failure_that_leaves_nothing(self):

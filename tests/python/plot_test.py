@@ -315,6 +315,9 @@ class CommandTest(ScratchTest):
         said = clca_program("plot", "run", "--only", "profile,motion").splitlines()
         self.assertEqual(said, ["run/plots/profile.png", "run/plots/motion.png"])
         self.assertIn("profile.png", Path("run/.clca.manifest").read_text())
+        said = clca_program("plot", "run", "--from", 99999).splitlines()
+        self.assertEqual(said[0], "run/plots/profile.png")
+        self.assertRegex(said[1], "no rows in the stages and times that are chosen: .*motion")
 
     def test_mistakes_are_one_line(self):
         clca.run(SCENE, output="run")
@@ -323,6 +326,9 @@ class CommandTest(ScratchTest):
         self.refused(2, "mine/run.json: No such file or directory; did you mean .*/renders/mine.", "mine")
         self.refused(2, "no figure 'x'", "run", "--only", "x")
         self.refused(2, "--x-range.*two numbers", "run", "--x-range", "5")
+        log = ["run", "--y", "moving", "--log", "y", "--y-range"]
+        self.refused(2, "the limits of the logarithmic axis y are above 0", *log, "0:1")
+        self.refused(2, "the limits of the logarithmic axis y are above 0", *log, ":-1")
         self.refused(1, "nowhere", "run", environment={"CLCA_PYTHON": str(self.folder / "nowhere")})
         fake = self.folder / "python3"
         fake.write_text("#!/bin/sh\nexec /usr/bin/python3 -S \"$@\"\n")  # without the packages of the system

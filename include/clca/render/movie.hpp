@@ -29,7 +29,7 @@ std::optional<MovieFormat> movie_format(const std::filesystem::path& file);
 class Movie {
  public:
   /// Overwrites `file`. All pictures have this size (pixels); mp4 and webm pad odd sizes with
-  /// white. Throws MovieError.
+  /// white. Throws MovieError, and text::InputError for a rate that the format does not have.
   /// Once `stop` is not zero, ffmpeg gets 5 s to finish what it has.
   Movie(const std::filesystem::path& file, MovieFormat format, int width, int height,
         double frames_per_second, const std::atomic<int>* stop = nullptr);

@@ -122,6 +122,7 @@ struct Source {
   std::vector<std::uint32_t> weights;  ///< per species, not all zero
   double rate = 0;                     ///< particles per step
   std::optional<std::uint64_t> count;  ///< none: goes on for ever
+  std::string location = {};
 };
 
 struct Outlet {
@@ -272,7 +273,8 @@ struct Scene {
 /// the steps. A stage without a number of steps counts where its `max_steps` is above the default.
 int step_digits(const Scene& scene);
 
-/// Steps that the end of a stage takes at least; 0 if that is not known.
+/// Steps that the end of a stage takes at least, once the scene has been read; 0 if that is not
+/// known. At most kMaxSteps + 1.
 std::uint64_t least_steps(const Stage& stage, const Scene& scene);
 
 bool shows_weight_paths(Overlay overlay);

@@ -1,5 +1,5 @@
 #pragma once
-// The sites of walls and of their parts, and checks of their motion and of the space left for
+// The sites of walls, of their parts and of sources, and checks of motion and of the space left for
 // particles.
 
 #include <functional>
@@ -37,6 +37,9 @@ lattice::SweptRegion swept_region_of(const lattice::Lattice& lattice, const Wall
 /// moving wall, those that enter the box during its motion.
 std::vector<lattice::Site> wall_sites(const lattice::Lattice& lattice, const Wall& wall);
 
+/// The sites of the box at which a source places particles.
+std::vector<lattice::Site> source_sites(const lattice::Lattice& lattice, const Source& source);
+
 /// Visits the sites of the box that the wall ever covers, each once except in a periodic box, until
 /// `test` returns true. Returns whether it did. Memory: the sites at the initial position. Time:
 /// these and, of each that no other one of them is ahead of, the steps of the motion until it
@@ -58,7 +61,7 @@ std::vector<std::vector<bool>> walls_present_by_stage(const Scene& scene);
 void check_walls(const Scene& scene);
 
 /// Rejects fills that cannot fit: counts that need more sites than the region has, or a shape that
-/// fits nowhere; and outlets that no particle fits into.
+/// fits nowhere; outlets that no particle fits into; and sources of particles that never fit.
 /// Visits sites as check_walls. Throws SceneError with the location.
 void check_room(const Scene& scene);
 

@@ -94,8 +94,8 @@ class Trajectory {
 
   /// `fixed`: the initial state of the scene (model::initial_state), for everything that a run does
   /// not change. Reads the list of parts once; open again for later frames.
-  /// Throws StoreError if there is no trajectory, if files are incomplete or of another scene, or
-  /// if a part or a state needs more than `max_bytes` of memory.
+  /// Throws StoreError if there is no trajectory, if files are missing, incomplete or of another
+  /// scene, or if a part or a state needs more than `max_bytes` of memory.
   Trajectory(const std::filesystem::path& run_folder, const scene::Scene& scene,
              grains::State fixed, double max_bytes);
 

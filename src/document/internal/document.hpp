@@ -121,10 +121,10 @@ Value read_document(std::string_view text, std::shared_ptr<const Origin> origin)
 Value read_value(std::string_view text, const std::shared_ptr<const Origin>& origin);
 
 /// Puts the value of `text` into the tree. In a map at a path that `is_choice`, which holds one key
-/// out of several, a new key takes the place of the old one. Throws Error that names
-/// `OPTION KEY=VALUE`.
+/// out of several, a new key takes the place of the old one. `after_others`: what other options set
+/// may not be replaced. Throws Error that names `OPTION KEY=VALUE`.
 void apply_override(Value& root, const std::string& text, std::string_view option,
-                    bool (*is_choice)(const std::vector<std::string>& path));
+                    bool (*is_choice)(const std::vector<std::string>& path), bool after_others);
 
 /// Evaluates what stands under `let`, in its order, then replaces each `=EXPRESSION` of the tree
 /// by its value. Keys at the top: nothing under `let` has a `taken` name, under the key `text`

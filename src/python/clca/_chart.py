@@ -18,6 +18,8 @@ from matplotlib.figure import Figure  # type: ignore[import]
 from matplotlib.lines import Line2D  # type: ignore[import]
 from numpy.typing import NDArray
 
+from ._error import Error
+
 INCH = 25.4  # mm
 PRINT_WIDTH = 150 / INCH  # inches: as wide as a figure is taken to be printed, whatever its pixels; letters scale with it
 LETTER_SIZE = 8.0  # points
@@ -185,6 +187,8 @@ def draw_axis(ax: Any, which: str, axis: Axis, values: list[NDArray[Any]], given
         is_from_zero = axis.zero or (least >= 0 and least < 0.5 * (most + pad))
         set_limits(min(0, least) if is_from_zero else least - pad, most + pad)
     limits = [of_axis if wanted is None else wanted for of_axis, wanted in zip((axis.low, axis.high), given)]
+    if getattr(ax, f"get_{which}scale")() == "log" and min((one for one in given if one is not None), default=1) <= 0:
+        raise Error(f"the limits of the logarithmic axis {which} are above 0")
     if limits != [None, None]:
         set_limits(*limits)
 

@@ -112,12 +112,12 @@ def compared(
     stage, grains = distributions_of_grains(run, stage)
     time, gas = distributions_of_gas(other, time, restitution)
     bins = len(grains[0].shares)
-    for one in grains + gas:
+    for folder, one in [(run.folder, one) for one in grains] + [(other.folder, one) for one in gas]:
         if one.samples == 0:
-            raise Error(f"{other.folder}: there are no particles")
+            raise Error(f"{folder}: there are no particles")
         if len(one.shares) != bins or bins < 2:
             of = f"the {one.name} energy is in {len(one.shares)} bins, that of the automaton in {bins}"
-            raise Error(f"{other.folder}: {of} (bins: q20 in the scene)")
+            raise Error(f"{folder}: {of} (bins: q20 in the scene)")
     refuse_other_kind(output, "run.json")
     there = output / "run.json"
     if there.exists() and (kind := read_json(there).get("kind")) != "comparison":

@@ -284,12 +284,18 @@ def trajectory_in(folder: Path, summary: dict[str, Any]) -> Trajectory:
     if not files:
         is_gas = summary["kind"] == "boltzmann"
         again = "run the scene again with output.trajectory in it, as by --set output.trajectory.every=10"
+        if summary["status"] == "running":
+            again = "with output.trajectory a run writes it at checkpoints, after 16 MiB and at its end"
         how = "one of the Boltzmann equation has none" if is_gas else again
         raise Error(f"{folder}: the run has left no trajectory; {how}")
     for number, file in enumerate(files):
         if file.stem != f"part-{number:06}":
-            raise Error(f"cannot read {folder / 'trajectory.h5'}: the part before {file.name} is missing")
-    return Trajectory([partial(opened, file) for file in files], summary)
+            raise Error(f"cannot read {folder / 'trajectory'}: the part before {file.name} is missing")
+    trajectory = Trajectory([partial(opened, file) for file in files], summary)
+    if summary["status"] == "done" and trajectory.list[-1][0] < summary["steps"]:
+        missing = folder / "trajectory" / f"part-{len(files):06}.h5"
+        raise Error(f"cannot read {missing}: missing, though the run had written it")
+    return trajectory
 
 
 class Trajectory:

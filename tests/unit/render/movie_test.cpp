@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "clca/process/program.hpp"
+#include "clca/text/read.hpp"
 #include "support/missing.hpp"
 #include "support/runs.hpp"
 
@@ -138,8 +139,9 @@ TEST_F(MovieTest, WhatFfmpegCannotWriteIsAnErrorWithItsReason) {
 
 TEST_F(MovieTest, AGifThatItsHundredthsOfASecondCannotTellIsRefused) {
   for (const double rate : {51.0, 240.0, 1 / 656.0}) {
-    EXPECT_THAT([&] { Movie(file("a.gif"), MovieFormat::gif, 16, 16, rate); },
-                ::testing::ThrowsMessage<MovieError>(HasSubstr("a GIF has at most 50 pictures")))
+    EXPECT_THAT(
+        [&] { Movie(file("a.gif"), MovieFormat::gif, 16, 16, rate); },
+        ::testing::ThrowsMessage<text::InputError>(HasSubstr("a GIF has at most 50 pictures")))
         << rate;
   }
   Movie movie(file("a.gif"), MovieFormat::gif, 96, 64, 50);

@@ -146,7 +146,8 @@ TEST(Run, RefusesDerivedMeasuresOfNamesThatThereAreNot) {
          "error: measure.ratio: unknown measure 'runout_9' in '=runout_9 / 3'; did you mean "
          "'runout_99'?");
   expect("[packing, {ratio: =runout_99 / 3}]",
-         "error: measure.ratio: unknown measure 'runout_99' in '=runout_99 / 3'");
+         "error: measure.ratio: unknown measure 'runout_99' in '=runout_99 / 3'; it comes with "
+         "runout, so name that under measure, too");
   expect("{ratio: =later, later: =steps}",
          "error: measure.ratio: unknown measure 'later' in '=later'");
   expect("{runout_99: =steps}",

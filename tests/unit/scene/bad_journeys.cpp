@@ -101,14 +101,12 @@ constexpr auto kBadJourneys = std::to_array<BadScene>({
     {"a bound below the cycles asked for",
      "walls: {plate: {box: [10, 40, 20, 42], motion: {wave: {amplitude: 2, period: 14}}}}\n"
      "stages: [{name: first, sources: [spout], move: [plate], until: {cycles: 3}, max_steps: 41}]",
-     "scene.yaml:10:88: error: stages.first.max_steps: 41 is less than the 42 steps that the "
-     "cycles of until take",
+     "scene.yaml:10:88: error: stages.first.max_steps: 41 is less than the 42 steps of until",
      Judge::parser},
     {"cycles without end",
      "walls: {plate: {box: [10, 40, 20, 42], motion: {wave: {amplitude: 2, period: 14}}}}\n"
      "stages: [{name: first, sources: [spout], move: [plate], until: {cycles: 100000000000}}]",
-     "scene.yaml:10:64: error: stages.first.until: the cycles take 1400000000000 steps; expected "
-     "at most 1000000000000",
+     "scene.yaml:10:64: error: stages.first.until: it takes more than 1000000000000 steps",
      Judge::parser},
     {"a rest that never comes, since a wall shakes",
      "walls: {plate: {box: [10, 40, 20, 42], motion: {shake: {amplitude: 2}}}}\n"

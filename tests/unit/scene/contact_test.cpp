@@ -1,5 +1,6 @@
 // Scenes of the contact model: from text to values and back.
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -8,6 +9,7 @@
 
 #include "bad_scenes.hpp"
 #include "clca/scene/parse.hpp"
+#include "clca/scene/units.hpp"
 
 namespace clca::scene::contact_test {
 
@@ -17,6 +19,7 @@ using contact::Parameters;
 using contact::Rolling;
 using ::testing::HasSubstr;
 using ::testing::Not;
+using ::testing::ThrowsMessage;
 
 Scene contact_with(std::string_view part, const std::vector<Override>& overrides = {}) {
   return parse(testing::contact_with(part), "scene.yaml", overrides);
@@ -115,6 +118,22 @@ TEST(ParseContact, DrawsArrowsWhereTheVesselGoesThroughCycles) {
   EXPECT_EQ(shaken.output.frames->overlay, Overlay::arrows);
   EXPECT_THAT(refusal("", {arrows, "stages.first.vessel={tilt: {to: 20, rate: 1}}"}),
               HasSubstr("output.frames.overlay: no arrows without a stage"));
+}
+
+TEST(ParseContact, GivesAStageAsManyStepsAsItsCyclesTake) {
+  const auto turning = [](double rate, const std::vector<std::string>& more = {}) {
+    std::vector<std::string> overrides = {
+        fmt::format("stages.first.vessel={{rotate: {{rate: {}}}}}", rate),
+        "stages.first.until={cycles: 3}"};
+    overrides.insert(overrides.end(), more.begin(), more.end());
+    return contact_with("", overrides);
+  };
+  EXPECT_EQ(turning(-0.01).stages.front().max_steps, 1'000'000U) << "the default is more";
+  const Scene slow = turning(1e-7);
+  const double period = 1e7 / conversion(slow)->time_step;
+  EXPECT_NEAR(static_cast<double>(slow.stages.front().max_steps), 3 * period, 1e-6 * period);
+  EXPECT_THAT([&] { turning(1e-7, {"stages.first.max_steps=1000"}); },
+              ThrowsMessage<SceneError>(HasSubstr("1000 is less than the ")));
 }
 
 TEST(ParseContact, AveragesForcesOverAWindow) {

@@ -49,6 +49,7 @@ constexpr auto kBad = std::to_array<BadOverride>({
     {"rules.inertai=1",
      "unknown key 'inertai' in rules (allowed: inertia, scatter, candidates, gravity, "
      "update_priority, ties); did you mean 'inertia'?"},
+    {"let.inertia=1", "nothing is called 'inertia' under let"},
     {"rule.inertia=1",
      "unknown key 'rule' (allowed: clca, let, title, seed, model, begin, box, species, rules, "
      "contact, voids, baxter, "

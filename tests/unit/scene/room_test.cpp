@@ -88,10 +88,50 @@ TEST(AnOutlet, ThatNoParticleFitsIntoIsRefusedWithItsPlace) {
   EXPECT_EQ(
       refusal("outlets: {drain: {region: [0, 0, 60, 1]}}\n" + fill),
       "room.yaml:4:27: error: outlets.drain: no particle fits into the region, and only those "
-      "that lie wholly inside are removed; enlarge it");
+      "that lie wholly inside are removed; enlarge it, or move it out of walls");
   EXPECT_EQ(refusal("outlets: {drain: {region: [0, 0, 60, 3.5]}}\n" + fill), "");
   EXPECT_EQ(refusal("outlets: {drain: {region: [0, 0, 0.5, 25]}}\n" + fill), "")
       << "rods fit that stand upright";
+}
+
+TEST(AnOutlet, InAWallThatStaysIsRefused) {
+  const std::string drain =
+      "outlets: {drain: {region: [0, 0, 60, 9]}}\nwalls: {slab: {box: [0, 0, 60, 10]}}\n";
+  EXPECT_NE(refusal(drain + filled("region: [0, 20, 60, 60], counts: {grain: 1}"))
+                .find("outlets.drain: no particle fits into the region"),
+            std::string::npos);
+  EXPECT_EQ(refusal(drain + "stages: [{name: rain, fill: {region: [0, 20, 60, 60], counts: {grain: "
+                            "1, rod: 1}}}, {name: flow, remove: [slab]}]\n"),
+            "");
+}
+
+/// The scene with a source that is open in the second of two stages.
+std::string emitted(const std::string& source, const std::string& more = "",
+                    const std::string& second = "") {
+  return more + "sources: {spout: {" + source +
+         ", rate: 1}}\nstages: [{name: rain, fill: {region: [0, 0, 60, 60], counts: {grain: 1, "
+         "rod: 1}}}, {name: flow, sources: [spout], until: {steps: 9}" +
+         second + "}]\n";
+}
+
+TEST(ASource, OfWhatNeverFitsIsRefused) {
+  EXPECT_EQ(refusal(emitted("at: [30, 58], species: {grain: 1, rod: 1}")),
+            "room.yaml:4:18: error: sources.spout: no rod ever fits there at 0 degrees; move it "
+            "away from walls and the sides of the box");
+  EXPECT_EQ(refusal(emitted("at: [30, 58], species: {grain: 1}")), "");
+  EXPECT_EQ(refusal(emitted("region: [0, 0, 60, 60]")), "");
+  EXPECT_NE(refusal(emitted("at: [30, 59.5], species: {grain: 1}")), "");
+}
+
+TEST(ASource, HasRoomWhereAWallHasGoneOrMoves) {
+  const std::string spout = "at: [30, 30], species: {grain: 1}";
+  const std::string slab = "walls: {slab: {box: [0, 25, 60, 35]}}\n";
+  EXPECT_NE(refusal(emitted(spout, slab)).find("no grain ever fits there; move it"),
+            std::string::npos);
+  EXPECT_EQ(refusal(emitted(spout, slab, ", remove: [slab]")), "");
+  const std::string lift =
+      "walls: {slab: {box: [0, 25, 60, 35], motion: {direction: up, distance: 20}}}\n";
+  EXPECT_EQ(refusal(emitted(spout, lift, ", move: [slab]")), "");
 }
 
 TEST(AWallThatMoves, StandsInNoOtherAtTheStart) {

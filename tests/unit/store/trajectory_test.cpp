@@ -240,7 +240,7 @@ TEST_F(TrajectoryTest, WhatIsInMemoryIsWrittenWhenItIsMuch) {
 
 TEST_F(TrajectoryTest, FilesThatAreNotWholeAreRefused) {
   const scene::Scene scene = testing::plate_scene();
-  EXPECT_THAT(reason(scene), HasSubstr("trajectory: no trajectory there"));
+  EXPECT_THAT(reason(scene), HasSubstr("trajectory: no part there; a run writes them"));
   write(scene, 5, 8);
   ASSERT_EQ(reason(scene), "");
   const std::vector<std::uint8_t> whole = testing::bytes_of(part(1));

@@ -116,20 +116,31 @@ TEST(Plan, AKeyIsSetInOnePlaceOnlyAndTheSeedNowhereElse) {
       [] {
         plan(request({"rules.inertia=0", "rules.inertia=1"}));
       },
-      ThrowsMessage<scene::SceneError>(HasSubstr("varies twice")));
+      ThrowsMessage<scene::SceneError>(
+          "--vary rules.inertia=1: error: it would replace what --vary "
+          "rules.inertia=0 sets"));
   EXPECT_THAT([] { plan(request({"rules.inertia=0"}, "1", {"rules.inertia=1"})); },
-              ThrowsMessage<scene::SceneError>(HasSubstr("the same key varies")));
+              ThrowsMessage<scene::SceneError>(HasSubstr("what --set rules.inertia=1 sets")));
+  EXPECT_THAT(
+      [] {
+        plan(request({"stages.0.max_steps=5", "stages.packing.max_steps=6"}));
+      },
+      ThrowsMessage<scene::SceneError>(HasSubstr("what --vary stages.0.max_steps=5 sets")));
+  EXPECT_THAT(
+      [] {
+        plan(request({"stages.0.until.steps=5", "stages.0.until.cycles=6"}));
+      },
+      ThrowsMessage<scene::SceneError>(HasSubstr("what --vary stages.0.until.steps=5 sets")));
   EXPECT_THAT(
       [] {
         plan(request({"rules.inertia=0,1", "rules={scatter: 1}"}));
       },
       ThrowsMessage<scene::SceneError>(
-          HasSubstr("rules: it would replace rules.inertia, which varies, too")));
+          HasSubstr("it would replace what --vary rules.inertia=0 sets")));
   EXPECT_NO_THROW(plan(request({"rules={scatter: 1}", "rules.inertia=0,1"})));
-  EXPECT_THAT(
-      [] { plan(request({"rules={scatter: 1}"}, "1", {"rules.inertia=1"})); },
-      ThrowsMessage<scene::SceneError>(AllOf(StartsWith("--set rules.inertia=1"),
-                                             HasSubstr("rules, which varies, would replace it"))));
+  EXPECT_THAT([] { plan(request({"rules={scatter: 1}"}, "1", {"rules.inertia=1"})); },
+              ThrowsMessage<scene::SceneError>(AllOf(
+                  StartsWith("--vary rules="), HasSubstr("what --set rules.inertia=1 sets"))));
   EXPECT_THAT([] { plan(request({"title=Run #1,Run #2"})); },
               ThrowsMessage<scene::SceneError>(HasSubstr("begins a comment")));
 }
