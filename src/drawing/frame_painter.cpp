@@ -98,22 +98,16 @@ std::vector<double> spins(const PictureContent& content, double time_step) {
   return result;
 }
 
-/// By id, the normal forces on each grain.
-std::vector<double> loads(const PictureContent& content, const OverlayScales& scales) {
-  std::vector<double> result =
-      contact::loads(content.state.particles.size(), content.contact->forces);
-  const double grain_weight = scales.value_of(scene::kContactForceUnit, content.state);
-  std::ranges::transform(result, result.begin(), [=](double load) { return grain_weight * load; });
-  return result;
-}
-
-/// By id, the normal forces over the circumference of a disc of the grain's area.
-std::vector<double> pressures(const PictureContent& content, const OverlayScales& scales) {
+/// By id, the normal forces on each grain, or these over the circumference of a disc of its area.
+std::vector<double> loads(const PictureContent& content, const OverlayScales& scales,
+                          bool over_circumference) {
   const grains::State& state = content.state;
   std::vector<double> result = contact::loads(state.particles.size(), content.contact->forces);
-  const double unit = scales.value_of(scene::kStressUnit, state);
+  const double unit =
+      scales.value_of(over_circumference ? scene::kStressUnit : scene::kContactForceUnit, state);
   for (std::size_t id = 0; id < result.size(); ++id) {
-    result[id] *= unit / (std::numbers::pi * state.shape(state.particles[id]).diameter());
+    const double diameter = state.shape(state.particles[id]).diameter();
+    result[id] *= over_circumference ? unit / (std::numbers::pi * diameter) : unit;
   }
   return result;
 }
@@ -273,13 +267,13 @@ render::Coloring FramePainter::coloring(const PictureContent& content,
     case scene::ColorBy::force:
       return content.contact
                  ? render::color_by_value(
-                       state, loads(content, scales_),
+                       state, loads(content, scales_, /*over_circumference=*/false),
                        fmt::format("load ({})", scales_.unit_of(scene::kContactForceUnit)),
                        range(kLoadBarEnd * scales_.strongest_force))
                  : render::color_by_force(state, content.occupancy, range(kForceIndexBarEnd));
     case scene::ColorBy::pressure:
       return render::color_by_value(
-          state, pressures(content, scales_),
+          state, loads(content, scales_, /*over_circumference=*/true),
           fmt::format("pressure ({})", scales_.unit_of(scene::kStressUnit)),
           range(scales_.highest_pressure));
     case scene::ColorBy::species:

@@ -114,55 +114,6 @@ void require_writable(const fs::path& file) {
 
 }  // namespace
 
-/// A movie file that appears when it is complete.
-class MovieTarget {
- public:
-  /// All pictures are as wide as those of all drawings side by side. Throws RedrawError for a file
-  /// ending that is no movie format, render::MovieError, store::StoreError.
-  MovieTarget(const Drawings& drawings, const RedrawOptions& options, double pictures_per_second)
-      : file_(options.movie), path_(options.movie) {
-    const auto format = render::movie_format(path_);
-    if (!format) {
-      throw RedrawError(fmt::format(
-          "{}: is not a movie; expected the ending .mp4, .webm, .webp, .gif or .png (animated)",
-          path_.string()));
-    }
-    int width = 0;
-    int height = 0;
-    for (const auto& drawing : drawings) {
-      width += drawing->painter().width();
-      height = std::max(height, drawing->painter().height());
-    }
-    movie_.emplace(file_.temporary_path(), *format, width, height, pictures_per_second,
-                   options.stop);
-  }
-
-  void add(const std::vector<Picture>& pictures) {
-    std::vector<render::Image> images;
-    std::ranges::transform(pictures, std::back_inserter(images), &Picture::image);
-    naming_file([&] { movie_->add(render::side_by_side(images)); });
-  }
-  void finish() {
-    naming_file([&] { movie_->finish(); });
-    file_.finish();
-  }
-
- private:
-  /// Errors name the movie, as ffmpeg only knows the temporary file.
-  template <class Act>
-  void naming_file(Act act) {
-    try {
-      act();
-    } catch (const render::MovieError& error) {
-      throw render::MovieError(fmt::format("cannot write {}: {}", path_.string(), error.what()));
-    }
-  }
-
-  store::AtomicFile file_;
-  fs::path path_;
-  std::optional<render::Movie> movie_;
-};
-
 /// A contact sheet; of many moments a selection. Of several runs each has a column.
 class SheetTarget {
  public:
@@ -284,6 +235,7 @@ class Redraw::Impl {
       writer_.finish();
       if (movie_) {
         movie_->finish();
+        movie_file_->finish();
       }
       if (sheet_) {
         sheet_->finish();
@@ -301,7 +253,7 @@ class Redraw::Impl {
     captured_.assign(drawings_.size(), std::numeric_limits<std::size_t>::max());
     pictures_.resize(drawings_.size());
     if (!options_.movie.empty()) {
-      movie_.emplace(drawings_, options_, picture_rate(options_, moments_.size()));
+      open_movie();
     }
     if (!options_.sheet.empty()) {
       sheet_.emplace(drawings_, options_, moments_.size());
@@ -314,6 +266,19 @@ class Redraw::Impl {
     if (space_time_) {
       require_writable(options_.space_time->file);
     }
+  }
+
+  /// All pictures are as wide as those of all drawings side by side.
+  void open_movie() {
+    int width = 0;
+    int height = 0;
+    for (const auto& drawing : drawings_) {
+      width += drawing->painter().width();
+      height = std::max(height, drawing->painter().height());
+    }
+    movie_file_.emplace(options_.movie);
+    movie_.emplace(options_.movie, movie_file_->temporary_path(), width, height,
+                   picture_rate(options_, moments_.size()), options_.stop);
   }
 
   /// By run, the number of the picture nearest to a moment.
@@ -355,7 +320,9 @@ class Redraw::Impl {
         }
       }
       if (movie_) {
-        movie_->add(pictures_);
+        std::vector<render::Image> images;
+        std::ranges::transform(pictures_, std::back_inserter(images), &Picture::image);
+        movie_->add(render::side_by_side(images));
       }
       if (on_sheet) {
         sheet_->add(pictures_);
@@ -384,10 +351,11 @@ class Redraw::Impl {
   std::vector<std::vector<double>> times_;  // by run, of its pictures
   std::vector<double> moments_;
   std::optional<SpaceTime> space_time_;
-  std::size_t frames_added_ = 0;       // to space_time_
-  std::vector<std::size_t> captured_;  // by run, number of the last picture captured
-  std::vector<Picture> pictures_;      // by run, the last one drawn
-  std::optional<MovieTarget> movie_;
+  std::size_t frames_added_ = 0;                 // to space_time_
+  std::vector<std::size_t> captured_;            // by run, number of the last picture captured
+  std::vector<Picture> pictures_;                // by run, the last one drawn
+  std::optional<store::AtomicFile> movie_file_;  // appears when it is complete
+  std::optional<render::Movie> movie_;
   std::optional<SheetTarget> sheet_;
   tasks::Background writer_;  // last: at the end it waits for its thread, which uses the others
 };

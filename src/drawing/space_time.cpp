@@ -153,20 +153,6 @@ int rows_of(const scene::Scene& scene, const SpaceTimeOptions& options,
   return options.column ? pixels : last - first + 1;
 }
 
-/// Of each bar of the legend its colours, from low to high.
-nlohmann::json bar_colors(const render::Legend& legend) {
-  constexpr int kColors = 64;
-  nlohmann::json all = nlohmann::json::array();
-  for (const render::Legend::Bar& bar : legend.bars) {
-    nlohmann::json& colors = all.emplace_back(nlohmann::json::array());
-    for (int i = 0; i < kColors; ++i) {
-      const render::Rgb color = render::bar_color(bar, i / (kColors - 1.0));
-      colors.push_back({{"red", color.red}, {"green", color.green}, {"blue", color.blue}});
-    }
-  }
-  return all;
-}
-
 std::uint8_t channel(double value) {
   return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 255.0)));
 }
@@ -312,7 +298,6 @@ SpaceTimePicture SpaceTime::picture() {
                       {"position", position_axis(scene_, options_, shown_part_)},
                       {"stages", stages},
                       {"legend", nlohmann::json::parse(render::to_text(legend))},
-                      {"colors", bar_colors(legend)},
                       {"text", scene_metadata(scene_)}})
           .dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
   return picture;

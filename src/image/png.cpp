@@ -1,11 +1,10 @@
 #include "clca/image/png.hpp"
 
 #include <png.h>
+#include <zlib.h>
 
 #include <algorithm>
-#include <csetjmp>
 #include <memory>
-#include <new>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
@@ -73,81 +72,28 @@ PngText texts_of(std::span<const std::uint8_t> bytes) {
   refuse_file("it is cut off");
 }
 
-bool is_ascii(std::string_view text) {
-  return std::ranges::all_of(text,
-                             [](char c) { return (static_cast<unsigned char>(c) & 0x80U) == 0; });
-}
-
-std::vector<png_text> text_chunks(const PngText& text) {
-  std::vector<png_text> chunks;
+/// As iTXt chunks, not compressed, without language and translated keyword.
+std::vector<std::uint8_t> text_chunks(const PngText& text) {
+  constexpr std::size_t kMaxKeyword = 79;
+  std::vector<std::uint8_t> chunks;
+  const auto add_number = [&chunks](std::size_t number) {
+    for (const int shift : {24, 16, 8, 0}) {
+      chunks.push_back(static_cast<std::uint8_t>(number >> shift));
+    }
+  };
   for (const auto& [keyword, value] : text) {
-    if (!is_ascii(keyword) || (keyword + value).find('\0') != std::string::npos) {
+    const bool is_plain = std::ranges::all_of(keyword, [](char c) { return c > ' ' && c <= '~'; });
+    if (!is_plain || keyword.empty() || keyword.size() > kMaxKeyword ||
+        value.find('\0') != std::string::npos) {
       throw std::runtime_error("a PNG file cannot hold the text \"" + keyword + "\"");
     }
-    png_text chunk = {};
-    const bool ascii = is_ascii(value);
-    chunk.compression = ascii ? PNG_TEXT_COMPRESSION_NONE : PNG_ITXT_COMPRESSION_NONE;
-    chunk.key = const_cast<char*>(keyword.c_str());  // libpng only reads
-    chunk.text = const_cast<char*>(value.c_str());
-    chunk.text_length = ascii ? value.size() : 0;
-    chunk.itxt_length = ascii ? 0 : value.size();
-    chunks.push_back(chunk);
+    const std::string chunk = "iTXt" + keyword + std::string(5, '\0') + value;
+    add_number(chunk.size() - 4);
+    chunks.insert(chunks.end(), chunk.begin(), chunk.end());
+    const auto* bytes = reinterpret_cast<const Bytef*>(chunk.data());
+    add_number(::crc32_z(0, bytes, chunk.size()));
   }
   return chunks;
-}
-
-/// All data that libpng reads, built before the first call that may long-jump.
-struct WriteJob {
-  const Image& image;
-  std::vector<png_text> text;
-  std::vector<std::uint8_t> bytes = {};
-  std::string error = "cannot write a PNG file: no memory";
-};
-
-/// Keeps the reason and long-jumps. Also of warnings: libpng would write other keywords than given.
-[[noreturn]] void fail(png_structp png, png_const_charp reason) {
-  static_cast<WriteJob*>(png_get_error_ptr(png))->error.assign("cannot write a PNG file: ") +=
-      reason;
-  png_longjmp(png, 1);
-}
-
-void append(png_structp png, png_bytep data, png_size_t size) {
-  auto* job = static_cast<WriteJob*>(png_get_io_ptr(png));
-  bool full = false;
-  try {
-    job->bytes.insert(job->bytes.end(), data, data + size);
-  } catch (const std::bad_alloc&) {
-    full = true;
-  }
-  if (full) {
-    png_error(png, "no memory");
-  }
-}
-
-/// Returns false after an error. No object with a destructor may live here: errors long-jump.
-bool write_png(png_structp png, png_infop info, WriteJob& job) {
-  constexpr int kCompressionLevel = 2;   // many times faster than the default, hardly larger
-  constexpr int kCompressionMemory = 6;  // tables that stay in the cache
-  if (setjmp(png_jmpbuf(png)) != 0) {
-    return false;
-  }
-  const auto width = static_cast<png_uint_32>(job.image.width);
-  const auto height = static_cast<png_uint_32>(job.image.height);
-  png_set_write_fn(png, &job, append, [](png_structp) {});
-  png_set_compression_level(png, kCompressionLevel);
-  png_set_compression_mem_level(png, kCompressionMemory);
-  png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_NONE);
-  png_set_IHDR(png, info, width, height, 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
-               PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-  if (!job.text.empty()) {
-    png_set_text(png, info, job.text.data(), static_cast<int>(job.text.size()));
-  }
-  png_write_info(png, info);
-  for (png_uint_32 y = 0; y < height; ++y) {
-    png_write_row(png, &job.image.pixels[std::size_t{y} * width].red);
-  }
-  png_write_end(png, info);
-  return true;
 }
 
 }  // namespace
@@ -185,18 +131,27 @@ DecodedPng decode_png(std::span<const std::uint8_t> bytes, std::size_t max_pixel
 }
 
 std::vector<std::uint8_t> encode_png(const Image& image, const PngText& text) {
+  constexpr std::size_t kHeader = 33;  // bytes of signature and IHDR
+  png_image header = {};
+  header.version = PNG_IMAGE_VERSION;
+  header.width = static_cast<png_uint_32>(image.width);
+  header.height = static_cast<png_uint_32>(image.height);
+  header.format = PNG_FORMAT_RGB;
+  header.flags = PNG_IMAGE_FLAG_FAST;
   if (image.width < 1 || image.height < 1) {
     throw std::runtime_error("a PNG file cannot hold an empty picture");
   }
-  WriteJob job = {.image = image, .text = text_chunks(text)};
-  png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &job, fail, fail);
-  png_infop info = png == nullptr ? nullptr : png_create_info_struct(png);
-  const bool done = info != nullptr && write_png(png, info, job);
-  png_destroy_write_struct(&png, &info);
-  if (!done) {
-    throw std::runtime_error(job.error);
+  const std::vector<std::uint8_t> chunks = text_chunks(text);
+  std::vector<std::uint8_t> bytes(PNG_IMAGE_PNG_SIZE_MAX(header));
+  png_alloc_size_t size = bytes.size();
+  if (png_image_write_to_memory(&header, bytes.data(), &size, 0, image.pixels.data(), 0, nullptr) ==
+      0) {
+    throw std::runtime_error(std::string("cannot write a PNG file: ") +
+                             static_cast<const char*>(header.message));
   }
-  return std::move(job.bytes);
+  bytes.resize(size);
+  bytes.insert(bytes.begin() + kHeader, chunks.begin(), chunks.end());
+  return bytes;
 }
 
 }  // namespace clca::image

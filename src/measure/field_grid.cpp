@@ -189,13 +189,13 @@ class Walls {
 
 }  // namespace
 
-std::vector<FieldCell> FieldWindow::fields(const State& now, double cell) const {
+std::vector<FieldCell> fields(const Snapshot& begin, const State& now, double cell) {
   const Grid grid(now.lattice, cell);
   std::vector<FieldCell> cells(grid.size());
   const std::vector<double> packing = packing_of(now, grid);
-  const std::uint64_t steps = now.step - begin_.step();
+  const std::uint64_t steps = now.step - begin.step();
   const std::vector<RegionMotion> motions = motions_by_region(
-      begin_.displacements(now), steps > 0 ? static_cast<double>(steps) : 1, grid.size(),
+      begin.displacements(now), steps > 0 ? static_cast<double>(steps) : 1, grid.size(),
       [&](const Eigen::Vector2d& point, const auto& visit) { grid.share_out(point, visit); });
   for (std::size_t index = 0; index < grid.size(); ++index) {
     cells[index] = {motions[index], grid.centre(index), packing[index]};

@@ -72,17 +72,17 @@ class FieldRecord : public SavedObserver<FieldRecord> {
   static double bytes(const scene::Scene& scene, double particles) {
     const double side = scene.output.fields->cell;
     return 2 * measure::Snapshot::bytes_for(particles) + particles * sizeof(measure::Displacement) +
-           measure::FieldWindow::bytes_for(scene.box.width * scene.box.height / (side * side));
+           measure::field_bytes(scene.box.width * scene.box.height / (side * side));
   }
 
   void after_step(const StageView& now) override {
-    if (now.model.state().step - window_begin_ >= fields_.every) {
+    if (now.model.state().step - begin_->step() >= fields_.every) {
       end_window(now);
     }
   }
   /// The last window may be short.
   void end_stage(const StageView& now) override {
-    if (now.model.state().step > window_begin_) {
+    if (now.model.state().step > begin_->step()) {
       end_window(now);
     }
     if (fluctuations_.samples() > 0) {
@@ -108,36 +108,33 @@ class FieldRecord : public SavedObserver<FieldRecord> {
   }
 
   bool precedes(const grains::State& now) const {
-    return window_ && window_->precedes(now) && window_begin_ <= now.step &&
-           fluctuations_.has_all_bins();
+    return begin_ && begin_->precedes(now) && fluctuations_.has_all_bins();
   }
   static constexpr const char* kPath = "records/fields";
-  CLCA_FIELDS(window_, fluctuations_, window_begin_, fluctuation_steps_, steps_);
+  CLCA_FIELDS(begin_, fluctuations_, fluctuation_steps_, steps_);
 
  private:
   void prepare(const StageView& now) override {
-    window_.emplace(now.model.state());
-    window_begin_ = now.model.state().step;
+    begin_.emplace(now.model.state());
     fluctuations_ = {};
     fluctuation_steps_ = 0;
     steps_ = 0;
   }
   void end_window(const StageView& now) {
     const grains::State& state = now.model.state();
-    const std::vector<measure::FieldCell> fields = window_->fields(state, fields_.cell);
+    const std::vector<measure::FieldCell> fields = measure::fields(*begin_, state, fields_.cell);
     for (const measure::FieldCell& cell : fields) {
       if (cell.particles > 0 || cell.packing > 0) {
         fields_table_.add({now, cell, velocity_unit_});
       }
     }
-    const std::uint64_t steps = state.step - window_begin_;
+    const std::uint64_t steps = state.step - begin_->step();
     if (steps == fields_.every) {
-      fluctuations_.add(window_->displacements(state), measure::Grid(state.lattice, fields_.cell));
+      fluctuations_.add(begin_->displacements(state), measure::Grid(state.lattice, fields_.cell));
     }
     fluctuation_steps_ += measure::fluctuation_energy(fields) * static_cast<double>(steps);
     steps_ += steps;
-    window_.emplace(state);
-    window_begin_ = state.step;
+    begin_.emplace(state);
   }
   void write_fluctuations(const StageView& now) {
     const statistics::Bins& bins = fluctuations_.bins();
@@ -153,11 +150,10 @@ class FieldRecord : public SavedObserver<FieldRecord> {
     fluctuation_table_.write(now.files, now.stage.name);
   }
   scene::Fields fields_;
-  double velocity_unit_;  // a spacing per step in the unit of velocities
-  std::optional<measure::FieldWindow> window_;
-  measure::Fluctuations fluctuations_;  // over the complete windows of the stage
-  std::uint64_t window_begin_ = 0;      // step
-  double fluctuation_steps_ = 0;        // sum of fluctuation x steps
+  double velocity_unit_;                    // a spacing per step in the unit of velocities
+  std::optional<measure::Snapshot> begin_;  // of the window
+  measure::Fluctuations fluctuations_;      // over the complete windows of the stage
+  double fluctuation_steps_ = 0;            // sum of fluctuation x steps
   std::uint64_t steps_ = 0;
   TableWriter<FieldRow> fields_table_;
   TableWriter<EnergyBin> fluctuation_table_;

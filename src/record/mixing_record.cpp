@@ -26,7 +26,7 @@ TableOf<MixingRow> mixing_table(const scene::Scene& /*scene*/) {
             [](auto& row) { return row.fallen.diffusion(); }}}};
 }
 
-class MixingRecord : public Observer {
+class MixingRecord : public SavedObserver<MixingRecord> {
  public:
   explicit MixingRecord(const scene::Scene& scene) : table_(scene, mixing_table(scene)) {}
 
@@ -34,7 +34,6 @@ class MixingRecord : public Observer {
     return measure::Mixing::bytes_for(particles);
   }
 
-  void begin_stage(const StageView& now) override { mixing_ = measure::Mixing(now.model.state()); }
   void after_step(const StageView& now) override { mixing_.add(now.model.state()); }
   void end_stage(const StageView& now) override {
     for (std::size_t i = 0; i < fallen().size(); ++i) {
@@ -42,16 +41,16 @@ class MixingRecord : public Observer {
     }
     table_.write(now.files, now.stage.name);
   }
-  void save(reflection::Columns& columns) override { reflection::encode(kPath, mixing_, columns); }
-  void load(const SavedColumns& saved, const StageView& now) override {
-    saved.read(kPath, mixing_, now.model.state());
-  }
   std::vector<RunTable*> tables() override { return {&table_}; }
 
   const std::vector<measure::FallenPairs>& fallen() const { return mixing_.fallen(); }
 
- private:
+  bool precedes(const grains::State& now) const { return mixing_.precedes(now); }
   static constexpr const char* kPath = "records/mixing";
+  CLCA_FIELDS(mixing_);
+
+ private:
+  void prepare(const StageView& now) override { mixing_ = measure::Mixing(now.model.state()); }
 
   measure::Mixing mixing_;
   TableWriter<MixingRow> table_;

@@ -13,7 +13,6 @@ ObserverKind mixing_observer();
 ObserverKind overlaps_observer();
 ObserverKind contacts_observer();
 ObserverKind energy_observer();
-ObserverKind series_record_observer();
 ObserverKind series_observer();
 ObserverKind probes_observer();
 ObserverKind trajectory_observer();
@@ -24,11 +23,10 @@ ObserverKind weight_paths_observer();
 
 const std::vector<ObserverKind>& observer_kinds() {
   static const std::vector<ObserverKind> kAll = {
-      cycles_observer(),       fields_observer(),        lines_observer(),
-      mixing_observer(),       overlaps_observer(),      contacts_observer(),
-      energy_observer(),       series_record_observer(), series_observer(),
-      probes_observer(),       trajectory_observer(),    profile_observer(),
-      force_tables_observer(), weight_paths_observer()};
+      cycles_observer(),      fields_observer(),     lines_observer(),   mixing_observer(),
+      overlaps_observer(),    contacts_observer(),   energy_observer(),  series_observer(),
+      probes_observer(),      trajectory_observer(), profile_observer(), force_tables_observer(),
+      weight_paths_observer()};
   return kAll;
 }
 

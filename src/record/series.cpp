@@ -46,20 +46,29 @@ Eigen::Vector2d lever(const lattice::Lattice& box, const Eigen::Vector2d& from,
 }
 
 /// What series.csv says of the steps since its last row: forces on walls, and what has left.
-class SeriesRecord : public SavedObserver<SeriesRecord> {
+class SinceRow {
  public:
-  explicit SeriesRecord(const scene::Scene& scene)
+  explicit SinceRow(const scene::Scene& scene)
       : series_(*scene.output.series), conversion_(scene::conversion(scene)) {
     if (series_.forces) {
       bodies_ = walls_and_sides(scene);
     }
   }
 
-  void after_step(const StageView& now) override {
+  void begin_stage(const StageView& now) {
     const grains::State& state = now.model.state();
-    if ((state.step - 1) % series_.every == 0) {
-      clear();  // the step before has a row
+    left_ = measure::discharge(state);  // its fill may be in outlets
+    clear();
+    centre_ = scene::turning_centre(now.scene, now.stage);
+    centres_.clear();
+    for (const grains::Owner body : bodies_) {
+      centres_.push_back(contact::is_side(body)
+                             ? middle(state.lattice, body)
+                             : centroid(state.walls[grains::wall_number(body)].sites));
     }
+  }
+  void add_step(const StageView& now) {
+    const grains::State& state = now.model.state();
     ++steps_;
     left_ = measure::discharge(state);
     if (series_.forces) {
@@ -103,6 +112,13 @@ class SeriesRecord : public SavedObserver<SeriesRecord> {
                       : std::nullopt;
   }
 
+  /// After a row.
+  void clear() {
+    steps_ = 0;
+    loads_.assign(bodies_.size(), {});
+    before_ = left_;
+  }
+
   bool precedes(const grains::State& now) const {
     const auto up_to = [](const measure::Discharge& one, const measure::Discharge& later) {
       return one.particles <= later.particles && one.sites <= later.sites;
@@ -114,7 +130,6 @@ class SeriesRecord : public SavedObserver<SeriesRecord> {
                     std::isfinite(load.torque);
            });
   }
-  static constexpr const char* kPath = "records/series";
   CLCA_FIELDS(steps_, loads_, before_, left_);
 
  private:
@@ -127,23 +142,6 @@ class SeriesRecord : public SavedObserver<SeriesRecord> {
     CLCA_FIELDS(force_x, force_y, torque);
   };
 
-  void prepare(const StageView& now) override {
-    const grains::State& state = now.model.state();
-    left_ = measure::discharge(state);  // its fill may be in outlets
-    clear();
-    centre_ = scene::turning_centre(now.scene, now.stage);
-    centres_.clear();
-    for (const grains::Owner body : bodies_) {
-      centres_.push_back(contact::is_side(body)
-                             ? middle(state.lattice, body)
-                             : centroid(state.walls[grains::wall_number(body)].sites));
-    }
-  }
-  void clear() {
-    steps_ = 0;
-    loads_.assign(bodies_.size(), {});
-    before_ = left_;
-  }
   void add_forces(const grains::State& state, const std::vector<contact::Force>& forces) {
     const double mass = contact::mean_mass(state);
     for (const contact::Force& force : forces) {
@@ -198,9 +196,9 @@ std::optional<double> mean_height(const grains::State& state) {
 /// What a row is made of.
 struct SeriesRow {
   const StageView& now;
-  contact::Energy energy = {};              ///< of the contact model
-  const EnergyRecord* balance = nullptr;    ///< of the energy, likewise
-  const SeriesRecord* since_row = nullptr;  ///< forces and outflow since the last row
+  const SinceRow& since_row;
+  contact::Energy energy = {};            ///< of the contact model
+  const EnergyRecord* balance = nullptr;  ///< of the energy, likewise
 
   const grains::State& state() const { return now.model.state(); }
 };
@@ -287,9 +285,9 @@ TableOf<SeriesRow> series_table(const scene::Scene& scene) {
        {"with `units.density` and outlets",
         has_flow_rates(scene),
         {{{"mass_flow_rate", "Mass flow rate", "kg/s", kSinceRow},
-          [](auto& row) { return row.since_row->mass_flow_rate(); }},
+          [](auto& row) { return row.since_row.mass_flow_rate(); }},
          {{"particle_flow_rate", "Particle flow rate", "particles/s", kSinceRow},
-          [](auto& row) { return row.since_row->particle_flow_rate(); }}}},
+          [](auto& row) { return row.since_row.particle_flow_rate(); }}}},
        {"with a vessel in some stage",
         model::has_vessel(scene),
         {{{"vessel_work", "Work of the vessel", kEnergyUnit, kSinceStage},
@@ -313,7 +311,7 @@ std::vector<std::string> names_of_each(const scene::Scene& scene) {
     names.push_back(name);
   }
   if (scene.output.series->forces) {
-    const std::vector<std::string> forces = SeriesRecord::force_names(scene);
+    const std::vector<std::string> forces = SinceRow::force_names(scene);
     names.insert(names.end(), forces.begin(), forces.end());
   }
   return names;
@@ -355,56 +353,56 @@ std::vector<store::Cell> cells_of_each(const SeriesRow& row) {
     }
   }
   if (scene.output.series->forces) {
-    const std::vector<store::Cell> forces = row.since_row->force_cells();
+    const std::vector<store::Cell> forces = row.since_row.force_cells();
     cells.insert(cells.end(), forces.begin(), forces.end());
   }
   return cells;
 }
 
 /// Rows at the steps that are due and at the begin and end of stages, one for each step.
-class Series : public Observer {
+class Series : public SavedObserver<Series> {
  public:
   explicit Series(const scene::Scene& scene)
-      : table_(scene, series_table(scene), names_of_each(scene)) {}
+      : since_row_(scene), table_(scene, series_table(scene), names_of_each(scene)) {}
 
-  void begin_stage(const StageView& now) override { add_row(now); }
+  void begin_stage(const StageView& now) override {
+    prepare(now);
+    add_row(now);
+  }
   void after_step(const StageView& now) override {
+    since_row_.add_step(now);
     if (now.model.state().step % now.scene.output.series->every == 0) {
       add_row(now);
     }
   }
   void end_stage(const StageView& now) override { add_row(now); }
-  void save(reflection::Columns& columns) override { reflection::encode(kPath, last_, columns); }
-  void load(const SavedColumns& saved, const StageView& now) override {
-    saved.read(kPath, last_, now.model.state());
-  }
   std::vector<RunTable*> tables() override { return {&table_}; }
 
- private:
-  static constexpr const char* kPath = "outputs/series_step";
+  bool precedes(const grains::State& now) const { return since_row_.precedes(now); }
+  static constexpr const char* kPath = "outputs/series";
+  CLCA_FIELDS(last_, since_row_);
 
+ private:
+  void prepare(const StageView& now) override { since_row_.begin_stage(now); }
   void add_row(const StageView& now) {
     if (last_ == now.model.state().step) {
       return;
     }
     last_ = now.model.state().step;
     const contact::ContactModel* contact = now.model.contact();
-    const SeriesRow row = {now, contact != nullptr ? contact->energy() : contact::Energy(),
-                           now.observers.find<EnergyRecord>(), now.observers.find<SeriesRecord>()};
+    const SeriesRow row = {now, since_row_,
+                           contact != nullptr ? contact->energy() : contact::Energy(),
+                           now.observers.find<EnergyRecord>()};
     table_.add(row, cells_of_each(row));
+    since_row_.clear();
   }
 
   std::optional<std::uint64_t> last_;  // step that has a row
+  SinceRow since_row_;
   TableWriter<SeriesRow> table_;
 };
 
 }  // namespace
-
-ObserverKind series_record_observer() {
-  return observer_kind<SeriesRecord>([](const scene::Scene& scene) {
-    return scene.output.series && (scene.output.series->forces || has_flow_rates(scene));
-  });
-}
 
 ObserverKind series_observer() {
   return observer_kind<Series>(

@@ -114,22 +114,29 @@ std::string last_line(const std::vector<std::uint8_t>& bytes) {
 
 }  // namespace
 
-std::optional<MovieFormat> movie_format(const std::filesystem::path& file) {
+MovieFormat movie_format(const std::filesystem::path& file) {
   const std::map<std::string, MovieFormat> formats = {{".mp4", MovieFormat::mp4},
                                                       {".webm", MovieFormat::webm},
                                                       {".webp", MovieFormat::webp},
                                                       {".gif", MovieFormat::gif},
                                                       {".png", MovieFormat::apng}};
   const auto found = formats.find(file.extension().string());
-  return found == formats.end() ? std::nullopt : std::optional(found->second);
+  if (found == formats.end()) {
+    throw text::InputError(fmt::format(
+        "{}: is not a movie; expected the ending .mp4, .webm, .webp, .gif or .png (animated)",
+        file.string()));
+  }
+  return found->second;
 }
 
-Movie::Movie(const std::filesystem::path& file, MovieFormat format, int width, int height,
-             double frames_per_second, const std::atomic<int>* stop)
-    : width_(width),
+Movie::Movie(const std::filesystem::path& file, const std::filesystem::path& temporary, int width,
+             int height, double frames_per_second, const std::atomic<int>* stop)
+    : file_(file),
+      width_(width),
       height_(height),
-      ffmpeg_(started(ffmpeg_arguments(file, format, width, height, frames_per_second), errors_,
-                      stop)) {}
+      ffmpeg_(
+          started(ffmpeg_arguments(temporary, movie_format(file), width, height, frames_per_second),
+                  errors_, stop)) {}
 
 void Movie::add(const Image& image) {
   if (image.width != width_ || image.height != height_) {
@@ -151,8 +158,8 @@ void Movie::finish() {
 }
 
 void Movie::fail(int code) const {
-  throw MovieError(
-      fmt::format("ffmpeg fails with exit code {}: {}", code, last_line(errors_.bytes())));
+  throw MovieError(fmt::format("cannot write {}: ffmpeg fails with exit code {}: {}",
+                               file_.string(), code, last_line(errors_.bytes())));
 }
 
 }  // namespace clca::render

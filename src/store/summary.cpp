@@ -187,14 +187,6 @@ scene::Conversion units(const Json& found) {
   return result;
 }
 
-BoxSummary box(const Json& found) {
-  return {.left = number(found, "left"),
-          .right = number(found, "right"),
-          .floor = number(found, "floor"),
-          .top = number(found, "top"),
-          .periodic = field(found, "periodic", &Json::is_boolean).get<bool>()};
-}
-
 std::vector<scene::DerivedMeasure> derived(const Json& found) {
   std::vector<scene::DerivedMeasure> result;
   for (const auto& [name, entry] : found.items()) {
@@ -205,15 +197,6 @@ std::vector<scene::DerivedMeasure> derived(const Json& found) {
     if (entry.contains("about")) {
       derived.about = text(entry, "about");
     }
-  }
-  return result;
-}
-
-BeginSummary begin(const Json& found) {
-  BeginSummary result = {
-      .run = text(found, "run"), .step = {}, .state_hash = hash(found, "state_hash")};
-  if (!found.contains("step") || found["step"] != "last") {
-    result.step = count(found, "step");
   }
   return result;
 }
@@ -246,9 +229,7 @@ RunSummary summary_of(const Json& object) {
                         .compiler = text(build, "compiler"),
                         .build_type = text(build, "type"),
                         .stages = {}};
-  take_if_there(object, "begin", begin, summary.begin);
   take_if_there(object, "units", units, summary.units);
-  take_if_there(object, "box", box, summary.box);
   take_if_there(object, "derived", derived, summary.derived);
   if (summary.kind != "comparison") {  // which writes no files of that name
     name(object, "scene");

@@ -286,38 +286,30 @@ SceneTables::SceneTables(const scene::Scene& scene, const grains::State& state)
 }
 
 std::vector<Hdf5Dataset> SceneTables::datasets() {
-  return {{"scene/seed", &seed, 1, {"", "of the run"}},
-          {"scene/lattice", &lattice, 1, {"", "columns, rows, 1 if periodic"}},
-          {"scene/species", &species, 1, {"", "names"}},
-          {"scene/stages", &stages, 1, {"", "names"}},
-          {"scene/kinds/species",
-           &kind_species,
-           1,
-           {"", "of each kind, a species in one orientation, which of `scene/species`"}},
-          {"scene/kinds/first",
-           &kind_sites.first,
-           1,
-           {"", "of each kind the first row in `scene/kinds/sites`"}},
-          {"scene/kinds/size", &kind_sites.size, 1, {"sites", "of each kind"}},
-          {"scene/kinds/sites",
-           &kind_sites.sites,
-           2,
-           {"sites", "axial x and q from the reference site"}},
-          {"scene/walls/name", &walls, 1, {"", "of each wall"}},
-          {"scene/walls/first",
-           &wall_sites.first,
-           1,
-           {"", "of each wall the first row in `scene/walls/sites`"}},
-          {"scene/walls/size", &wall_sites.size, 1, {"sites", "of each wall"}},
-          {"scene/walls/sites", &wall_sites.sites, 2, {"sites", "column and row at home"}},
-          // For other programs: require_same() does not compare what follows.
-          {"scene/kinds/centre",
-           &kind_centre,
-           2,
-           {"spacings", "of each kind x, y of the centre of mass from its site"},
-           true},
-          {"scene/name", &name, 1, {"", "of the scene"}, true},
-          {"scene/units", &units, 1, {"", "of all that is in the file, in words"}, true}};
+  std::vector<Hdf5Dataset> all;
+  const auto add = [&all](const char* path, auto* values, Meaning meaning, std::size_t columns = 1,
+                          bool may_be_missing = false) {
+    all.push_back({std::string("scene/") + path, values, columns, meaning, may_be_missing});
+  };
+  add("seed", &seed, {"", "of the run"});
+  add("lattice", &lattice, {"", "columns, rows, 1 if periodic"});
+  add("species", &species, {"", "names"});
+  add("stages", &stages, {"", "names"});
+  add("kinds/species", &kind_species,
+      {"", "of each kind, a species in one orientation, which of `scene/species`"});
+  add("kinds/first", &kind_sites.first, {"", "of each kind the first row in `scene/kinds/sites`"});
+  add("kinds/size", &kind_sites.size, {"sites", "of each kind"});
+  add("kinds/sites", &kind_sites.sites, {"sites", "axial x and q from the reference site"}, 2);
+  add("walls/name", &walls, {"", "of each wall"});
+  add("walls/first", &wall_sites.first, {"", "of each wall the first row in `scene/walls/sites`"});
+  add("walls/size", &wall_sites.size, {"sites", "of each wall"});
+  add("walls/sites", &wall_sites.sites, {"sites", "column and row at home"}, 2);
+  // For other programs: require_same() does not compare what follows.
+  add("kinds/centre", &kind_centre,
+      {"spacings", "of each kind x, y of the centre of mass from its site"}, 2, true);
+  add("name", &name, {"", "of the scene"}, 1, true);
+  add("units", &units, {"", "of all that is in the file, in words"}, 1, true);
+  return all;
 }
 
 void SceneTables::require_same(const SceneTables& read, const std::filesystem::path& path) const {

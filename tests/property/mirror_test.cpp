@@ -150,8 +150,9 @@ RC_GTEST_PROP(MirrorProperty, OfProfilesAndFronts, ()) {
 RC_GTEST_PROP(MirrorProperty, OfFields, ()) {
   const Beds beds = any_beds();
   const double cell = any_cell();
-  const auto fields = measure::FieldWindow(beds.before).fields(beds.after, cell);
-  const auto image = measure::FieldWindow(beds.mirrored_before).fields(beds.mirrored_after, cell);
+  const auto fields = measure::fields(measure::Snapshot(beds.before), beds.after, cell);
+  const auto image =
+      measure::fields(measure::Snapshot(beds.mirrored_before), beds.mirrored_after, cell);
   const std::size_t columns = measure::Grid(beds.after.lattice, cell).columns();
   for_each_image(fields, image, columns, [](const auto& one, const auto& other) {
     RC_ASSERT(is_near(one.packing, other.packing));

@@ -32,33 +32,15 @@ struct FieldCell : RegionMotion {
   double packing = 0;                                ///< share of its sites taken by particles now
 };
 
-/// A window of steps: velocity is displacement per step.
-class FieldWindow {
- public:
-  /// Starts the window.
-  explicit FieldWindow(const grains::State& state) : begin_(state) {}
+/// Memory of so many cells, with that for measuring them and their fluctuations.
+inline double field_bytes(double cells) {
+  return cells * (sizeof(FieldCell) + 2 * sizeof(RegionMotion) + 2 * sizeof(double));
+}
 
-  /// Memory of so many cells, with that for measuring them and their fluctuations.
-  static double bytes_for(double cells) {
-    return cells * (sizeof(FieldCell) + 2 * sizeof(RegionMotion) + 2 * sizeof(double));
-  }
-
-  /// The fields if the window ends now, in the cells of a Grid of side `cell` (lattice spacings).
-  /// Particles that entered or left during the window count for the packing only. In a window of
-  /// zero steps all velocities are 0.
-  std::vector<FieldCell> fields(const grains::State& now, double cell) const;
-  /// Displacements of the particles if the window ends now.
-  std::vector<Displacement> displacements(const grains::State& now) const {
-    return begin_.displacements(now);
-  }
-
-  /// False if the window cannot have started in a run that reached `now`.
-  bool precedes(const grains::State& now) const { return begin_.precedes(now); }
-  CLCA_FIELDS(begin_);
-
- private:
-  Snapshot begin_;
-};
+/// Fields of the window of steps from `begin` to now, in the cells of a Grid of side `cell`
+/// (lattice spacings): velocity is displacement per step. Particles that entered or left during the
+/// window count for the packing only. In a window of zero steps all velocities are 0.
+std::vector<FieldCell> fields(const Snapshot& begin, const grains::State& now, double cell);
 
 /// Mean fluctuation over cells, weighted by their particles; 0 if there are none.
 double fluctuation_energy(const std::vector<FieldCell>& cells);

@@ -3,7 +3,6 @@
 
 #include <atomic>
 #include <filesystem>
-#include <optional>
 #include <stdexcept>
 
 #include "clca/process/program.hpp"
@@ -21,18 +20,20 @@ class MovieError : public std::runtime_error {
 /// `webp`; `gif`, of 256 colours a picture.
 enum class MovieFormat : std::uint8_t { mp4, webm, apng, webp, gif };
 
-/// The format for a file ending: .mp4, .webm, .png, .webp or .gif; none for others.
-std::optional<MovieFormat> movie_format(const std::filesystem::path& file);
+/// The format for a file ending: .mp4, .webm, .png, .webp or .gif. Throws text::InputError for
+/// others.
+MovieFormat movie_format(const std::filesystem::path& file);
 
 /// Encodes pictures one by one, so that memory does not grow with their number. The same pictures
 /// and the same ffmpeg give the same bytes.
 class Movie {
  public:
-  /// Overwrites `file`. All pictures have this size (pixels); mp4 and webm pad odd sizes with
-  /// white. Throws MovieError, and text::InputError for a rate that the format does not have.
-  /// Once `stop` is not zero, ffmpeg gets 5 s to finish what it has.
-  Movie(const std::filesystem::path& file, MovieFormat format, int width, int height,
-        double frames_per_second, const std::atomic<int>* stop = nullptr);
+  /// Writes the movie `file` in its format to `temporary`, overwriting that. All pictures have this
+  /// size (pixels); mp4 and webm pad odd sizes with white. Throws MovieError, and text::InputError
+  /// for a rate that the format does not have. Once `stop` is not zero, ffmpeg gets 5 s to finish
+  /// what it has.
+  Movie(const std::filesystem::path& file, const std::filesystem::path& temporary, int width,
+        int height, double frames_per_second, const std::atomic<int>* stop = nullptr);
   /// The file of a movie that is not finished remains incomplete.
   ~Movie() = default;
   Movie(const Movie&) = delete;
@@ -48,6 +49,7 @@ class Movie {
  private:
   [[noreturn]] void fail(int code) const;
 
+  std::filesystem::path file_;
   int width_;
   int height_;
   bool has_pictures_ = false;

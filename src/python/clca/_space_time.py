@@ -6,7 +6,7 @@ from typing import Any
 
 from matplotlib import rcParams  # type: ignore[import]
 from matplotlib.cm import ScalarMappable  # type: ignore[import]
-from matplotlib.colors import ListedColormap, Normalize  # type: ignore[import]
+from matplotlib.colors import Normalize  # type: ignore[import]
 from matplotlib.figure import Figure  # type: ignore[import]
 from matplotlib.image import imread  # type: ignore[import]
 from matplotlib.patches import Patch  # type: ignore[import]
@@ -32,9 +32,9 @@ def annotate(figure: Any, ax: Any, shown: dict[str, Any]) -> None:
         if end - begin > 0.05 * (shown["time"]["high"] - shown["time"]["low"]) and ends[1:]:
             name = plain(stage["name"])
             ax.text((begin + end) / 2, 1.01, name, transform=ax.get_xaxis_transform(), ha="center", color="#60666e")
-    for bar, shades in zip(shown["legend"]["bars"], shown["colors"]):
+    for bar in shown["legend"]["bars"]:
         extend = ("neither", "min", "max", "both")[bar["below"] + 2 * bar["above"]]
-        values = ScalarMappable(Normalize(bar["low"], bar["high"]), ListedColormap([rgb(one) for one in shades]))
+        values = ScalarMappable(Normalize(bar["low"], bar["high"]), "coolwarm" if bar["diverging"] else "viridis")
         figure.colorbar(values, ax=ax, label=plain(bar["label"]), extend=extend, aspect=30, pad=0.02)
     handles = [
         Patch(facecolor=rgb(patch["color"]), edgecolor="#404040", linewidth=0.5, label=plain(patch["label"]))

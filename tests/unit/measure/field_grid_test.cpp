@@ -79,45 +79,45 @@ TEST(Grid, APathIsDividedAtTheEdgesOfCells) {
 TEST(Fields, WeightMeansBySites) {
   State state = bed(6, 20);
   state.particles = {particle_at(2, 2, 1), particle_at(2, 10)};
-  const FieldWindow window(state);
+  const Snapshot window(state);
   state.step += 2;
   state.particles[0].row += 2;  // two sites at 1 site per step up, one at 2 down
   state.particles[1].row -= 4;
-  const std::vector<FieldCell> fields = window.fields(state, 100);
-  ASSERT_EQ(fields.size(), 1U);
-  EXPECT_EQ(fields[0].particles, 2U);
-  EXPECT_NEAR(fields[0].velocity.norm(), 0, 1e-12);
-  EXPECT_NEAR(fields[0].fluctuation, 0.5 * (2 * 1 + 1 * 4) / 3, 1e-12);
-  EXPECT_NEAR(fields[0].packing, 3.0 / 120, 1e-12);
+  const std::vector<FieldCell> cells = fields(window, state, 100);
+  ASSERT_EQ(cells.size(), 1U);
+  EXPECT_EQ(cells[0].particles, 2U);
+  EXPECT_NEAR(cells[0].velocity.norm(), 0, 1e-12);
+  EXPECT_NEAR(cells[0].fluctuation, 0.5 * (2 * 1 + 1 * 4) / 3, 1e-12);
+  EXPECT_NEAR(cells[0].packing, 3.0 / 120, 1e-12);
 }
 
 TEST(Fields, BinByThePlaceAtTheBegin) {
   State state = bed(2, 20);  // cells: rows 0 to 9, rows 10 to 19
   state.particles = {particle_at(0, 2)};
-  const FieldWindow window(state);
+  const Snapshot window(state);
   state.step += 10;
   state.particles[0].row = 17;
-  const std::vector<FieldCell> fields = window.fields(state, 10);
-  ASSERT_EQ(fields.size(), 2U);
-  EXPECT_EQ(fields[0].particles, 1U);
-  EXPECT_NEAR(fields[0].velocity.y(), 1.5, 1e-12);
-  EXPECT_EQ(fields[1].particles, 0U);
-  EXPECT_EQ(fields[0].packing, 0);
-  EXPECT_GT(fields[1].packing, 0);  // the packing is of now
+  const std::vector<FieldCell> cells = fields(window, state, 10);
+  ASSERT_EQ(cells.size(), 2U);
+  EXPECT_EQ(cells[0].particles, 1U);
+  EXPECT_NEAR(cells[0].velocity.y(), 1.5, 1e-12);
+  EXPECT_EQ(cells[1].particles, 0U);
+  EXPECT_EQ(cells[0].packing, 0);
+  EXPECT_GT(cells[1].packing, 0);  // the packing is of now
 }
 
 TEST(Fields, LeaveOutWhatCameOrLeft) {
   State state = bed(6, 20);
   state.particles = {particle_at(2, 2), particle_at(2, 10)};
-  const FieldWindow window(state);
+  const Snapshot window(state);
   state.step += 1;
   state.particles[0].row += 1;
   state.particles[1].present = false;
   state.particles.push_back(particle_at(4, 4));
-  const std::vector<FieldCell> fields = window.fields(state, 100);
-  EXPECT_EQ(fields[0].particles, 1U);
-  EXPECT_NEAR(fields[0].velocity.y(), 1, 1e-12);
-  EXPECT_NEAR(fields[0].packing, 2.0 / 120, 1e-12);
+  const std::vector<FieldCell> cells = fields(window, state, 100);
+  EXPECT_EQ(cells[0].particles, 1U);
+  EXPECT_NEAR(cells[0].velocity.y(), 1, 1e-12);
+  EXPECT_NEAR(cells[0].packing, 2.0 / 120, 1e-12);
 }
 
 TEST(Fields, ADriftOfAllHasNoFluctuationAndRunsOnAcrossASeam) {
@@ -126,29 +126,29 @@ TEST(Fields, ADriftOfAllHasNoFluctuationAndRunsOnAcrossASeam) {
   for (int column = 0; column < 12; ++column) {
     state.particles.push_back(particle_at(column, 5));
   }
-  const FieldWindow window(state);
+  const Snapshot window(state);
   state.step += 3;
   for (grains::Particle& particle : state.particles) {
     const lattice::Site moved = particle.site() + lattice::Axial{6, 0};
     particle.column = moved.column;
     particle.row = moved.row;
   }
-  const std::vector<FieldCell> fields = window.fields(state, 4);
-  for (const FieldCell& cell : fields) {
+  const std::vector<FieldCell> cells = fields(window, state, 4);
+  for (const FieldCell& cell : cells) {
     if (cell.particles > 0) {
       EXPECT_TRUE(cell.velocity.isApprox(Eigen::Vector2d(2 * kColumnPitch, 1)));
     }
   }
-  EXPECT_NEAR(fluctuation_energy(fields), 0, 1e-20);
+  EXPECT_NEAR(fluctuation_energy(cells), 0, 1e-20);
 }
 
 TEST(Fields, AWindowOfNoStepsHasNoVelocityAndASharedSiteCountsOnce) {
   State state = bed(6, 20);
   state.particles = {particle_at(2, 2, 1), particle_at(2, 3, 1)};
-  const std::vector<FieldCell> fields = FieldWindow(state).fields(state, 100);
-  EXPECT_EQ(fields[0].velocity.norm(), 0);
-  EXPECT_EQ(fields[0].fluctuation, 0);
-  EXPECT_NEAR(fields[0].packing, 3.0 / 120, 1e-12);
+  const std::vector<FieldCell> cells = fields(Snapshot(state), state, 100);
+  EXPECT_EQ(cells[0].velocity.norm(), 0);
+  EXPECT_EQ(cells[0].fluctuation, 0);
+  EXPECT_NEAR(cells[0].packing, 3.0 / 120, 1e-12);
 }
 
 TEST(Fields, TheEnergyIsTheMeanOverParticles) {
@@ -162,7 +162,7 @@ TEST(Fields, TheEnergyIsTheMeanOverParticles) {
 TEST(Fields, ConserveParticlesAndMomentum) {
   automaton::Automaton automaton = testing::mixed_automaton(60, 80, 40);
   const State before = automaton.state();
-  const FieldWindow window(before);
+  const Snapshot window(before);
   for (int step = 0; step < 5; ++step) {
     automaton.step();
   }
@@ -176,11 +176,11 @@ TEST(Fields, ConserveParticlesAndMomentum) {
     mass += sites;
   }
   EXPECT_LT(momentum.y(), 0);
-  EXPECT_TRUE(window.fields(after, 1000)[0].velocity.isApprox(momentum / mass));
+  EXPECT_TRUE(fields(window, after, 1000)[0].velocity.isApprox(momentum / mass));
   for (const double cell : {3.0, 7.0, 1000.0}) {
     double particles = 0;
-    const std::vector<FieldCell> fields = window.fields(after, cell);
-    for (const FieldCell& each : fields) {
+    const std::vector<FieldCell> cells = fields(window, after, cell);
+    for (const FieldCell& each : cells) {
       particles += each.particles;
       EXPECT_GE(each.packing, 0);
       EXPECT_LE(each.packing, 1);
@@ -188,7 +188,7 @@ TEST(Fields, ConserveParticlesAndMomentum) {
     }
     EXPECT_EQ(particles, grains::present_count(after));
   }
-  EXPECT_GT(fluctuation_energy(window.fields(after, 1000)), 0);
+  EXPECT_GT(fluctuation_energy(fields(window, after, 1000)), 0);
 }
 
 }  // namespace

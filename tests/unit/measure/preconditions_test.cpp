@@ -47,7 +47,7 @@ TEST(ASnapshot, IsHeldAgainstAStateThatFollowedIt) {
   earlier.step = 4;
   for (const State& wrong : {fewer, earlier}) {
     EXPECT_THROW(Snapshot(begin).displacements(wrong), std::invalid_argument);
-    EXPECT_THROW(FieldWindow(begin).fields(wrong, 5), std::invalid_argument);
+    EXPECT_THROW(fields(Snapshot(begin), wrong, 5), std::invalid_argument);
     Convection convection(begin.lattice, 5);
     convection.begin_cycle(begin);
     EXPECT_THROW(convection.end_cycle(wrong), std::invalid_argument);

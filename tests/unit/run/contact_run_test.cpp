@@ -70,8 +70,7 @@ stages:
 }
 
 TEST_F(ContactRunTest, RunJsonHasTheSidesOfItsBox) {
-  run(small({"box.periodic=true"}), {.folder = path()});
-  const auto box = store::read_summary(path() / "run.json").box;
+  const auto box = run(small({"box.periodic=true"}), {.folder = path()}).box;
   ASSERT_TRUE(box);
   EXPECT_EQ(box->left, -lattice::kColumnPitch / 2);
   EXPECT_DOUBLE_EQ(box->right, 47.5 * lattice::kColumnPitch);  // 48 columns
