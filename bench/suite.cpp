@@ -115,10 +115,8 @@ void run(const Wishes& wishes) {
   write("machine.csv", machine.table());
   write("automaton.csv", bench::automaton_table(measurements));
   write("shares.csv", bench::share_table(measurements));
-  write("profile.csv", bench::profile_table(measurements));
-  write("phases.csv", bench::phase_table(measurements, machine));
+  write("limits.csv", bench::limit_table(measurements, machine));
   write("contact.csv", bench::contact_table(contact));
-  write("contact-profile.csv", bench::contact_profile_table(contact));
   fmt::print("{}, {} cores\n\n{}\n{}\n{}", bench::processor_name(), omp_get_num_procs(),
              bench::markdown(machine, wishes.effort.threads), bench::markdown(measurements),
              bench::markdown(contact));

@@ -92,20 +92,10 @@ grains::State start(Case a_case, std::size_t particles) {
   return walled_bed(particles);
 }
 
-double seconds_of(const grains::PhaseTimes& phase_times) {
-  double all = 0;
-  for (const auto& [phase, seconds] : phase_times) {
-    all += seconds;
-  }
-  return all;
-}
-
 Run run(Case a_case, grains::State start, const Variant& variant, std::uint64_t most_steps,
         bool sampled) {
   Automaton automaton(std::move(start), {.ties = variant.ties},
-                      {.threads = variant.threads,
-                       .sleeping = variant.sleeping,
-                       .phase_times = variant.phase_times});
+                      {.threads = variant.threads, .sleeping = variant.sleeping});
   std::optional<Traffic> traffic;
   if (sampled) {
     traffic.emplace(automaton.state());
@@ -113,9 +103,6 @@ Run run(Case a_case, grains::State start, const Variant& variant, std::uint64_t 
   Run run;
   if (a_case == Case::collapse || a_case == Case::idle) {
     to_rest(automaton);  // who is new looks around once
-  }
-  if (variant.phase_times != nullptr) {
-    *variant.phase_times = {};
   }
   if (a_case == Case::idle) {
     run_idle(automaton, run);

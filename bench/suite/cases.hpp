@@ -23,11 +23,7 @@ struct Variant {
   automaton::Ties ties = automaton::Ties::particle;
   int threads = 1;
   bool sleeping = true;
-  grains::PhaseTimes* phase_times = nullptr;  ///< to be filled
 };
-
-/// Of all phases together.
-double seconds_of(const grains::PhaseTimes& phase_times);
 
 /// Steps, what they did and how long they took.
 struct Work {

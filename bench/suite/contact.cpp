@@ -42,8 +42,7 @@ double bed_height(Case a_case, const grains::State& state) {
                                   : area / (state.lattice.columns() * lattice::kColumnPitch);
 }
 
-ContactModel model_of(Case a_case, const grains::State& start, ContactSetting setting,
-                      grains::PhaseTimes* phase_times) {
+ContactModel model_of(Case a_case, const grains::State& start, ContactSetting setting) {
   contact::Parameters parameters = {.fall_height = bed_height(a_case, start)};
   if (setting == ContactSetting::preview) {
     parameters.resolution = 0.8;
@@ -52,13 +51,12 @@ ContactModel model_of(Case a_case, const grains::State& start, ContactSetting se
   contact::State state = {.grains = start};
   state.velocities.resize(start.particles.size());
   state.remainders.resize(start.particles.size());
-  return {std::move(state), parameters, {.phase_times = phase_times}};
+  return {std::move(state), parameters};
 }
 
 /// Adds one run to the measurement.
-void run(const grains::State& start, std::uint64_t most_steps, grains::PhaseTimes* phase_times,
-         ContactMeasurement& one) {
-  ContactModel model = model_of(one.a_case, start, one.setting, phase_times);
+void run(const grains::State& start, std::uint64_t most_steps, ContactMeasurement& one) {
+  ContactModel model = model_of(one.a_case, start, one.setting);
   one.steps = 0;
   one.moved = 0;
   one.at_rest = false;
@@ -96,11 +94,9 @@ std::vector<ContactMeasurement> measure_contact(Case a_case, const grains::State
         .a_case = a_case, .setting = setting, .particles = start.particles.size()};
     const double begin = processor_seconds();
     while (one.seconds.size() < kMinContactRuns || processor_seconds() - begin < seconds) {
-      run(start, most_steps, nullptr, one);
+      run(start, most_steps, one);
     }
     std::sort(one.seconds.begin(), one.seconds.end());
-    ContactMeasurement profiled = one;
-    run(start, most_steps, &one.phase_times, profiled);
     all.push_back(std::move(one));
   }
   return all;
@@ -119,37 +115,16 @@ store::Table contact_table(const std::vector<ContactMeasurement>& measurements) 
   return table;
 }
 
-store::Table contact_profile_table(const std::vector<ContactMeasurement>& measurements) {
-  store::Table table({"case", "particles", "setting", "phase", "run_s", "share"});
-  for (const ContactMeasurement& one : measurements) {
-    for (const auto& [phase, seconds] : one.phase_times) {
-      table.add_row({name(one.a_case), std::uint64_t{one.particles}, name(one.setting),
-                     std::string(phase), seconds, seconds / seconds_of(one.phase_times)});
-    }
-  }
-  return table;
-}
-
 std::string markdown(const std::vector<ContactMeasurement>& measurements) {
   std::string text =
       "| contact model | grains | setting | steps | at rest | ns a grain and step (median, worst) "
-      "|";
-  std::string rule = "|---|---|---|---|---|---|";
-  for (const auto& [phase, seconds] :
-       measurements.empty() ? grains::PhaseTimes() : measurements.front().phase_times) {
-    text += fmt::format(" {} % |", phase);
-    rule += "---|";
-  }
-  text += "\n" + rule + "\n";
+      "|\n"
+      "|---|---|---|---|---|---|\n";
   for (const ContactMeasurement& one : measurements) {
-    text += fmt::format("| {} | {} | {} | {} | {} | {:.1f} ({:.1f}, {:.1f}) |", name(one.a_case),
+    text += fmt::format("| {} | {} | {} | {} | {} | {:.1f} ({:.1f}, {:.1f}) |\n", name(one.a_case),
                         one.particles, name(one.setting), one.steps, one.at_rest ? "yes" : "no",
                         nanoseconds(one, one.seconds.front()), nanoseconds(one, median(one)),
                         nanoseconds(one, one.seconds.back()));
-    for (const auto& [phase, seconds] : one.phase_times) {
-      text += fmt::format(" {:.0f} |", 100 * seconds / seconds_of(one.phase_times));
-    }
-    text += "\n";
   }
   return text;
 }

@@ -21,8 +21,7 @@ struct ContactMeasurement {
   std::uint64_t steps = 0;
   std::uint64_t moved = 0;
   bool at_rest = false;
-  std::vector<double> seconds = {};     ///< a step, processor time of each run, ascending
-  grains::PhaseTimes phase_times = {};  ///< of one more run
+  std::vector<double> seconds = {};  ///< a step, processor time of each run, ascending
 };
 
 /// Both settings, on one thread: settling and collapse only. At least two runs each, and more
@@ -33,9 +32,7 @@ std::vector<ContactMeasurement> measure_contact(Case a_case, const grains::State
 
 /// A row for each measurement.
 store::Table contact_table(const std::vector<ContactMeasurement>& measurements);
-/// A row for each measurement and phase of a step.
-store::Table contact_profile_table(const std::vector<ContactMeasurement>& measurements);
-/// A row for each measurement, with its phases, in Markdown.
+/// A row for each measurement, in Markdown.
 std::string markdown(const std::vector<ContactMeasurement>& measurements);
 
 }  // namespace clca::bench

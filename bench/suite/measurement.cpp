@@ -85,9 +85,6 @@ std::vector<Measurement> measure(Case a_case, const grains::State& start, const 
       }
     }
     for (Measurement& one : group) {
-      Variant profiled = one.variant;
-      profiled.phase_times = &one.phase_times;
-      run(a_case, start, profiled, most_steps, false);
       one.samples = group.front().runs.front().samples;
       one.speedup = group.front().best() / one.best();
     }

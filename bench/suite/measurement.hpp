@@ -20,10 +20,9 @@ struct Measurement {
   Case a_case = Case::falling;
   std::size_t particles = 0;
   Variant variant = {};
-  std::vector<Run> runs = {};           ///< they all did the same
-  grains::PhaseTimes phase_times = {};  ///< of one more run
-  std::vector<Sample> samples = {};     ///< of steps; of all variants with these ties
-  double speedup = 1;  ///< the best run against the best on one thread with sleeping
+  std::vector<Run> runs = {};        ///< they all did the same
+  std::vector<Sample> samples = {};  ///< of steps; of all variants with these ties
+  double speedup = 1;                ///< the best run against the best on one thread with sleeping
 
   /// Seconds a step.
   double best() const { return step_seconds().front(); }

@@ -47,40 +47,29 @@ struct Rates {
   double seconds_per_move;
 };
 
-/// A part of a step. Lines and the times that the machine needs for them are of one run.
-struct Phase {
-  std::string name;
-  double seconds = 0;
+/// What the moves of a run have to touch, and how long the machine needs for that.
+struct Limits {
   double lines = 0;
   double copy_seconds = 0;  ///< to read and write each line once
   double wait_seconds = 0;  ///< when each line is waited for on its own, threads side by side
 };
 
-/// The whole step, from the samples.
-Phase step_phase(const Measurement& one, const Machine& machine) {
-  const Work& work = one.work();
-  Phase phase = {.name = "step", .seconds = work.seconds};
+/// From the samples.
+Limits limits(const Measurement& one, const Machine& machine) {
+  Limits result;
   double moved = 0;
   for (const Sample& sample : one.samples) {
     const auto lines = static_cast<double>(sample.lines);
     const double bytes = lines * static_cast<double>(kLine);
     moved += static_cast<double>(sample.moved);
-    phase.lines += lines;
-    phase.copy_seconds += 2 * bytes / machine.copy_rate(bytes, one.variant.threads);
-    phase.wait_seconds += lines * machine.latency(bytes) / one.variant.threads;
+    result.lines += lines;
+    result.copy_seconds += 2 * bytes / machine.copy_rate(bytes, one.variant.threads);
+    result.wait_seconds += lines * machine.latency(bytes) / one.variant.threads;
   }
-  const double scale = static_cast<double>(work.moved) / moved;
-  phase.lines *= scale;
-  phase.copy_seconds *= scale;
-  phase.wait_seconds *= scale;
-  return phase;
-}
-
-std::vector<Phase> phases(const Measurement& one, const Machine& machine) {
-  if (one.samples.empty()) {
-    return {};
-  }
-  return {step_phase(one, machine)};
+  const double scale = static_cast<double>(one.work().moved) / moved;
+  return {.lines = result.lines * scale,
+          .copy_seconds = result.copy_seconds * scale,
+          .wait_seconds = result.wait_seconds * scale};
 }
 
 }  // namespace
@@ -122,28 +111,19 @@ store::Table share_table(const std::vector<Measurement>& measurements) {
   return table;
 }
 
-store::Table phase_table(const std::vector<Measurement>& measurements, const Machine& machine) {
-  store::Table table(with_key({"phase", "steps", "moved", "run_s", "run_bytes", "copy_s", "wait_s",
-                               "share_of_run", "near_copy", "near_wait"}));
+store::Table limit_table(const std::vector<Measurement>& measurements, const Machine& machine) {
+  store::Table table(with_key(
+      {"steps", "moved", "run_s", "run_bytes", "copy_s", "wait_s", "near_copy", "near_wait"}));
   for (const Measurement& one : measurements) {
-    for (const Phase& phase : phases(one, machine)) {
-      table.add_row(
-          with_key(one, {phase.name, one.work().steps, one.work().moved, phase.seconds,
-                         2 * phase.lines * static_cast<double>(kLine), phase.copy_seconds,
-                         phase.wait_seconds, phase.seconds / one.work().seconds,
-                         phase.copy_seconds / phase.seconds, phase.wait_seconds / phase.seconds}));
+    if (one.samples.empty()) {
+      continue;
     }
-  }
-  return table;
-}
-
-store::Table profile_table(const std::vector<Measurement>& measurements) {
-  store::Table table(with_key({"phase", "run_s", "share"}));
-  for (const Measurement& one : measurements) {
-    const double all = seconds_of(one.phase_times);
-    for (const auto& [phase, seconds] : one.phase_times) {
-      table.add_row(with_key(one, {std::string(phase), seconds, seconds / all}));
-    }
+    const Work& work = one.work();
+    const Limits least = limits(one, machine);
+    table.add_row(with_key(
+        one, {work.steps, work.moved, work.seconds, 2 * least.lines * static_cast<double>(kLine),
+              least.copy_seconds, least.wait_seconds, least.copy_seconds / work.seconds,
+              least.wait_seconds / work.seconds}));
   }
   return table;
 }

@@ -14,12 +14,9 @@ namespace clca::bench {
 store::Table automaton_table(const std::vector<Measurement>& measurements);
 /// A row for each measurement and share of moving particles.
 store::Table share_table(const std::vector<Measurement>& measurements);
-/// A row for each measurement and phase: how long it took, what it has to touch, and how long the
-/// machine needs for that.
-store::Table phase_table(const std::vector<Measurement>& measurements, const Machine& machine);
-
-/// A row for each measurement and phase of a step (grains::PhaseTimes), from a run of its own.
-store::Table profile_table(const std::vector<Measurement>& measurements);
+/// A row for each measurement in which particles moved: how long it took, what it has to touch, and
+/// how long the machine needs for that.
+store::Table limit_table(const std::vector<Measurement>& measurements, const Machine& machine);
 
 /// A row for each measurement, in Markdown.
 std::string markdown(const std::vector<Measurement>& measurements);

@@ -20,7 +20,7 @@ std::unique_ptr<grains::Mechanics> make_steps(State state, const Parameters& par
   if (options.reference) {
     return std::make_unique<Reference>(std::move(state), parameters);
   }
-  return std::make_unique<Engine>(std::move(state), parameters, options.phase_times);
+  return std::make_unique<Engine>(std::move(state), parameters);
 }
 
 Steps& steps(grains::Mechanics& mechanics) {

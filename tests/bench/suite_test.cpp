@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <map>
-#include <numeric>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -77,24 +76,11 @@ TEST_F(SuiteTest, TheStepsOfAllSharesTogetherMoveAsManyAsTheRun) {
 
 TEST_F(SuiteTest, AFallingStepTouchesNoLessThanItsParticles) {
   ASSERT_EQ(suite({"--sizes", "2000", "--threads", "1", "--cases", "falling"}).code, 0);
-  const store::ParsedTable rows = table("phases");
-  ASSERT_THAT(*rows.find("phase"), SizeIs(4));
+  const store::ParsedTable rows = table("limits");
+  ASSERT_THAT(*rows.find("case"), SizeIs(4));
   for (const double bytes : rows.numbers("run_bytes")) {
     EXPECT_GT(bytes, 2 * 12 * 2000.0 * 32);  // read and written, 12 bytes each, 32 steps
     EXPECT_LT(bytes, 2 * 64 * (1 + 2 * 2 * 19) * 2000.0 * 32);  // no line shared at all
-  }
-}
-
-TEST_F(SuiteTest, ThePhasesOfAStepAddUp) {
-  ASSERT_EQ(suite({"--sizes", "2000", "--threads", "1", "--cases", "falling"}).code, 0);
-  const store::ParsedTable rows = table("profile");
-  const auto shares = rows.numbers("share");
-  const auto variants = table("automaton").rows();
-  EXPECT_EQ(shares.size(), 4 * variants);
-  EXPECT_NEAR(std::accumulate(shares.begin(), shares.end(), 0.0), static_cast<double>(variants),
-              1e-6);
-  for (const double seconds : rows.numbers("run_s")) {
-    EXPECT_GT(seconds, 0);
   }
 }
 

@@ -8,8 +8,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <string_view>
-#include <utility>
 #include <vector>
 
 #include "clca/grains/occupancy.hpp"
@@ -45,10 +43,6 @@ struct FillResult {
   bool complete = true;             ///< false if some of the counts had no room
 };
 
-/// Wall-clock seconds of each phase of a step, summed over steps. Phases are in the order in which
-/// they first ended.
-using PhaseTimes = std::vector<std::pair<std::string_view, double>>;
-
 /// How a model takes its steps.
 struct Options {
   /// Number of threads, at least 1; does not affect the result. Only the automaton takes several.
@@ -62,11 +56,6 @@ struct Options {
   /// Automaton only. False: examines every particle in every step, even those that cannot move. For
   /// checks.
   bool sleeping = true;
-  /// Takes the times of the phases unless it is null; measuring has a small cost. Phases of the
-  /// automaton: decide, contest, move (what nobody contests), turns (all others, in
-  /// order). Of the contact model: contacts, order, motion,
-  /// warm_start, sweeps, moves. The reference and the other models have none.
-  PhaseTimes* phase_times = nullptr;
 };
 
 /// Throws std::invalid_argument unless the number of threads is positive.

@@ -16,7 +16,6 @@ Engine::Engine(grains::State initial, const Rules& rules, const Options& options
       threads_(options.threads),
       parallel_from_(options.parallel_from.value_or(kParallelFrom)),
       sleeping_(options.sleeping),
-      phase_times_(options.phase_times),
       footprints_(world_.state, candidate_directions(rules)),
       reserved_(world_.state.lattice),
       contested_(world_.state.lattice),
@@ -35,14 +34,13 @@ std::size_t Engine::move_particles() {
   begin_step();
   wake_changed();
   assign_strips();
-  grains::PhaseClock clock(phase_times_);
   parallel::FirstFailure failure;
   if (in_parallel_) {
 #pragma omp parallel num_threads(threads_)
-    run_phases(clock, failure);
+    run_phases(failure);
     failure.rethrow();
   } else {
-    run_phases(clock, failure);
+    run_phases(failure);
   }
   examined_ = 0;
   std::size_t moved = moved_.size();
@@ -76,24 +74,17 @@ void Engine::append_moved(std::vector<std::uint32_t>& ids) const {
 }
 
 // Each phase reads what all threads have written in the one before.
-void Engine::run_phases(grains::PhaseClock& clock, parallel::FirstFailure& failure) {
-  const auto end = [&](std::string_view phase) {
-#pragma omp master
-    clock.end(phase);
-  };
+void Engine::run_phases(parallel::FirstFailure& failure) {
   // 3. Awake particles choose a provisional direction.
   in_each_strip(failure, &Engine::propose);
   if (overlaps_) {
     move_overlapping();
   }
-  end("decide");
   // 4. Movers that nobody is in the way of move, whatever their position in the order. The others
   // have their turn in order.
   in_each_strip(failure, &Engine::reserve_sites);
   in_each_strip(failure, &Engine::find_conflicts);
-  end("contest");
   in_each_strip(failure, &Engine::commit);
-  end("move");
 #pragma omp single
   failure.guard([this] {
     if (!overlaps_) {
@@ -101,7 +92,6 @@ void Engine::run_phases(grains::PhaseClock& clock, parallel::FirstFailure& failu
     }
   });
   in_each_strip(failure, &Engine::finish);
-  end("turns");
 }
 
 void Engine::in_each_strip(parallel::FirstFailure& failure, void (Engine::*phase)(StripWorker&)) {

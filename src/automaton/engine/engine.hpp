@@ -50,7 +50,7 @@ class Engine final : public Steps {
   void assign_strips();
 
   // The phases. Each begins when all workers have ended the one before.
-  void run_phases(grains::PhaseClock& clock, parallel::FirstFailure& failure);
+  void run_phases(parallel::FirstFailure& failure);
   void in_each_strip(parallel::FirstFailure& failure, void (Engine::*phase)(StripWorker&));
 
   // Provisional directions, see proposals.cpp.
@@ -85,7 +85,6 @@ class Engine final : public Steps {
   int threads_;
   std::size_t parallel_from_;
   bool sleeping_;
-  grains::PhaseTimes* phase_times_;
   WindowedFootprints footprints_;
   // Lead sites that some mover has reserved in this step, and those that more than one wants. The
   // order of changes within a phase does not matter.

@@ -6,10 +6,8 @@
 
 namespace clca::contact {
 
-Engine::Engine(State initial, const Parameters& parameters, grains::PhaseTimes* phase_times)
+Engine::Engine(State initial, const Parameters& parameters)
     : Steps(std::move(initial), parameters),
-      phase_times_(phase_times),
-      clock_(phase_times),
       carry_out_pass_(fastest_pass_function()),
       finder_(box_, rule_),
       slots_(state_.grains, rule_),
@@ -63,17 +61,14 @@ void Engine::mark_all_changed() {
 
 void Engine::move_grains() {
   written_back_ = false;
-  clock_ = grains::PhaseClock(phase_times_);
   update_contacts();
   bounce_unloaded_contacts();
   impacts_.clear();
   for_each_group([this](const auto& contacts) { solve_impact(contacts, body_velocities_); });
   accelerate_all(state_, rule_.gravity,
                  [this](std::uint32_t id) -> Velocity<>& { return velocity(id); });
-  clock_.end("motion");
   sweep_contacts();
   advance_and_move();
-  clock_.end("moves");
 }
 
 void Engine::update_contacts() {
@@ -86,7 +81,6 @@ void Engine::update_contacts() {
     bodies_[kFirstWallBody + wall].velocity = walls[wall];
   }
   finder_.update(changed_, walls, slots_, groups_);
-  clock_.end("contacts");
   if (sorts_contacts(state_)) {
     finder_.sort(slots_);
   }
@@ -94,7 +88,6 @@ void Engine::update_contacts() {
   for (const std::uint32_t id : changed_) {
     state_.grains.particles[id].previous = grains::kRest;
   }
-  clock_.end("order");
   groups_.begin(state_.grains.particles.size(), slots_);
 }
 
@@ -142,7 +135,6 @@ void Engine::sweep_contacts() {
   std::vector<Batch>& batches = slots_.batches();
   const Pair* pairs = rule_.coefficients.pairs().data();
   carry_out_pass_(Pass::warm_start, batches, bodies_.data(), pairs, rule_.law);
-  clock_.end("warm_start");
   for (int i = 0; i < rule_.sweeps; ++i) {
     carry_out_pass_(i % 2 == 0 ? Pass::forwards : Pass::backwards, batches, bodies_.data(), pairs,
                     rule_.law);
@@ -151,7 +143,6 @@ void Engine::sweep_contacts() {
     slots_.bounce(slot) = 0;
   }
   for_each_group([this](const auto& contacts) { converge_group(contacts, body_velocities_); });
-  clock_.end("sweeps");
 }
 
 void Engine::advance_and_move() {
@@ -168,7 +159,6 @@ void Engine::advance_and_move() {
     count += squared(state_.remainders[id]) > kNear * kNear ? 1 : 0;
   }
   candidates_.resize(count);
-  clock_.end("motion");
   std::vector<WallMove> walls = advance_walls(state_);
   mover_.move_all(finder_.down(), candidates_, walls);
   const SiteMoves& moves = mover_.moves();

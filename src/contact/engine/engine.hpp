@@ -91,7 +91,7 @@ class Engine final : public Steps {
       grains::kListRoom * (3 * sizeof(std::uint32_t) +
                            kContactsPerGrain * (sizeof(Contact) + sizeof(std::int32_t)));
 
-  Engine(State initial, const Parameters& parameters, grains::PhaseTimes* phase_times);
+  Engine(State initial, const Parameters& parameters);
 
   void write_back() override;
   void write_back_velocities() override;
@@ -114,8 +114,6 @@ class Engine final : public Steps {
   void sweep_contacts();
   void advance_and_move();
 
-  grains::PhaseTimes* phase_times_;
-  grains::PhaseClock clock_;  // of this step
   PassFunction carry_out_pass_;
   ContactFinder finder_;
   ContactSlots slots_;

@@ -1,10 +1,7 @@
 #pragma once
 // What a model adds to a box: how its grains and walls move.
 
-#include <algorithm>
-#include <chrono>
 #include <cstdint>
-#include <string_view>
 #include <vector>
 
 #include "clca/grains/model.hpp"
@@ -43,37 +40,6 @@ class Mechanics {
   virtual void reloaded() {}
   /// A wall was set in motion or stopped.
   virtual void motion_set() {}
-};
-
-/// Measures how long the phases of a step take.
-class PhaseClock {
- public:
-  /// Measures nothing if `times` is null.
-  explicit PhaseClock(PhaseTimes* times) : times_(times) {
-    if (times_ != nullptr) {
-      since_ = Clock::now();
-    }
-  }
-
-  /// Adds the time since the end of the last phase to `phase`, a literal.
-  void end(std::string_view phase) {
-    if (times_ == nullptr) {
-      return;
-    }
-    const Clock::time_point now = Clock::now();
-    auto found = std::ranges::find(*times_, phase, &PhaseTimes::value_type::first);
-    if (found == times_->end()) {
-      found = times_->insert(found, {phase, 0});
-    }
-    found->second += std::chrono::duration<double>(now - since_).count();
-    since_ = now;
-  }
-
- private:
-  using Clock = std::chrono::steady_clock;
-
-  PhaseTimes* times_;
-  Clock::time_point since_{};
 };
 
 /// One step of any model.
