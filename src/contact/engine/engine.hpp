@@ -24,7 +24,7 @@ class Mover {
       sizeof(std::uint64_t) + grains::kListRoom * 4 * sizeof(std::uint32_t);
 
   /// Both outlive the mover.
-  Mover(State& state, grains::Box& box);
+  Mover(State& state, grains::Box& box) : state_(state), moves_(state, box) {}
 
   /// Nobody waits any more: there are other grains, or walls.
   void clear();
@@ -68,7 +68,6 @@ class Mover {
 
   State& state_;
   SiteMoves moves_;
-  bool may_form_rings_;  // of grains, each in the way of the next
   std::vector<std::uint32_t> ids_;
   std::vector<std::uint32_t> ready_;              // grains to be tried
   std::vector<std::uint32_t> blocked_;            // those that have waited in this direction

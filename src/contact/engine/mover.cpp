@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <iterator>
-#include <set>
 #include <utility>
 
 #include "contact/engine/engine.hpp"
@@ -8,33 +7,6 @@
 namespace clca::contact {
 
 using lattice::Direction;
-
-namespace {
-
-/// Whether a shape meets each line of sites in one piece, as convex ones do. Where all do, some
-/// grain is always the foremost of those that stand in one another's way (Guibas and Yao 1983), so
-/// that no grains block each other in a ring.
-bool has_rows_in_one_piece(const lattice::Shape& shape) {
-  return std::ranges::all_of(lattice::kDirections, [&](Direction direction) {
-    const lattice::Axial along = unit(direction);
-    const std::vector<lattice::Axial> ends = shape.lead(direction);  // one of each piece
-    std::set<int> rows;
-    for (const lattice::Axial site : ends) {
-      rows.insert(along.x * site.q - along.q * site.x);
-    }
-    return rows.size() == ends.size();
-  });
-}
-
-}  // namespace
-
-Mover::Mover(State& state, grains::Box& box)
-    : state_(state),
-      moves_(state, box),
-      may_form_rings_(state.grains.lattice.periodic() ||
-                      !std::ranges::all_of(state.grains.kinds, [](const grains::Kind& kind) {
-                        return has_rows_in_one_piece(kind.shape);
-                      })) {}
 
 void Mover::clear() {
   waiting_directions_.clear();
@@ -127,7 +99,7 @@ bool Mover::has_ring(Direction direction) {
 }
 
 bool Mover::move_at_once(Direction direction) {
-  if (!may_form_rings_ || !has_ring(direction)) {
+  if (!has_ring(direction)) {
     return false;
   }
   std::vector<std::uint32_t> blocked;
