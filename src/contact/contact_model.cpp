@@ -123,25 +123,17 @@ const State& ContactModel::state() const {
   steps(mechanics()).write_back();
   return steps(mechanics()).state();
 }
-const std::vector<Velocity<>>& ContactModel::velocities() const {
-  steps(mechanics()).write_back_velocities();
-  return steps(mechanics()).state().velocities;
+const State& ContactModel::state_but_contacts() const {
+  return steps(mechanics()).state();
 }
 std::vector<Contact> ContactModel::wall_contacts() const {
   return steps(mechanics()).wall_contacts();
 }
-const Vessel& ContactModel::vessel() const {
-  return steps(mechanics()).state().vessel;
-}
 double ContactModel::gravity() const {
   return steps(mechanics()).gravity();
 }
-bool ContactModel::quiet() const {
-  return steps(mechanics()).state().quiet_steps > 1;
-}
 Energy ContactModel::energy() const {
-  steps(mechanics()).write_back_velocities();
-  return contact::energy(steps(mechanics()).state(), gravity());
+  return contact::energy(state_but_contacts(), gravity());
 }
 const EnergyExchange& ContactModel::exchange() const {
   return steps(mechanics()).exchange();

@@ -153,7 +153,7 @@ std::vector<contact::Force> SceneModel::wall_forces() const {
 std::vector<Eigen::Vector2d> SceneModel::velocities() const {
   std::vector<Eigen::Vector2d> result;
   if (contact() != nullptr) {
-    for (const auto& velocity : contact()->velocities()) {
+    for (const auto& velocity : contact()->state_but_contacts().velocities) {
       result.emplace_back(Eigen::Vector2d(velocity.x, velocity.y) / contact::kSpacing);
     }
   }
@@ -163,7 +163,7 @@ std::vector<Eigen::Vector2d> SceneModel::velocities() const {
 std::vector<double> SceneModel::spins() const {
   std::vector<double> result;
   if (contact() != nullptr) {
-    for (const auto& velocity : contact()->velocities()) {
+    for (const auto& velocity : contact()->state_but_contacts().velocities) {
       result.push_back(static_cast<double>(velocity.spin) / contact::kSpacing);
     }
   }
@@ -171,12 +171,12 @@ std::vector<double> SceneModel::spins() const {
 }
 
 contact::Vessel SceneModel::vessel() const {
-  return contact() != nullptr ? contact()->vessel() : contact::Vessel();
+  return contact() != nullptr ? contact()->state_but_contacts().vessel : contact::Vessel();
 }
 
 void SceneModel::set_vessel(const scene::Stage& stage) {
   if (auto* contact = std::get_if<contact::ContactModel>(&model_)) {
-    contact->set_vessel(vessel_in(scene_, stage, contact->vessel()));
+    contact->set_vessel(vessel_in(scene_, stage, contact->state_but_contacts().vessel));
   }
 }
 

@@ -103,9 +103,10 @@ void ContactRecord::after_step(const StageView& now) {
   pictures_.begin_step(steps_in_stage);
   frames_.begin_step(steps_in_stage);
   const bool is_shown = pictures_.every > 0 || frames_.every > 0;
+  // Nothing moved in the last two steps: impulses are those of rest, not of impacts.
+  const bool quiet = now.model.contact()->state_but_contacts().quiet_steps > 1;
   const bool ends_soon =
-      (has_tables_ || is_shown) &&
-      may_end_soon(now.stage, steps_in_stage, sampling_.window, now.model.contact()->quiet());
+      (has_tables_ || is_shown) && may_end_soon(now.stage, steps_in_stage, sampling_.window, quiet);
   if (!ends_soon) {
     stage_ = {};
   }

@@ -105,18 +105,14 @@ class ContactModel : public grains::Model {
   /// parameter is out of range, or the number of threads is not positive.
   ContactModel(State state, const Parameters& parameters, const Options& options = {});
 
-  /// Has grains(), and costs more than that, as it also updates the list of contacts.
+  /// Costs more than grains() and state_but_contacts(), as it updates the list of contacts.
   const State& state() const;
-  /// The velocities in state(), at less cost; by id.
-  const std::vector<Velocity<>>& velocities() const;
+  /// state(), where the contacts do not matter: they may be those of an earlier step.
+  const State& state_but_contacts() const;
   /// Contacts of the last step with walls and sides of the box, maybe others, too.
   std::vector<Contact> wall_contacts() const;
-  const Vessel& vessel() const;
   /// In lattice spacings per step squared.
   double gravity() const;
-  /// Nothing moved in the last two steps, and all grains were at rest: impulses of contacts are
-  /// those of rest, not of impacts.
-  bool quiet() const;
   /// The same as contact::energy() of state(), without the cost of state().
   Energy energy() const;
   /// What was exchanged in the last step.

@@ -164,27 +164,18 @@ void Engine::advance_and_move() {
   const SiteMoves& moves = mover_.moves();
   moved_ = moves.moved();
   remainder_cuts_ = collide_blocked(state_, moves, body_velocities_, mover_.ids());
+  std::transform(bodies_.begin() + static_cast<std::ptrdiff_t>(first_grain_body_), bodies_.end(),
+                 state_.velocities.begin(),
+                 [](const AlignedVelocity& body) { return body.velocity; });
   changed_ = moved_;
   changed_.insert(changed_.end(), moves.beside_walls().begin(), moves.beside_walls().end());
   end_step(state_, walls, moves, at_rest);
 }
 
 void Engine::write_back() {
-  if (written_back_) {
-    return;
+  if (!std::exchange(written_back_, true)) {
+    state_.contacts = contacts(true);
   }
-  write_back_velocities();
-  state_.contacts = contacts(true);
-  written_back_ = true;
-}
-
-void Engine::write_back_velocities() {
-  if (written_back_) {
-    return;
-  }
-  std::transform(bodies_.begin() + static_cast<std::ptrdiff_t>(first_grain_body_), bodies_.end(),
-                 state_.velocities.begin(),
-                 [](const AlignedVelocity& body) { return body.velocity; });
 }
 
 /// In order; only those with walls and sides unless also those `with_grains`.

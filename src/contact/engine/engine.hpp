@@ -93,7 +93,6 @@ class Engine final : public Steps {
   Engine(State initial, const Parameters& parameters);
 
   void write_back() override;
-  void write_back_velocities() override;
   void added(std::size_t first) override;
   void removing(std::uint32_t id) override;
   void reloaded() override;
@@ -125,7 +124,7 @@ class Engine final : public Steps {
   std::map<std::int32_t, Impulse<>> impacts_;  // of this step, by slot
   std::vector<std::uint32_t> changed_;         // grains that may touch other bodies than they did
   std::vector<std::uint32_t> candidates_;      // grains whose remainder may ask for a move
-  bool written_back_ = true;
+  bool written_back_ = true;                   // the contacts to the state
 };
 
 }  // namespace clca::contact

@@ -105,9 +105,6 @@ bool Steps::advance(grains::StepReport& report) {
     exchange_.walls = wall_work(state_, wall_contacts(), walls, gravity_) +
                       wall_work(state_, remainder_cuts_.pushes, walls, gravity_);
   }
-  if (vessel.moves() || !state_.grains.outlets.empty()) {
-    write_back_velocities();
-  }
   if (vessel.moves()) {
     exchange_.vessel = vessel_work(state_, vessel, gravity_);
   }

@@ -33,7 +33,7 @@ class Steps : public grains::Mechanics {
   /// a parameter is out of range.
   Steps(State initial, const Parameters& parameters);
 
-  /// Its velocities and contacts are the present ones only after write_back().
+  /// Its contacts are the present ones only after write_back().
   const State& state() const { return state_; }
   /// In lattice spacings per step squared.
   double gravity() const { return gravity_; }
@@ -43,10 +43,8 @@ class Steps : public grains::Mechanics {
   void set_vessel(const Vessel& vessel);
   /// In the last step.
   const RemainderCuts& remainder_cuts() const { return remainder_cuts_; }
-  /// Sets velocities and contacts of the state.
+  /// Sets the contacts of the state.
   virtual void write_back() {}
-  /// Sets velocities of the state.
-  virtual void write_back_velocities() {}
   /// Contacts of the last step with walls and sides, maybe others, too.
   virtual std::vector<Contact> wall_contacts() const = 0;
 

@@ -207,8 +207,8 @@ TEST_P(GrainsInAVessel, LeaveTheFloorWhenItIsShakenMoreStronglyThanGravity) {
       EXPECT_FALSE(report.settled);
     }
     EXPECT_EQ(moved, gamma > 1) << gamma;
-    EXPECT_EQ(one.vessel().whole_cycles, 2U);
-    one.set_vessel(at_rest(one.vessel()));
+    EXPECT_EQ(one.state().vessel.whole_cycles, 2U);
+    one.set_vessel(at_rest(one.state().vessel));
     int steps = 0;
     while (!one.step().settled && steps < 5000) {
       ++steps;
