@@ -99,8 +99,7 @@ WallStep WallEdges::step_of(const State& state, std::size_t number, int desired)
           .leaves = indices(state.lattice, edges_[number][1 - ahead], wall.shift())};
 }
 
-std::optional<std::vector<std::uint32_t>> pushed_particles(
-    const Box& box, const WallStep& step, const std::function<bool(std::uint32_t)>& overlaps) {
+std::optional<std::vector<std::uint32_t>> pushed_particles(const Box& box, const WallStep& step) {
   std::vector<bool> included(box.state.particles.size(), false);
   std::vector<std::uint32_t> ids;
   bool blocked = false;
@@ -118,9 +117,7 @@ std::optional<std::vector<std::uint32_t>> pushed_particles(
   for (std::size_t i = 0; i < ids.size() && !blocked; ++i) {
     const Particle& particle = box.state.particles[ids[i]];
     box.for_each_entered(particle, step.direction, add_owners);
-    if (overlaps(ids[i])) {
-      box.for_each_index(particle, add_owners);
-    }
+    box.for_each_index(particle, add_owners);
   }
   return blocked ? std::nullopt : std::optional(std::move(ids));
 }

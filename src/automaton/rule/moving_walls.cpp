@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <utility>
 
 #include "automaton/rule/step.hpp"
 
@@ -12,41 +13,31 @@ namespace {
 
 using grains::WallStep;
 
-/// The particles that a step of a wall pushes; none if its way is barred.
-std::optional<std::vector<std::uint32_t>> pushed_by(const World& world, const WallStep& step) {
-  return grains::pushed_particles(world.box, step,
-                                  [&](std::uint32_t id) { return world.is_overlapping(id); });
-}
-
-void leave_sites(World& world, std::size_t wall, const std::vector<std::size_t>& indices) {
-  for (const std::size_t index : indices) {
-    world.occupancy.remove(index, grains::wall_code(wall));
+/// Moves a wall, and particles along with it.
+void shift_wall(World& world, const WallStep& step, std::span<const std::uint32_t> particles) {
+  for (const std::size_t index : step.leaves) {
+    world.occupancy.remove(index, grains::wall_code(step.wall));
   }
-}
-
-void enter_sites(World& world, std::size_t wall, const std::vector<std::size_t>& indices) {
-  for (const std::size_t index : indices) {
-    world.occupancy.add(index, grains::wall_code(wall));
+  world.move_together(particles, step.direction);
+  for (const std::size_t index : step.enters) {
+    world.occupancy.add(index, grains::wall_code(step.wall));
   }
 }
 
 /// Undoes a step of the wall alone.
-void undo_step(World& world, const WallStep& step) {
-  leave_sites(world, step.wall, step.enters);
-  enter_sites(world, step.wall, step.leaves);
+void undo_step(World& world, WallStep step) {
+  std::swap(step.enters, step.leaves);
+  shift_wall(world, step, {});
 }
 
 /// Pushes the particles in the way, and all that these stand against, along with the wall. Does
 /// nothing and returns false when one of them would meet the border or another wall.
 bool push_along(World& world, const WallStep& step) {
-  const auto ids = pushed_by(world, step);
-  if (!ids) {
-    return false;
+  const auto ids = pushed_particles(world.box, step);
+  if (ids) {
+    shift_wall(world, step, *ids);
   }
-  leave_sites(world, step.wall, step.leaves);
-  world.move_together(*ids, step.direction);
-  enter_sites(world, step.wall, step.enters);
-  return true;
+  return ids.has_value();
 }
 
 /// Moves the sites of a wall onto the particles in the way and returns these, each once. Does
@@ -65,8 +56,7 @@ std::optional<std::vector<std::uint32_t>> move_onto(World& world, const WallStep
   }
   std::ranges::sort(ids);
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
-  leave_sites(world, step.wall, step.leaves);
-  enter_sites(world, step.wall, step.enters);
+  shift_wall(world, step, {});
   const std::array ways = {step.direction, rotated(step.direction, 1), rotated(step.direction, -1)};
   if (!std::ranges::all_of(ids, [&](std::uint32_t id) {
         return can_leave(world, world.state.particles[id], grains::wall_code(step.wall), ways);
@@ -103,7 +93,7 @@ bool overlap_along(World& world, const WallStep& step) {
 /// Whether the wall could take the step by the rule of its kind. Changes nothing.
 bool can_take(World& world, const WallStep& step) {
   if (!world.state.walls[step.wall].lets_overlap()) {
-    return pushed_by(world, step).has_value();
+    return pushed_particles(world.box, step).has_value();
   }
   const bool can = move_onto(world, step).has_value();
   if (can) {

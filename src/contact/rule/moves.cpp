@@ -105,7 +105,7 @@ bool SiteMoves::move_walls(Direction direction, std::span<WallMove> walls,
 }
 
 bool SiteMoves::push(const grains::WallStep& step, std::vector<std::uint32_t>& pushed) {
-  const auto ids = grains::pushed_particles(box_, step, [](std::uint32_t) { return false; });
+  const auto ids = grains::pushed_particles(box_, step);
   if (!ids) {
     return false;
   }

@@ -141,9 +141,7 @@ std::size_t outlet_around(const State& state, const Particle& particle);
 bool count_at_outlet(State& state, std::uint32_t id);
 
 /// The particles that must move together with a wall, which pushes them; none if the border or
-/// another wall blocks the step. `overlaps(id)`: whether a particle shares sites with others, which
-/// then move too.
-std::optional<std::vector<std::uint32_t>> pushed_particles(
-    const Box& box, const WallStep& step, const std::function<bool(std::uint32_t)>& overlaps);
+/// another wall blocks the step. Those that share sites move together.
+std::optional<std::vector<std::uint32_t>> pushed_particles(const Box& box, const WallStep& step);
 
 }  // namespace clca::grains
