@@ -29,7 +29,7 @@ struct alignas(32) Batch {
   Impulse<PerLane<std::int32_t>> impulse = {};
   PerLane<std::int32_t> bounce = {};    ///< StepContact::bounce
   PerLane<std::int32_t> friction = {};  ///< Rule::friction_with
-  PerLane<std::int32_t> pair = {};      ///< PairCoefficients::pair_number
+  PerLane<std::int32_t> pair = {};      ///< pair_number()
 };
 
 /// The velocity of a body, loaded and stored as 16 bytes at once.
@@ -44,7 +44,7 @@ enum class Pass : std::uint8_t {
   backwards,   ///< solves them from the last to the first
 };
 
-/// Carries out a pass over the batches. `pairs`: PairCoefficients::pairs().
+/// Carries out a pass over the batches. `pairs`: Rule::pairs.
 using PassFunction = void (*)(Pass pass, std::span<Batch> batches, AlignedVelocity* bodies,
                               const Pair* pairs, const LawConstants& law);
 /// One contact after the other.

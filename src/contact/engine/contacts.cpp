@@ -89,8 +89,7 @@ void ContactSlots::set(std::int32_t at, const Contact& contact, lattice::Axial t
   Batch& batch = this->batch(at);
   batch.upper[lane_in_batch(at)] = body_number(grains::as_owner(contact.upper));
   batch.other[lane_in_batch(at)] = body_number(contact.other);
-  batch.pair[lane_in_batch(at)] =
-      rule_->coefficients.pair_number(*grains_, contact.upper, contact.other);
+  batch.pair[lane_in_batch(at)] = pair_number(*grains_, contact.upper, contact.other);
   fill_lane(at, contact, rule_->friction_with(contact.other));
 }
 

@@ -133,7 +133,7 @@ void Engine::for_each_group(Solve solve) {
 
 void Engine::sweep_contacts() {
   std::vector<Batch>& batches = slots_.batches();
-  const Pair* pairs = rule_.coefficients.pairs().data();
+  const Pair* pairs = rule_.pairs.data();
   carry_out_pass_(Pass::warm_start, batches, bodies_.data(), pairs, rule_.law);
   for (int i = 0; i < rule_.sweeps; ++i) {
     carry_out_pass_(i % 2 == 0 ? Pass::forwards : Pass::backwards, batches, bodies_.data(), pairs,

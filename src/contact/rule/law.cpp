@@ -65,15 +65,16 @@ double mass_unit(const std::vector<grains::Kind>& kinds) {
   return unit;
 }
 
-PairCoefficients::PairCoefficients(const std::vector<grains::Kind>& kinds)
-    : kind_count_(kinds.size()) {
+std::vector<Pair> all_pairs(const std::vector<grains::Kind>& kinds) {
+  std::vector<Pair> pairs;
   const double unit = mass_unit(kinds);
   for (const grains::Kind& kind : kinds) {
     for (const grains::Kind& other : kinds) {
-      pairs_.push_back(make_coefficients(disc(kind, unit), disc(other, unit)));
+      pairs.push_back(make_coefficients(disc(kind, unit), disc(other, unit)));
     }
-    pairs_.push_back(make_coefficients(disc(kind, unit), Disc()));
+    pairs.push_back(make_coefficients(disc(kind, unit), Disc()));
   }
+  return pairs;
 }
 
 Rule make_rule(const grains::State& state, const Parameters& parameters, double gravity) {
@@ -93,7 +94,7 @@ Rule make_rule(const grains::State& state, const Parameters& parameters, double 
                .law = {.rotates = parameters.rolling != Rolling::none,
                        .resists_rolling = parameters.rolling == Rolling::resistance,
                        .rolling_friction = friction(parameters.rolling_friction)},
-               .coefficients = PairCoefficients(state.kinds)};
+               .pairs = all_pairs(state.kinds)};
   require(parameters.friction_by_wall.size() <= state.walls.size(),
           "there are more frictions than walls");
   for (std::size_t wall = 0; wall < parameters.friction_by_wall.size(); ++wall) {

@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <optional>
 #include <vector>
 
 #include "clca/contact/contact_model.hpp"
@@ -148,33 +147,18 @@ inline std::int32_t bounce_velocity(std::int32_t closing, std::int32_t restituti
   return closing > kMinClosingVelocity ? rounded(product(closing, restitution), kRatioBits) : 0;
 }
 
-/// Coefficients of all pairs of kinds, and of each kind and a wall.
-class PairCoefficients {
- public:
-  explicit PairCoefficients(const std::vector<grains::Kind>& kinds);
+/// By kind and other kind, of which the last is a wall.
+std::vector<Pair> all_pairs(const std::vector<grains::Kind>& kinds);
 
-  /// `other` is none for a wall.
-  const Pair& pair(std::uint16_t kind, std::optional<std::uint16_t> other) const {
-    return pairs_[number(kind, other)];
-  }
-  /// Of a contact between a grain and another body: its number in pairs().
-  std::int32_t pair_number(const grains::State& grains, std::uint32_t upper,
-                           grains::Owner other) const {
-    const auto kind = [&](std::size_t id) { return grains.particles[id].kind; };
-    return static_cast<std::int32_t>(grains::is_particle(other)
-                                         ? number(kind(upper), kind(grains::particle_id(other)))
-                                         : number(kind(upper), std::nullopt));
-  }
-  const std::vector<Pair>& pairs() const { return pairs_; }
-
- private:
-  std::size_t number(std::uint16_t kind, std::optional<std::uint16_t> other) const {
-    return kind * (kind_count_ + 1) + (other ? *other : kind_count_);
-  }
-
-  std::size_t kind_count_;
-  std::vector<Pair> pairs_;  // by kind and other kind; the last other kind is a wall
-};
+/// Number in all_pairs() of the bodies of a contact.
+inline std::int32_t pair_number(const grains::State& grains, std::uint32_t upper,
+                                grains::Owner other) {
+  const std::size_t kinds = grains.kinds.size();
+  const auto kind = [&](std::size_t id) -> std::size_t { return grains.particles[id].kind; };
+  return static_cast<std::int32_t>(
+      kind(upper) * (kinds + 1) +
+      (grains::is_particle(other) ? kind(grains::particle_id(other)) : kinds));
+}
 
 /// The constants of a run. Ratios in 2^-16.
 struct Rule {
@@ -185,7 +169,7 @@ struct Rule {
   std::int32_t side_friction = 0;                ///< of the sides of the box
   std::vector<std::int32_t> wall_friction = {};  ///< by wall
   LawConstants law = {};
-  PairCoefficients coefficients;
+  std::vector<Pair> pairs = {};  ///< all_pairs()
 
   std::int32_t friction_with(grains::Owner other) const {
     if (grains::is_particle(other)) {
@@ -214,13 +198,12 @@ struct BodyVelocities {
   void visit_contact(const Contact& contact, Visit visit) const {
     Velocity<>& upper = velocity(grains::as_owner(contact.upper));
     Velocity<>& other = velocity(contact.other);
-    ContactBodies<> both = {
-        .upper = upper,
-        .other = other,
-        .normal_x = contact.normal.x,
-        .normal_y = contact.normal.y,
-        .pair = rule.coefficients.pairs()[static_cast<std::size_t>(
-            rule.coefficients.pair_number(grains, contact.upper, contact.other))]};
+    ContactBodies<> both = {.upper = upper,
+                            .other = other,
+                            .normal_x = contact.normal.x,
+                            .normal_y = contact.normal.y,
+                            .pair = rule.pairs[static_cast<std::size_t>(
+                                pair_number(grains, contact.upper, contact.other))]};
     visit(both);
     upper = both.upper;
     other = both.other;

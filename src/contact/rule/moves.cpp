@@ -255,8 +255,8 @@ RemainderCuts collide_blocked(State& state, const SiteMoves& moves, const BodyVe
   }
   std::ranges::stable_sort(result.pushes, {}, &Contact::upper);
   const auto inverse_mass = [&](std::uint32_t id) {
-    return bodies.rule.coefficients.pair(state.grains.particles[id].kind, std::nullopt)
-        .upper_inverse_mass;
+    const std::int32_t with_wall = pair_number(state.grains, id, kFloor);
+    return bodies.rule.pairs[static_cast<std::size_t>(with_wall)].upper_inverse_mass;
   };
   std::vector<std::uint32_t> pushed;  // ids, once for each push
   for (const Contact& push : result.pushes) {

@@ -155,7 +155,7 @@ TEST(ContactSlots, HaveNothingInALaneThatIsEmptied) {
   slots.remove(0);
   std::vector<AlignedVelocity> bodies(4, {{7, 8, 9}});
   bodies[kRestingBody] = {};
-  const Pair* pairs = bed.rule.coefficients.pairs().data();
+  const Pair* pairs = bed.rule.pairs.data();
   for (const PassFunction carry_out_pass : {plain_pass_function(), fastest_pass_function()}) {
     for (const Pass pass : {Pass::warm_start, Pass::forwards}) {
       carry_out_pass(pass, slots.batches(), bodies.data(), pairs, {.rotates = true});

@@ -38,8 +38,7 @@ inline UnitVector any_normal(std::mt19937_64& random) {
 inline Pair pair_of(int radius, std::optional<int> other) {
   std::vector<grains::Kind> kinds = {{lattice::Shape::hexagon(radius), 0},
                                      {lattice::Shape::hexagon(other.value_or(0)), 1}};
-  return PairCoefficients(kinds).pair(
-      0, other ? std::optional<std::uint16_t>(std::uint16_t{1}) : std::nullopt);
+  return all_pairs(kinds)[other ? 1 : 2];
 }
 
 inline double sites_of(int radius) {
