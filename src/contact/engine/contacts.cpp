@@ -93,12 +93,6 @@ void ContactSlots::set(std::int32_t at, const Contact& contact, lattice::Axial t
   fill_lane(at, contact, rule_->friction_with(contact.other));
 }
 
-void ContactSlots::set_geometry(std::int32_t at, lattice::Axial to_other, UnitVector normal) {
-  slots_[static_cast<std::size_t>(at)].to_other = to_other;
-  batch(at).normal_x[lane_in_batch(at)] = normal.x;
-  batch(at).normal_y[lane_in_batch(at)] = normal.y;
-}
-
 Contact ContactSlots::contact(std::int32_t at) const {
   const Batch& batch = this->batch(at);
   const std::size_t i = lane_in_batch(at);
@@ -282,10 +276,9 @@ void ContactFinder::check_contacts(std::uint32_t id, ContactSlots& slots, SmallG
         groups.lost_contact(other);
       }
       slots.remove(at);
-    } else if (now.contact.upper == slot.upper) {
-      slots.set_geometry(at, now.to_other, now.contact.normal);
     } else {
-      now.contact.impulse = turned_over(slots.contact(at).impulse);
+      const Impulse<> impulse = slots.contact(at).impulse;
+      now.contact.impulse = now.contact.upper == slot.upper ? impulse : turned_over(impulse);
       slots.set(at, now.contact, now.to_other);
     }
   });

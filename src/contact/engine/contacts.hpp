@@ -53,9 +53,6 @@ class ContactSlots {
   void remove(std::int32_t at);
   /// Changes a contact. The other grain may have become the upper one.
   void set(std::int32_t at, const Contact& contact, lattice::Axial to_other);
-  /// Sets vector and normal of a contact whose grains have moved, and whose upper grain is the
-  /// same.
-  void set_geometry(std::int32_t at, lattice::Axial to_other, UnitVector normal);
 
   std::span<const Slot> all() const { return slots_; }
   const Slot& at(std::int32_t slot) const { return slots_[static_cast<std::size_t>(slot)]; }
