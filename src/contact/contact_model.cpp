@@ -29,10 +29,6 @@ Steps& steps(grains::Mechanics& mechanics) {
 
 }  // namespace
 
-double default_fall_height(double box_height) {
-  return std::max(kMinFallHeight, box_height);
-}
-
 double gravity(const Parameters& parameters) {
   const double value = parameters.resolution * parameters.resolution / (2 * parameters.fall_height);
   require(parameters.resolution > 0 && parameters.fall_height > 0 && value <= kMaxGravity &&

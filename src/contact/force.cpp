@@ -9,31 +9,19 @@ namespace clca::contact {
 
 namespace {
 
-/// The point of a side of the box that is nearest to `centre`.
-Eigen::Vector2d on_side(const lattice::Lattice& lattice, grains::Owner side,
-                        const Eigen::Vector2d& centre) {
-  const Eigen::Vector2d low = lattice::Lattice::corner();
-  const Eigen::Vector2d high = low + lattice.size();
-  switch (side) {
-    case kFloor:
-      return {centre.x(), low.y()};
-    case kCeiling:
-      return {centre.x(), high.y()};
-    case kLeftSide:
-      return {low.x(), centre.y()};
-    default:
-      return {high.x(), centre.y()};
-  }
-}
-
 /// Sets point and branch of a force: on the line of centres, divided by the radii of discs of the
-/// same areas; below the grain for a wall.
+/// same areas; below the grain for a wall; for a side the nearest point of it.
 void put_geometry(const grains::State& state, Force& force) {
   const grains::Particle& upper = state.particles[force.upper];
   const lattice::Shape& shape = state.shape(upper);
   const Eigen::Vector2d centre = grains::centre_in_box(state, upper);
   if (is_side(force.other)) {
-    force.point = on_side(state.lattice, force.other, centre);
+    const Eigen::Vector2d low = lattice::Lattice::corner();
+    const Eigen::Vector2d high = low + state.lattice.size();
+    const bool is_level = force.other == kFloor || force.other == kCeiling;
+    const bool is_low = force.other == kFloor || force.other == kLeftSide;
+    force.point = centre;
+    force.point[is_level ? 1 : 0] = (is_low ? low : high)[is_level ? 1 : 0];
     force.branch = centre - force.point;
     return;
   }

@@ -67,10 +67,6 @@ Vessel at_rest(const Vessel& vessel) {
   return {.angle = vessel.angle};
 }
 
-Vessel tilted(const Vessel& /*vessel*/, Angle to) {
-  return {.angle = to};
-}
-
 Vessel tilting(const Vessel& vessel, Angle to, double degrees_per_step,
                const Eigen::Vector2d& centre) {
   require(degrees_per_step > 0 && degrees_per_step <= 360 * kMaxTurnsPerStep,

@@ -60,14 +60,15 @@ double estimated_fall(const Scene& scene) {
   }
   const bool endless =
       std::ranges::any_of(scene.sources, [](const Source& source) { return !source.count; });
+  const double most = std::max(contact::kMinFallHeight, scene.box.height);
   if (endless || width <= 0 || scene.begin) {
-    return contact::default_fall_height(scene.box.height);
+    return most;
   }
   // What falls from the highest point is to be no faster than a site a step.
   const double slow_enough =
       scene.contact.resolution * scene.contact.resolution * highest_fall(scene);
-  return std::max(slow_enough, std::clamp(filled / (kPacking * width), contact::kMinFallHeight,
-                                          contact::default_fall_height(scene.box.height)));
+  return std::max(slow_enough,
+                  std::clamp(filled / (kPacking * width), contact::kMinFallHeight, most));
 }
 
 }  // namespace
@@ -109,7 +110,7 @@ contact::Vessel vessel_in(const Scene& scene, const Stage& stage, const contact:
   if (const auto* tilt = std::get_if<Tilt>(&*stage.vessel)) {
     const contact::Angle to = contact::angle_of(tilt->to);
     return tilt->rate ? tilting(before, to, *tilt->rate * step, *turning_centre(scene, stage))
-                      : tilted(before, to);
+                      : contact::Vessel{.angle = to};
   }
   if (const auto* rotate = std::get_if<Rotate>(&*stage.vessel)) {
     return rotating(before, rotate->rate * step, *turning_centre(scene, stage));

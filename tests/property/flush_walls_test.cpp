@@ -81,7 +81,7 @@ Boxes any_boxes() {
   if (within(0, 2) == 0) {
     testing::stir(whole);
   }
-  whole.vessel = contact::tilted({}, contact::angle_of(within(-60, 61)));
+  whole.vessel = contact::Vessel{.angle = contact::angle_of(within(-60, 61))};
   boxes.cut = whole;
   boxes.cut.grains.walls = pieces(whole.grains.walls.front().sites);
   boxes.cut.wall_remainders.resize(boxes.cut.grains.walls.size());

@@ -115,8 +115,8 @@ inline void stir(contact::State& state) {
 
 /// At any angle; turning, shaken or at rest.
 inline contact::Vessel any_vessel() {
-  const contact::Vessel stands = contact::tilted(
-      {}, contact::angle_of(*rc::gen::element(0.0, 20.0, 59.0, 90.0, 150.0, -110.0)));
+  const contact::Vessel stands = contact::Vessel{
+      .angle = contact::angle_of(*rc::gen::element(0.0, 20.0, 59.0, 90.0, 150.0, -110.0))};
   const Eigen::Vector2d centre(within(0, 20), within(0, 40));
   switch (within(0, 4)) {
     case 0:

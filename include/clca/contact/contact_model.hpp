@@ -33,7 +33,7 @@ struct Parameters {
   int sweeps = 2;            ///< over all contacts in a step, forwards and backwards in turn
   double resolution = 0.4;   ///< speed after a fall by fall_height, in sites a step: sets gravity()
   /// Fall height in lattice spacings. 0: estimated, of a scene from its fills
-  /// (scene::contact_parameters), else from the height of the box (default_fall_height).
+  /// (scene::contact_parameters), else the height of the box, but at least kMinFallHeight.
   double fall_height = 0;
 
   bool operator==(const Parameters&) const = default;
@@ -43,9 +43,8 @@ struct Parameters {
 inline constexpr double kMinGravity = 0x1p-20;
 inline constexpr double kMaxGravity = 0.25;
 
-inline constexpr double kMinFallHeight = 10;  ///< of default_fall_height(), in lattice spacings
-/// Fall height where Parameters have 0: the height of the box, but at least kMinFallHeight.
-double default_fall_height(double box_height);
+/// Of estimates, in lattice spacings.
+inline constexpr double kMinFallHeight = 10;
 
 /// Gravity in lattice spacings per step squared, a multiple of 2^-23. Throws std::invalid_argument
 /// unless resolution and fall height are positive and give kMinGravity to kMaxGravity.

@@ -51,8 +51,6 @@ inline constexpr double kMaxShakeGamma = 1000;  ///< times gravity
 
 /// Stops all motion.
 Vessel at_rest(const Vessel& vessel);
-/// Sets the angle at once.
-Vessel tilted(const Vessel& vessel, Angle to);
 /// Turns to an angle, the shorter way, by at most `degrees_per_step` (positive) about `centre`
 /// (lattice spacings).
 Vessel tilting(const Vessel& vessel, Angle to, double degrees_per_step,

@@ -75,7 +75,7 @@ State checked_state(State state) {
 
 double gravity_in(const lattice::Lattice& box, Parameters parameters) {
   if (parameters.fall_height == 0) {
-    parameters.fall_height = default_fall_height(box.size().y());
+    parameters.fall_height = std::max(kMinFallHeight, box.size().y());
   }
   return contact::gravity(parameters);
 }

@@ -58,7 +58,7 @@ TEST(Down, IsTheDirectionOfTheLatticeNearestToGravity) {
 }
 
 TEST(AVessel, TiltsTheShorterWayInWholeStepsAndThenRests) {
-  const Vessel start = tilted({}, angle_of(170));
+  const Vessel start = Vessel{.angle = angle_of(170)};
   Vessel vessel = tilting(start, angle_of(-160), 4, kNowhere);
   EXPECT_EQ(vessel.turn_steps, 8U);  // 30 degrees
   EXPECT_NEAR(degrees(angle_after(vessel, 4)), -175, 1e-9);
@@ -112,7 +112,7 @@ TEST(Shaking, AddsAndTakesGravityAsASine) {
   EXPECT_EQ(at(upright, 0.25), (Vector{0, 500}));
   EXPECT_EQ(at(upright, 0.75), (Vector{0, -2500}));
   EXPECT_EQ(at(shaken({}, 1.5, 0.01, true), 0.25), (Vector{1500, -1000}));
-  const Vector tilted_down = at(shaken(tilted({}, angle_of(90)), 1.5, 0.01, false), 0.25);
+  const Vector tilted_down = at(shaken(Vessel{.angle = angle_of(90)}, 1.5, 0.01, false), 0.25);
   EXPECT_EQ(tilted_down, (Vector{500, 0}));
 }
 
@@ -187,7 +187,7 @@ TEST_P(GrainsInAVessel, SlideWhenItIsSteeperThanTheirFriction) {
   // Friction 0.4: 21.8 degrees. Anticlockwise is down to the left.
   for (const double turned : {-26.0, -18.0, 18.0, 26.0}) {
     ContactModel one = model(state({particle_at(50, 1)}, 101, 40));
-    one.set_vessel(tilted({}, angle_of(turned)));
+    one.set_vessel(Vessel{.angle = angle_of(turned)});
     for (int step = 0; step < 2000; ++step) {
       one.step();
     }
@@ -220,7 +220,7 @@ TEST_P(GrainsInAVessel, LeaveTheFloorWhenItIsShakenMoreStronglyThanGravity) {
 TEST_P(GrainsInAVessel, LieTheSameWayWhenItStandsOnItsHead) {
   // Two that stand one on the other, on the ceiling.
   ContactModel one = model(state({particle_at(20, 58), particle_at(20, 55)}, 40, 60));
-  one.set_vessel(tilted({}, angle_of(180)));
+  one.set_vessel(Vessel{.angle = angle_of(180)});
   one.step();
   const std::vector<Contact>& contacts = one.state().contacts;
   ASSERT_EQ(contacts.size(), 2U);

@@ -126,7 +126,7 @@ TEST(StressField, TheCellsAtTheSidesCarryTheForceOnThemAndOnWallsThere) {
             .resolution = 0.2,
             .fall_height = 20};
         contact::ContactModel model(thrown(walls, rods), parameters);
-        model.set_vessel(contact::tilted({}, contact::angle_of(tilt)));
+        model.set_vessel(contact::Vessel{.angle = contact::angle_of(tilt)});
         model.fill({2, 3, 31, 36}, std::array<std::size_t, 2>{25, 15});
         for (int step = 0; step < 300; ++step) {
           model.step();
