@@ -48,17 +48,12 @@ std::uint64_t key(const Sum& sum) {
 }
 
 Sum sum_of(const Force& force) {
-  const Eigen::Vector2d on_upper = force.on_upper();
   return {.upper = force.upper,
           .other = force.other,
-          .place_x = force.point.x(),
-          .place_y = force.point.y(),
-          .normal_x = force.normal.x(),
-          .normal_y = force.normal.y(),
-          .branch_x = force.branch.x(),
-          .branch_y = force.branch.y(),
-          .force_x = on_upper.x(),
-          .force_y = on_upper.y()};
+          .point = force.point,
+          .normal = force.normal,
+          .branch = force.branch,
+          .force = force.on_upper()};
 }
 
 void add_sum(ForceSums& sums, Sum later) {
@@ -68,9 +63,7 @@ void add_sum(ForceSums& sums, Sum later) {
     return;
   }
   Sum& sum = sums.sums[found->second];
-  const double sign = sum.upper == later.upper ? 1 : -1;
-  later.force_x += sign * sum.force_x;
-  later.force_y += sign * sum.force_y;
+  later.force += (sum.upper == later.upper ? 1.0 : -1.0) * sum.force;
   sum = later;
 }
 
@@ -151,16 +144,14 @@ std::vector<Force> means(const ForceSums& sums) {
   std::vector<Force> result;
   result.reserve(sorted.size());
   for (const Sum& sum : sorted) {
-    const Eigen::Vector2d normal(sum.normal_x, sum.normal_y);
-    const Eigen::Vector2d mean =
-        Eigen::Vector2d(sum.force_x, sum.force_y) / static_cast<double>(sums.steps);
+    const Eigen::Vector2d mean = sum.force / static_cast<double>(sums.steps);
     result.push_back({.upper = sum.upper,
                       .other = sum.other,
-                      .point = {sum.place_x, sum.place_y},
-                      .normal = normal,
-                      .branch = {sum.branch_x, sum.branch_y},
-                      .along_normal = mean.dot(normal),
-                      .along_shear = mean.dot(Eigen::Vector2d(-normal.y(), normal.x()))});
+                      .point = sum.point,
+                      .normal = sum.normal,
+                      .branch = sum.branch,
+                      .along_normal = mean.dot(sum.normal),
+                      .along_shear = mean.dot(Eigen::Vector2d(-sum.normal.y(), sum.normal.x()))});
   }
   return result;
 }

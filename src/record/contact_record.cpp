@@ -1,7 +1,6 @@
 #include "record/internal/contact_record.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 #include <utility>
 
@@ -28,9 +27,8 @@ bool is_sound(const contact::ForceSums::Sum& sum, const grains::State& state) {
                                       : sum.other <= contact::kRightSide ||
                                             (grains::is_wall(sum.other) &&
                                              grains::wall_number(sum.other) < state.walls.size()));
-  const auto numbers = {sum.place_x,  sum.place_y,  sum.normal_x, sum.normal_y,
-                        sum.branch_x, sum.branch_y, sum.force_x,  sum.force_y};
-  return there && std::ranges::all_of(numbers, [](double number) { return std::isfinite(number); });
+  return there && sum.point.allFinite() && sum.normal.allFinite() && sum.branch.allFinite() &&
+         sum.force.allFinite();
 }
 
 }  // namespace

@@ -48,20 +48,15 @@ struct ForceSums {
   struct Sum {
     std::uint32_t upper = 0;
     grains::Owner other = 0;
-    // From the last step in which they touched: Force::point (lattice spacings), normal and branch.
-    double place_x = 0;
-    double place_y = 0;
-    double normal_x = 0;
-    double normal_y = 0;
-    double branch_x = 0;
-    double branch_y = 0;
-    // On the upper grain, summed over all steps.
-    double force_x = 0;
-    double force_y = 0;
+    // Of Force, from the last step in which they touched.
+    Eigen::Vector2d point = Eigen::Vector2d::Zero();
+    Eigen::Vector2d normal = Eigen::Vector2d::Zero();
+    Eigen::Vector2d branch = Eigen::Vector2d::Zero();
+    /// On the upper grain, summed over all steps.
+    Eigen::Vector2d force = Eigen::Vector2d::Zero();
 
     bool operator==(const Sum&) const = default;
-    CLCA_FIELDS(upper, other, place_x, place_y, normal_x, normal_y, branch_x, branch_y, force_x,
-                force_y);
+    CLCA_FIELDS(upper, other, point, normal, branch, force);
   };
   std::vector<Sum> sums = {};  ///< two bodies have one
   std::uint64_t steps = 0;

@@ -324,7 +324,7 @@ TEST_F(ContactRunTest, AHostileCheckpointIsRefused) {
   EXPECT_THAT(
       refusal(column("records/contacts/pictures/window/block/sums/upper", std::uint32_t{1000})),
       EndsWith("records/contacts is not of this run"));
-  EXPECT_THAT(refusal(column("records/contacts/pictures/window/block/sums/force_x",
+  EXPECT_THAT(refusal(column("records/contacts/pictures/window/block/sums/force/x",
                              std::numeric_limits<double>::infinity())),
               EndsWith("records/contacts is not of this run"));
   EXPECT_THAT(refusal(column("records/lines/sums/parts", std::uint64_t{7})),
