@@ -131,14 +131,8 @@ double ContactModel::gravity() const {
 Energy ContactModel::energy() const {
   return contact::energy(state_but_contacts(), gravity());
 }
-const EnergyExchange& ContactModel::exchange() const {
-  return steps(mechanics()).exchange();
-}
-const std::vector<Contact>& ContactModel::pushes() const {
-  return steps(mechanics()).remainder_cuts().pushes;
-}
-bool ContactModel::too_fast() const {
-  return steps(mechanics()).remainder_cuts().too_fast;
+const LastStep& ContactModel::last_step() const {
+  return steps(mechanics()).last_step();
 }
 void ContactModel::set_vessel(const Vessel& vessel) {
   check_whole();

@@ -49,11 +49,11 @@ std::vector<contact::Force> forces_with_pushes(const contact::ContactModel& mode
                                                std::span<const contact::Contact> contacts) {
   std::vector<contact::Force> of_contacts =
       contact::forces(model.grains(), contacts, model.gravity());
-  if (model.pushes().empty()) {
+  const std::vector<contact::Contact>& pushes = model.last_step().pushes;
+  if (pushes.empty()) {
     return of_contacts;
   }
-  std::vector<contact::Force> all =
-      contact::forces(model.grains(), model.pushes(), model.gravity());
+  std::vector<contact::Force> all = contact::forces(model.grains(), pushes, model.gravity());
   all.insert(all.end(), of_contacts.begin(), of_contacts.end());  // last: theirs are the normals
   contact::ForceSums sums;
   contact::add(sums, all);

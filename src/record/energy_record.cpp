@@ -86,13 +86,13 @@ void EnergyRecord::begin(const scene::Stage& stage, const model::SceneModel& mod
 }
 
 void EnergyRecord::after_step(const StageView& now) {
-  if (now.model.contact()->too_fast() && !std::exchange(has_been_too_fast_, true)) {
+  if (now.model.contact()->last_step().too_fast && !std::exchange(has_been_too_fast_, true)) {
     now.warn(
         fmt::format("stage {}, step {}: a grain falls faster than it can move, and loses velocity; "
                     "choose a larger contact.fall_height",
                     now.stage.name, now.model.state().step));
   }
-  if (const auto text = add(now.model, now.model.contact()->exchange())) {
+  if (const auto text = add(now.model, now.model.contact()->last_step().exchange)) {
     now.warn(fmt::format("stage {}, step {}: {}", now.stage.name, now.model.state().step, *text));
   }
   if (!is_closed_ || scene::steps_of(now.stage.until)) {

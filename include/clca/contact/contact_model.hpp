@@ -98,6 +98,16 @@ struct EnergyExchange {
   }
 };
 
+/// What a step has done beside its state.
+struct LastStep {
+  EnergyExchange exchange = {};
+  /// Collisions between grains that were held up and what was in their way, see collide_blocked().
+  /// `impact` is the impulse, along a direction of the lattice. A pair may have several, and either
+  /// may be `upper`.
+  std::vector<Contact> pushes = {};
+  bool too_fast = false;  ///< a grain was faster than it can move, and lost velocity
+};
+
 class ContactModel : public grains::Model {
  public:
   /// Throws std::invalid_argument if the state is not valid (see check_valid, grains::Occupancy), a
@@ -114,15 +124,7 @@ class ContactModel : public grains::Model {
   double gravity() const;
   /// The same as contact::energy() of state(), without the cost of state().
   Energy energy() const;
-  /// What was exchanged in the last step.
-  const EnergyExchange& exchange() const;
-
-  /// Collisions of the last step between grains that were held up and what was in their way, see
-  /// collide_blocked(). `impact` is the impulse along a direction of the lattice; a pair may have
-  /// several.
-  const std::vector<Contact>& pushes() const;
-  /// In the last step a grain was faster than it can move, and lost velocity.
-  bool too_fast() const;
+  const LastStep& last_step() const;
 
   /// Throws std::invalid_argument for an invalid vessel. Grains at rest stay at rest relative to
   /// the vessel.

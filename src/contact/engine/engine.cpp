@@ -163,7 +163,7 @@ void Engine::advance_and_move() {
   mover_.move_all(finder_.down(), candidates_, walls);
   const SiteMoves& moves = mover_.moves();
   moved_ = moves.moved();
-  remainder_cuts_ = collide_blocked(state_, moves, body_velocities_, mover_.ids());
+  collide_blocked(state_, moves, body_velocities_, mover_.ids(), last_step_);
   std::transform(bodies_.begin() + static_cast<std::ptrdiff_t>(first_grain_body_), bodies_.end(),
                  state_.velocities.begin(),
                  [](const AlignedVelocity& body) { return body.velocity; });

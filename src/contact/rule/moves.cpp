@@ -230,17 +230,17 @@ struct PushSum {
 
 }  // namespace
 
-RemainderCuts collide_blocked(State& state, const SiteMoves& moves, const BodyVelocities& bodies,
-                              std::span<const std::uint32_t> ids) {
-  RemainderCuts result;
+void collide_blocked(State& state, const SiteMoves& moves, const BodyVelocities& bodies,
+                     std::span<const std::uint32_t> ids, LastStep& step) {
+  std::vector<Contact>& pushes = step.pushes;
   for (const std::uint32_t id : ids) {
     cut(state.remainders[id], [&](Direction direction, std::int32_t excess) {
       const grains::Owner other = moves.blocking_owner(id, direction);
       const UnitVector& unit = unit_of(direction);
       if (other != grains::kFree) {
-        result.pushes.push_back({.upper = id, .other = other, .normal = {-unit.x, -unit.y}});
+        pushes.push_back({.upper = id, .other = other, .normal = {-unit.x, -unit.y}});
       } else if (slow_down(bodies.velocity(grains::as_owner(id)), excess, direction)) {
-        result.too_fast = true;
+        step.too_fast = true;
       }
     });
   }
@@ -249,17 +249,17 @@ RemainderCuts collide_blocked(State& state, const SiteMoves& moves, const BodyVe
     const Velocity<>& its = bodies.velocity(push.other);
     return along({its.x - own.x, its.y - own.y}, push.normal);
   };
-  std::erase_if(result.pushes, [&](const Contact& push) { return closing(push) <= 0; });
-  if (result.pushes.empty()) {
-    return result;
+  std::erase_if(pushes, [&](const Contact& push) { return closing(push) <= 0; });
+  if (pushes.empty()) {
+    return;
   }
-  std::ranges::stable_sort(result.pushes, {}, &Contact::upper);
+  std::ranges::stable_sort(pushes, {}, &Contact::upper);
   const auto inverse_mass = [&](std::uint32_t id) {
     const std::int32_t with_wall = pair_number(state.grains, id, kFloor);
     return bodies.rule.pairs[static_cast<std::size_t>(with_wall)].upper_inverse_mass;
   };
   std::vector<std::uint32_t> pushed;  // ids, once for each push
-  for (const Contact& push : result.pushes) {
+  for (const Contact& push : pushes) {
     pushed.push_back(push.upper);
     if (grains::is_particle(push.other)) {
       pushed.push_back(static_cast<std::uint32_t>(grains::particle_id(push.other)));
@@ -276,7 +276,7 @@ RemainderCuts collide_blocked(State& state, const SiteMoves& moves, const BodyVe
   const auto sum = [&](std::size_t id) -> PushSum& {
     return *std::ranges::lower_bound(sums, id, {}, &PushSum::id);
   };
-  for (Contact& push : result.pushes) {
+  for (Contact& push : pushes) {
     PushSum& own = sum(push.upper);
     PushSum* its =
         grains::is_particle(push.other) ? &sum(grains::particle_id(push.other)) : nullptr;
@@ -305,7 +305,6 @@ RemainderCuts collide_blocked(State& state, const SiteMoves& moves, const BodyVe
     change(velocity.x, total.x);
     change(velocity.y, total.y);
   }
-  return result;
 }
 
 namespace {

@@ -199,22 +199,15 @@ class SiteMoves {
 /// direction nearest to gravity.
 void move_all(SiteMoves& moves, State& state, lattice::Direction down, std::span<WallMove> walls);
 
-/// What comes of remainders that were too long and are cut.
-struct RemainderCuts {
-  /// Grains and what is in their ways; `impact` is the impulse, along a direction of the lattice.
-  /// A pair may push in several directions, and either may be `upper`.
-  std::vector<Contact> pushes = {};
-  bool too_fast = false;  ///< a grain was faster than it can move
-};
-
 /// Shortens remainders to two spacings along any direction. Where a remainder is cut and the grain
 /// approaches what is in its way, the two collide along that direction, without restitution and
 /// friction: with several such collisions of a body each gets a share of its mass, so that the
 /// order does not matter, momentum is conserved, and no energy is gained. Where nothing is in the
 /// way, the grain is faster than it can move: it loses velocity with the distance. `ids`: grains
-/// whose remainders may be that long, each once, in any order.
-RemainderCuts collide_blocked(State& state, const SiteMoves& moves, const BodyVelocities& bodies,
-                              std::span<const std::uint32_t> ids);
+/// whose remainders may be that long, each once, in any order. Sets `pushes` and `too_fast` of the
+/// step.
+void collide_blocked(State& state, const SiteMoves& moves, const BodyVelocities& bodies,
+                     std::span<const std::uint32_t> ids, LastStep& step);
 
 /// Whether no wall will move while no grain does: each has finished or has been blocked for the
 /// settling time, so that its push no longer grows.

@@ -92,7 +92,7 @@ void Steps::added(std::size_t first) {
   add_motions(state_);
   scatter_remainders(state_, first);
   for (std::size_t id = first; id < state_.grains.particles.size(); ++id) {
-    exchange_.sources += energy_of(state_, id, gravity_).sum();
+    last_step_.exchange.sources += energy_of(state_, id, gravity_).sum();
   }
 }
 
@@ -102,11 +102,11 @@ bool Steps::advance(grains::StepReport& report) {
   move_grains();
   report.moved = moved_.size();
   if (wall_positions(state_) != walls) {
-    exchange_.walls = wall_work(state_, wall_contacts(), walls, gravity_) +
-                      wall_work(state_, remainder_cuts_.pushes, walls, gravity_);
+    last_step_.exchange.walls = wall_work(state_, wall_contacts(), walls, gravity_) +
+                                wall_work(state_, last_step_.pushes, walls, gravity_);
   }
   if (vessel.moves()) {
-    exchange_.vessel = vessel_work(state_, vessel, gravity_);
+    last_step_.exchange.vessel = vessel_work(state_, vessel, gravity_);
   }
   if (report.emitted > 0) {
     disturb(state_);  // what is new still has to fall
@@ -115,7 +115,7 @@ bool Steps::advance(grains::StepReport& report) {
 }
 
 void Steps::removing(std::uint32_t id) {
-  exchange_.outlets += energy_of(state_, id, gravity_).sum();
+  last_step_.exchange.outlets += energy_of(state_, id, gravity_).sum();
   state_.velocities[id] = {};
   state_.remainders[id] = {};
   state_.from_anchors[id] = {};
@@ -233,7 +233,7 @@ void Reference::move_grains() {
   // 9. Remainders of grains that were held up are cut, and momentum is passed on.
   std::vector<std::uint32_t> ids(grains);
   std::iota(ids.begin(), ids.end(), 0U);
-  remainder_cuts_ = collide_blocked(state_, moves, bodies, ids);
+  collide_blocked(state_, moves, bodies, ids, last_step_);
 
   // 10. Walls and vessel end the step.
   end_step(state_, wall_moves, moves, at_rest);

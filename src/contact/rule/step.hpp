@@ -37,12 +37,9 @@ class Steps : public grains::Mechanics {
   const State& state() const { return state_; }
   /// In lattice spacings per step squared.
   double gravity() const { return gravity_; }
-  /// What was exchanged in the last step.
-  const EnergyExchange& exchange() const { return exchange_; }
+  const LastStep& last_step() const { return last_step_; }
   /// Throws std::invalid_argument for an invalid vessel.
   void set_vessel(const Vessel& vessel);
-  /// In the last step.
-  const RemainderCuts& remainder_cuts() const { return remainder_cuts_; }
   /// Sets the contacts of the state.
   virtual void write_back() {}
   /// Contacts of the last step with walls and sides, maybe others, too.
@@ -50,7 +47,7 @@ class Steps : public grains::Mechanics {
 
   grains::Box& box() final { return box_; }
   lattice::Direction down() const final { return contact::down(state_.vessel); }
-  void before_sources() final { exchange_ = {}; }
+  void before_sources() final { last_step_ = {}; }
   void added(std::size_t first) override;
   bool advance(grains::StepReport& report) final;
   std::vector<std::uint32_t> moved() const final { return moved_; }
@@ -67,8 +64,7 @@ class Steps : public grains::Mechanics {
   grains::Box box_;
   double gravity_;  // lattice spacings per step squared
   Rule rule_;
-  EnergyExchange exchange_;
-  RemainderCuts remainder_cuts_;
+  LastStep last_step_;
   std::vector<std::uint32_t> moved_;  // ids, in the last step, once each
   // NOLINTEND(readability-identifier-naming)
 };

@@ -46,7 +46,8 @@ struct Bench {
         state.grains, rule, [&](grains::Owner body) -> Velocity<>& {
           return grains::is_particle(body) ? state.velocities[grains::particle_id(body)] : fixed;
         }};
-    collide_blocked(state, moves, bodies, ids);
+    LastStep step;
+    collide_blocked(state, moves, bodies, ids, step);
     EXPECT_EQ(fixed, Velocity<std::int32_t>());
   }
   double mass(std::size_t id) const {

@@ -77,7 +77,7 @@ TEST_P(MovingWalls, AFloorThatIsLiftedDoesTheWorkThatItsBedGains) {
   double work = 0;
   for (int i = 0; i < 700; ++i) {
     one.step();
-    work += one.exchange().walls;
+    work += one.last_step().exchange.walls;
   }
   EXPECT_EQ(travel(one).offset, 30);
   // It sets them in motion, and then lifts them.
