@@ -78,7 +78,7 @@ State walled_bed(std::size_t particles) {
   state.walls = {{.sites = lattice::sites_in(state.lattice, {width, 0, width + 1, height})}};
   automaton::Automaton bed(std::move(state));
   const std::array counts = {particles / 2, particles - particles / 2};
-  if (!bed.deposit({0, 0, width, height}, counts).complete) {
+  if (!bed.fill({0, 0, width, height}, counts, true).complete) {
     throw std::logic_error("the bed is higher than its box");
   }
   return bed.state();

@@ -228,30 +228,25 @@ void Model::set_interruption(std::function<void()> check) {
   mechanics_->box().interruption = std::move(check);
 }
 
-FillResult Model::fill(const lattice::Rectangle& region, std::span<const std::size_t> counts) {
-  check_counts(grains(), counts);
+void Model::check_fill(const lattice::Rectangle& region, bool deposited) const {
   lattice::check(region);
-  return change_between_steps([&](Box& box) { return fill_region(box, region, counts); });
+  require(!deposited || mechanics_->can_deposit(),
+          "particles are deposited along a gravity that points down");
 }
 
-FillResult Model::deposit(const lattice::Rectangle& region, std::span<const std::size_t> counts) {
+FillResult Model::fill(const lattice::Rectangle& region, std::span<const std::size_t> counts,
+                       bool deposited) {
   check_counts(grains(), counts);
-  lattice::check(region);
-  check_deposits();
-  return change_between_steps([&](Box& box) { return deposit_in(box, region, counts); });
+  check_fill(region, deposited);
+  return change_between_steps([&](Box& box) {
+    return deposited ? deposit_in(box, region, counts) : fill_region(box, region, counts);
+  });
 }
 
 FillResult Model::fill(const lattice::Rectangle& region, const Mixture& mixture) {
   check_mixture(grains(), mixture);
-  lattice::check(region);
-  if (mixture.deposited) {
-    check_deposits();
-  }
+  check_fill(region, mixture.deposited);
   return change_between_steps([&](Box& box) { return fill_mixture(box, region, mixture); });
-}
-
-void Model::check_deposits() const {
-  require(mechanics_->can_deposit(), "particles are deposited along a gravity that points down");
 }
 
 void Model::remove_wall(std::size_t wall) {

@@ -25,9 +25,8 @@ void fill(model::SceneModel& model, const scene::Scene& scene, const scene::Stag
     }
     return;
   }
-  const grains::FillResult result = fill.method == scene::FillMethod::deposition
-                                        ? model.grains().deposit(fill.region, fill.counts)
-                                        : model.grains().fill(fill.region, fill.counts);
+  const grains::FillResult result =
+      model.grains().fill(fill.region, fill.counts, fill.method == scene::FillMethod::deposition);
   if (result.complete) {
     return;
   }

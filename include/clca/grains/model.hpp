@@ -93,16 +93,14 @@ class Model {
 
   // After each of these changes, particles that lie wholly in an outlet are removed.
 
-  /// Places `counts` particles per species at random in `region`, larger species first. A species
+  /// Places `counts` particles per species in `region`: at random, larger species first, or
+  /// deposited, a packing at rest (sequential deposition, Visscher & Bolsterli 1972). A species
   /// that no longer fits is placed in part. Throws std::invalid_argument unless there is one count
-  /// per species and the region is made of numbers.
-  FillResult fill(const lattice::Rectangle& region, std::span<const std::size_t> counts);
-  /// Deposits `counts` particles per species in `region`: a packing at rest (sequential deposition,
-  /// Visscher & Bolsterli 1972). Throws as fill, and if the automaton has a gravity that does not
-  /// point down.
-  FillResult deposit(const lattice::Rectangle& region, std::span<const std::size_t> counts);
-  /// Fills `region` with a mixture. Throws as deposit() where it is deposited, and
-  /// std::invalid_argument if the mixture is not as described there.
+  /// per species and the region is made of numbers, and for a deposition if the automaton has a
+  /// gravity that does not point down.
+  FillResult fill(const lattice::Rectangle& region, std::span<const std::size_t> counts,
+                  bool deposited = false);
+  /// Fills `region` with a mixture. Throws likewise, and if the mixture is not as described there.
   FillResult fill(const lattice::Rectangle& region, const Mixture& mixture);
   // Walls and sources by index; of one that is not there these throw std::out_of_range.
 
@@ -133,7 +131,7 @@ class Model {
   auto carry_out(Change change);
   template <class Change>
   auto change_between_steps(Change change);
-  void check_deposits() const;
+  void check_fill(const lattice::Rectangle& region, bool deposited) const;
 
   std::unique_ptr<Mechanics> mechanics_;
   bool half_changed_ = false;  // a change has failed halfway

@@ -27,7 +27,7 @@ TEST(Deposit, IsAtRestWhereverItLies) {
   for (const bool periodic : {false, true}) {
     Automaton automaton(mixed_box(60, 200, periodic));
     const std::vector<std::size_t> counts = {120, 80, 50, 5};
-    const FillResult result = automaton.deposit({0, 0, 60, 200}, counts);
+    const FillResult result = automaton.fill({0, 0, 60, 200}, counts, true);
     EXPECT_TRUE(result.complete);
     EXPECT_EQ(result.placed, counts);
     EXPECT_EQ(automaton.state().particles.size(), 255U);
@@ -41,9 +41,9 @@ TEST(Deposit, IsAtRestWhereverItLies) {
 TEST(Deposit, StaysInItsRegionAndOnTopOfWhatIsThere) {
   Automaton automaton(mixed_box(60, 120));
   const lattice::Rectangle low = {10, 0, 40, 60};
-  automaton.deposit(low, std::vector<std::size_t>{60, 0, 0, 0});
+  automaton.fill(low, std::vector<std::size_t>{60, 0, 0, 0}, true);
   const lattice::Rectangle high = {5, 20, 45, 100};
-  automaton.deposit(high, std::vector<std::size_t>{0, 30, 0, 2});
+  automaton.fill(high, std::vector<std::size_t>{0, 30, 0, 2}, true);
   for (const Particle& particle : automaton.state().particles) {
     for (const lattice::Axial part : automaton.state().shape(particle).sites()) {
       const Eigen::Vector2d at = lattice::position(particle.site() + part);
@@ -56,17 +56,17 @@ TEST(Deposit, StaysInItsRegionAndOnTopOfWhatIsThere) {
 TEST(Deposit, WhatFindsNoRoomIsCountedAndTheRestGoesOn) {
   Automaton automaton(mixed_box(20, 40));
   const FillResult result =
-      automaton.deposit({0, 0, 20, 40}, std::vector<std::size_t>{1000, 0, 0, 1});
+      automaton.fill({0, 0, 20, 40}, std::vector<std::size_t>{1000, 0, 0, 1}, true);
   EXPECT_FALSE(result.complete);
   EXPECT_GT(result.placed[0], 40U);
   EXPECT_LT(result.placed[0], 120U);
-  EXPECT_EQ(automaton.deposit({0, 0, 3, 40}, std::vector<std::size_t>{0, 0, 0, 1}).placed[3], 0U)
+  EXPECT_EQ(automaton.fill({0, 0, 3, 40}, std::vector<std::size_t>{0, 0, 0, 1}, true).placed[3], 0U)
       << "narrower than the particle";
 }
 
 TEST(Deposit, MixesTheSpeciesUpToTheTop) {
   Automaton automaton(mixed_box(100, 300));
-  automaton.deposit({0, 0, 87, 300}, std::vector<std::size_t>{600, 600, 0, 0});
+  automaton.fill({0, 0, 87, 300}, std::vector<std::size_t>{600, 600, 0, 0}, true);
   std::array<double, 2> height = {};
   for (const Particle& particle : automaton.state().particles) {
     height[particle.kind] += particle.row / 600.0;
@@ -76,7 +76,7 @@ TEST(Deposit, MixesTheSpeciesUpToTheTop) {
 
 TEST(Deposit, ComesDownOnly) {
   Automaton automaton(mixed_box(20, 20), {.gravity = lattice::Direction::up});
-  EXPECT_THROW(automaton.deposit({0, 0, 20, 20}, std::vector<std::size_t>{1, 0, 0, 0}),
+  EXPECT_THROW(automaton.fill({0, 0, 20, 20}, std::vector<std::size_t>{1, 0, 0, 0}, true),
                std::invalid_argument);
 }
 

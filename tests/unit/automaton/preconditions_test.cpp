@@ -53,7 +53,7 @@ TEST(AFill, NeedsOneCountForEachSpecies) {
   Automaton automaton(good_state());
   for (const std::vector<std::size_t>& counts : {std::vector<std::size_t>{}, {1}, {1, 1, 1}}) {
     EXPECT_THROW(automaton.fill({0, 0, 30, 30}, counts), std::invalid_argument);
-    EXPECT_THROW(automaton.deposit({0, 0, 30, 30}, counts), std::invalid_argument);
+    EXPECT_THROW(automaton.fill({0, 0, 30, 30}, counts, true), std::invalid_argument);
   }
   const std::vector<std::size_t> counts = {1, 1};
   EXPECT_TRUE(automaton.fill({0, 0, 30, 30}, counts).complete) << "after what was refused";
@@ -64,7 +64,7 @@ TEST(AFill, NeedsARegionOfNumbers) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const std::vector<std::size_t> counts = {1, 1};
   EXPECT_THROW(automaton.fill({0, 0, nan, 30}, counts), std::invalid_argument);
-  EXPECT_THROW(automaton.deposit({0, nan, 30, 30}, counts), std::invalid_argument);
+  EXPECT_THROW(automaton.fill({0, nan, 30, 30}, counts, true), std::invalid_argument);
 }
 
 TEST(WallsAndSources, ThatAreNotThereAreRefused) {

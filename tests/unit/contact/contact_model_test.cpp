@@ -171,7 +171,7 @@ TEST_P(ContactModelTest, AFillPlacesGrainsAtRestWithoutOverlap) {
 TEST_P(ContactModelTest, ADepositedBedHardlyMoves) {
   ContactModel bed = model(box());
   const std::vector<std::size_t> counts = {30, 10};
-  ASSERT_TRUE(bed.deposit({0, 0, 1e3, 1e3}, counts).complete);
+  ASSERT_TRUE(bed.fill({0, 0, 1e3, 1e3}, counts, true).complete);
   const double before = energy(bed.state(), gravity(kParameters)).potential;
   settle(bed);
   EXPECT_LE(energy(bed.state(), gravity(kParameters)).potential, before * 1.005);
@@ -312,7 +312,7 @@ TEST_P(ContactModelTest, WhatIsNotThereIsRefusedAndItGoesOn) {
   const std::vector<std::size_t> one_count = {1};
   const std::vector<std::size_t> counts = {1, 1};
   EXPECT_THROW(one.fill({0, 0, 30, 30}, one_count), std::invalid_argument);
-  EXPECT_THROW(one.deposit({0, 0, std::nan(""), 30}, counts), std::invalid_argument);
+  EXPECT_THROW(one.fill({0, 0, std::nan(""), 30}, counts, true), std::invalid_argument);
   EXPECT_THROW(one.remove_wall(0), std::out_of_range);
   EXPECT_THROW(one.insert_wall(0), std::out_of_range);
   EXPECT_THROW(one.set_source(0, true), std::out_of_range);

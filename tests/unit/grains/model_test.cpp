@@ -106,7 +106,7 @@ TEST(AModel, RefusesEveryChangeAfterOneThatFailedHalfway) {
   EXPECT_THROW(model.step(), std::logic_error);
   EXPECT_THROW(model.fill({0, 0, 30, 30}, counts), std::logic_error);
   EXPECT_THROW(model.fill({0, 0, 30, 30}, Mixture{.parts = {{1, 1}}}), std::logic_error);
-  EXPECT_THROW(model.deposit({0, 0, 30, 30}, counts), std::logic_error);
+  EXPECT_THROW(model.fill({0, 0, 30, 30}, counts, true), std::logic_error);
   EXPECT_THROW(model.remove_wall(0), std::logic_error);
   EXPECT_THROW(model.insert_wall(0), std::logic_error);
   EXPECT_THROW(model.set_motion(0, true), std::logic_error);
@@ -121,7 +121,7 @@ TEST(AModel, CanBeInterruptedWhileItIsFilled) {
          return model.fill({0, 0, 170, 200}, counts);
        },
        [&](Model& model) {
-         return model.deposit({0, 0, 170, 200}, counts);
+         return model.fill({0, 0, 170, 200}, counts, true);
        },
        [](Model& model) {
          return model.fill({0, 0, 170, 200}, Mixture{.parts = {{1, 1}}});
