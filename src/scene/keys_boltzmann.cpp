@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "clca/boltzmann/law.hpp"
+#include "clca/boltzmann/scheme.hpp"
 #include "clca/text/read.hpp"
 #include "scene/sections.hpp"
 #include "scene/types.hpp"

@@ -2,7 +2,7 @@
 // Closed forms to compare the simulation with. Units as in gas.hpp; A = 7 friction (1 +
 // restitution) / 2 for equal solid spheres.
 
-#include "clca/boltzmann/law.hpp"
+#include "clca/boltzmann/scheme.hpp"
 
 namespace clca::boltzmann {
 

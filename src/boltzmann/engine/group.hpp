@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "boltzmann/rule/solid_collision.hpp"
-#include "clca/boltzmann/law.hpp"
+#include "clca/boltzmann/scheme.hpp"
 #include "clca/random/words.hpp"
 
 namespace clca::boltzmann {

@@ -1,5 +1,5 @@
 #pragma once
-// The law of clca/boltzmann/law.hpp for equal solid spheres of mass 1 with spins as surface
+// The law of clca/boltzmann/scheme.hpp for equal solid spheres of mass 1 with spins as surface
 // velocities w = a omega: mu = 1/2, K = 7, a^2 / I = 5/2. For many pairs at once, one per SIMD
 // lane.
 
@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "boltzmann/elementary.hpp"
-#include "clca/boltzmann/law.hpp"
+#include "clca/boltzmann/scheme.hpp"
 
 namespace clca::boltzmann {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "clca/boltzmann/law.hpp"
+#include "clca/boltzmann/scheme.hpp"
 #include "clca/scene/boltzmann.hpp"
 #include "clca/store/summary.hpp"
 #include "model/internal/gas_member.hpp"

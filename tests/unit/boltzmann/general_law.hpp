@@ -7,7 +7,7 @@
 
 #include <Eigen/Core>
 
-#include "clca/boltzmann/law.hpp"
+#include "clca/boltzmann/scheme.hpp"
 
 namespace clca::boltzmann {
 

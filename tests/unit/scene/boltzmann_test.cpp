@@ -9,7 +9,7 @@
 #include <string>
 
 #include "bad_scenes.hpp"
-#include "clca/boltzmann/law.hpp"
+#include "clca/boltzmann/scheme.hpp"
 #include "clca/scene/parse.hpp"
 
 namespace clca::scene::boltzmann_test {
