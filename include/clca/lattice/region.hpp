@@ -1,10 +1,11 @@
 #pragma once
-// Rectangles and straight walls as sets of sites, also of those that a moving wall brings into the
-// box.
+// Rectangles, straight walls and pictures as sets of sites, also of those that a moving wall brings
+// into the box.
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -104,11 +105,26 @@ struct Segment {
   }
 };
 
-/// A rectangle that contains all sites of a rectangle or a straight wall.
+/// Pixels of equal size that cover a rectangle.
+struct Picture {
+  Rectangle box;  ///< what the pixels cover
+  /// From the top, all of one length, at least one character long; of a wall, kDark and kLight.
+  std::vector<std::string> rows;
+
+  static constexpr char kDark = '#';
+  static constexpr char kLight = '.';
+
+  bool operator==(const Picture&) const = default;
+};
+
+/// A rectangle that contains all sites of a rectangle, a straight wall or a picture.
 inline Rectangle bounding_rectangle(const Rectangle& rectangle) {
   return rectangle;
 }
 Rectangle bounding_rectangle(const Segment& segment);
+inline Rectangle bounding_rectangle(const Picture& picture) {
+  return picture.box;
+}
 
 /// Whether `test` holds for a site of the region inside `rectangle`: tries them column by column
 /// from the left, upwards, until it does.
@@ -135,6 +151,16 @@ std::vector<Site> sites_along(const SweptRegion& swept_region, const Segment& se
 inline std::vector<Site> sites_along(const Lattice& lattice, const Segment& segment) {
   return sites_along(SweptRegion(lattice), segment);
 }
+
+/// The pixel at a point of the box of the picture. Throws std::invalid_argument if there are none.
+char pixel_at(const Picture& picture, const Eigen::Vector2d& point);
+
+/// The sites of the region in the box that lie on a dark pixel, column by column from the left,
+/// upwards. Throws as check(Rectangle), and std::invalid_argument if there are no pixels.
+std::vector<Site> sites_in(const SweptRegion& swept_region, const Picture& picture);
+
+/// Whether sites_in() is empty.
+bool holds_no_site(const Lattice& lattice, const Picture& picture);
 
 /// The site nearest to a point given in lattice spacings. Throws std::invalid_argument unless both
 /// coordinates are less than 10^8.

@@ -17,7 +17,6 @@
 #include "clca/grains/motion.hpp"
 #include "clca/grains/state.hpp"
 #include "clca/image/image.hpp"
-#include "clca/lattice/picture.hpp"
 #include "clca/lattice/region.hpp"
 #include "clca/lattice/shape.hpp"
 #include "clca/scene/output.hpp"

@@ -10,7 +10,6 @@
 
 #include "clca/grains/model.hpp"
 #include "clca/grains/state.hpp"
-#include "clca/lattice/picture.hpp"
 #include "clca/lattice/region.hpp"
 #include "clca/random/draw.hpp"
 #include "grains/internal/box.hpp"

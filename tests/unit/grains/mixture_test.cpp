@@ -6,7 +6,6 @@
 #include <stdexcept>
 
 #include "clca/automaton/automaton.hpp"
-#include "clca/lattice/picture.hpp"
 #include "clca/lattice/region.hpp"
 
 namespace clca::grains::mixture_test {

@@ -1,8 +1,8 @@
-#include "clca/lattice/picture.hpp"
-
 #include <gtest/gtest.h>
 
 #include <stdexcept>
+
+#include "clca/lattice/region.hpp"
 
 namespace clca::lattice::picture_test {
 namespace {
