@@ -1,6 +1,7 @@
 #include "contact/rule/moves.hpp"
 
 #include <cstdlib>
+#include <map>
 #include <utility>
 
 #include "clca/random/draw.hpp"
@@ -222,7 +223,6 @@ void cut(Vector& remainder, Visit visit) {
 
 /// The sum of all pushes of a grain.
 struct PushSum {
-  std::uint32_t id = 0;
   std::int64_t pushes = 0;  // their number
   std::int64_t x = 0;       // impulse
   std::int64_t y = 0;
@@ -250,38 +250,24 @@ void collide_blocked(State& state, const SiteMoves& moves, const BodyVelocities&
     return along({its.x - own.x, its.y - own.y}, push.normal);
   };
   std::erase_if(pushes, [&](const Contact& push) { return closing(push) <= 0; });
-  if (pushes.empty()) {
-    return;
-  }
   std::ranges::stable_sort(pushes, {}, &Contact::upper);
   const auto inverse_mass = [&](std::uint32_t id) {
     const std::int32_t with_wall = pair_number(state.grains, id, kFloor);
     return bodies.rule.pairs[static_cast<std::size_t>(with_wall)].upper_inverse_mass;
   };
-  std::vector<std::uint32_t> pushed;  // ids, once for each push
+  std::map<std::uint32_t, PushSum> sums;  // by id
   for (const Contact& push : pushes) {
-    pushed.push_back(push.upper);
+    ++sums[push.upper].pushes;
     if (grains::is_particle(push.other)) {
-      pushed.push_back(static_cast<std::uint32_t>(grains::particle_id(push.other)));
+      ++sums[grains::particle_id(push.other)].pushes;
     }
   }
-  std::vector<PushSum> sums;  // of these grains, ascending
-  std::ranges::sort(pushed);
-  for (std::size_t i = 0; i < pushed.size(); ++i) {
-    if (i == 0 || pushed[i] != pushed[i - 1]) {
-      sums.push_back({.id = pushed[i]});
-    }
-    ++sums.back().pushes;
-  }
-  const auto sum = [&](std::size_t id) -> PushSum& {
-    return *std::ranges::lower_bound(sums, id, {}, &PushSum::id);
-  };
   for (Contact& push : pushes) {
-    PushSum& own = sum(push.upper);
-    PushSum* its =
-        grains::is_particle(push.other) ? &sum(grains::particle_id(push.other)) : nullptr;
-    const std::int64_t inverse = own.pushes * inverse_mass(own.id) +
-                                 (its != nullptr ? its->pushes * inverse_mass(its->id) : 0);
+    const std::uint32_t other = grains::particle_id(push.other);
+    PushSum& own = sums[push.upper];
+    PushSum* its = grains::is_particle(push.other) ? &sums[other] : nullptr;
+    const std::int64_t inverse = own.pushes * inverse_mass(push.upper) +
+                                 (its != nullptr ? its->pushes * inverse_mass(other) : 0);
     const std::int32_t impulse =
         clamped((std::int64_t{closing(push)} << kInverseMassBits) / inverse, 0, kMaxImpulse);
     push.impact.normal = impulse;
@@ -294,10 +280,9 @@ void collide_blocked(State& state, const SiteMoves& moves, const BodyVelocities&
       its->y += y;
     }
   }
-  for (const PushSum& total : sums) {
-    Velocity<>& velocity = bodies.velocity(grains::as_owner(total.id));
-    const auto change = [inverse = inverse_mass(total.id)](std::int32_t& value,
-                                                           std::int64_t impulse) {
+  for (const auto& [id, total] : sums) {
+    Velocity<>& velocity = bodies.velocity(grains::as_owner(id));
+    const auto change = [inverse = inverse_mass(id)](std::int32_t& value, std::int64_t impulse) {
       const std::int32_t most = clamped(impulse, -2 * kMaxImpulse, 2 * kMaxImpulse - 1);
       value = clamped(value + limited(product(most, inverse), kInverseMassBits, 2 * kMaxVelocity),
                       -kMaxVelocity, kMaxVelocity);
