@@ -54,7 +54,7 @@ std::size_t Engine::move_particles() {
           return turn.proposal->outcome != ConflictOutcome::won;
         }));
   }
-  nothing_moved_ = moved == 0 && was_quiet();
+  nothing_moved_ = moved == 0 && quiet_;
   world_.changes.by_others = false;
   return moved;
 }

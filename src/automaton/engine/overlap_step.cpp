@@ -40,8 +40,7 @@ MoveProposal Engine::overlapping_proposal(const ProposedMove& move) const {
           .id = id,
           .byte = static_cast<std::uint32_t>(byte),
           .kind = particle.kind,
-          .move = static_cast<grains::Move>(move.direction),
-          .outcome = ConflictOutcome::overlapping};
+          .move = static_cast<grains::Move>(move.direction)};
 }
 
 // Pushed particles have moved. Some of the others find their way taken; some overlap now, and have

@@ -70,7 +70,6 @@ class Steps : public grains::Mechanics {
   grains::State state_;
   grains::Box box_;
   bool wall_moved_ = false;  // in this step
-  bool quiet_ = true;        // see was_quiet()
 
  protected:
   struct Movers {
@@ -85,8 +84,6 @@ class Steps : public grains::Mechanics {
 
   /// Each of these particles chooses a provisional direction, from the state at this moment alone.
   Movers movers_of(std::span<const std::uint32_t> ids);
-  /// Whether none of those that overlap had moved in the step before.
-  bool was_quiet() const { return quiet_; }
   /// Lets movers have their turn in order. Those that cannot move rest.
   void give_turns(std::vector<ProposedMove>& movers,
                   bool (*move)(World&, std::uint32_t, lattice::Direction));
@@ -95,6 +92,7 @@ class Steps : public grains::Mechanics {
   World world_;
   ActiveRule active_;
   std::vector<std::uint32_t> moved_;  // in this step, by give_turns()
+  bool quiet_ = true;                 // none of those that overlap had moved in the step before
   // NOLINTEND(readability-identifier-naming)
 };
 
