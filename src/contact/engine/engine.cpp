@@ -1,6 +1,5 @@
 #include "contact/engine/engine.hpp"
 
-#include <algorithm>
 #include <numeric>
 #include <utility>
 
@@ -12,7 +11,6 @@ Engine::Engine(State initial, const Parameters& parameters)
       finder_(box_, rule_),
       slots_(state_.grains, rule_),
       mover_(state_, box_),
-      first_grain_body_(slots_.first_grain_body()),
       body_velocities_{
           state_.grains, rule_, [this](grains::Owner body) -> Velocity<>& {
             return bodies_[static_cast<std::size_t>(slots_.body_number(body))].velocity;
@@ -26,7 +24,7 @@ void Engine::added(std::size_t first) {
   for (std::size_t id = first; id < grains; ++id) {
     changed_.push_back(static_cast<std::uint32_t>(id));
   }
-  bodies_.resize(first_grain_body_ + grains);
+  bodies_.resize(slots_.first_grain_body() + grains);
   slots_.add_grains(grains);
 }
 
@@ -44,7 +42,7 @@ void Engine::reloaded() {
 }
 
 void Engine::load() {
-  bodies_.resize(first_grain_body_);
+  bodies_.resize(slots_.first_grain_body());
   for (const Velocity<>& velocity : state_.velocities) {
     bodies_.push_back({velocity});
   }
@@ -164,9 +162,9 @@ void Engine::advance_and_move() {
   const SiteMoves& moves = mover_.moves();
   moved_ = moves.moved();
   collide_blocked(state_, moves, body_velocities_, mover_.ids(), last_step_);
-  std::transform(bodies_.begin() + static_cast<std::ptrdiff_t>(first_grain_body_), bodies_.end(),
-                 state_.velocities.begin(),
-                 [](const AlignedVelocity& body) { return body.velocity; });
+  for (std::size_t id = 0; id < state_.velocities.size(); ++id) {
+    state_.velocities[id] = velocity(id);
+  }
   changed_ = moved_;
   changed_.insert(changed_.end(), moves.beside_walls().begin(), moves.beside_walls().end());
   end_step(state_, walls, moves, at_rest);

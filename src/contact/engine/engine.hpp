@@ -102,7 +102,7 @@ class Engine final : public Steps {
   std::vector<Contact> wall_contacts() const override { return contacts(false); }
   std::vector<Contact> contacts(bool with_grains) const;
   Contact contact(std::int32_t at) const;
-  Velocity<>& velocity(std::size_t id) { return bodies_[first_grain_body_ + id].velocity; }
+  Velocity<>& velocity(std::size_t id) { return bodies_[slots_.first_grain_body() + id].velocity; }
   void load();
   void mark_all_changed();
   void update_contacts();
@@ -117,7 +117,6 @@ class Engine final : public Steps {
   ContactSlots slots_;
   SmallGroups groups_;
   Mover mover_;
-  std::size_t first_grain_body_;  // see ContactSlots
   std::vector<AlignedVelocity> bodies_;
   BodyVelocities body_velocities_;             // of bodies_
   std::vector<std::int32_t> bouncing_;         // slots of contacts that bounce in this step
