@@ -10,7 +10,7 @@ namespace {
 /// A rational number of sites.
 struct Ratio {
   std::int64_t numerator = 0;
-  std::int64_t denominator = 1;  // positive, below 2^50
+  std::int64_t denominator = 1;  // positive
 };
 
 /// Nearest integer; halves round away from zero.
@@ -19,18 +19,10 @@ std::int32_t rounded(const Ratio& ratio) {
   return static_cast<std::int32_t>((ratio.numerator + half) / ratio.denominator);
 }
 
-/// `ratio` in 2^-20 lattice spacings, rounded towards zero. Long division, so that nothing
-/// overflows.
+/// `ratio` in 2^-20 lattice spacings, rounded towards zero.
 std::int64_t in_motion_units(const Ratio& ratio) {
-  constexpr std::int64_t kDigit = 1 << 10;
-  static_assert(kDigit * kDigit == kMotionSpacing);
-  std::int64_t result = ratio.numerator / ratio.denominator;
-  std::int64_t rest = ratio.numerator % ratio.denominator;
-  for (int digit = 0; digit < 2; ++digit) {
-    result = result * kDigit + rest * kDigit / ratio.denominator;
-    rest = rest * kDigit % ratio.denominator;
-  }
-  return result;
+  __extension__ using Int128 = __int128;
+  return static_cast<std::int64_t>(Int128{ratio.numerator} * kMotionSpacing / ratio.denominator);
 }
 
 /// amplitude x sin(pi t / half) for t in [0, half] by Bhaskara's formula.
