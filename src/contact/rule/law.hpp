@@ -83,11 +83,11 @@ template <class Int>
       rounded(product(by.normal, both.normal_x) - product(by.shear, both.normal_y), kUnitBits);
   const Int y =
       rounded(product(by.normal, both.normal_y) + product(by.shear, both.normal_x), kUnitBits);
-  const auto changed = [](Int velocity, const auto& change, int bits) {
-    return clamped(velocity + limited(change, bits, 2 * kMaxVelocity), -kMaxVelocity, kMaxVelocity);
+  const auto changed = [](Int now, const auto& change, int bits) __attribute__((always_inline)) {
+    return clamped(now + limited(change, bits, 2 * kMaxVelocity), -kMaxVelocity, kMaxVelocity);
   };
-  const auto pushed = [&](Int velocity, Int impulse, Int inverse_mass) {
-    return changed(velocity, product(impulse, inverse_mass), kInverseMassBits);
+  const auto pushed = [&](Int now, Int impulse, Int inverse_mass) __attribute__((always_inline)) {
+    return changed(now, product(impulse, inverse_mass), kInverseMassBits);
   };
   both.upper.x = pushed(both.upper.x, x, both.pair.upper_inverse_mass);
   both.upper.y = pushed(both.upper.y, y, both.pair.upper_inverse_mass);
