@@ -49,55 +49,33 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(' ') + 1 - first);
 }
 
-/// Walks over YAML text and knows which separators stand between values. Whether brackets and
-/// quotes are closed is left to the YAML parser, which has the better message.
-class Splitter {
- public:
-  explicit Splitter(char separator) : separator_(separator) {}
-
-  /// True when `letter`, the next one, ends a value.
-  bool ends_value(char letter) {
-    if (quote_ != '\0') {
-      inside_quotes(letter);
-      return false;
-    }
-    // A quote begins quoted text only where a value begins: not in `it's`.
-    const bool at_start = previous_ == separator_ ||
-                          std::string_view(" [{,:").find(previous_) != std::string_view::npos;
-    if ((letter == '"' || letter == '\'') && at_start) {
-      quote_ = letter;
-    } else if (letter == '[' || letter == '{') {
-      ++depth_;
-    } else if (letter == ']' || letter == '}') {
-      depth_ = std::max(0, depth_ - 1);
-    }
-    previous_ = letter;
-    return letter == separator_ && depth_ == 0;
-  }
-
- private:
-  void inside_quotes(char letter) {
-    const bool escaped = quote_ == '"' && previous_ == '\\';
-    // In single quotes '' is a quote; it closes and opens at once.
-    previous_ = escaped ? ' ' : letter;
-    if (letter == quote_ && !escaped) {
-      previous_ = quote_ == '\'' ? ' ' : letter;
-      quote_ = '\0';
-    }
-  }
-
-  char separator_;
-  char quote_ = '\0';
-  char previous_ = ' ';
-  int depth_ = 0;
-};
-
+/// The values of YAML text with separators between. Whether brackets and quotes are closed is left
+/// to the YAML parser, which has the better message.
 std::vector<std::string> split(std::string_view text, char separator) {
   std::vector<std::string> values;
-  Splitter splitter(separator);
   std::size_t start = 0;
+  int depth = 0;  // of brackets
+  char quote = '\0';
+  char before = ' ';
   for (std::size_t i = 0; i < text.size(); ++i) {
-    if (splitter.ends_value(text[i])) {
+    const char letter = text[i];
+    const bool escaped = quote == '"' && before == '\\';
+    // A quote begins quoted text only where a value begins: not in `it's`.
+    const bool begins =
+        before == separator || std::string_view(" [{,:").find(before) != std::string_view::npos;
+    before = escaped ? ' ' : letter;
+    if (quote != '\0') {
+      if (letter == quote && !escaped) {
+        before = quote == '\'' ? ' ' : quote;  // in single quotes '' closes and opens at once
+        quote = '\0';
+      }
+    } else if ((letter == '"' || letter == '\'') && begins) {
+      quote = letter;
+    } else if (letter == '[' || letter == '{') {
+      ++depth;
+    } else if (letter == ']' || letter == '}') {
+      depth = std::max(0, depth - 1);
+    } else if (letter == separator && depth == 0) {
       values.emplace_back(trimmed(text.substr(start, i - start)));
       start = i + 1;
     }
