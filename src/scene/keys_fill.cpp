@@ -68,8 +68,8 @@ void read_file(const PlacedValue& fields, FillPicture& picture) {
     const Value color = Value::scalar(entry.key, entry.location);
     colors.push_back(color_type().read({color, place.path, place.scene}));
   }
-  picture.rows = rows_of(read_picture(fields.at("file")),
-                         [&](image::Rgb color) { return pixel_of(color, colors); });
+  read_rows(fields.at("file"), picture.rows,
+            [&](image::Rgb color) { return pixel_of(color, colors); });
 }
 
 /// Read with the file.

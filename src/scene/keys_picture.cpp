@@ -1,7 +1,6 @@
 // Pictures: the files that a scene names, and walls from them or row by row.
 
 #include <algorithm>
-#include <map>
 #include <stdexcept>
 
 #include "clca/image/png.hpp"
@@ -17,55 +16,6 @@ namespace {
 constexpr std::size_t kMaxPicturePixels = 1'000'000;  // of a wall
 constexpr double kMaxPictureFileBytes = 1 << 24;
 
-class PictureReader {
- public:
-  explicit PictureReader(std::string folder) : folder_(std::move(folder)) {}
-
-  void read_all(Value& value) {
-    for (Value& item : value.items) {
-      read_all(item);
-    }
-    for (Entry& entry : value.entries) {
-      Value* file = entry.key == "picture" ? entry.value.find("file") : nullptr;
-      if (file != nullptr && file->is(Value::Kind::scalar)) {
-        read(*file);
-      }
-      read_all(entry.value);
-    }
-  }
-
- private:
-  void read(Value& value) {
-    constexpr std::size_t kPixelRowBytes = 14;  // beside the pixels, in the resolved scene
-    std::shared_ptr<const PictureFile>& known = files_[absolute_path(folder_, value.text)];
-    if (!known) {
-      known = std::make_shared<const PictureFile>(read_file(absolute_path(folder_, value.text)));
-    }
-    const auto width = static_cast<std::size_t>(known->image.width);
-    text_bytes_ += (width + kPixelRowBytes) * static_cast<std::size_t>(known->image.height);
-    if (text_bytes_ > document::kMaxBytes) {
-      fail(value.location, "with this picture the rows of all pictures are larger than {} MiB",
-           document::kMaxBytes >> 20U);
-    }
-    value.attached = known;
-  }
-
-  PictureFile read_file(const std::string& file) {
-    try {
-      const auto bytes = text::read_file(file, std::min(kMaxPictureFileBytes, bytes_left_));
-      bytes_left_ -= static_cast<double>(bytes.size());
-      return {.image = image::decode_png(bytes, kMaxPicturePixels).image, .problem = {}};
-    } catch (const std::runtime_error& error) {
-      return {.image = {}, .problem = error.what()};
-    }
-  }
-
-  std::string folder_;
-  std::map<std::string, std::shared_ptr<const PictureFile>> files_;
-  double bytes_left_ = 4 * kMaxPictureFileBytes;  // of all files of a scene
-  std::size_t text_bytes_ = 0;
-};
-
 using lattice::Picture;
 using Rows = std::vector<std::string>;
 
@@ -75,38 +25,58 @@ bool is_dark(image::Rgb pixel) {
   return 299 * pixel.red + 587 * pixel.green + 114 * pixel.blue < 1000 * kMiddle;
 }
 
-void read_rows(const PlacedValue& fields, Picture& picture) {
+image::Image read_image(const PlacedValue& place) {
+  const std::string file = file_path_type().read(place);
+  try {
+    return image::decode_png(text::read_file(file, kMaxPictureFileBytes), kMaxPicturePixels).image;
+  } catch (const std::runtime_error& error) {
+    fail(place, "cannot read {}: {}", text::printable(file), text::printable(error.what()));
+  }
+}
+
+/// In the resolved scene, about.
+std::size_t bytes_of(const Rows& rows) {
+  constexpr std::size_t kBesidePixels = 14;  // of a row
+  return rows.empty() ? 0 : rows.size() * (rows.front().size() + kBesidePixels);
+}
+
+/// Of all pictures that have been read.
+std::size_t bytes_of_rows(const Scene& scene) {
+  std::size_t bytes = 0;
+  for (const Wall& wall : scene.walls) {
+    for (const WallPart& part : wall.parts) {
+      const auto* picture = std::get_if<Picture>(&part);
+      bytes += picture != nullptr ? bytes_of(picture->rows) : 0;
+    }
+  }
+  for (const Stage& stage : scene.stages) {
+    bytes += stage.fill && stage.fill->picture ? bytes_of(stage.fill->picture->rows) : 0;
+  }
+  return bytes;
+}
+
+void read_file_of_wall(const PlacedValue& fields, Picture& picture) {
   if (fields.find("file") != nullptr && fields.find("rows") == nullptr) {
-    picture.rows = rows_of(read_picture(fields.at("file")), [](image::Rgb color) {
-      return is_dark(color) ? Picture::kDark : Picture::kLight;
-    });
+    read_rows(fields.at("file"), picture.rows,
+              [](image::Rgb color) { return is_dark(color) ? Picture::kDark : Picture::kLight; });
   }
 }
 
 }  // namespace
 
-void read_picture_files(Value& root, const std::string& folder) {
-  PictureReader(folder).read_all(root);
-}
-
-Rows rows_of(const image::Image& image, const std::function<char(image::Rgb color)>& letter) {
-  Rows rows;
+void read_rows(const PlacedValue& file, Rows& rows,
+               const std::function<char(image::Rgb color)>& letter) {
+  const image::Image image = read_image(file);
   for (int y = 0; y < image.height; ++y) {
     std::string& row = rows.emplace_back();
     for (int x = 0; x < image.width; ++x) {
       row += letter(image.at(x, y));
     }
   }
-  return rows;
-}
-
-const image::Image& read_picture(const PlacedValue& place) {
-  const std::string file = file_path_type().read(place);
-  const auto& picture = *static_cast<const PictureFile*>(place.value.attached.get());
-  if (!picture.problem.empty()) {
-    fail(place, "cannot read {}: {}", text::printable(file), text::printable(picture.problem));
+  if (bytes_of_rows(file.scene) > document::kMaxBytes) {
+    fail(file.value.location, "with this picture the rows of all pictures are larger than {} MiB",
+         document::kMaxBytes >> 20U);
   }
-  return picture.image;
 }
 
 Type<Rows> rows_type(bool (*allowed)(char letter), const std::string& about,
@@ -142,7 +112,7 @@ Type<Picture> picture_type() {
     return pixel == Picture::kDark || pixel == Picture::kLight;
   };
   return type_of<Picture>(
-      {.keys = {picture_file_key(read_rows),
+      {.keys = {picture_file_key(read_file_of_wall),
                 key("rows", &Picture::rows, rows_type(allowed, "the characters # and .", "^[#.]+$"),
                     "the same as text, from the top: `#` for dark pixels, `.` for others")
                     .with_condition("this or `file`"),

@@ -82,7 +82,6 @@ Scene read_scene(Value root, const std::string& file) {
     scene.units = units_type().read({*units, "units", scene});
   }
   expand_sizes(root, scene);
-  read_picture_files(root, std::filesystem::path(file).parent_path().string());
   scene.title = scene.name = name_of_file(file, {root.location.origin, 1, 1});
   scene.folder = std::filesystem::path(file).parent_path().string();
   const PlacedValue place = {root, "", scene};

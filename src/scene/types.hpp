@@ -66,19 +66,11 @@ Type<std::vector<std::size_t>> counts_type(std::uint64_t high);
 /// The same with at least one above 0.
 Type<std::vector<std::uint32_t>> weights_type();
 
-/// Reads each file that a `picture` names as its `file`, once, and attaches it to all values that
-/// name it. Paths begin at `folder`. Throws SceneError at the first picture with which the rows of
-/// all are larger than the text of a scene may be.
-void read_picture_files(Value& root, const std::string& folder);
-struct PictureFile {
-  image::Image image;
-  std::string problem;  ///< why it cannot be read; empty if it can
-};
-/// The rows of a picture from the top, with a letter for each pixel.
-std::vector<std::string> rows_of(const image::Image& image,
-                                 const std::function<char(image::Rgb color)>& letter);
-/// The pixels of a PNG file that the value names, as it has been read. Throws SceneError.
-const image::Image& read_picture(const PlacedValue& place);
+/// Reads the PNG file that the value names into the `rows` of a picture of the scene, from the top,
+/// with a letter for each pixel. Throws SceneError, also at the first picture with which the rows
+/// of all are larger than the text of a scene may be.
+void read_rows(const PlacedValue& file, std::vector<std::string>& rows,
+               const std::function<char(image::Rgb color)>& letter);
 /// The key of such a file, in the place of `rows`: a run folder has no other file.
 template <class Owner>
 Key<Owner> picture_file_key(Action<Owner> read) {

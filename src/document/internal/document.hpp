@@ -39,11 +39,10 @@ struct Value {
   bool quoted = false;
   bool in_lines = false;  ///< to be written with each entry on a line of its own
   TextLocation location;
-  std::string text;        ///< of a scalar; else empty
-  std::string expression;  ///< that the text is the value of; empty if it was written so
-  std::shared_ptr<const void> attached;  ///< by who reads the value, such as a file that it names
-  std::vector<Value> items;              ///< of a list
-  std::vector<Entry> entries;            ///< of a map, in the order of the text
+  std::string text;            ///< of a scalar; else empty
+  std::string expression;      ///< that the text is the value of; empty if it was written so
+  std::vector<Value> items;    ///< of a list
+  std::vector<Entry> entries;  ///< of a map, in the order of the text
 
   static Value scalar(std::string text, const TextLocation& location = {});
   static Value number(double number);
