@@ -17,8 +17,6 @@ lattice::Lattice lattice_of(const Box& box);
 /// The sites of the region inside the shape or at most 10^-6 spacings outside it, column by column
 /// from the left, upwards.
 /// A ring at least one spacing thick is closed: no chain of neighbouring sites crosses it.
-/// Throws std::invalid_argument unless the centre is valid for lattice::nearest_site, radius and
-/// thickness are in [0, 10^8), and the angles are as in Arc and between -10^8 and 10^8.
 std::vector<lattice::Site> sites_in(const lattice::SweptRegion& swept_region, const Circle& circle);
 
 /// Whether sites_in() of the box is empty. Does not build the list.

@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <random>
 #include <set>
-#include <stdexcept>
 
 #include "clca/scene/walls.hpp"
 
@@ -177,19 +175,6 @@ TEST(Circle, OnlyTheSitesThatComeInAreTaken) {
   const Lattice high(20, 60, false);
   EXPECT_EQ(sites_in(above, disc), sites_in(SweptRegion(high), disc));
   EXPECT_TRUE(sites_in(SweptRegion(Lattice(20, 10, false)), disc).empty());
-}
-
-TEST(Circle, WhatIsNoCircleIsRefused) {
-  const Lattice lattice(10, 10, false);
-  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THROW(sites_in(SweptRegion(lattice), Disc{{kNaN, 0}, 1}), std::invalid_argument);
-  EXPECT_THROW(sites_in(SweptRegion(lattice), Disc{{0, 0}, -1}), std::invalid_argument);
-  EXPECT_THROW(sites_in(SweptRegion(lattice), Disc{{0, 0}, kNaN}), std::invalid_argument);
-  EXPECT_THROW(sites_in(SweptRegion(lattice), Ring{{0, 0}, 1, -1}), std::invalid_argument);
-  EXPECT_THROW(sites_in(SweptRegion(lattice), Ring{{0, 0}, 1e9, 1}), std::invalid_argument);
-  EXPECT_THROW(sites_in(SweptRegion(lattice), Arc{{{0, 0}, 1, 1}, 5, 5}), std::invalid_argument);
-  EXPECT_THROW(sites_in(SweptRegion(lattice), Arc{{{0, 0}, 1, 1}, 5, 365}), std::invalid_argument);
-  EXPECT_THROW(sites_in(SweptRegion(lattice), Arc{{{0, 0}, 1, 1}, kNaN, 3}), std::invalid_argument);
 }
 
 }  // namespace
