@@ -41,18 +41,6 @@ Type<grains::Wave> wave() {
        .check = check_wave});
 }
 
-Type<int> shake_amplitude() {
-  Type<int> type = integer(1, kMaxOffset);
-  type.read_into = [read = type.read_into](const PlacedValue& place, void* amplitude) {
-    if (place.value.text == "0") {
-      fail(place, "expected a whole number from 1 to {}, found '0'; a shake of 0 does nothing",
-           kMaxOffset);
-    }
-    read(place, amplitude);
-  };
-  return type;
-}
-
 Type<grains::Shake> shake() {
   using grains::Shake;
   const auto wait = word_or_value("settled", count(1, kMaxSteps),
@@ -61,7 +49,7 @@ Type<grains::Shake> shake() {
                     .of(Model::contact)
                     .defaults_to("10");
   return type_of<Shake>(
-      {.keys = {required("amplitude", &Shake::amplitude, shake_amplitude(), "sites"),
+      {.keys = {required("amplitude", &Shake::amplitude, integer(1, kMaxOffset), "sites"),
                 key("wait", &Shake::wait, wait, "until no particle moves, or so many steps"),
                 period}});
 }

@@ -150,7 +150,7 @@ constexpr auto kBadMotion = std::to_array<BadScene>({
      "walls: {plate: {box: [10, 40, 20, 42], motion: {shake: {amplitude: 0}}}}\n"
      "stages: [{name: first, sources: [spout], move: [plate]}]",
      "scene.yaml:7:68: error: walls.plate.motion.shake.amplitude: expected a whole number from 1 "
-     "to 1000000, found '0'; a shake of 0 does nothing"},
+     "to 1000000, found '0'"},
     {"a shake without amplitude",
      "walls: {plate: {box: [10, 40, 20, 42], motion: {shake: {wait: settled}}}}\n"
      "stages: [{name: first, sources: [spout], move: [plate]}]",
