@@ -58,28 +58,22 @@ RunOptions with_threads(RunOptions options, int startable, const RunEvents& even
 void RunBase::begin_files() {
   constexpr double kMostBytes = 16 << 20;
   const store::OutputFolder& files = folder_->files();
-  const fs::path summary = files.path() / store::kSummaryFile;
-  const fs::path scene = files.path() / store::kSceneFile;
-  const bool is_resumed = fs::exists(summary) && fs::exists(scene);
-  const auto content = [&](const fs::path& file) {
-    return is_resumed ? store::read_whole(file, kMostBytes) : std::vector<std::uint8_t>();
-  };
-  const std::vector<std::uint8_t> old_summary = content(summary);
-  const std::vector<std::uint8_t> old_scene = content(scene);
-  // Before scene.yaml: the old summary must not be combined with the new scene.
-  write_summary("running");
-  files.write(store::kSceneFile, identity_.scene_text);
+  const fs::path file = files.path() / store::kSummaryFile;
+  const bool is_resumed = fs::exists(file);
+  const auto old = is_resumed ? store::read_whole(file, kMostBytes) : std::vector<std::uint8_t>();
+  // First: no summary says that a run is done whose files are cut or whose scene is another one.
+  write(summary("running"));
   try {
     open_files();
   } catch (const std::exception& error) {
     if (is_resumed) {
-      files.write(store::kSceneFile, old_scene);
-      files.write(store::kSummaryFile, old_summary);
+      files.write(store::kSummaryFile, old);
     } else {
       note_failure(error);
     }
     throw;
   }
+  files.write(store::kSceneFile, identity_.scene_text);
 }
 
 store::RunSummary RunBase::execute() {
@@ -91,12 +85,12 @@ store::RunSummary RunBase::execute() {
     note_failure(error);
     throw;
   }
-  const std::string status = is_complete_ ? "done" : "interrupted";
-  write_summary(status);
+  store::RunSummary last = summary(is_complete_ ? "done" : "interrupted");
+  write(last);
   if (is_complete_ && !identity_.checkpoints) {
     store::remove_checkpoints(folder_->files());
   }
-  return summary(status);
+  return last;
 }
 
 void RunBase::begin(std::optional<store::RunFolder> folder, const store::Checkpoint& start) {
@@ -197,11 +191,11 @@ store::RunSummary RunBase::summary(const std::string& status) const {
 
 /// On the disk after all else that the run has written: who reads that it is done finds the rest
 /// whole.
-void RunBase::write_summary(const std::string& status) const {
+void RunBase::write(const store::RunSummary& summary) const {
   const store::OutputFolder& files = folder_->files();
   store::AtomicFile file = files.create(store::kSummaryFile);
-  file.write(store::to_json(summary(status)));
-  if (status != "running") {
+  file.write(store::to_json(summary));
+  if (summary.status != "running") {
     files.flush();
     file.flush();
   }
@@ -213,7 +207,7 @@ void RunBase::note_failure(const std::exception& failure) {
   reserve_.reset();
   try {
     note("error", failure.what(), {});
-    write_summary("failed");
+    write(summary("failed"));
   } catch (const std::exception& error) {
     note("error", error.what(), {});
   }

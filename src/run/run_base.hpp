@@ -105,7 +105,7 @@ class RunBase {
 
  private:
   store::RunSummary summary(const std::string& status) const;
-  void write_summary(const std::string& status) const;
+  void write(const store::RunSummary& summary) const;
   /// Writes summary and scene, and opens the other files; where those of a resumed run do not fit,
   /// summary and scene stay as they were.
   void begin_files();
