@@ -3,73 +3,35 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <functional>
 #include <iostream>
+#include <map>
+#include <regex>
 #include <string_view>
 #include <system_error>
 
 #include "clca/process/data_folder.hpp"
 #include "clca/scene/format.hpp"
 #include "clca/text/message.hpp"
+#include "clca/text/read.hpp"
+#include "document/internal/document.hpp"
 
 namespace clca::cli {
 
 namespace {
 
-/// A number that begins with a digit, and what follows it.
-template <class T>
-struct Quantity {
-  T number = 0;
-  std::string_view unit;
-};
-
-template <class T>
-std::optional<Quantity<T>> quantity(std::string_view text) {
-  Quantity<T> result;
-  const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, result.number);
-  if (text.empty() || text.front() < '0' || text.front() > '9' || error != std::errc()) {
-    return std::nullopt;
-  }
-  result.unit = text.substr(static_cast<std::size_t>(stop - text.data()));
-  return result;
-}
-
 /// One without a sign or leading zeros, in this range.
 bool is_whole(std::string_view text, std::uint64_t least, std::uint64_t most) {
-  const auto found = quantity<std::uint64_t>(text);
-  return found && found->unit.empty() && (text.size() == 1 || text.front() != '0') &&
-         found->number >= least && found->number <= most;
+  const auto found = text::number<std::uint64_t>(text);
+  return found && (text.size() == 1 || text.front() != '0') && *found >= least && *found <= most;
 }
 
-bool is_finite(std::string_view text) {
-  const auto found = quantity<double>(text.substr(text.starts_with('-') ? 1 : 0));
-  return found && found->unit.empty();
-}
-
-/// Seconds.
-std::optional<double> time_unit(std::string_view unit) {
-  if (unit.empty() || unit == "s") {
-    return 1;
-  }
-  return unit == "min" ? std::optional(60.0) : unit == "h" ? std::optional(3600.0) : std::nullopt;
-}
-
-/// Bytes of `k`, `KB`, `KiB` and so on, all of 1024.
-std::optional<double> size_unit(std::string_view text) {
-  const std::string unit = CLI::ignore_case(std::string(text));
-  if (unit.empty() || unit == "b") {
-    return 1;
-  }
-  const std::size_t power = std::string_view("kmgtpe").find(unit.front());
-  const std::string rest = unit.substr(1);
-  const bool is_known = rest.empty() || rest == "b" || rest == "i" || rest == "ib";
-  return power != std::string_view::npos && is_known
-             ? std::optional(std::exp2(10 * static_cast<double>(power + 1)))
-             : std::nullopt;
+bool is_number(std::string_view text, double least = std::numeric_limits<double>::lowest(),
+               double most = std::numeric_limits<double>::max()) {
+  const double found = text::number<double>(text).value_or(NAN);
+  return found >= least && found <= most;
 }
 
 /// Takes what `converted` turns into another text. `shown`: in the help, after the type.
@@ -94,29 +56,27 @@ CLI::Validator check(const std::string& what, const std::string& shown,
   });
 }
 
-/// Takes a number with a unit and makes a plain number of it, by the factor of the unit; from
-/// `least` to `most`.
-template <class T>
-CLI::Validator with_unit(const std::string& what,
-                         std::optional<double> (*value_of)(std::string_view unit), double least,
+/// Takes a number with a unit and makes a plain number of it by `unit`, which alone would take
+/// spaces, and 010 as 8; from `least` to `most`.
+CLI::Validator with_unit(const std::string& what, const CLI::AsNumberWithUnit& unit, double least,
                          double most) {
-  return conversion(what, "", [=](const std::string& text) -> std::optional<std::string> {
-    const auto found = quantity<T>(text);
-    const auto unit = found ? value_of(found->unit) : std::nullopt;
-    const double value = unit ? static_cast<double>(found->number) * *unit : NAN;
-    return value >= least && value <= most ? std::optional(fmt::format("{}", static_cast<T>(value)))
-                                           : std::nullopt;
+  return conversion(what, "", [=](std::string text) -> std::optional<std::string> {
+    static const std::regex kForm(
+        R"((0|[1-9][0-9]{0,19})(\.[0-9]{1,19})?(e[0-9]{1,2})?[A-Za-z]{0,3})");
+    try {
+      const bool is_known = std::regex_match(text, kForm) && unit(text).empty();
+      return is_known && is_number(text, least, most) ? std::optional(text) : std::nullopt;
+    } catch (const CLI::ValidationError&) {
+      return std::nullopt;
+    }
   });
 }
 
 /// The override of the whole key begin by the run in a folder; a relative path starts at the
 /// current folder.
 scene::Override override_of_begin(const std::string& folder) {
-  std::string quoted;
-  for (const char letter : std::filesystem::absolute(folder).string()) {
-    quoted += letter == '\'' ? "''" : std::string(1, letter);
-  }
-  return fmt::format("begin={{run: '{}'}}", quoted);
+  const std::string path = std::filesystem::absolute(folder).string();
+  return fmt::format("begin={{run: {}}}", flow_text(document::Value::quoted_text(path)));
 }
 
 std::string standard_input() {
@@ -150,14 +110,16 @@ CLI::Validator length_of_figure() {
                });
 }
 
-CLI::Validator finite_number() {
-  return check("a number", "", is_finite);
+CLI::Validator finite_number(double least, double most) {
+  const bool is_any = least == std::numeric_limits<double>::lowest();
+  return check(is_any ? "a number" : fmt::format("a number from {} to {}", least, most), "",
+               [=](const std::string& text) { return is_number(text, least, most); });
 }
 
 CLI::Validator limits_of_axis() {
   return check("two numbers, as 0:5 or :5", "", [](const std::string& text) {
     const std::size_t colon = text.find(':');
-    const auto is_limit = [](const std::string& part) { return part.empty() || is_finite(part); };
+    const auto is_limit = [](const std::string& part) { return part.empty() || is_number(part); };
     return colon < text.size() && text.size() > 1 && is_limit(text.substr(0, colon)) &&
            is_limit(text.substr(colon + 1));
   });
@@ -169,7 +131,7 @@ CLI::Validator part_of_whole(std::uint64_t most) {
                  const std::size_t slash = text.find('/');
                  const auto of = slash < text.size() ? text.substr(slash + 1) : "";
                  return is_whole(of, 1, most) &&
-                        is_whole(text.substr(0, slash), 1, quantity<std::uint64_t>(of)->number);
+                        is_whole(text.substr(0, slash), 1, *text::number<std::uint64_t>(of));
                });
 }
 
@@ -184,12 +146,14 @@ CLI::Validator assignment(const std::string& form) {
 }
 
 CLI::Validator time_span() {
-  return with_unit<double>("a time up to 1e9 seconds, as in 90, 30min or 2h", time_unit, 0, 1e9);
+  const std::map<std::string, double> seconds = {{"s", 1}, {"min", 60}, {"h", 3600}};
+  return with_unit("a time up to 1e9 seconds, as in 90, 30min or 2h",
+                   CLI::AsNumberWithUnit(seconds, CLI::AsNumberWithUnit::CASE_SENSITIVE), 0, 1e9);
 }
 
 CLI::Validator byte_size() {
-  return with_unit<std::uint64_t>("a size from 1 to 4EiB, as in 512MiB or 4GiB", size_unit, 1,
-                                  0x1p62);
+  return with_unit("a size from 1 to 4EiB, as in 512MiB or 4GiB", CLI::AsSizeValue(false), 1,
+                   0x1p62);
 }
 
 std::vector<scene::Override> overrides_of(const SceneOptions& options) {

@@ -19,7 +19,8 @@ CLI::Validator whole_number(std::uint64_t least = 0,
                             std::uint64_t most = std::numeric_limits<std::uint64_t>::max());
 /// Pixels or, as `89mm`, a length on paper.
 CLI::Validator length_of_figure();
-CLI::Validator finite_number();
+CLI::Validator finite_number(double least = std::numeric_limits<double>::lowest(),
+                             double most = std::numeric_limits<double>::max());
 /// `0:5`, of which one may be left out: `:5`.
 CLI::Validator limits_of_axis();
 /// `3/64`: the third of 64 parts.
