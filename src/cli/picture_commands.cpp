@@ -31,29 +31,11 @@ struct RenderOptions {
   fs::path folder;  ///< for the pictures
   // Of a space-time picture.
   drawing::SpaceTimeOptions space_time;
-  std::optional<double> slit;
   bool surface = false;
   SceneOptions scene;
   std::vector<scene::Override> look;  ///< options that are short for --set
   bool quiet = false;
 };
-
-/// The length of the movie, if one is wanted.
-void set_duration(RenderOptions& options) {
-  const std::optional<double>& duration = options.redraw.duration;
-  if (!duration) {
-    return;
-  }
-  constexpr double kMostSeconds = 86'400;
-  if (options.redraw.movie.empty()) {
-    throw drawing::RedrawError("--duration needs --movie FILE");
-  }
-  if (!(*duration >= 0.1 && *duration <= kMostSeconds)) {
-    throw drawing::RedrawError(fmt::format("--duration: expected 0.1 to {:g} seconds, found {:g}",
-                                           kMostSeconds, *duration));
-  }
-  options.look.insert(options.look.begin(), "output.frames.every=1");
-}
 
 /// The scene of the run with the picture options applied.
 scene::Scene scene_of(const fs::path& run, const RenderOptions& options) {
@@ -66,21 +48,15 @@ scene::Scene scene_of(const fs::path& run, const RenderOptions& options) {
 
 /// The space-time picture, if one is wanted.
 void set_space_time(RenderOptions& options) {
-  const auto& [file, column, slit] = options.space_time;
-  if (file.empty()) {
-    if (column || options.slit || options.surface) {
-      throw drawing::RedrawError("--column, --slit and --surface need --space-time FILE.png");
-    }
+  const drawing::SpaceTimeOptions& wanted = options.space_time;
+  if (wanted.file.empty()) {
     return;
   }
-  if (column.has_value() == options.surface) {
+  if (wanted.column.has_value() == options.surface) {
     throw drawing::RedrawError(
         "--space-time shows either a column or the surface: give --column X or --surface");
   }
-  if (options.slit && !column) {
-    throw drawing::RedrawError("--slit needs --column X");
-  }
-  options.redraw.space_time = {.file = file, .column = column, .slit = options.slit.value_or(slit)};
+  options.redraw.space_time = wanted;
 }
 
 void check_memory_of_all(const std::vector<drawing::RunToDraw>& runs, double limit) {
@@ -159,10 +135,10 @@ int render_run(RenderOptions options) {
   const std::atomic<int>& stop = catch_stop_signals();
   redraw.stop = &stop;
   redraw.max_bytes = memory_limit(options.scene);
-  as_input([&] {
-    set_space_time(options);
-    set_duration(options);
-  });
+  as_input([&] { set_space_time(options); });
+  if (redraw.duration) {
+    options.look.insert(options.look.begin(), "output.frames.every=1");
+  }
   std::vector<drawing::RunToDraw> runs = as_input([&] { return runs_of(options); });
   set_folders(runs, options);
   const auto drawing = as_input([&] { return std::make_unique<drawing::Redraw>(runs, redraw); });
@@ -225,14 +201,19 @@ void add_choice_options(CLI::App* command, RenderOptions& options) {
 }
 
 void add_space_time_options(CLI::App* command, RenderOptions& options) {
-  add_option(command, "--space-time", options.space_time.file, "FILE",
-             "Write one picture over time of a column or the free surface: FILE.png");
-  add_option(command, "--column", options.space_time.column, "X",
-             "Over time: the column of the box at this x, in lattice spacings", finite_number());
-  add_option(command, "--slit", options.slit, "WIDTH",
+  CLI::Option* space_time =
+      add_option(command, "--space-time", options.space_time.file, "FILE",
+                 "Write one picture over time of a column or the free surface: FILE.png");
+  CLI::Option* column =
+      add_option(command, "--column", options.space_time.column, "X",
+                 "Over time: the column of the box at this x, in lattice spacings", finite_number())
+          ->needs(space_time);
+  add_option(command, "--slit", options.space_time.slit, "WIDTH",
              "Over time: width of that column in lattice spacings; colours are means over it [1]",
-             finite_number());
-  command->add_flag("--surface", options.surface, "Over time: the height of the free surface");
+             finite_number())
+      ->needs(column);
+  command->add_flag("--surface", options.surface, "Over time: the height of the free surface")
+      ->needs(space_time);
 }
 
 void add_target_options(CLI::App* command, RenderOptions& options) {
@@ -253,7 +234,8 @@ void add_target_options(CLI::App* command, RenderOptions& options) {
   add_option(command, "--duration", redraw.duration, "SECONDS",
              "Length of the movie: with more pictures some are chosen evenly, with less they "
              "last longer; --every is 1 unless given",
-             finite_number());
+             finite_number(0.1, 86'400))
+      ->needs(movie);
   add_option(command, "--fps", redraw.frames_per_second, "",
              "Pictures per second of the movie; of a GIF at most 50", whole_number(1, 240))
       ->needs(movie)
