@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <system_error>
@@ -110,29 +111,6 @@ int compare_runs(const CLI::App& command) {
   return code;
 }
 
-/// The folder to write to; gone at the end if it is new and empty.
-class ExportFolder {
- public:
-  explicit ExportFolder(const fs::path& path)
-      : path_(fs::current_path() / path), is_new_(!fs::exists(path_)) {
-    store::make_folder(path_);
-  }
-  ~ExportFolder() {
-    std::error_code not_empty;
-    if (is_new_) {
-      fs::remove(path_, not_empty);
-    }
-  }
-  ExportFolder(const ExportFolder&) = delete;
-  ExportFolder& operator=(const ExportFolder&) = delete;
-
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-  bool is_new_;
-};
-
 /// With the endings of their files, as `FORMATS` of _export.py.
 const std::vector<std::pair<std::string, std::string>>& export_formats() {
   static const std::vector<std::pair<std::string, std::string>> kAll = {
@@ -148,8 +126,16 @@ int export_run(const CLI::App& command) {
   if (fs::exists(run / "trajectory", unknown)) {
     as_input([&] { store::check_parts(run); });
   }
-  const ExportFolder target_folder(named.empty() ? run / store::kExportFolder
-                                                 : named.parent_path());
+  const fs::path target =
+      fs::current_path() / (named.empty() ? run / store::kExportFolder : named.parent_path());
+  // At the end the folder is gone if it is new and empty.
+  const std::shared_ptr<void> end(nullptr, [target, is_new = !fs::exists(target)](void*) {
+    std::error_code not_empty;
+    if (is_new) {
+      fs::remove(target, not_empty);
+    }
+  });
+  store::make_folder(target);
   const store::OutputFolder folder = store::OutputFolder(run).subfolder(store::kExportFolder);
   const std::string name = scene + std::ranges::find(export_formats(), text_of(command, "--format"),
                                                      &std::pair<std::string, std::string>::first)
@@ -165,8 +151,7 @@ int export_run(const CLI::App& command) {
   };
   Json options = given_options(command);
   options["output"] = path.string();
-  const int code = run_package("export", options, {run, file.temporary_path()}, beside, {},
-                               target_folder.path());
+  const int code = run_package("export", options, {run, file.temporary_path()}, beside, {}, target);
   if (code == kDone) {
     file.finish();
     print_out("{}\n", path.string());
