@@ -1,10 +1,12 @@
 #include "scene/place.hpp"
 
 #include <algorithm>
+#include <regex>
 
 #include "clca/scene/parse.hpp"
 #include "clca/text/utf8.hpp"
 #include "scene/sections.hpp"
+#include "scene/types.hpp"
 
 namespace clca::scene {
 
@@ -29,11 +31,6 @@ bool accepts(const std::function<void(const PlacedValue& place)>& read, const Pl
   } catch (const SceneError&) {
     return false;
   }
-}
-
-bool is_name_letter(char letter) {
-  return is_digit(letter) || (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') ||
-         letter == '_' || letter == '-';
 }
 
 }  // namespace
@@ -117,8 +114,8 @@ const std::vector<Entry>& read_named(const PlacedValue& place) {
 }
 
 void check_name(const std::string& name, const TextLocation& location, std::string_view path) {
-  if (name.empty() || name.size() > document::kMaxNameLength ||
-      !std::ranges::all_of(name, is_name_letter)) {
+  static const std::regex kPattern(kNamePattern);
+  if (!std::regex_match(name, kPattern)) {
     fail(location, "{}: a name has 1 to {} of the characters A-Z a-z 0-9 _ -, found {}", path,
          document::kMaxNameLength, text::shown(name));
   }

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
+#include <regex>
 
 #include "clca/record/quantity.hpp"
 #include "clca/run/run.hpp"
@@ -131,15 +131,8 @@ std::uint64_t hash(std::string_view text) {
 /// stand there, and a hash of the whole.
 std::string file_name(const std::string& text) {
   constexpr std::size_t kMaxLength = 120;
-  const auto can_stand = [](char letter) {
-    constexpr std::string_view kOthers = "=,._+-";
-    const auto code = static_cast<unsigned char>(letter);
-    return code < 0x80 &&
-           (std::isalnum(code) != 0 || kOthers.find(letter) != std::string_view::npos);
-  };
-  std::string name = text.substr(0, kMaxLength);
-  std::ranges::replace_if(
-      name, [&](char letter) { return !can_stand(letter); }, '_');
+  static const std::regex kOther("[^A-Za-z0-9=,._+-]");
+  const std::string name = std::regex_replace(text.substr(0, kMaxLength), kOther, "_");
   return name == text ? name : fmt::format("{}-{:016x}", name, hash(text));
 }
 
