@@ -52,11 +52,8 @@ bool has_name(const Names& names, const std::string& name) {
 
 using Position = std::vector<double>;
 
-/// The rows of one group, by position. Of steps: those since the stage began.
-struct Curve {
-  std::vector<Position> positions;
-  std::vector<std::size_t> rows;  ///< of the table
-};
+/// The rows of one group in the table, by position. Of steps: those since the stage began.
+using Curve = std::map<Position, std::size_t>;
 
 /// A table of one run.
 struct RunCurves {
@@ -109,16 +106,16 @@ RunCurves read_curves(const AveragedTable& what, const fs::path& file,
       position.front() -= static_cast<double>(start->second);
     }
     Curve& curve = result.curves[group];
-    const bool is_first = curve.positions.empty();
-    if (!std::isfinite(position.front()) || !(is_first || curve.positions.back() < position)) {
+    const bool is_first = curve.empty();
+    const bool is_known = std::ranges::all_of(position, [](double x) { return std::isfinite(x); });
+    if (!is_known || !(is_first || curve.rbegin()->first < position)) {
       throw store::StoreError(fmt::format("cannot read {}: line {}: not behind the one before",
                                           file.string(), row + 2));
     }
     if (is_first) {
       result.groups.push_back(group);
     }
-    curve.positions.push_back(std::move(position));
-    curve.rows.push_back(row);
+    curve.emplace_hint(curve.end(), std::move(position), row);
   }
   for (const std::string& name : table.names) {
     if (result.columns.contains(name) && !has_name(columns, name)) {
@@ -130,15 +127,15 @@ RunCurves read_curves(const AveragedTable& what, const fs::path& file,
 
 /// The value of a column at a position; of steps between two rows by a straight line.
 double value_at(const std::vector<double>& column, const Curve& curve, const Position& position) {
-  const auto after = std::ranges::lower_bound(curve.positions, position);
-  const auto at = static_cast<std::size_t>(after - curve.positions.begin());
-  const double value = column[curve.rows[at]];
-  if (*after == position) {
+  const auto after = curve.lower_bound(position);
+  const double value = column[after->second];
+  if (after->first == position) {
     return value;
   }
-  const double before = curve.positions[at - 1].front();
-  const double share = (position.front() - before) / (after->front() - before);
-  const double value_before = column[curve.rows[at - 1]];
+  const auto before = std::prev(after);
+  const double start = before->first.front();
+  const double share = (position.front() - start) / (after->first.front() - start);
+  const double value_before = column[before->second];
   return value_before + share * (value - value_before);
 }
 
@@ -147,8 +144,8 @@ std::vector<Position> common_steps(const std::vector<const Curve*>& curves, doub
   double from = 0;
   double to = std::numeric_limits<double>::infinity();
   for (const Curve* curve : curves) {
-    from = std::max(from, curve->positions.front().front());
-    to = std::min(to, curve->positions.back().front());
+    from = std::max(from, curve->begin()->first.front());
+    to = std::min(to, curve->rbegin()->first.front());
   }
   std::vector<Position> steps;
   for (double row = std::ceil(from / every); row * every <= to; ++row) {
@@ -159,11 +156,11 @@ std::vector<Position> common_steps(const std::vector<const Curve*>& curves, doub
 
 /// The positions that all of the curves have.
 std::vector<Position> common_positions(const std::vector<const Curve*>& curves) {
-  std::vector<Position> common = curves.front()->positions;
-  for (const Curve* curve : curves) {
-    std::erase_if(common, [&](const Position& position) {
-      return !std::ranges::binary_search(curve->positions, position);
-    });
+  std::vector<Position> common;
+  for (const auto& row : *curves.front()) {
+    if (std::ranges::all_of(curves, [&](auto* curve) { return curve->contains(row.first); })) {
+      common.push_back(row.first);
+    }
   }
   return common;
 }
