@@ -174,14 +174,10 @@ void check_model(const PlacedValue& root) {
   if (model == Model::automaton) {
     return;
   }
-  if (model == Model::contact) {
-    check_walls_of_model(root);
-  }
+  check_walls_of_model(root);
   check_shapes(root.scene, root.at("species").value);
   if (model == Model::contact) {
     check_periodic_width(root.at("box"));
-  } else {
-    check_walls_of_model(root);
   }
 }
 

@@ -160,19 +160,17 @@ std::string scene_text(const std::filesystem::path& file) {
   }
 }
 
-AnyScene parse_any_file(const std::filesystem::path& file, const std::vector<Override>& overrides,
-                        const std::vector<Override>& varied) {
-  return parse_any(scene_text(file), file.string(), overrides, varied);
+AnyScene parse_any_file(const std::filesystem::path& file, const std::vector<Override>& overrides) {
+  return parse_any(scene_text(file), file.string(), overrides);
 }
 
-Scene parse(std::string_view text, const std::string& file, const std::vector<Override>& overrides,
-            const std::vector<Override>& varied) {
-  return scene_of_grains(parse_any(text, file, overrides, varied));
+Scene parse(std::string_view text, const std::string& file,
+            const std::vector<Override>& overrides) {
+  return scene_of_grains(parse_any(text, file, overrides));
 }
 
-Scene parse_file(const std::filesystem::path& file, const std::vector<Override>& overrides,
-                 const std::vector<Override>& varied) {
-  return scene_of_grains(parse_any_file(file, overrides, varied));
+Scene parse_file(const std::filesystem::path& file, const std::vector<Override>& overrides) {
+  return scene_of_grains(parse_any_file(file, overrides));
 }
 
 std::string to_yaml(const Scene& scene) {

@@ -4,6 +4,7 @@
 
 #include <limits>
 #include <new>
+#include <stdexcept>
 #include <system_error>
 #include <utility>
 
@@ -68,14 +69,10 @@ std::optional<run::SavedRun> saved_run(const scene::Scene& scene, const fs::path
     return run::saved_pictures(saved) <= wanted ? std::optional(std::move(saved)) : std::nullopt;
   } catch (const store::FolderInUseError&) {
     throw;
-  } catch (const store::StoreError& error) {
+  } catch (const std::runtime_error& error) {
     events.warning(fmt::format("{}: begins anew", error.what()));
-  } catch (const scene::SceneError& error) {
-    events.warning(fmt::format("{}: begins anew", error.what()));
-  } catch (const reflection::Mismatch& error) {
-    events.warning(fmt::format("its checkpoint is not of this run: {}: begins anew", error.what()));
+    return std::nullopt;
   }
-  return std::nullopt;
 }
 
 store::RunSummary executed(const scene::Scene& scene, const fs::path& folder, double max_bytes,

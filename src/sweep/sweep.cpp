@@ -305,10 +305,8 @@ class Sweep {
 
   void remove_means_but(const std::vector<NamedTable>& means) const {
     for (const std::string& name : files_.files()) {
-      const bool is_new = std::ranges::any_of(means, [&name](const NamedTable& table) {
-        return store::table_name(table.name) == name;
-      });
-      if (name.starts_with("mean-") && !is_new) {
+      const auto file_of = [](const NamedTable& table) { return store::table_name(table.name); };
+      if (name.starts_with("mean-") && std::ranges::count(means, name, file_of) == 0) {
         files_.remove(name);
       }
     }

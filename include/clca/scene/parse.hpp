@@ -37,14 +37,12 @@ std::string scene_text(const std::filesystem::path& file);
 
 /// Reads and parses a file. Throws SceneError, also if it cannot be read.
 AnyScene parse_any_file(const std::filesystem::path& file,
-                        const std::vector<Override>& overrides = {},
-                        const std::vector<Override>& varied = {});
+                        const std::vector<Override>& overrides = {});
 
 /// As parse_any and parse_any_file, for scenes of grains only.
 Scene parse(std::string_view text, const std::string& file,
-            const std::vector<Override>& overrides = {}, const std::vector<Override>& varied = {});
-Scene parse_file(const std::filesystem::path& file, const std::vector<Override>& overrides = {},
-                 const std::vector<Override>& varied = {});
+            const std::vector<Override>& overrides = {});
+Scene parse_file(const std::filesystem::path& file, const std::vector<Override>& overrides = {});
 
 /// YAML that parses to the same scene.
 std::string to_yaml(const Scene& scene);
