@@ -153,6 +153,14 @@ std::optional<PushAlignment> alignment_with_pushes(const World& world, std::uint
   return any_shrinks ? std::optional(alignment) : std::nullopt;
 }
 
+/// Whether the direction is within 120 degrees of all pushes.
+bool follows_pushes(const World& world, std::uint32_t id, Direction direction) {
+  const auto pushes = world.pushes_onto(id);
+  return std::ranges::all_of(pushes, [&](const grains::Push& push) {
+    return lattice::sixths_between(push.direction, direction) <= 2;
+  });
+}
+
 /// Overlaps that begin, each weighed with the size of the other. None: one would be too deep.
 std::optional<int> grown_depth(const World& world, std::uint32_t id, Direction direction,
                                const std::vector<OverlapChange>& changes) {
@@ -228,14 +236,13 @@ bool is_within_limits(const World& world, std::uint32_t id,
 /// Assesses a direction of a pushed particle: it has to get it out of what pushes it along the way
 /// of the push, or at least sideways, without worse elsewhere; it may push others.
 std::optional<Assessment> assess(const World& world, std::uint32_t id, Direction direction) {
-  if (!has_room(world, id, direction)) {
+  if (!follows_pushes(world, id, direction) || !has_room(world, id, direction)) {
     return std::nullopt;
   }
   Assessment assessment{.changes = overlap_changes(world, id, direction), .score = 0};
   const std::optional<PushAlignment> alignment =
       alignment_with_pushes(world, id, direction, assessment.changes);
-  if (!alignment || alignment->sixths > 2 ||
-      !keeps_off_walls(world, id, direction, assessment.changes)) {
+  if (!alignment || !keeps_off_walls(world, id, direction, assessment.changes)) {
     return std::nullopt;
   }
   const std::optional<int> grown = grown_depth(world, id, direction, assessment.changes);
