@@ -50,6 +50,7 @@ bool is_of_run(const OutputFolder& files) {
 
 RunFolder::RunFolder(const fs::path& path, FolderLock lock)
     : lock_(std::move(lock)), folder_(path) {
+  remove_abandoned_files(path);  // a run that is done writes nothing, which would remove them
   folder_.delay_flushing();
 }
 

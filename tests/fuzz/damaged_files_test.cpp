@@ -28,7 +28,7 @@ using fuzz::Bytes;
 using fuzz::Damage;
 
 constexpr double kLimit = 1e8;
-constexpr store::FileKind kCheckpointKind = {"checkpoint", 2};
+constexpr store::FileKind kCheckpointKind = {"checkpoint", 3};
 
 unsigned files_of_a_kind() {
   const char* number = std::getenv("CLCA_DAMAGED_FILES");
