@@ -201,6 +201,18 @@ double Outflow::sites_per_step() const {
              : 0;
 }
 
+bool Outflow::precedes(Discharge now) const {
+  const bool in_order =
+      std::ranges::adjacent_find(events_, [](const Event& one, const Event& next) {
+        return one.step >= next.step || one.sites >= next.sites;
+      }) == events_.end();
+  const Event last = events_.empty() ? Event() : events_.back();
+  return in_order && last_.particles == now.particles && last_.sites == now.sites &&
+         begin_.particles <= last_.particles && begin_.sites <= last_.sites &&
+         during_stage().particles <= during_stage().sites && last.step <= steps_ &&
+         last.sites == during_stage().sites;
+}
+
 bool clogged(const grains::State& state, const grains::Occupancy& occupancy, std::size_t outlet,
              lattice::Direction down) {
   check_occupancy(state, occupancy);

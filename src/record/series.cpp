@@ -119,7 +119,17 @@ class SinceRow {
     before_ = left_;
   }
 
-  bool has_loads_of_all() const { return loads_.size() == bodies_.size(); }
+  bool precedes(const grains::State& now) const {
+    const auto up_to = [](const measure::Discharge& one, const measure::Discharge& later) {
+      return one.particles <= later.particles && one.sites <= later.sites;
+    };
+    return loads_.size() == bodies_.size() && up_to(before_, left_) &&
+           up_to(left_, measure::discharge(now)) &&
+           std::ranges::all_of(loads_, [](const Load& load) {
+             return std::isfinite(load.force_x) && std::isfinite(load.force_y) &&
+                    std::isfinite(load.torque);
+           });
+  }
   CLCA_FIELDS(steps_, loads_, before_, left_);
 
  private:
@@ -368,7 +378,7 @@ class Series : public SavedObserver<Series> {
   void end_stage(const StageView& now) override { add_row(now); }
   std::vector<RunTable*> tables() override { return {&table_}; }
 
-  bool precedes(const grains::State& /*now*/) const { return since_row_.has_loads_of_all(); }
+  bool precedes(const grains::State& now) const { return since_row_.precedes(now); }
   static constexpr const char* kPath = "outputs/series";
   CLCA_FIELDS(last_, since_row_);
 

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "run/saved.hpp"
@@ -20,9 +21,15 @@ void check(const GasCourse& course, const scene::BoltzmannScene& scene) {
   const std::vector<model::GasTime> times = model::gas_times(scene);
   const std::size_t lasting = model::lasting_times(scene);
   const std::size_t bins = model::bins_of(scene).count();
-  const auto check_gas = [&](const std::optional<boltzmann::Gas>& gas) {
-    require_of_run(!gas || static_cast<std::uint64_t>(gas->particles()) == scene.particles,
+  const auto check_gas = [&](const boltzmann::Gas& gas, double from, double to) {
+    require_of_run(static_cast<std::uint64_t>(gas.particles()) == scene.particles,
                    "a gas has another number of particles");
+    require_of_run(gas.time >= from && gas.time <= to, "a gas is at another time");
+    // Powers up to the fourth, summed up, must not overflow.
+    constexpr double kMaxSpeed = 1e70;
+    require_of_run(gas.thermal_speed >= 0 && gas.thermal_speed <= kMaxSpeed &&
+                       (gas.motions.abs() <= kMaxSpeed).all(),
+                   "a speed of a gas is not finite or too large");
   };
   const auto check_member = [&](const model::GasMember& member) {
     const std::size_t seen = member.observations.size();
@@ -35,11 +42,17 @@ void check(const GasCourse& course, const scene::BoltzmannScene& scene) {
     }
     require_of_run(!member.gas || seen < times.size(), "a gas is beyond the end");
     require_of_run(member.gas || seen == 0 || seen == times.size(), "a gas is missing");
-    require_of_run(!member.lasting || seen >= lasting,
-                   "a gas is kept for an end that it has not reached");
-    check_gas(member.gas);
-    check_gas(member.lasting);
+    if (member.gas) {
+      check_gas(*member.gas, seen == 0 ? 0 : times[seen - 1].time, times[seen].time);
+    }
+    if (member.lasting) {
+      require_of_run(lasting > 0 && seen >= lasting,
+                     "a gas is kept for an end that it has not reached");
+      check_gas(*member.lasting, times[lasting - 1].time, times[lasting - 1].time);
+    }
   };
+  require_of_run(course.wall_seconds >= 0 && std::isfinite(course.wall_seconds),
+                 "its time is not a number of 0 or more");
   require_of_run(
       course.cases.size() <= scene.restitutions.size() && course.cases_ended <= course.cases.size(),
       "its restitutions are others");

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 
 #include "clca/run/setup.hpp"
 #include "clca/text/message.hpp"
@@ -39,6 +40,19 @@ std::optional<store::RunSummary> finished(const store::RunFolder& folder) {
   } catch (const store::StoreError&) {
     return std::nullopt;
   }
+}
+
+/// Whether a run that reached `now` can have recorded this history of what has left.
+bool is_possible_outflow(const record::StageHistory& history, const grains::State& now,
+                         std::size_t species) {
+  return history.outflow.precedes(measure::discharge(now)) &&
+         std::equal(history.outlets.begin(), history.outlets.end(), now.outlets.begin(),
+                    now.outlets.end(),
+                    [](const measure::Outflow& outflow, const grains::Outlet& outlet) {
+                      return outflow.precedes(measure::discharge(outlet));
+                    }) &&
+         std::ranges::equal(history.discharged_at_start,
+                            measure::discharged_particles(now, species), std::less_equal<>());
 }
 
 /// Throws scene::SceneError for an end that the last stage has passed.
@@ -123,10 +137,10 @@ SavedParts saved_parts(const scene::Scene& scene, const SavedRun& saved) {
   parts.stages = store::parse_summary(saved.checkpoint.summary, "its summary").stages;
   const grains::State& grains = model::grains_of(parts.state);
   const auto columns_of_lattice = static_cast<std::size_t>(grains.lattice.columns());
+  if (!is_possible_outflow(parts.history, grains, scene.species.size())) {
+    throw reflection::Mismatch("what has left is not of this run");
+  }
   if (parts.reached.stage >= scene.stages.size() || parts.stages.size() != parts.reached.stage ||
-      parts.history.outlets.size() != grains.outlets.size() ||
-      parts.history.discharged_at_start.size() !=
-          measure::discharged_particles(grains, scene.species.size()).size() ||
       parts.history.profile_at_start.size() != columns_of_lattice) {
     throw reflection::Mismatch("its stages are others");
   }

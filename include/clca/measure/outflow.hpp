@@ -45,6 +45,8 @@ class Outflow {
   /// Steady discharge rate: sites per step between 20 % and 70 % of the final discharge. 0 if fewer
   /// than two particles have left.
   double sites_per_step() const;
+  /// False if this cannot have been recorded in a run that reached the total `now`.
+  bool precedes(Discharge now) const;
 
   CLCA_FIELDS(begin_, last_, steps_, events_);
 

@@ -251,6 +251,18 @@ TEST(Outflow, TheSteadyPartIsFrom20To70PercentOfWhatLeaves) {
   EXPECT_EQ(outflow.sites_per_step(), 10);
 }
 
+TEST(Outflow, OnlyPrecedesAStateFromWhichAsMuchHasLeft) {
+  State state = empty_state(4, 4);
+  Outflow outflow;
+  EXPECT_TRUE(outflow.precedes(discharge(state)));
+  state.outlets.push_back({.region = {}, .particles = 2, .sites = 14});
+  EXPECT_FALSE(outflow.precedes(discharge(state)));
+  outflow.add({.particles = 2, .sites = 14});
+  EXPECT_TRUE(outflow.precedes(discharge(state)));
+  state.outlets.front().sites = 15;
+  EXPECT_FALSE(outflow.precedes(discharge(state)));
+}
+
 TEST(Outflow, IsCountedByOutletAndSpecies) {
   State state = empty_state(40, 40);
   state.kinds = {{Shape::hexagon(0), 0}, {Shape::hexagon(1), 1}, {Shape::hexagon(1), 1}};

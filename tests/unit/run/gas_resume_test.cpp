@@ -381,10 +381,12 @@ TEST_F(GasResumeTest, ACheckpointOfNoRunIsRefusedInOneLine) {
   run_until(gas(kLong), 1,
             [](const GasProgress& at) { return at.stage_number == 2 && at.time > 0; });
   const store::Checkpoint sound = store::read_checkpoint(folder_.path(), kMaxBytes)->checkpoint;
+  const double nan = std::numeric_limits<double>::quiet_NaN();
   const std::vector<Forgery> forgeries = {
       {[](GasCourse& all) { all.cases.emplace_back(); }, "restitutions are others"},
       {[](GasCourse& all) { all.cases.front().restitution = 0.3; }, "restitutions are others"},
       {[](GasCourse& all) { all.cases_ended = 3; }, "restitutions are others"},
+      {[&](GasCourse& all) { all.wall_seconds = nan; }, "its time is not a number of 0 or more"},
       {[](GasCourse& all) { all.cases.front().members.pop_back(); }, "ensemble is another"},
       {[](GasCourse& all) { ended(all).observations.push_back({}); }, "more observations"},
       {[](GasCourse& all) { ended(all).observations.pop_back(); }, "a gas is missing"},
@@ -393,10 +395,18 @@ TEST_F(GasResumeTest, ACheckpointOfNoRunIsRefusedInOneLine) {
       {[](GasCourse& all) { ended(all).observations[1].shares.translational = {1}; },
        "bins are others"},
       {[](GasCourse& all) { ended(all).gas = ended(all).lasting; }, "beyond the end"},
+      {[](GasCourse& all) { ended(all).lasting->time = 3; }, "at another time"},
       {[](GasCourse& all) { under_way(all).lasting = under_way(all).gas; },
        "kept for an end that it has not reached"},
+      {[](GasCourse& all) { under_way(all).observations.clear(); }, "at another time"},
+      {[&](GasCourse& all) { under_way(all).gas->time = nan; }, "at another time"},
       {[](GasCourse& all) { under_way(all).gas->motions.resize(6, 0); }, "number of particles"},
-      {[](GasCourse& all) { under_way(all).gas->motions.resize(6, 8001); }, "number of particles"}};
+      {[](GasCourse& all) { under_way(all).gas->motions.resize(6, 8001); }, "number of particles"},
+      {[&](GasCourse& all) { under_way(all).gas->motions(5, 77) = nan; },
+       "not finite or too large"},
+      {[](GasCourse& all) { under_way(all).gas->motions(0, 0) = 1e300; },
+       "not finite or too large"},
+      {[](GasCourse& all) { under_way(all).gas->thermal_speed = -1; }, "not finite or too large"}};
   for (const Forgery& forgery : forgeries) {
     GasCourse course;
     reflection::decode(kSavedGases, sound.fields, kMaxBytes, course);
