@@ -1,12 +1,10 @@
 // A run that is killed, or meets a full disk, at each call that changes a file: the folder holds
-// the earlier run whole or goes on to the end of an unbroken one. Every call is tried where the
-// variable CLCA_FAULTS is set, else every tenth or so.
+// the earlier run whole or goes on to the end of an unbroken one.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <csignal>
-#include <cstdlib>
 #include <fstream>
 #include <map>
 #include <set>
@@ -19,11 +17,6 @@ namespace clca::fault_test {
 namespace {
 
 namespace fs = std::filesystem;
-
-int stride() {
-  constexpr int kFew = 11;
-  return std::getenv("CLCA_FAULTS") != nullptr ? 1 : kFew;
-}
 
 constexpr const char* kScene = R"(clca: 1
 box: {width: 24, height: 30}
@@ -102,7 +95,7 @@ class Faults : public ::testing::Test {
 };
 
 TEST_F(Faults, KilledAtAnyCallOverAnEarlierRunTheFolderIsWholeOrGoesOn) {
-  for (int at = 1;; at += stride()) {
+  for (int at = 1;; ++at) {
     SCOPED_TRACE(at);
     lay_out_earlier_run();
     const auto killed = run("out", {"--seed", "2"}, fault("kill", at));
@@ -118,7 +111,7 @@ TEST_F(Faults, KilledAtAnyCallOverAnEarlierRunTheFolderIsWholeOrGoesOn) {
 }
 
 TEST_F(Faults, KilledAtAnyCallInANewFolderTheRunGoesOnOrHasNotBegun) {
-  for (int at = 1;; at += stride()) {
+  for (int at = 1;; ++at) {
     SCOPED_TRACE(at);
     lay_out_nothing();
     const auto killed = run("out", {"--seed", "2"}, fault("kill", at));
@@ -142,7 +135,7 @@ TEST_F(Faults, KilledAtAnyCallWhileItGoesOnARunGoesOnAgain) {
   while (run("out", {"--seed", "2", "--overwrite"}, fault("kill", half)).code == -SIGKILL) {
     half += 40;
   }
-  for (int at = 1;; at += stride()) {
+  for (int at = 1;; ++at) {
     SCOPED_TRACE(at);
     lay_out_earlier_run();
     ASSERT_EQ(run("out", {"--seed", "2"}, fault("kill", half / 2)).code, -SIGKILL);
@@ -165,7 +158,7 @@ TEST_F(Faults, KilledWhileItBeginsAnewFromTheCheckpointBeforeARunGoesOnAgain) {
     lay_out_nothing();
     ASSERT_EQ(run("out", {"--seed", "2"}, fault("kill", begun)).code, -SIGKILL);
   }
-  for (int at = 1;; at += stride()) {
+  for (int at = 1;; ++at) {
     SCOPED_TRACE(at);
     lay_out_nothing();
     ASSERT_EQ(run("out", {"--seed", "2"}, fault("kill", begun)).code, -SIGKILL);
@@ -188,7 +181,7 @@ TEST_F(Faults, OnADiskThatIsFullFromAnyCallOnARunEndsWithOneLineAndGoesOn) {
 #ifdef __clang__
   GTEST_SKIP() << "LLVM's OpenMP ends a program that gets no shared memory";
 #endif
-  for (int at = 1;; at += stride()) {
+  for (int at = 1;; ++at) {
     SCOPED_TRACE(at);
     lay_out_earlier_run();
     const auto failed = run("out", {"--seed", "2"}, fault("full", at));
