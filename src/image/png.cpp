@@ -87,7 +87,8 @@ std::vector<std::uint8_t> text_chunks(const PngText& text) {
         value.find('\0') != std::string::npos) {
       throw std::runtime_error("a PNG file cannot hold the text \"" + keyword + "\"");
     }
-    const std::string chunk = "iTXt" + keyword + std::string(5, '\0') + value;
+    std::string chunk = "iTXt";
+    chunk.append(keyword).append(5, '\0').append(value);
     add_number(chunk.size() - 4);
     chunks.insert(chunks.end(), chunk.begin(), chunk.end());
     const auto* bytes = reinterpret_cast<const Bytef*>(chunk.data());
