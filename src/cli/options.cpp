@@ -16,7 +16,6 @@
 #include "clca/scene/format.hpp"
 #include "clca/text/message.hpp"
 #include "clca/text/read.hpp"
-#include "document/internal/document.hpp"
 
 namespace clca::cli {
 
@@ -76,7 +75,7 @@ CLI::Validator with_unit(const std::string& what, const CLI::AsNumberWithUnit& u
 /// current folder.
 scene::Override override_of_begin(const std::string& folder) {
   const std::string path = std::filesystem::absolute(folder).string();
-  return fmt::format("begin={{run: {}}}", flow_text(document::Value::quoted_text(path)));
+  return fmt::format("begin={{run: '{}'}}", std::regex_replace(path, std::regex("'"), "''"));
 }
 
 std::string standard_input() {

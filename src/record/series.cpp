@@ -46,9 +46,9 @@ Eigen::Vector2d lever(const lattice::Lattice& box, const Eigen::Vector2d& from,
 }
 
 /// What series.csv says of the steps since its last row: forces on walls, and what has left.
-class SinceRow {
+class StepsSinceRow {
  public:
-  explicit SinceRow(const scene::Scene& scene)
+  explicit StepsSinceRow(const scene::Scene& scene)
       : series_(*scene.output.series), conversion_(scene::conversion(scene)) {
     if (series_.forces) {
       bodies_ = walls_and_sides(scene);
@@ -196,7 +196,7 @@ std::optional<double> mean_height(const grains::State& state) {
 /// What a row is made of.
 struct SeriesRow {
   const StageView& now;
-  const SinceRow& since_row;
+  const StepsSinceRow& since_row;
   contact::Energy energy = {};            ///< of the contact model
   const EnergyRecord* balance = nullptr;  ///< of the energy, likewise
 
@@ -311,7 +311,7 @@ std::vector<std::string> names_of_each(const scene::Scene& scene) {
     names.push_back(name);
   }
   if (scene.output.series->forces) {
-    const std::vector<std::string> forces = SinceRow::force_names(scene);
+    const std::vector<std::string> forces = StepsSinceRow::force_names(scene);
     names.insert(names.end(), forces.begin(), forces.end());
   }
   return names;
@@ -398,7 +398,7 @@ class Series : public SavedObserver<Series> {
   }
 
   std::optional<std::uint64_t> last_;  // step that has a row
-  SinceRow since_row_;
+  StepsSinceRow since_row_;
   TableWriter<SeriesRow> table_;
 };
 

@@ -32,16 +32,6 @@ scene::AnyScene prolonged(const scene::AnyScene& saved, const std::string& text,
                              scene::least_steps(longer.stages.back(), longer)));
 }
 
-/// The summary of a finished run. Others need not be whole after a power failure.
-std::optional<store::RunSummary> finished(const store::RunFolder& folder) {
-  try {
-    store::RunSummary summary = store::read_summary(folder.path() / store::kSummaryFile);
-    return summary.status == "done" ? std::optional(std::move(summary)) : std::nullopt;
-  } catch (const store::StoreError&) {
-    return std::nullopt;
-  }
-}
-
 /// Whether a run that reached `now` can have recorded this history of what has left.
 bool is_possible_outflow(const record::StageHistory& history, const grains::State& now,
                          std::size_t species) {
@@ -74,7 +64,7 @@ SavedRun load_run(const std::filesystem::path& folder, double max_bytes,
                   const std::optional<std::string>& until) {
   SavedRun run = {
       .folder = store::RunFolder::for_resumed_run(folder), .max_bytes = max_bytes, .until = until};
-  run.finished = until ? std::nullopt : finished(run.folder);
+  run.finished = until ? std::nullopt : store::finished_summary(run.folder.path());
   std::optional<store::FoundCheckpoint> found;
   try {
     found = store::read_checkpoint(folder, max_bytes);

@@ -82,13 +82,14 @@ double memory_of(const scene::Scene& scene) {
 void check_memory(const scene::Scene& scene, double limit) {
   if (const double bytes = memory_of(scene); bytes > limit) {
     const scene::Size size = scene::size_of(scene);
-    const bool without =
+    const bool pictures_are_too_large =
         bytes - drawing::picture_bytes(scene, static_cast<double>(size.particles)) <= limit;
     throw scene::SceneError(fmt::format(
         "{}: error: the scene needs about {:.0f} MiB of memory for {} x {} sites and {} particles, "
         "more than the limit of {:.0f} MiB; make the {} smaller or raise --memory-limit",
-        without ? scene.output.frames->location : scene.box.location, bytes / kMebibyte,
-        size.columns, size.rows, size.particles, limit / kMebibyte, without ? "pictures" : "box"));
+        pictures_are_too_large ? scene.output.frames->location : scene.box.location,
+        bytes / kMebibyte, size.columns, size.rows, size.particles, limit / kMebibyte,
+        pictures_are_too_large ? "pictures" : "box"));
   }
 }
 

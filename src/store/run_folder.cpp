@@ -48,6 +48,15 @@ bool is_of_run(const OutputFolder& files) {
 
 }  // namespace
 
+std::optional<RunSummary> finished_summary(const fs::path& run_folder) {
+  try {
+    RunSummary summary = read_summary(run_folder / kSummaryFile);
+    return summary.status == "done" ? std::optional(std::move(summary)) : std::nullopt;
+  } catch (const StoreError&) {
+    return std::nullopt;
+  }
+}
+
 RunFolder::RunFolder(const fs::path& path, FolderLock lock)
     : lock_(std::move(lock)), folder_(path) {
   remove_abandoned_files(path);  // a run that is done writes nothing, which would remove them

@@ -14,7 +14,6 @@
 #include "clca/grains/occupancy.hpp"
 #include "clca/store/file.hpp"
 #include "clca/store/run_folder.hpp"
-#include "clca/store/summary.hpp"
 #include "clca/store/trajectory.hpp"
 #include "clca/text/read.hpp"
 #include "grains/internal/occupancy_table.hpp"
@@ -119,17 +118,6 @@ void check_rows(const std::filesystem::path& path, const std::vector<Column>& co
   }
 }
 
-/// The step at which the run ended, which has a frame; none while it goes on, or may.
-std::optional<std::uint64_t> end_step(const std::filesystem::path& run_folder) {
-  const std::filesystem::path file = run_folder / kSummaryFile;
-  std::error_code unknown;
-  if (!std::filesystem::exists(file, unknown)) {  // only states have been written
-    return std::nullopt;
-  }
-  const RunSummary summary = read_summary(file);
-  return summary.status == "done" ? std::optional(summary.steps) : std::nullopt;
-}
-
 std::optional<std::uint64_t> part_number(const std::string& name) {
   constexpr std::string_view kBegin = "part-";
   if (!name.starts_with(kBegin)) {
@@ -214,7 +202,7 @@ class Trajectory::Impl {
         layout_(layout_of(scene)),
         most_entered_(max_particles(fixed_, max_bytes)),
         bytes_left_(max_bytes) {
-    const std::optional<std::uint64_t> end = end_step(run_folder);
+    const auto finished = finished_summary(run_folder);  // first: parts may be added meanwhile
     const SceneTables tables(scene, fixed_);
     RowCounts before;
     for (const std::filesystem::path& path : find_parts(run_folder)) {
@@ -224,7 +212,7 @@ class Trajectory::Impl {
       before += part.content.frames.row_counts();
       bytes_left_ -= part.bytes();
     }
-    if (end && frames_.back().step < *end) {
+    if (finished && frames_.back().step < finished->steps) {
       refuse_part(run_folder / kTrajectoryFolder / part_name(parts_.size()),
                   "missing, though the run had written it");
     }

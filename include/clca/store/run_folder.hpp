@@ -33,6 +33,10 @@ inline constexpr const char* kExportFolder = "export";
 /// A table of the whole run, `series.csv`, or of one stage, `profile-STAGE.csv`.
 std::string table_name(std::string_view kind, const std::string& stage = "");
 
+/// The summary of a run that is done; none of others, and where it cannot be read, as after a power
+/// failure.
+std::optional<RunSummary> finished_summary(const std::filesystem::path& run_folder);
+
 /// An earlier run found in a folder.
 struct EarlierRun {
   RunSummary summary;

@@ -79,9 +79,7 @@ struct RunSummary {
   std::string status;  ///< running, done, interrupted or failed
   std::uint64_t particles = 0;
   std::uint64_t steps = 0;
-  std::optional<BeginSummary> begin = {};
   std::optional<scene::Conversion> units = {};  ///< of the contact model
-  std::optional<BoxSummary> box = {};           ///< of a run of grains
   std::vector<scene::DerivedMeasure> derived = {};
   double wall_seconds = 0;  ///< of the run, by the clock
   double step_seconds = 0;  ///< of wall_seconds, in steps of the model
@@ -91,6 +89,8 @@ struct RunSummary {
   std::string build_type;
   std::vector<StageSummary> stages;
   // For those who read the folder; read_summary() leaves them out.
+  std::optional<BeginSummary> begin = {};
+  std::optional<BoxSummary> box = {};  ///< of a run of grains
   std::vector<KindSummary> kinds = {};
   std::vector<ColumnSummary> measures = {};
   std::vector<TableSummary> tables = {};

@@ -64,10 +64,11 @@ def command(options: dict[str, Any], folder: str) -> None:
     width, height = (number(size and size.removesuffix("mm")) for size in sizes)
     ranges = (limits(options.get(f"{axis}-range", "")) for axis in "xy")
     look = Look(options.get("format", "png"), in_mm[0], width or 0, height, *ranges)
-    drawn = _figures.chosen(open(folder), options.get("only", []), choice)
+    source = open(folder)
+    drawn = _figures.chosen(source, options.get("only", []), choice)
     for chart in drawn:
         _answer.file(f"{chart.name}.{look.format}", rendered(chart, look))
     if not options.get("only") and not choice.y and (choice.first, choice.last, choice.stages) != (None, None, ()):
-        every = _figures.charts(open(folder), choice._replace(first=None, last=None, stages=()))
+        every = _figures.charts(source, choice._replace(first=None, last=None, stages=()))
         if empty := [chart.name for chart in every if chart.name not in _figures.names_of(drawn)]:
             _answer.files([], [f"no rows in the stages and times that are chosen: {', '.join(empty)}"])
