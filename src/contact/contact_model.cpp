@@ -79,7 +79,9 @@ void check_valid(const State& state) {
   for (std::size_t id = 0; id < grains; ++id) {
     const Velocity<>& velocity = state.velocities[id];
     const Vector& remainder = state.remainders[id];
-    require(length(state.from_anchors[id]) <= 1, "a grain is too far from its anchor");
+    const lattice::Axial& anchor = state.from_anchors[id];
+    require(in_range(1, anchor.x, anchor.q) && length(anchor) <= 1,
+            "a grain is too far from its anchor");
     require(in_range(kMaxVelocity, velocity.x, velocity.y, velocity.spin),
             "a velocity is out of range");
     require(in_range(kMaxRemainder, remainder.x, remainder.y), "a remainder is out of range");
@@ -133,6 +135,9 @@ Energy ContactModel::energy() const {
 }
 const LastStep& ContactModel::last_step() const {
   return steps(mechanics()).last_step();
+}
+std::uint64_t ContactModel::unmoved_steps_at_rest() const {
+  return steps(mechanics()).unmoved_steps_at_rest();
 }
 void ContactModel::set_vessel(const Vessel& vessel) {
   check_whole();

@@ -53,7 +53,8 @@ Sum sum_of(const Force& force) {
           .point = force.point,
           .normal = force.normal,
           .branch = force.branch,
-          .force = force.on_upper()};
+          .force = force.on_upper(),
+          .steps = force.share};
 }
 
 void add_sum(ForceSums& sums, Sum later) {
@@ -64,6 +65,7 @@ void add_sum(ForceSums& sums, Sum later) {
   }
   Sum& sum = sums.sums[found->second];
   later.force += (sum.upper == later.upper ? 1.0 : -1.0) * sum.force;
+  later.steps += sum.steps;
   sum = later;
 }
 
@@ -122,8 +124,18 @@ std::vector<Force> forces(const grains::State& grains, std::span<const Contact> 
   return result;
 }
 
-void add(ForceSums& sums, std::span<const Force> forces_of_a_step) {
+void set_mean_mass(ForceSums& sums, double mean_mass) {
+  if (sums.mean_mass != mean_mass) {
+    for (Sum& sum : sums.sums) {
+      sum.force *= sums.mean_mass / mean_mass;
+    }
+    sums.mean_mass = mean_mass;
+  }
+}
+
+void add(ForceSums& sums, std::span<const Force> forces_of_a_step, double mean_mass) {
   rebuild_index(sums);
+  set_mean_mass(sums, mean_mass);
   for (const Force& force : forces_of_a_step) {
     add_sum(sums, sum_of(force));
   }
@@ -132,6 +144,7 @@ void add(ForceSums& sums, std::span<const Force> forces_of_a_step) {
 
 void add(ForceSums& sums, const ForceSums& later) {
   rebuild_index(sums);
+  set_mean_mass(sums, later.mean_mass);
   for (const Sum& sum : later.sums) {
     add_sum(sums, sum);
   }
@@ -151,7 +164,8 @@ std::vector<Force> means(const ForceSums& sums) {
                       .normal = sum.normal,
                       .branch = sum.branch,
                       .along_normal = mean.dot(sum.normal),
-                      .along_shear = mean.dot(Eigen::Vector2d(-sum.normal.y(), sum.normal.x()))});
+                      .along_shear = mean.dot(Eigen::Vector2d(-sum.normal.y(), sum.normal.x())),
+                      .share = sum.steps / static_cast<double>(sums.steps)});
   }
   return result;
 }

@@ -9,6 +9,7 @@
 #include "clca/contact/force.hpp"
 #include "clca/measure/mixing.hpp"
 #include "clca/scene/parse.hpp"
+#include "clca/scene/walls.hpp"
 #include "clca/store/summary.hpp"
 #include "record/internal/contact_record.hpp"
 
@@ -135,10 +136,6 @@ PictureContent present_content(const scene::Scene& scene, const model::SceneMode
   return content;
 }
 
-lattice::Lattice lattice_of(const scene::Scene& scene) {
-  return lattice::Lattice::covering(scene.box.width, scene.box.height, scene.box.periodic);
-}
-
 lattice::Rectangle view_of(const scene::Frames& frames, const lattice::Lattice& lattice) {
   return frames.view.value_or(render::box_with_frame(lattice));
 }
@@ -178,8 +175,8 @@ FramePainter::FramePainter(const scene::Scene& scene, const grains::State& state
       painter_(make_painter(scene, state, use)) {}
 
 double FramePainter::bytes(const scene::Scene& scene, double particles, int captures) {
-  return render::Painter::bytes_for(style_of(*scene.output.frames, lattice_of(scene), {}),
-                                    particles, captures);
+  return render::Painter::bytes_for(
+      style_of(*scene.output.frames, scene::lattice_of(scene.box), {}), particles, captures);
 }
 
 CapturedFrame FramePainter::capture(const PictureContent& content, const PictureHistory& history) {

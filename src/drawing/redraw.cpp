@@ -59,10 +59,15 @@ void make_comparable(const std::vector<RunToDraw>& runs, const Drawings& drawing
 
 /// Times or steps of the pictures of each run.
 std::vector<std::vector<double>> times_of(const Drawings& drawings) {
-  const bool in_time =
-      drawings.size() > 1 && std::ranges::all_of(drawings, [](const auto& drawing) {
-        return scene::conversion(drawing->scene()).has_value();
-      });
+  const auto time_unit = [](const auto& drawing) {
+    const auto conversion = scene::conversion(drawing->scene());
+    return conversion ? conversion->time_unit : "";
+  };
+  const std::string unit = time_unit(drawings.front());
+  const bool in_time = drawings.size() > 1 && !unit.empty() &&
+                       std::ranges::all_of(drawings, [&](const auto& drawing) {
+                         return time_unit(drawing) == unit;
+                       });
   std::vector<std::vector<double>> result;
   for (const auto& drawing : drawings) {
     const auto conversion = scene::conversion(drawing->scene());

@@ -23,7 +23,6 @@ using Frame = store::Trajectory::Frame;
 
 // Names of scales; that of velocities is their unit.
 constexpr const char* kDisplacement = "displacement";
-constexpr const char* kForce = "force";
 constexpr const char* kCell = "cell";
 
 /// The scene, if the run can be drawn.
@@ -218,7 +217,7 @@ RunDrawing::ScaleEnds RunDrawing::scale_ends() const {
     }
   }
   const OverlayScales scales = overlay_scales(scene_);
-  ends[kForce] = scales.strongest_force;
+  ends[scales.unit_of(scene::kContactForceUnit)] = scales.strongest_force;
   ends[scales.velocity_unit.several] = scales.highest_velocity;
   ends[kCell] = scales.velocity_cell;
   return ends;
@@ -229,8 +228,9 @@ void RunDrawing::set_scale_ends(const ScaleEnds& ends) {
   if (frames.color_by == scene::ColorBy::displacement && !frames.range) {
     frames.range = {0, ends.at(kDisplacement)};
   }
-  frames.force_scale = ends.at(kForce);
-  frames.velocity_scale = ends.at(overlay_scales(scene_).velocity_unit.several);
+  const OverlayScales scales = overlay_scales(scene_);
+  frames.force_scale = ends.at(scales.unit_of(scene::kContactForceUnit));
+  frames.velocity_scale = ends.at(scales.velocity_unit.several);
   frames.velocity_cell = ends.at(kCell);
 }
 

@@ -9,6 +9,7 @@
 
 #include "clca/measure/profile.hpp"
 #include "clca/render/painter.hpp"
+#include "clca/scene/walls.hpp"
 
 namespace clca::drawing {
 
@@ -24,7 +25,7 @@ constexpr double kBare = 0.5;  // share of the time with grains below which ther
 /// The part of the view in which there may be grains: that in the box, unless the picture is
 /// turned.
 lattice::Rectangle shown_part(const scene::Scene& scene) {
-  const lattice::Lattice lattice = lattice_of(scene);
+  const lattice::Lattice lattice = scene::lattice_of(scene.box);
   const lattice::Rectangle view = view_of(*scene.output.frames, lattice);
   if (scene.output.frames->upright) {
     return view;
@@ -140,7 +141,7 @@ scene::Scene pictured(scene::Scene scene, const SpaceTimeOptions& options,
 
 /// The columns of the lattice whose middle is in the part of the plane.
 std::pair<int, int> columns_in(const scene::Scene& scene, const lattice::Rectangle& part) {
-  const int last = lattice_of(scene).columns() - 1;
+  const int last = scene::lattice_of(scene.box).columns() - 1;
   const auto nearest = [&](double x) {
     return std::clamp(static_cast<int>(std::lround(x / lattice::kColumnPitch)), 0, last);
   };

@@ -88,14 +88,18 @@ std::int64_t velocity_of(const Program& program, const Travel& travel, std::int6
   return position(program, travel.clock + 1) - position(program, travel.clock);
 }
 std::int64_t velocity_of(const Shake& shake, const Travel& travel, std::int64_t now) {
-  constexpr std::uint64_t kPeriod = 10;
-  const std::int64_t most =
-      kMotionSpacing / static_cast<std::int64_t>(shake.period.value_or(kPeriod));
+  const std::int64_t highest = shake.amplitude * kMotionSpacing;
+  const auto period = static_cast<std::int64_t>(shake.contact_period());
+  // Of a way at constant velocity: how far it goes in the next step.
+  const auto next = [&](std::int64_t way) {
+    const std::int64_t steps = (way * period + kMotionSpacing - 1) / kMotionSpacing;
+    return std::min((steps + 1) * kMotionSpacing / period, highest) - way;
+  };
   switch (travel.phase) {
     case Travel::Phase::rising:
-      return std::min(most, shake.amplitude * kMotionSpacing - now);
+      return next(now);
     case Travel::Phase::falling:
-      return -std::min(most, now);
+      return -next(highest - now);
     case Travel::Phase::waiting:
       break;
   }

@@ -187,6 +187,7 @@ WallOverlap wall_overlap(const State& state, std::size_t number,
 constexpr double kAveragedBin = 0.25;  // of the mean
 constexpr double kFirstNumberLow = 0.5;
 constexpr double kMaxSites = 1e6;  // of a contact
+constexpr double kMaxForce = 1e15;
 
 /// Fits the exponential tail. Static packings have beta from 1.4 (Radjai et al. 1996) to 1.9 (Mueth
 /// et al. 1998).
@@ -329,9 +330,10 @@ std::optional<ForceDistribution> force_distribution(const std::vector<double>& s
   if (strengths.empty()) {
     return std::nullopt;
   }
+  const double most = kind == StrengthKind::whole_sites ? kMaxSites : kMaxForce;
   const bool usable = std::ranges::all_of(
-      strengths, [](double strength) { return strength > 0 && strength < kMaxSites; });
-  require(usable, "the strength of a contact is a positive number of sites");
+      strengths, [&](double strength) { return strength > 0 && strength < most; });
+  require(usable, "the strength of a contact is out of range");
   const auto count = static_cast<double>(strengths.size());
   ForceDistribution distribution{.mean = std::accumulate(strengths.begin(), strengths.end(), 0.0) /
                                          count};

@@ -79,9 +79,7 @@ grains::Source make_source(const grains::State& state, const scene::Source& sour
 
 grains::State initial_state(const scene::Scene& scene) {
   scene::check_walls(scene);
-  grains::State state{
-      .lattice = lattice::Lattice::covering(scene.box.width, scene.box.height, scene.box.periodic),
-      .seed = scene.seed};
+  grains::State state{.lattice = scene::lattice_of(scene.box), .seed = scene.seed};
   for (std::size_t i = 0; i < scene.species.size(); ++i) {
     const auto number = static_cast<std::uint16_t>(i);
     const std::vector<grains::Kind> kinds = scene.model == scene::Model::baxter

@@ -56,8 +56,10 @@ std::vector<contact::Force> forces_with_pushes(const contact::ContactModel& mode
   std::vector<contact::Force> all = contact::forces(model.grains(), pushes, model.gravity());
   all.insert(all.end(), of_contacts.begin(), of_contacts.end());  // last: theirs are the normals
   contact::ForceSums sums;
-  contact::add(sums, all);
-  return contact::means(sums);
+  contact::add(sums, all, contact::mean_mass(model.grains()));
+  std::vector<contact::Force> result = contact::means(sums);
+  std::ranges::for_each(result, [](contact::Force& force) { force.share = 1; });
+  return result;
 }
 
 }  // namespace
@@ -188,6 +190,12 @@ void SceneModel::set_rules(const scene::Stage& stage) {
   // Beside the old one, which the summary of the run needs if there is no memory for another.
   model_ = make_model(rules, copied_state(), options_);
   rules_ = rules;
+  grains().set_interruption(interruption_);
+}
+
+void SceneModel::set_interruption(std::function<void()> check) {
+  interruption_ = std::move(check);
+  grains().set_interruption(interruption_);
 }
 
 }  // namespace clca::model

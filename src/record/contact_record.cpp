@@ -1,6 +1,7 @@
 #include "record/internal/contact_record.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <utility>
 
@@ -33,26 +34,29 @@ bool is_sound(const contact::ForceSums::Sum& sum, const grains::State& state) {
 
 }  // namespace
 
-void ForceWindow::add(const std::vector<contact::Force>& forces, std::uint64_t most) {
-  const std::uint64_t block = (most + 1) / 2;
+void ForceWindow::add(const std::vector<contact::Force>& forces, double mean_mass,
+                      std::uint64_t most) {
+  const std::uint64_t block = before_.steps == 0 ? most - most / 2 : most / 2;
   if (block_.steps >= block) {
     before_ = std::exchange(block_, {});
     if (most == 1) {
       before_ = {};
     }
   }
-  contact::add(block_, forces);
+  contact::add(block_, forces, mean_mass);
 }
 
-std::vector<contact::Force> ForceWindow::means() const {
+std::vector<contact::Force> ForceWindow::means(double mean_mass) const {
   contact::ForceSums all = before_;
   contact::add(all, block_);
+  contact::set_mean_mass(all, mean_mass);
   return contact::means(all);
 }
 
 bool ForceWindow::belongs_to(const grains::State& state) const {
   const auto all_sound = [&](const contact::ForceSums& sums) {
-    return (sums.steps > 0 || sums.sums.empty()) &&
+    const bool has_mass = sums.mean_mass > 0 && std::isfinite(sums.mean_mass);
+    return (sums.steps > 0 ? has_mass : sums.sums.empty()) &&
            std::ranges::all_of(sums.sums, [&](const auto& sum) { return is_sound(sum, state); });
   };
   return all_sound(before_) && all_sound(block_);
@@ -89,7 +93,7 @@ double ContactRecord::bytes(const scene::Scene& scene, double particles) {
 }
 
 void ContactRecord::prepare(const StageView& /*now*/) {
-  stage_ = {};
+  stage_ = last_step_ = {};
   for (Recurring* recurring : {&pictures_, &frames_}) {
     recurring->window = {};
     recurring->due = false;
@@ -102,13 +106,21 @@ void ContactRecord::after_step(const StageView& now) {
   frames_.begin_step(steps_in_stage);
   const bool is_shown = pictures_.every > 0 || frames_.every > 0;
   // Nothing moved in the last two steps: impulses are those of rest, not of impacts.
-  const bool quiet = now.model.contact()->state_but_contacts().quiet_steps > 1;
+  const contact::ContactModel& model = *now.model.contact();
+  const contact::State& state = model.state_but_contacts();
+  const bool quiet = state.quiet_steps > 1 ||
+                     (state.unmoved_steps > 1 &&
+                      state.unmoved_steps + sampling_.window >= model.unmoved_steps_at_rest());
   const bool ends_soon =
       (has_tables_ || is_shown) && may_end_soon(now.stage, steps_in_stage, sampling_.window, quiet);
   if (!ends_soon) {
     stage_ = {};
   }
+  last_step_ = {};
   if (steps_in_stage % sampling_.every != 0) {
+    if (ends_soon && stage_.is_empty()) {
+      last_step_.add(now.model.forces(), contact::mean_mass(now.model.state()), 1);
+    }
     return;
   }
   std::vector<ForceWindow*> takers;
@@ -124,13 +136,17 @@ void ContactRecord::after_step(const StageView& now) {
     return;
   }
   const std::vector<contact::Force> forces = now.model.forces();
+  const double mean_mass = contact::mean_mass(now.model.state());
   for (ForceWindow* window : takers) {
-    window->add(forces, most_);
+    window->add(forces, mean_mass, most_);
   }
 }
 
 std::vector<contact::Force> ContactRecord::stage_mean_forces(const model::SceneModel& model) const {
-  return stage_.is_empty() ? model.forces() : stage_.means();
+  const double mean_mass = contact::mean_mass(model.state());
+  return !stage_.is_empty()       ? stage_.means(mean_mass)
+         : !last_step_.is_empty() ? last_step_.means(mean_mass)
+                                  : model.forces();
 }
 
 std::vector<contact::Force> ContactRecord::shown_forces(const model::SceneModel& model) const {
@@ -138,7 +154,9 @@ std::vector<contact::Force> ContactRecord::shown_forces(const model::SceneModel&
   const std::vector<contact::Force> now = model.forces();
   std::vector<contact::Force> forces = stage_mean_forces(model);
   if (recurring.due) {  // whether the stage ends then or not
-    forces = recurring.window.is_empty() ? now : recurring.window.means();
+    forces = recurring.window.is_empty()
+                 ? now
+                 : recurring.window.means(contact::mean_mass(model.state()));
   }
   const auto bodies = [](const contact::Force& force) {
     return std::minmax({grains::as_owner(force.upper), force.other});

@@ -86,8 +86,8 @@ struct LoadRow {
   std::uint64_t id;
   std::string species;
   Eigen::Vector2d centre;
-  std::uint64_t contacts = 0;
-  double load = 0;  ///< sum of normal forces, or of sites
+  double contacts = 0;  ///< of the contact model a mean over steps
+  double load = 0;      ///< sum of normal forces, or of sites
   double residual = 0;
 };
 
@@ -99,7 +99,7 @@ TableOf<LoadRow> loads_table(const scene::Scene& scene) {
            {{"", "Position", "spacings", "of the centre of mass"}, &LoadRow::centre}},
           {{kContactModel,
             is_contact(scene),
-            {{{"contacts", "Contacts", "", ""}, &LoadRow::contacts},
+            {{{"contacts", "Contacts", "", "mean number"}, &LoadRow::contacts},
              {{"normal_force", "Normal force", scene::kContactForceUnit, "sum over its contacts"},
               &LoadRow::load},
              {{"residual", "Balance of forces", "",
@@ -114,7 +114,7 @@ TableOf<LoadRow> loads_table(const scene::Scene& scene) {
 /// A wall or a side of the box. The base: of a wall that may overlap particles.
 struct WallRow : measure::WallOverlap {
   std::string name = {};
-  std::uint64_t contacts = 0;
+  double contacts = 0;
   Eigen::Vector2d force = Eigen::Vector2d::Zero();
   std::optional<double> across = {};  // of a straight wall
   std::optional<double> along = {};
@@ -130,7 +130,7 @@ TableOf<WallRow> walls_table(const scene::Scene& scene) {
         &WallRow::name}},
       {{kContactModel,
         is_contact(scene),
-        {{{"contacts", "Contacts", "", ""}, &WallRow::contacts},
+        {{{"contacts", "Contacts", "", "mean number"}, &WallRow::contacts},
          {{"force_", "Force on the wall", scene::kContactForceUnit, ""}, &WallRow::force},
          {{"normal_force", "Normal force on the wall", scene::kContactForceUnit,
            "across it, of a straight wall and of the sides"},
@@ -168,7 +168,7 @@ TableOf<measure::StressCell> stress_table(const scene::Scene& /*scene*/) {
 }
 
 /// Of a particle, without its balance of forces.
-LoadRow load_row(const StageView& now, std::size_t id, std::uint64_t contacts, double load) {
+LoadRow load_row(const StageView& now, std::size_t id, double contacts, double load) {
   const grains::State& state = now.model.state();
   const grains::Particle& particle = state.particles[id];
   return {.id = id,
@@ -271,11 +271,11 @@ class ForceTables : public Observer {
   }
   void add_loads(const StageView& now, const Forces& forces) {
     const grains::State& state = now.model.state();
-    std::vector<std::uint64_t> contacts(state.particles.size(), 0);
+    std::vector<double> contacts(state.particles.size(), 0);
     for (const contact::Force& force : forces) {
-      ++contacts[force.upper];
+      contacts[force.upper] += force.share;
       if (grains::is_particle(force.other)) {
-        ++contacts[grains::particle_id(force.other)];
+        contacts[grains::particle_id(force.other)] += force.share;
       }
     }
     const std::vector<double> loads = contact::loads(state.particles.size(), forces);
@@ -297,7 +297,7 @@ class ForceTables : public Observer {
     for (const contact::Force& force : forces) {
       if (!grains::is_particle(force.other)) {
         WallRow& row = rows[force.other];
-        ++row.contacts;
+        row.contacts += force.share;
         row.force -= force.on_upper();
       }
     }
@@ -314,7 +314,7 @@ class ForceTables : public Observer {
     const Overlaps overlaps = measure::contacts(state, now.model.grains().occupancy());
     add_pairs(now.scene, overlaps, record);
     add_bins(record.distribution(overlaps));
-    std::vector<std::uint64_t> pushes(state.particles.size(), 0);
+    std::vector<double> pushes(state.particles.size(), 0);
     for (const grains::Push& push : state.pushes) {
       ++pushes[push.pushed];
     }

@@ -57,10 +57,10 @@ Values contact_forces(const StageView& stage) {
   const std::vector<contact::Force> forces = contacts->stage_mean_forces(stage.model);
   const grains::State& state = stage.model.state();
   const auto grains = static_cast<double>(grains::present_count(state));
-  double touching = 0;  // bodies of contacts that are grains
+  double touching = 0;  // bodies of contacts that are grains, mean over the steps
   double floor = 0;
   for (const contact::Force& force : forces) {
-    touching += grains::is_particle(force.other) ? 2 : 1;
+    touching += force.share * (grains::is_particle(force.other) ? 2 : 1);
     floor += force.other == contact::kFloor ? force.on_upper().y() : 0;
   }
   const std::vector<double> residuals =

@@ -88,6 +88,8 @@ class Run : public RunBase {
   void carry_out() override;
   void complete_summary(store::RunSummary& summary) const override;
   void run_stage();
+  /// Writes the rest of the trajectory; the failure itself is reported by the base.
+  void finish_after_failure();
   /// Runs steps until the stage ends; returns the reason.
   StageEnd run_steps();
   void end_stage(StageEnd end);
@@ -118,12 +120,24 @@ void Run::carry_out() {
   if (has_pictures && scene_.output.frames->caption && !render::font_problem().empty()) {
     warning(render::font_problem());
   }
-  for (; course_.reached.stage < scene_.stages.size() && is_complete(); ++course_.reached.stage) {
-    run_stage();
+  try {
+    for (; course_.reached.stage < scene_.stages.size() && is_complete(); ++course_.reached.stage) {
+      run_stage();
+    }
+  } catch (const std::exception&) {
+    finish_after_failure();
+    throw;
   }
   course_.observers.finish();
   if (end_checkpoint_) {
     save(*std::move(end_checkpoint_));
+  }
+}
+
+void Run::finish_after_failure() {
+  try {
+    course_.observers.finish();
+  } catch (const std::exception&) {  // of a full disk, say, for which the run has failed
   }
 }
 

@@ -105,7 +105,7 @@ struct Simulation::Impl {
     if (model.use_count() > 1) {  // somebody holds the state
       model = std::make_shared<model::SceneModel>(scene, model->copied_state(), options);
     }
-    model->grains().set_interruption(interruption);
+    model->set_interruption(interruption);
     course.model = model.get();
     course.history = prepare_stage(*model, scene, course.reached.stage);
     course.begin_stage();

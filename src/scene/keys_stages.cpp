@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "clca/contact/state.hpp"
 #include "clca/scene/units.hpp"
 #include "scene/sections.hpp"
 #include "scene/types.hpp"
@@ -69,7 +70,7 @@ std::uint64_t steps_in_bounds(double steps) {
 }
 
 /// Minimum steps of a cycle of the wall; 0 without cycles.
-std::uint64_t min_cycle_steps(const Wall& wall) {
+std::uint64_t min_cycle_steps(const Wall& wall, Model model) {
   if (!wall.motion) {
     return 0;
   }
@@ -77,9 +78,13 @@ std::uint64_t min_cycle_steps(const Wall& wall) {
     return wave->period;
   }
   const auto* shake = std::get_if<grains::Shake>(&wall.motion->program);
-  return shake == nullptr
-             ? 0
-             : 2 * static_cast<std::uint64_t>(shake->amplitude) + shake->wait.value_or(0);
+  if (shake == nullptr) {
+    return 0;
+  }
+  const bool is_contact = model == Model::contact;
+  return 2 * static_cast<std::uint64_t>(shake->amplitude) *
+             (is_contact ? shake->contact_period() : 1) +
+         shake->wait.value_or(is_contact ? contact::kQuietSteps : 0);
 }
 
 /// Why particles never come to rest in this stage, apart from walls; empty if they do.
@@ -266,7 +271,8 @@ std::uint64_t least_steps(const Stage& stage, const Scene& scene) {
   }
   double longest = 0;
   for (const std::size_t wall : stage.move) {
-    longest = std::max(longest, static_cast<double>(min_cycle_steps(scene.walls[wall])));
+    longest =
+        std::max(longest, static_cast<double>(min_cycle_steps(scene.walls[wall], scene.model)));
   }
   if (vessel_has_cycles(stage)) {
     const contact::Vessel vessel = vessel_in(scene, stage, {});

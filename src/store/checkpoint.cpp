@@ -40,7 +40,7 @@ using Bytes = std::span<const std::uint8_t>;
 
 static_assert(std::endian::native == std::endian::little, "numbers are copied as they are");
 
-constexpr FileKind kCheckpointKind = {"checkpoint", 3};
+constexpr FileKind kCheckpointKind = {"checkpoint", 4};
 using Text = std::pair<std::string_view, std::string Checkpoint::*>;
 constexpr std::array<Text, 4> kTexts = {{{"kind", &Checkpoint::kind},
                                          {"scene_name", &Checkpoint::scene_name},

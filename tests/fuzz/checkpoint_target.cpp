@@ -23,7 +23,7 @@ namespace run = clca::run;
 namespace scene = clca::scene;
 namespace store = clca::store;
 
-constexpr store::FileKind kKind = {"checkpoint", 3};
+constexpr store::FileKind kKind = {"checkpoint", 4};
 constexpr double kLimit = 1e6;
 constexpr double kBeside = 1e5;  // zlib, a block of bytes
 

@@ -125,6 +125,8 @@ class ContactModel : public grains::Model {
   /// The same as contact::energy() of state(), without the cost of state().
   Energy energy() const;
   const LastStep& last_step() const;
+  /// State::unmoved_steps after which the grains count as at rest.
+  std::uint64_t unmoved_steps_at_rest() const;
 
   /// Throws std::invalid_argument for an invalid vessel. Grains at rest stay at rest relative to
   /// the vessel.

@@ -22,6 +22,7 @@ struct Force {
   Eigen::Vector2d branch = Eigen::Vector2d::Zero();
   double along_normal = 0;  ///< not negative in one step
   double along_shear = 0;   ///< on the normal turned anticlockwise
+  double share = 1;         ///< of the steps, in which the two touched
 
   bool operator==(const Force&) const = default;
 
@@ -54,20 +55,26 @@ struct ForceSums {
     Eigen::Vector2d branch = Eigen::Vector2d::Zero();
     /// On the upper grain, summed over all steps.
     Eigen::Vector2d force = Eigen::Vector2d::Zero();
+    double steps = 0;  ///< in which they touched
 
     bool operator==(const Sum&) const = default;
-    CLCA_FIELDS(upper, other, point, normal, branch, force);
+    CLCA_FIELDS(upper, other, point, normal, branch, force, steps);
   };
   std::vector<Sum> sums = {};  ///< two bodies have one
   std::uint64_t steps = 0;
+  double mean_mass = 0;  ///< whose weight is the unit of the forces, in sites
   /// Index in `sums`, by the two bodies.
   std::unordered_map<std::uint64_t, std::size_t> index_by_bodies = {};
 
-  CLCA_FIELDS(sums, steps);
+  CLCA_FIELDS(sums, steps, mean_mass);
 };
 
-/// Adds forces of later steps.
-void add(ForceSums& sums, std::span<const Force> forces_of_a_step);
+/// Converts the sums to weights of a grain of this mass.
+void set_mean_mass(ForceSums& sums, double mean_mass);
+
+/// Adds forces of later steps; the sums are in the same unit then. `mean_mass`: of the grains in
+/// the step.
+void add(ForceSums& sums, std::span<const Force> forces_of_a_step, double mean_mass);
 void add(ForceSums& sums, const ForceSums& later);
 
 /// Mean forces over the steps, including those without contact: the mean vector, resolved along the

@@ -97,6 +97,9 @@ struct Contact {
 /// of a crystal.
 inline constexpr double kContactsPerGrain = 2;
 
+/// Steps in a row without motion after which a state counts as settled.
+inline constexpr std::uint64_t kQuietSteps = 60;
+
 struct State {
   grains::State grains;
   std::vector<Velocity<>> velocities = {};  ///< by id

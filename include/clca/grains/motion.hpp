@@ -54,9 +54,9 @@ inline std::uint64_t least_period(const Wave& wave) {
 struct Shake {
   std::int32_t amplitude = 1;
   std::optional<std::uint64_t> wait;  ///< steps after the drop; none: until no particle moves
-  /// Contact model only: steps per site, at most kMotionSpacing; none: ten. The automaton takes
-  /// one.
+  /// Contact model only: steps per site, at most kMotionSpacing. The automaton takes one.
   std::optional<std::uint64_t> period = {};
+  std::uint64_t contact_period() const { return period.value_or(10); }
 
   OffsetRange range() const { return {0, amplitude}; }
   bool operator==(const Shake&) const = default;

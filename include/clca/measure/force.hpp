@@ -97,8 +97,8 @@ struct ForceDistribution {
   std::vector<ForceBin> bins = {};
 };
 
-/// For strengths in sites; none if the list is empty. Throws std::invalid_argument unless all are
-/// in (0, 10^6).
+/// None if the list is empty. Throws std::invalid_argument unless all are positive, whole sites
+/// below 10^6 and averages below 10^15.
 std::optional<ForceDistribution> force_distribution(const std::vector<double>& strengths,
                                                     StrengthKind kind);
 

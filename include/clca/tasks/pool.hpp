@@ -134,10 +134,16 @@ class Pool {
 
   /// What a thread does.
   void carry_out_tasks(const std::stop_token& over) {
-    if (work_.begin) {
-      work_.begin();
+    std::exception_ptr failure;
+    try {
+      if (work_.begin) {
+        work_.begin();
+      }
+    } catch (...) {
+      failure = std::current_exception();
     }
     std::unique_lock lock(mutex_);
+    failure_ = failure ? failure : failure_;
     ++begun_;
     changed_.notify_all();
     while (changed_.wait(lock, over, [this] { return !queued_.empty(); })) {

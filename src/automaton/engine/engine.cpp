@@ -38,10 +38,10 @@ std::size_t Engine::move_particles() {
   if (in_parallel_) {
 #pragma omp parallel num_threads(threads_)
     run_phases(failure);
-    failure.rethrow();
   } else {
     run_phases(failure);
   }
+  failure.rethrow();
   examined_ = 0;
   std::size_t moved = moved_.size();
   for (const StripWorker& worker : workers_) {

@@ -167,7 +167,7 @@ void Engine::advance_and_move() {
   }
   changed_ = moved_;
   changed_.insert(changed_.end(), moves.beside_walls().begin(), moves.beside_walls().end());
-  end_step(state_, walls, moves, at_rest);
+  end_step(state_, walls, moves, rule_.slow_speed(), at_rest);
 }
 
 void Engine::write_back() {

@@ -353,9 +353,10 @@ bool walls_are_at_rest(const State& state) {
     const std::int64_t lag = state.wall_remainders[number];
     const std::int32_t own = grains::velocity(*wall.motion, wall.travel, lag);
     const bool pushes_no_harder = own == 0 || std::abs(catch_up_velocity(lag, own)) == kMaxCatchUp;
-    const bool held_up = wall.travel.stalled_since &&
-                         state.grains.step - *wall.travel.stalled_since >= kQuietSteps &&
-                         pushes_no_harder;
+    // A motion that may turn back is not held up for good.
+    const bool held_up =
+        pending_step(*wall.motion, wall.travel) != 0 && wall.travel.stalled_since &&
+        state.grains.step - *wall.travel.stalled_since >= kQuietSteps && pushes_no_harder;
     if (!held_up) {
       return false;
     }

@@ -121,9 +121,6 @@ inline bool is_move_due(const Vector& remainder, lattice::Direction direction) {
   return along(remainder, unit_of(direction)) > kSpacing / 2;
 }
 
-/// Consecutive steps without motion after which a state counts as settled.
-inline constexpr std::uint64_t kQuietSteps = 60;
-
 /// The desired move of a wall in a step and whether it was done.
 struct WallMove {
   std::size_t wall = 0;

@@ -1,6 +1,7 @@
 #include "contact/rule/step.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 #include "clca/random/draw.hpp"
@@ -139,15 +140,19 @@ void disturb(State& state) {
   state.quiet_steps = 0;
 }
 
-bool grains_are_at_rest(const State& state, std::int32_t slow) {
+std::uint64_t unmoved_steps_at_rest(std::int32_t slow) {
   // A remainder grows from -2 to 1/2 along some direction at most 30 degrees off before it moves.
   constexpr std::int64_t kFarthest = std::int64_t{3} * kSpacing;
-  return state.quiet_steps >= kQuietSteps ||
-         (slow > 0 && state.unmoved_steps >=
-                          std::max(kQuietSteps, static_cast<std::uint64_t>(kFarthest / slow)));
+  return slow > 0 ? std::max(kQuietSteps, static_cast<std::uint64_t>(kFarthest / slow))
+                  : std::numeric_limits<std::uint64_t>::max();
 }
 
-void end_step(State& state, std::span<const WallMove> walls, const SiteMoves& moves, bool at_rest) {
+bool grains_are_at_rest(const State& state, std::int32_t slow) {
+  return state.quiet_steps >= kQuietSteps || state.unmoved_steps >= unmoved_steps_at_rest(slow);
+}
+
+void end_step(State& state, std::span<const WallMove> walls, const SiteMoves& moves,
+              std::int32_t slow, bool at_rest) {
   bool walls_moved = state.vessel.moves();
   for (const WallMove& move : walls) {
     grains::Wall& wall = state.grains.walls[move.wall];
@@ -160,7 +165,7 @@ void end_step(State& state, std::span<const WallMove> walls, const SiteMoves& mo
   state.quiet_steps = walls_moved || !moves.moved().empty() || !at_rest ? 0 : state.quiet_steps + 1;
   for (const WallMove& move : walls) {
     grains::Wall& wall = state.grains.walls[move.wall];
-    grains::end_step(*wall.motion, wall.travel, state.quiet_steps < kQuietSteps);
+    grains::end_step(*wall.motion, wall.travel, !grains_are_at_rest(state, slow));
   }
   const lattice::Direction before = down(state.vessel);
   state.vessel = next(state.vessel);
@@ -236,7 +241,7 @@ void Reference::move_grains() {
   collide_blocked(state_, moves, bodies, ids, last_step_);
 
   // 10. Walls and vessel end the step.
-  end_step(state_, wall_moves, moves, at_rest);
+  end_step(state_, wall_moves, moves, rule_.slow_speed(), at_rest);
 }
 
 }  // namespace clca::contact

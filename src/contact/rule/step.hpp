@@ -16,14 +16,19 @@
 
 namespace clca::contact {
 
-/// Ends a step: updates walls and vessel. `at_rest`: no grain is faster than the rest limit.
-void end_step(State& state, std::span<const WallMove> walls, const SiteMoves& moves, bool at_rest);
+/// Ends a step: updates walls and vessel. `slow`: the rest limit; `at_rest`: no grain is faster.
+void end_step(State& state, std::span<const WallMove> walls, const SiteMoves& moves,
+              std::int32_t slow, bool at_rest);
 
 /// Counts steps at rest from 0 again, as something may move.
 void disturb(State& state);
 
-/// Whether grains have come to rest. `slow`: the rest limit. Grains that are faster for long
-/// without going anywhere are held up, though their contacts let them go on, or hop to and fro.
+/// State::unmoved_steps after which grains count as at rest. `slow`: the rest limit. Grains that
+/// are faster for so long without going anywhere are held up, though their contacts let them go on,
+/// or hop to and fro.
+std::uint64_t unmoved_steps_at_rest(std::int32_t slow);
+
+/// Whether grains have come to rest.
 bool grains_are_at_rest(const State& state, std::int32_t slow);
 
 /// A step but for the moves themselves: new grains, and the energy that is exchanged.
@@ -38,6 +43,9 @@ class Steps : public grains::Mechanics {
   /// In lattice spacings per step squared.
   double gravity() const { return gravity_; }
   const LastStep& last_step() const { return last_step_; }
+  std::uint64_t unmoved_steps_at_rest() const {
+    return contact::unmoved_steps_at_rest(rule_.slow_speed());
+  }
   /// Throws std::invalid_argument for an invalid vessel.
   void set_vessel(const Vessel& vessel);
   /// Sets the contacts of the state.

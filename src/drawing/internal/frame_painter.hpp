@@ -38,7 +38,6 @@ struct PictureContent {
 PictureContent present_content(const scene::Scene& scene, const model::SceneModel& model,
                                const record::Observers& observers);
 
-lattice::Lattice lattice_of(const scene::Scene& scene);
 /// The part of the plane that pictures show.
 lattice::Rectangle view_of(const scene::Frames& frames, const lattice::Lattice& lattice);
 

@@ -71,10 +71,13 @@ class SceneModel {
   void set_vessel(const scene::Stage& stage);
   /// Sets what a stage has in place of the rules or the friction of the scene.
   void set_rules(const scene::Stage& stage);
+  /// As grains::Model::set_interruption(), whatever the rules.
+  void set_interruption(std::function<void()> check);
 
  private:
   const scene::Scene& scene_;
   grains::Options options_;
+  std::function<void()> interruption_ = {};
   AnyRules rules_;
   AnyModel model_;
 };

@@ -11,11 +11,12 @@ namespace clca::record {
 /// A window over the last steps, kept as two blocks: the current and the previous one.
 class ForceWindow {
  public:
-  /// Adds a step. The window holds at most `most` steps, and at least half of that once there were
-  /// so many.
-  void add(const std::vector<contact::Force>& forces, std::uint64_t most);
+  /// Adds a step, with the mean mass of its grains. The window holds at most `most` steps, and at
+  /// least half of that once there were so many.
+  void add(const std::vector<contact::Force>& forces, double mean_mass, std::uint64_t most);
   bool is_empty() const { return block_.steps == 0; }
-  std::vector<contact::Force> means() const;
+  /// In weights of a grain of this mass.
+  std::vector<contact::Force> means(double mean_mass) const;
 
   /// False if a contact is not between two bodies of `state`, or a number is not finite.
   bool belongs_to(const grains::State& state) const;
@@ -43,11 +44,11 @@ class ContactRecord : public SavedObserver<ContactRecord> {
   std::vector<contact::Force> shown_forces(const model::SceneModel& model) const;
 
   bool precedes(const grains::State& now) const {
-    return stage_.belongs_to(now) && pictures_.window.belongs_to(now) &&
-           frames_.window.belongs_to(now);
+    return stage_.belongs_to(now) && last_step_.belongs_to(now) &&
+           pictures_.window.belongs_to(now) && frames_.window.belongs_to(now);
   }
   static constexpr const char* kPath = "records/contacts";
-  CLCA_FIELDS(stage_, pictures_, frames_);
+  CLCA_FIELDS(stage_, last_step_, pictures_, frames_);
 
  private:
   /// An event every so many steps of a stage, and the window of steps before it.
@@ -66,7 +67,8 @@ class ContactRecord : public SavedObserver<ContactRecord> {
   scene::Contacts sampling_;
   std::uint64_t most_;  // samples in a window
   bool has_tables_;
-  ForceWindow stage_;  // the last steps of the stage
+  ForceWindow stage_;      // the last steps of the stage
+  ForceWindow last_step_;  // where the window of the stage has no sample yet
   Recurring pictures_;
   Recurring frames_;
 };

@@ -23,13 +23,15 @@ const Eigen::Vector2d kUp(0, 1);
 
 TEST(ForceSums, AContactCountsAsZeroInStepsWithoutIt) {
   ForceSums sums;
-  add(sums, std::vector{between(1, 0, kUp, 4, 2), between(0, kFloor, kUp, 1, 0)});
-  add(sums, std::vector{between(0, kFloor, kUp, 3, 0)});
+  add(sums, std::vector{between(1, 0, kUp, 4, 2), between(0, kFloor, kUp, 1, 0)}, 1);
+  add(sums, std::vector{between(0, kFloor, kUp, 3, 0)}, 1);
   const std::vector<Force> result = means(sums);
   ASSERT_EQ(result.size(), 2U);
   EXPECT_EQ(result[0].other, kFloor);
   EXPECT_DOUBLE_EQ(result[0].along_normal, 2);
+  EXPECT_DOUBLE_EQ(result[0].share, 1);
   EXPECT_EQ(result[1].upper, 1U);
+  EXPECT_DOUBLE_EQ(result[1].share, 0.5);
   EXPECT_DOUBLE_EQ(result[1].along_normal, 2);
   EXPECT_DOUBLE_EQ(result[1].along_shear, 1);
   EXPECT_EQ(result[1].branch, 3 * kUp);
@@ -38,8 +40,8 @@ TEST(ForceSums, AContactCountsAsZeroInStepsWithoutIt) {
 TEST(ForceSums, TwoGrainsThatChangePlacesKeepTheirForce) {
   ForceSums sums;
   const Eigen::Vector2d right(1, 0);
-  add(sums, std::vector{between(1, 0, right, 4, 1)});
-  add(sums, std::vector{between(0, 1, -right, 2, 3)});
+  add(sums, std::vector{between(1, 0, right, 4, 1)}, 1);
+  add(sums, std::vector{between(0, 1, -right, 2, 3)}, 1);
   const std::vector<Force> result = means(sums);
   ASSERT_EQ(result.size(), 1U);
   EXPECT_EQ(result[0].upper, 0U);
@@ -49,8 +51,8 @@ TEST(ForceSums, TwoGrainsThatChangePlacesKeepTheirForce) {
 
 TEST(ForceSums, TheMeanIsThatOfVectorsWhereTheNormalTurns) {
   ForceSums sums;
-  add(sums, std::vector{between(1, 0, {1, 0}, 2, 0)});
-  add(sums, std::vector{between(1, 0, kUp, 6, 0)});
+  add(sums, std::vector{between(1, 0, {1, 0}, 2, 0)}, 1);
+  add(sums, std::vector{between(1, 0, kUp, 6, 0)}, 1);
   const Force mean = means(sums).at(0);
   EXPECT_EQ(mean.normal, kUp);
   EXPECT_NEAR((mean.on_upper() - Eigen::Vector2d(1, 3)).norm(), 0, 1e-12);
@@ -62,12 +64,21 @@ TEST(ForceSums, SumsOfTwoSpansAreThoseOfTheWhole) {
   ForceSums whole;
   for (int step = 0; step < 4; ++step) {
     const std::vector forces = {between(1, 0, kUp, step, -step)};
-    add(step < 2 ? first : second, forces);
-    add(whole, forces);
+    add(step < 2 ? first : second, forces, 1);
+    add(whole, forces, 1);
   }
   add(first, second);
   EXPECT_EQ(first.steps, 4U);
   EXPECT_EQ(first.sums, whole.sums);
+}
+
+TEST(ForceSums, MeansAreInWeightsOfTheLastMeanMass) {
+  ForceSums sums;
+  add(sums, std::vector{between(0, kFloor, kUp, 2, 0)}, 7);
+  add(sums, std::vector{between(0, kFloor, kUp, 1, 0)}, 14);  // as heavy, among heavier grains
+  EXPECT_DOUBLE_EQ(means(sums).at(0).along_normal, 1);
+  set_mean_mass(sums, 7);
+  EXPECT_DOUBLE_EQ(means(sums).at(0).along_normal, 2);
 }
 
 TEST(ForceSums, NoStepsHaveNoForces) {

@@ -128,6 +128,21 @@ TEST_P(MovingWalls, AWallAgainstAFullColumnStallsAndOverlapsNothing) {
   check_valid(one.state());
 }
 
+// A bed of 20 grains under the ceiling holds them up for good while they go on upwards.
+TEST_P(MovingWalls, AMotionThatTurnsBackIsNotHeldUpForGood) {
+  const WallMotion wave{Direction::up, grains::Wave{.amplitude = 24, .period = 2000}};
+  const WallMotion path{Direction::up, grains::Path{{{50, 24}, {900, 24}, {950, 0}}}};
+  for (const WallMotion& motion : {wave, path}) {
+    ContactModel one = model(motion, 20, 2, 2, 30);
+    settle(one);
+    one.set_motion(0, true);
+    for (int i = 0; i < 940; ++i) {
+      ASSERT_FALSE(one.step().settled) << i;
+    }
+    EXPECT_GT(travel(one).stalls, 100U);
+  }
+}
+
 TEST_P(MovingWalls, AWaveComesHomeAfterEachCycle) {
   ContactModel one = model({Direction::up, grains::Wave{.amplitude = 2, .period = 60}}, 0, 10);
   one.set_motion(0, true);

@@ -159,6 +159,21 @@ TEST_F(RedrawTest, GivesTheBytesOfTheRunsOwnPicturesOfTheContactModel) {
   }
 }
 
+TEST_F(RedrawTest, RunsShareScalesOfTheSameUnitOnly) {
+  const scene::Scene plain = parse(kContacts, {"output.frames.overlay=forces"});
+  const scene::Scene metric =
+      parse(kContacts, {"output.frames.overlay=forces", "units={spacing: 1 mm, density: 2.5}"});
+  run::run(plain, {.folder = at("plain")});
+  run::run(metric, {.folder = at("metric")});
+  const auto ends = RunDrawing({plain, at("plain")}, {}, 1e9).scale_ends();
+  for (const auto& [name, end] : RunDrawing({metric, at("metric")}, {}, 1e9).scale_ends()) {
+    EXPECT_EQ(ends.contains(name), name == "cell") << name;
+  }
+  EXPECT_GT(
+      Redraw({{plain, at("plain")}, {metric, at("metric")}}, {.sheet = at("sheet.png")}).draw(),
+      0U);
+}
+
 TEST_F(RedrawTest, ATrajectoryWithoutContactsShowsNoForcesOfTheContactModel) {
   const scene::Scene scene =
       parse(kContacts, {"output.trajectory.contacts=false", "output.frames.overlay=forces"});

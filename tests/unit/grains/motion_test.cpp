@@ -136,6 +136,26 @@ TEST(Shake, WithoutAWaitRisesAgainOnlyWhenNoParticleMoves) {
   EXPECT_FALSE(is_over(motion, travel));
 }
 
+TEST(Shake, OfTheContactModelTakesItsPeriodForEachSite) {
+  for (const std::uint64_t period : {1, 7, 10, 100'000, 700'000, 1'000'000}) {
+    const WallMotion motion{.program = Shake{.amplitude = 2, .wait = 1, .period = period}};
+    Travel travel{.active = true};
+    std::int64_t position = 0;
+    std::uint64_t steps = 0;
+    while (position < 2 * kMotionSpacing) {
+      position += velocity(motion, travel, position);
+      ++steps;
+    }
+    EXPECT_EQ(steps, 2 * period);
+    EXPECT_EQ(position, 2 * kMotionSpacing);
+    for (travel.phase = Phase::falling; position > 0; --steps) {
+      position += velocity(motion, travel, position);
+    }
+    EXPECT_EQ(steps, 0U);
+    EXPECT_EQ(position, 0);
+  }
+}
+
 TEST(Shake, ThatCannotRiseTriesAgainAndDoesNotTurn) {
   const WallMotion motion{.program = Shake{.amplitude = 2, .wait = 1}};
   Travel travel{.active = true};

@@ -37,6 +37,11 @@ TEST(ForceDistribution, OfEqualForcesLiesInOneBinAndNoneAboveTheMean) {
   }
 }
 
+TEST(ForceDistribution, OfAveragesHasNoLimitOfSites) {
+  EXPECT_DOUBLE_EQ(force_distribution({1e6, 3e6}, StrengthKind::averaged).value().mean, 2e6);
+  EXPECT_THROW(force_distribution({1, 1e6}, StrengthKind::whole_sites), std::invalid_argument);
+}
+
 TEST(ForceDistribution, OfWholeSitesHasABinForEachNumber) {
   const auto found =
       force_distribution({1, 1, 1, 1, 2, 2, 3, 5}, StrengthKind::whole_sites).value();

@@ -19,6 +19,7 @@
 #include "clca/store/run_folder.hpp"
 #include "clca/store/summary.hpp"
 #include "clca/store/table.hpp"
+#include "clca/store/trajectory.hpp"
 #include "support/runs.hpp"
 
 namespace clca::run::run_test {
@@ -58,6 +59,23 @@ TEST(Setup, KeepsOneKindPerOrientationThatLooksDifferent) {
   const grains::State state = model::initial_state(small_scene());
   ASSERT_EQ(state.kinds.size(), 1U + 3U);  // the hexagon, and the rod in three directions
   EXPECT_EQ(state.kinds[3].species, 1);
+}
+
+TEST(Run, ThatFailsInALaterStageKeepsTheTrajectoryBeforeIt) {
+  const scene::Scene scene = scene::parse(R"(clca: 1
+box: {width: 40, height: 60}
+species: {grain: {shape: {hexagon: 1}}}
+stages:
+  - {name: one, fill: {region: [0, 0, 40, 55], counts: {grain: 100}}}
+  - {name: two, fill: {region: [0, 20, 40, 55], counts: {grain: 200}}}
+output: {trajectory: {every: 10}}
+)",
+                                          "fails.yaml");
+  const testing::ScratchFolder folder;
+  EXPECT_THROW(run(scene, {.folder = folder.path() / "run"}), std::exception);
+  const store::Trajectory trajectory(folder.path() / "run", scene, model::initial_state(scene),
+                                     1e9);
+  EXPECT_GT(trajectory.frames().size(), 1U);
 }
 
 TEST(Setup, GivesWallsTheirMotionAndLeavesOutThoseThatComeLater) {

@@ -50,6 +50,19 @@ TEST(ParseContact, IsTheAutomatonUnlessTheSceneSaysOtherwise) {
   EXPECT_EQ(to_yaml(scene), to_yaml(parse(testing::scene_with("model: automaton"), "scene.yaml")));
 }
 
+TEST(ParseContact, BoundsAStageByTheStepsOfItsCycles) {
+  const auto bound = [](const std::string& shake) {
+    return contact_with(
+               "walls: {plate: {box: [0, 0, 50, 1], motion: {shake: " + shake +
+               "}}}\nstages: [{name: first, fill: {region: [0, 2, 50, 50], counts: {small: 5}}, "
+               "sources: [spout], move: [plate], until: {cycles: 20000}}]\n")
+        .stages[0]
+        .max_steps;
+  };
+  EXPECT_EQ(bound("{amplitude: 4}"), 20'000U * (8 * 10 + 60));
+  EXPECT_EQ(bound("{amplitude: 4, period: 7, wait: 3}"), 20'000U * (8 * 7 + 3));
+}
+
 TEST(ParseContact, FillsInTheDefaults) {
   const Scene scene = contact_with("");
   EXPECT_EQ(scene.model, Model::contact);

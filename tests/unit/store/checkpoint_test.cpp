@@ -18,7 +18,7 @@ using ::testing::HasSubstr;
 using Bytes = std::vector<std::uint8_t>;
 
 constexpr double kMuch = 1e9;
-constexpr FileKind kKind = {"checkpoint", 3};
+constexpr FileKind kKind = {"checkpoint", 4};
 constexpr std::size_t kMany = 200'000;  // more than a block
 
 template <class T>

@@ -116,6 +116,12 @@ TEST_F(PoolTest, CarriesOutAllTasksByThreads) {
   EXPECT_THAT(shares_, ElementsAre(kTasks));
 }
 
+TEST_F(PoolTest, AnExceptionBeforeTheFirstTaskIsThrownWhereResultsAreTaken) {
+  Pool<std::size_t> pool(3, alone_, all_tasks(),
+                         {.carry_out = square, .begin = [] { throw std::bad_alloc(); }}, nullptr);
+  EXPECT_THROW(pool.take_finished(kPause), std::bad_alloc);
+}
+
 TEST_F(PoolTest, EachRankCarriesOutAShareOfThem) {
   start_rank(1);
   start_rank(2, 2);
