@@ -14,7 +14,7 @@ for module in ("scipy", "sklearn", "yaml"):
     needs(module)
 
 import clca
-from clca._rounds import Surrogate, posterior, sobol
+from clca._rounds import Surrogate, posterior, sobol_points
 from clca._study import read_study
 
 NOISE = (1.0, 0.05)
@@ -36,7 +36,7 @@ def measures(points):
 class StatisticsTest(unittest.TestCase):
     def test_intervals_hold_hidden_truths(self):
         held, random = numpy.zeros(2, int), numpy.random.default_rng(1)
-        points, seeds = sobol(2, 64, 1), 4
+        points, seeds = sobol_points(2, 64, 1), 4
         for truth in random.uniform(0.1, 0.9, (12, 2)):
             surrogates = []
             for values, noise in zip(measures(points), NOISE):
@@ -50,7 +50,7 @@ class StatisticsTest(unittest.TestCase):
         self.assertGreaterEqual(held.min(), 10)  # of 12: 95 %
 
     def test_a_parameter_that_changes_nothing_stays_open(self):
-        points = sobol(2, 32, 1)
+        points = sobol_points(2, 32, 1)
         surrogate = Surrogate(points, points[:, 0], numpy.full(32, 1e-4))
         found = posterior([surrogate], [(0.4, 0.02)], 2)
         width = found.quantile(0.975) - found.quantile(0.025)

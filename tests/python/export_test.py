@@ -14,8 +14,8 @@ from pathlib import Path
 import clca
 import h5py
 import numpy
-from clca._export import chosen
-from clca._frames import trapezoids
+from clca._export import chosen_frames
+from clca._frames import body_trapezoids
 from support import CONTACT, GAS, PROGRAM, SCENE, ScratchTest, clca_program, needs
 
 FORMATS = {"vtp": "pvd", "gsd": "gsd", "xyz": "xyz", "h5md": "h5"}
@@ -171,18 +171,18 @@ class ReadBackTest(ScratchTest):
 class ExportTest(ScratchTest):
     def test_one_frame_for_each_step_by_the_beat_of_each_stage(self):
         frames = [(0, "a"), (4, "a"), (8, "a"), (12, "b"), (16, "b")]
-        self.assertEqual(chosen(frames, None, None, 1), [0, 1, 2, 3, 4])
-        self.assertEqual(chosen(frames, None, None, 6), [0, 2, 4])
-        self.assertEqual(chosen(frames, 5, 12, 1), [2, 3])
-        self.assertEqual(chosen([(0, "a"), (4, "a"), (10, "a"), (14, "b"), (18, "b")], None, None, 8), [0, 2, 4])
+        self.assertEqual(chosen_frames(frames, None, None, 1), [0, 1, 2, 3, 4])
+        self.assertEqual(chosen_frames(frames, None, None, 6), [0, 2, 4])
+        self.assertEqual(chosen_frames(frames, 5, 12, 1), [2, 3])
+        self.assertEqual(chosen_frames([(0, "a"), (4, "a"), (10, "a"), (14, "b"), (18, "b")], None, None, 8), [0, 2, 4])
         with self.assertRaisesRegex(clca.Error, "from step 0 to 16"):
-            chosen(frames, 17, None, 1)
+            chosen_frames(frames, 17, None, 1)
         with self.assertRaisesRegex(clca.Error, "no frames yet"):
-            chosen([], None, None, 1)
+            chosen_frames([], None, None, 1)
 
     def test_walls_may_have_holes_and_parts(self):
         def area(sites):
-            points, counts = trapezoids(numpy.array(sites))
+            points, counts = body_trapezoids(numpy.array(sites))
             x, y = points.T
             ends = numpy.cumsum(counts)
             after = numpy.arange(len(points)) + 1

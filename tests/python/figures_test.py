@@ -6,7 +6,7 @@ import unittest
 import clca
 import numpy
 from clca import _chart, _figures
-from clca._chart import Look
+from clca._chart import FileFormat
 from clca._figures import FIGURES, charts
 from matplotlib.figure import Figure
 from support import ScratchTest
@@ -87,8 +87,8 @@ class EachFigureTest(ScratchTest):
     def check(self, run, chart):
         pure = {table.label(name) for table in map(run.table, run.tables) for name in table.names if not table.units[name]}
         (panel,) = chart.panels()
-        with _chart.style(1):
-            page = _chart.page(chart, Look(), 6, None, 8)
+        with _chart.plot_style(1):
+            page = _chart.page_figure(chart, FileFormat(), 6, None, 8)
             page.canvas.draw()
         for axis in filter(None, (panel.x, panel.y, panel.y2)):
             self.assertTrue(axis.label in pure or re.fullmatch(PURE + r"|.*\(.+\)", axis.label), axis.label)

@@ -14,8 +14,8 @@ from pathlib import Path
 import clca
 import numpy
 from clca import _chart, _figures
-from clca._chart import Axis, Chart, Curve, Look, Panel, rendered
-from clca._figures import Choice, charts, chosen
+from clca._chart import Axis, Chart, Curve, FileFormat, Panel, figure_bytes
+from clca._figures import FigureChoice, charts, chosen_charts
 from support import CONTACT, GAS, PROGRAM, SCENE, ScratchTest, clca_program
 
 import matplotlib
@@ -29,11 +29,11 @@ OF_GAS = {"temperature-translational", "cumulant-translational", "distance-trans
 
 
 def names(folder, **choice):
-    return [chart.name for chart in charts(folder, Choice(**choice))]
+    return [chart.name for chart in charts(folder, FigureChoice(**choice))]
 
 
 def panel_of(folder, name, **choice):
-    return chosen(folder, [name], Choice(**choice))[0].panels()[0]
+    return chosen_charts(folder, [name], FigureChoice(**choice))[0].panels()[0]
 
 
 class FiguresTest(ScratchTest):
@@ -106,7 +106,7 @@ class FiguresTest(ScratchTest):
         self.assertEqual([len(curve.x) for curve in panel.on_y2], [len(curve.x) for curve in panel.curves[:2]])
         self.assertEqual([curve.label for curve in panel.curves[2:]],
                          ["Mean height of the particles (spacings) (left)", "Moving (particles) (right, dashed)"])
-        with _chart.style(1):
+        with _chart.plot_style(1):
             first, second = _chart.draw_panel(pyplot.figure().add_subplot(), panel)
         pyplot.close()
         self.assertEqual([any(line.get_visible() for line in ax.get_ygridlines()) for ax in (first, second)], [True, False])
@@ -124,9 +124,9 @@ class FiguresTest(ScratchTest):
     def test_what_cannot_be_drawn_is_said(self):
         run = clca.run(SCENE, output="run")
         with self.assertRaisesRegex(clca.Error, "do not allow the figure 'outflow', which needs series.csv"):
-            chosen(run, ["outflow"], Choice())
+            chosen_charts(run, ["outflow"], FigureChoice())
         with self.assertRaisesRegex(clca.Error, "no figure 'x' .there are: .*profile"):
-            chosen(run, ["x"], Choice())
+            chosen_charts(run, ["x"], FigureChoice())
         for choice, said in (
             ({"y": ["time"]}, "no table with a column 'time'; series.csv has step, stage, "),
             ({"first": 1e9}, "the figure 'motion' has no rows in the stages and times that are chosen"),
@@ -138,7 +138,7 @@ class FiguresTest(ScratchTest):
             ({"y2": "movin", "first": 1e9}, "no figure over time of a table with a column 'movin'"),
         ):
             with self.assertRaisesRegex(clca.Error, said):
-                chosen(run, ["motion"], Choice(**choice))[0].panels()
+                chosen_charts(run, ["motion"], FigureChoice(**choice))[0].panels()
 
     def test_names_of_the_list_are_all_different_and_say_what_they_show(self):
         self.assertEqual(len({figure.name for figure in _figures.FIGURES}), len(_figures.FIGURES))
@@ -156,8 +156,8 @@ class SweepTest(ScratchTest):
         self.assertEqual([curve.label for curve in panels[0].curves], [f"rules.scatter={x}" for x in ("0", "0.1", "0.2", "0.3")])
         # No letter is over the axes, which are larger than the legend.
         for width in (89, 180):
-            with _chart.style(1):
-                page = _chart.page(chart, Look(in_mm=True), width / 25.4, None, 8)
+            with _chart.plot_style(1):
+                page = _chart.page_figure(chart, FileFormat(in_mm=True), width / 25.4, None, 8)
                 page.canvas.draw()
                 legend = page.legends[0].get_window_extent()
                 for ax in page.axes:
@@ -166,12 +166,12 @@ class SweepTest(ScratchTest):
 
     def test_titles_of_panels_break_between_keys_and_each_column_has_labels(self):
         title = "rules.scatter=0.1, L0=60, stages.flow.rules.inertia=0.0625"
-        self.assertEqual(_chart.broken(title, 20), ["rules.scatter=0.1,", "L0=60,", "stages.flow.rules.", "inertia=0.0625"])
-        self.assertEqual(_chart.broken("x" * 30, 20), ["x" * 20, "x" * 10])
+        self.assertEqual(_chart.lines_of_length(title, 20), ["rules.scatter=0.1,", "L0=60,", "stages.flow.rules.", "inertia=0.0625"])
+        self.assertEqual(_chart.lines_of_length("x" * 30, 20), ["x" * 20, "x" * 10])
         x = numpy.arange(5.0)
         panels = [Panel([Curve("a", x, x)], Axis("Time (s)"), Axis("Height"), title) for _ in range(7)]
-        with _chart.style(1):
-            page = _chart.page(Chart("a", "b", 0, lambda: panels), Look(), 960 / 96, None, 8)
+        with _chart.plot_style(1):
+            page = _chart.page_figure(Chart("a", "b", 0, lambda: panels), FileFormat(), 960 / 96, None, 8)
             page.canvas.draw()
             has_label = [ax.get_xlabel() == "Time (s)" and ax.xaxis.get_ticklabels()[0].get_visible() for ax in page.axes]
             self.assertEqual(has_label, [False, False, False, False, True, True, True])
@@ -183,7 +183,7 @@ class SweepTest(ScratchTest):
         sweep = clca.sweep(SCENE, seeds=[1], vary=vary, output="sweep")
         panel = panel_of(sweep, "sweep-flow-runout_99")
         self.assertEqual(panel.scale, ("rules.scatter", [x / 10 for x in range(9)]))
-        rendered(chosen(sweep, ["sweep-flow-runout_99"], Choice())[0], Look())
+        figure_bytes(chosen_charts(sweep, ["sweep-flow-runout_99"], FigureChoice())[0], FileFormat())
 
     def test_axis_measures_and_curves_may_be_chosen(self):
         sweep = clca.sweep(SCENE, seeds=[1, 2], vary={"rules.inertia": [0, 0.9], "rules.ties": ["particle", "direction"]},
@@ -215,8 +215,8 @@ class LegendTest(unittest.TestCase):
         x = numpy.array([0.0, 1.0])
         curves = [Curve(name.format(i), x, x + i) for i in range(count)]
         chart = Chart("many", "", 0, lambda: [Panel(curves, Axis("x"), Axis("y"))], "A title")
-        with _chart.style(1):
-            page = _chart.page(chart, Look(in_mm=True), width / 25.4, height and height / 25.4, 8)
+        with _chart.plot_style(1):
+            page = _chart.page_figure(chart, FileFormat(in_mm=True), width / 25.4, height and height / 25.4, 8)
             page.canvas.draw()
         return page
 
@@ -252,9 +252,9 @@ class LettersTest(ScratchTest):
     def test_any_title_stays_text_and_the_file_well_formed(self):
         run = clca.run(SCENE | {"title": "silo ]]> <b>&amp; $x_1$ \u1234 \U0001f600 end"}, output="run")
         for chart in charts(run):
-            picture = xml.fromstring(rendered(chart, Look("svg")))
+            picture = xml.fromstring(figure_bytes(chart, FileFormat("svg")))
             file = self.folder / f"{chart.name}.pdf"
-            file.write_bytes(rendered(chart, Look("pdf")))
+            file.write_bytes(figure_bytes(chart, FileFormat("pdf")))
             said = subprocess.run(["pdftotext", "-raw", file, "-"], check=True, capture_output=True, text=True).stdout
             for text in ("".join(picture.itertext()), said):
                 for word in ("silo ]]> <b>&amp; $x_1$", "end"):
@@ -266,7 +266,7 @@ class LettersTest(ScratchTest):
         for width in (60, 89, 180):
             for chart in charts(run):
                 file = self.folder / f"{width}-{chart.name}.pdf"
-                file.write_bytes(rendered(chart, Look("pdf", True, width)))
+                file.write_bytes(figure_bytes(chart, FileFormat("pdf", True, width)))
                 text = subprocess.run(["pdftotext", "-bbox", file, "-"], check=True, capture_output=True, text=True).stdout
                 wide, high = map(float, re.search(r'page width="([\d.]+)" height="([\d.]+)"', text).groups())
                 self.assertAlmostEqual(wide, width / 25.4 * 72, delta=0.1)
@@ -284,19 +284,19 @@ class LettersTest(ScratchTest):
     def test_letters_have_the_same_size_in_every_format(self):
         run = clca.run(SCENE, output="run")
         chart = next(chart for chart in charts(run) if chart.name == "mean-height")
-        sizes = set(re.findall(r"font: ([\d.]+)px", rendered(chart, Look("svg", True, 89)).decode()))
+        sizes = set(re.findall(r"font: ([\d.]+)px", figure_bytes(chart, FileFormat("svg", True, 89)).decode()))
         self.assertEqual(sizes, {"8"})  # 72 of its pixels are an inch
-        png = rendered(chart, Look("png", True, 89))
+        png = figure_bytes(chart, FileFormat("png", True, 89))
         self.assertEqual(int.from_bytes(png[16:20], "big"), int(89 / 25.4 * 300))  # letters scale with the width
 
     def test_letters_that_no_font_has_are_told_by_their_number(self):
-        self.assertEqual(_chart.plain("a\U0010ffffb"), "a[U+10FFFF]b" if "\U0010ffff".isprintable() else "a b")
-        self.assertEqual(_chart.plain("cost $5"), r"cost \$5")
+        self.assertEqual(_chart.plain_for_matplotlib("a\U0010ffffb"), "a[U+10FFFF]b" if "\U0010ffff".isprintable() else "a b")
+        self.assertEqual(_chart.plain_for_matplotlib("cost $5"), r"cost \$5")
 
     def test_the_same_tables_give_the_same_bytes(self):
         chart = charts(clca.run(SCENE, output="run"))[0]
         for kind in ("png", "svg", "pdf"):
-            self.assertEqual(rendered(chart, Look(kind)), rendered(chart, Look(kind)))
+            self.assertEqual(figure_bytes(chart, FileFormat(kind)), figure_bytes(chart, FileFormat(kind)))
 
 
 class CommandTest(ScratchTest):

@@ -19,7 +19,7 @@ from pathlib import Path
 import clca
 import numpy
 from clca import _report
-from clca._chart import Chart, Curve, Look, Panel, rendered
+from clca._chart import Chart, Curve, FileFormat, Panel, figure_bytes
 from support import CONTACT, GAS, PROGRAM, SCENE, ScratchTest, clca_program
 
 EVIL = "</pre></script><script>alert(1)</script>]]>\"'&\x1b[2J\x00"
@@ -102,7 +102,7 @@ class PageTest(ScratchTest):
         """The page, and its text; warnings are in `warned`."""
         if name == "run":
             self.write("run.json", json.dumps(self.run))
-        page, self.warned = _report.report(clca.open(name), max_frames)
+        page, self.warned = _report.report_page(clca.open(name), max_frames)
         self.html = page.decode()
         for svg in re.findall(r"<svg.*?</svg>", self.html, re.DOTALL):
             xml.fromstring(svg)
@@ -171,7 +171,7 @@ class ReportTest(PageTest):
 
     def test_titles_of_figures_stay_text_in_svg(self):
         chart = Chart("name", "about", 0, lambda: [Panel([Curve(EVIL, [0, 1], [0, 1])], title=EVIL)], EVIL)
-        svg = xml.fromstring(rendered(chart, Look("svg")))
+        svg = xml.fromstring(figure_bytes(chart, FileFormat("svg")))
         said = "".join(svg.itertext())
         self.assertIn("</script>", said)
         self.assertIn("]]>", said)
@@ -193,14 +193,14 @@ class ReportTest(PageTest):
 
     def test_a_figure_that_fails_does_not_take_the_page_with_it(self):
         self.write("series.csv", "step,stage,moving_share,mean_height\n0,packing,0.5,1\n1,packing,0.2,2\n")
-        self.addCleanup(setattr, _report, "rendered", _report.rendered)
+        self.addCleanup(setattr, _report, "figure_bytes", _report.figure_bytes)
 
         def failing(chart, look):
             if chart.name == "motion":
                 raise ValueError("<no>")
-            return rendered(chart, look)
+            return figure_bytes(chart, look)
 
-        _report.rendered = failing
+        _report.figure_bytes = failing
         self.page()
         self.assertHas("figure-mean-height")
         self.assertWarned("figure motion is left out: <no>")
@@ -332,8 +332,8 @@ class ReportTest(PageTest):
             self.assertEqual(" ± ".join(filter(None, rows[0][2][0])), text, number)
 
     def test_names_between_backticks_are_code(self):
-        self.assertEqual(_report.marked("as `a_b`, <x>"), "as <code>a_b</code>, &lt;x&gt;")
-        self.assertEqual(_report.html("notebook.html", said="", columns=["a"], notes=[], parts=[("", [(
+        self.assertEqual(_report.with_code_markup("as `a_b`, <x>"), "as <code>a_b</code>, &lt;x&gt;")
+        self.assertEqual(_report.rendered_html("notebook.html", said="", columns=["a"], notes=[], parts=[("", [(
             "x", clca._table.Quantity("X", description="as `y`"), [("1", "")])], False)]).count(b"as <code>y</code>"), 1)
 
     def test_a_page_needs_no_compiled_part(self):

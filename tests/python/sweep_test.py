@@ -83,13 +83,13 @@ class SweepTest(ScratchTest):
         counts = {"stages.packing.fill.counts": {"grain": 40}}
         sweep = clca.sweep(scene, seeds=[1, 2], vary={"model": ["automaton", "contact"]}, set=counts, output="sweep")
         self.assertEqual(sweep.runs.units["flow.time"], "√(spacing/gravity)")
-        charts = _figures.charts(sweep, _figures.Choice(y=["mean_height"]))
+        charts = _figures.charts(sweep, _figures.FigureChoice(y=["mean_height"]))
         means = next(chart for chart in charts if chart.name == "mean-series-flow-mean_height")
         (panel,) = means.panels()
         self.assertEqual([curve.label for curve in panel.curves], ["model=automaton", "model=contact"])
         self.assertEqual(panel.x.label, "Step, since the stage began")
         with self.assertRaisesRegex(clca.Error, "figures of a sweep have no second axis"):
-            _figures.charts(sweep, _figures.Choice(y2="mean_height"))
+            _figures.charts(sweep, _figures.FigureChoice(y2="mean_height"))
 
     def test_columns_of_its_tables_are_described_as_such(self):
         sweep = clca.sweep(SCENE, seeds=[1, 2], output="sweep")

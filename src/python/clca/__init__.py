@@ -13,7 +13,7 @@ import importlib
 from typing import TYPE_CHECKING, Any
 
 from ._calibrate import Calibration, calibrate
-from ._error import CompiledPartError, Error, compiled
+from ._error import CompiledPartError, Error, compiled_module
 from ._folder import Run, Stage, Sweep, open
 from ._frames import Frame, Frames, Kind
 from ._notebook import Movie, Picture, Progress
@@ -34,7 +34,7 @@ def __getattr__(name: str) -> Any:
     if name not in _MODULE_OF:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     if _MODULE_OF[name] == "_scene":
-        compiled(f"clca.{name}")
+        compiled_module(f"clca.{name}")
     globals()[name] = found = getattr(importlib.import_module(f".{_MODULE_OF[name]}", __name__), name)
     return found
 

@@ -10,15 +10,15 @@ PACKAGES = ("gsd", "h5py", "jinja2", "matplotlib", "numpy", "scipy", "sklearn", 
 PIP = {"sklearn": "scikit-learn", "yaml": "PyYAML"}  # where it has another name
 
 
-def failed(code: int, line: str) -> int:
+def report_failure(code: int, line: str) -> int:
     print(f"clca: error: {line}", file=sys.stderr)
     return code
 
 
-def missing(error: ImportError) -> int:
+def report_missing_module(error: ImportError) -> int:
     name = error.name or ""
     more = f"no Python module {name}; install python3-{name} (Debian) or {PIP.get(name, name)} (pip)"
-    return failed(1, more if name in PACKAGES else str(error))
+    return report_failure(1, more if name in PACKAGES else str(error))
 
 
 def main() -> int:
@@ -29,19 +29,19 @@ def main() -> int:
     try:
         from clca._error import Error, WriteError, printable
     except ImportError as error:
-        return missing(error)
+        return report_missing_module(error)
     try:
         importlib.import_module(f"clca._{sys.argv[1]}").command(json.loads(sys.argv[2]), *sys.argv[3:])
     except Error as error:
         line = str(error)
         if error.line is None:
-            return failed(1 if isinstance(error, WriteError) else 2, line)
+            return report_failure(1 if isinstance(error, WriteError) else 2, line)
         print(line, file=sys.stderr)  # as of a scene
         return 2
     except ImportError as error:
-        return missing(error)
+        return report_missing_module(error)
     except Exception as error:  # one line, as of the program
-        return failed(1, printable(f"{type(error).__name__}: {error}".splitlines()[0]))
+        return report_failure(1, printable(f"{type(error).__name__}: {error}".splitlines()[0]))
     return 0
 
 

@@ -1,4 +1,4 @@
-"""What a command answers to the program that has started it, on standard output."""
+"""Sends the answer of a command on standard output to the program that has started it."""
 
 import json
 import sys
@@ -6,20 +6,20 @@ from collections.abc import Iterable
 from typing import Any
 
 
-def parts(name: str, size: int, content: Iterable[Any]) -> None:
-    """A file that the program writes, relative to the folder of the command: its bytes, part by part."""
+def send_file_in_parts(name: str, size: int, content: Iterable[Any]) -> None:
+    """Sends a file, given as parts of its bytes, to the program, which writes it under this relative name."""
     print(json.dumps({"file": name, "bytes": size}), flush=True)
     sys.stdout.buffer.writelines(content)
     sys.stdout.buffer.flush()
 
 
-def file(name: str, content: bytes) -> None:
-    parts(name, len(content), [content])
+def send_file(name: str, content: bytes) -> None:
+    send_file_in_parts(name, len(content), [content])
 
 
-def files(contents: Iterable[tuple[str, bytes]], lines: Iterable[str]) -> None:
-    """The whole answer of a command; lines are for the user, on the standard output of the program."""
+def send_files_and_lines(contents: Iterable[tuple[str, bytes]], lines: Iterable[str]) -> None:
+    """Sends the whole answer of a command: files, and lines that the program prints for the user."""
     for name, content in contents:
-        file(name, content)
+        send_file(name, content)
     for text in lines:
         print(json.dumps({"line": text}), flush=True)

@@ -24,8 +24,8 @@ MOST_RUNS = 100_000
 MOST_BYTES_OF_NAME = 255  # of a file
 
 
-def shown(value: Any) -> str:
-    """In a message."""
+def message_text(value: Any) -> str:
+    """Returns the text of the value for messages, shortened."""
     try:
         text = str(value)
     except Exception:  # of any class, or a number of thousands of digits
@@ -33,8 +33,8 @@ def shown(value: Any) -> str:
     return text if len(text) <= 80 else f"{text[:80]}..."
 
 
-def refused(name: str, expected: str, value: Any) -> ArgumentError:
-    return ArgumentError(f"{name}: expected {expected}, found '{shown(value)}'")
+def argument_error(name: str, expected: str, value: Any) -> ArgumentError:
+    return ArgumentError(f"{name}: expected {expected}, found '{message_text(value)}'")
 
 
 def suggestion(name: str, known: Iterable[str]) -> str:
@@ -42,78 +42,80 @@ def suggestion(name: str, known: Iterable[str]) -> str:
     return f"; did you mean '{near[0]}'?" if near else ""
 
 
-def whole(name: str, value: Any, least: int, most: int) -> int:
-    """A whole number in this range."""
+def checked_whole(name: str, value: Any, least: int, most: int) -> int:
+    """Returns the value as an integer from `least` to `most`."""
     try:
         number = operator.index(value)
     except TypeError:
         number = least - 1
     if not least <= number <= most:
-        raise refused(name, f"a whole number from {least} to {most}", value)
+        raise argument_error(name, f"a whole number from {least} to {most}", value)
     return number
 
 
 def checked_index(what: str, number: Any, count: int, more: str = "") -> int:
-    """An index into a list of `count`, also one counted from its end. IndexError if it is not there."""
+    """Returns an index into a list of `count`; negative ones count from its end. IndexError if it is not there."""
     try:
         place = operator.index(number)
     except TypeError:
-        raise refused(what, "a whole number", number) from None
+        raise argument_error(what, "a whole number", number) from None
     if not -count <= place < count:
         raise IndexError(f"no {what} {number}; there are {count}{more}")
     return place % count
 
 
-def number(name: str, value: Any, least: float = -LARGEST_FLOAT, most: float = LARGEST_FLOAT, expected: str = "a number") -> float:
-    """One in this range."""
+def checked_number(
+    name: str, value: Any, least: float = -LARGEST_FLOAT, most: float = LARGEST_FLOAT, expected: str = "a number"
+) -> float:
+    """Returns the value as a float from `least` to `most`."""
     try:
         found = math.nan if isinstance(value, (str, bytes, bytearray, bool)) else float(value)
     except (TypeError, ValueError, OverflowError):
         found = math.nan
     if not least <= found <= most:
-        raise refused(name, expected, value)
+        raise argument_error(name, expected, value)
     return found
 
 
-def text(name: str, value: Any) -> str:
-    """One that is UTF-8, without NUL."""
+def checked_text(name: str, value: Any) -> str:
+    """Returns a text that is valid UTF-8 without NUL."""
     is_text = isinstance(value, str) and "\0" not in value
     if not is_text or any("\ud800" <= letter <= "\udfff" for letter in value):
-        raise refused(name, "a text", value)
+        raise argument_error(name, "a text", value)
     return str(value)
 
 
-def flag(name: str, value: Any) -> bool:
+def checked_flag(name: str, value: Any) -> bool:
     if not isinstance(value, (bool, numpy.bool_)):
-        raise refused(name, "True or False", value)
+        raise argument_error(name, "True or False", value)
     return bool(value)
 
 
-def mapping(name: str, value: Mapping[K, T] | None) -> dict[K, T]:
-    """None is an empty one."""
+def checked_mapping(name: str, value: Mapping[K, T] | None) -> dict[K, T]:
+    """Returns a dictionary; None becomes an empty one."""
     if not isinstance(value, (Mapping, type(None))):
-        raise refused(name, "a map of keys and values", value)
+        raise argument_error(name, "a map of keys and values", value)
     return dict(value or {})
 
 
-def workers(name: str, value: int | None) -> int | None:
-    """Threads or jobs."""
-    return None if value is None else whole(name, value, 1, 1024)
+def checked_workers(name: str, value: int | None) -> int | None:
+    """Returns a number of threads or jobs, or None."""
+    return None if value is None else checked_whole(name, value, 1, 1024)
 
 
-def progress(value: Any) -> Any:
+def checked_progress(value: Any) -> Any:
     if not isinstance(value, bool) and not callable(value):
-        raise refused("progress", "True, False or a function", value)
+        raise argument_error("progress", "True, False or a function", value)
     return value
 
 
-def path(value: str | os.PathLike[str]) -> str:
-    """Of a file or folder."""
+def checked_path(value: str | os.PathLike[str]) -> str:
+    """Returns the path of a file or folder as a text."""
     try:
         name = os.fsdecode(value)
         is_name = b"\0" not in os.fsencode(name)
     except (TypeError, ValueError):
-        name, is_name = shown(value), False
+        name, is_name = message_text(value), False
     if not name:
         raise ArgumentError("the name of a file or folder is empty")
     if not is_name or any(len(os.fsencode(part)) > MOST_BYTES_OF_NAME for part in name.split(os.sep)):
@@ -121,48 +123,48 @@ def path(value: str | os.PathLike[str]) -> str:
     return name
 
 
-def absolute(value: str | os.PathLike[str]) -> Path:
-    """The same wherever the process goes."""
+def absolute_path(value: str | os.PathLike[str]) -> Path:
+    """Returns the absolute path."""
     try:
-        return Path(path(value)).absolute()
+        return Path(checked_path(value)).absolute()
     except OSError as failure:
         raise ArgumentError(f"cannot name the current folder: {failure.strerror}") from None
 
 
-def at_most_runs(name: str, values: Iterable[T]) -> list[T]:
-    """A list of the values, no more than a sweep can have runs."""
+def checked_run_list(name: str, values: Iterable[T]) -> list[T]:
+    """Returns a list of the values; a sweep can have no more runs."""
     is_one = isinstance(values, (str, bytes, bytearray)) or getattr(values, "ndim", 1) == 0  # also an array without dimensions
     if is_one or not isinstance(values, Iterable):
-        raise refused(name, "a list of values", values)
+        raise argument_error(name, "a list of values", values)
     taken = list(islice(values, MOST_RUNS + 1))
     if len(taken) > MOST_RUNS:
         raise ArgumentError(f"{name}: more than {MOST_RUNS} runs")
     return taken
 
 
-def plain(name: str, value: Any) -> Any:
-    """A value as a scene file has it, for JSON, which is YAML; None is `none`. Throws ArgumentError, which names it."""
+def plain_value(name: str, value: Any) -> Any:
+    """Returns a value for JSON, as a scene file has it; None becomes `none`. Throws ArgumentError, which gives the name."""
     if value is None:
         return "none"
     if isinstance(value, Mapping):
-        return {text(name, key): plain(f"{name}.{key}", one) for key, one in value.items()}
+        return {checked_text(name, key): plain_value(f"{name}.{key}", one) for key, one in value.items()}
     if isinstance(value, (list, tuple, range)):
-        return [plain(name, one) for one in value]
+        return [plain_value(name, one) for one in value]
     if isinstance(value, (numpy.generic, numpy.ndarray)):
-        return plain(name, value.tolist())
+        return plain_value(name, value.tolist())
     if isinstance(value, (str, os.PathLike)):
-        return text(name, os.fspath(value))
+        return checked_text(name, os.fspath(value))
     if not isinstance(value, (bool, int, float)):
-        raise refused(name, "what a scene can have", value)
+        raise argument_error(name, "what a scene can have", value)
     return value
 
 
 def to_yaml(name: str, value: Any, indent: int | None = None) -> str:
-    """A value of that name in the syntax of a scene. Throws ArgumentError for one that a scene cannot have."""
+    """Returns the value in the syntax of a scene. Throws ArgumentError for one that a scene cannot have."""
     try:
-        value = plain(name, value)
+        value = plain_value(name, value)
         if isinstance(value, str) and re.fullmatch(r"(?!(true|false|null)$)[A-Za-z_]+", value):
             return value  # as one writes it, also in tables and names of folders
         return json.dumps(value, ensure_ascii=False, indent=indent)
     except (RecursionError, ValueError) as error:
-        raise error if isinstance(error, ArgumentError) else refused(name, "what a scene can have", value) from None
+        raise error if isinstance(error, ArgumentError) else argument_error(name, "what a scene can have", value) from None

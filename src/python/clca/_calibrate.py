@@ -1,4 +1,4 @@
-"""Calibration: which values of parameters give measured values. What is found, and how it is shown."""
+"""Calibration finds values of parameters that reproduce measured values; this module writes and draws its result."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ from typing import TYPE_CHECKING, Any
 import numpy
 
 from . import _answer
-from ._arguments import absolute, mapping, plain, progress as checked_progress, to_yaml, workers
+from ._arguments import absolute_path, checked_mapping, plain_value, checked_progress as checked_progress, to_yaml, checked_workers
 from ._error import ArgumentError, Error
-from ._folder import Folder, make_own, refuse_other_kind, write_files
+from ._folder import Folder, make_clca_folder, refuse_other_kind, write_files
 from ._notebook import Progress
-from ._rounds import Answer, Numbers, scaled, step
-from ._study import Place, read_study, study_of
-from ._table import Quantity, Table, csv_of
+from ._rounds import Answer, Numbers, parameter_values, next_step
+from ._study import Place, read_study, parsed_study
+from ._table import Quantity, Table, csv_bytes
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure  # type: ignore[import]
@@ -52,7 +52,7 @@ TARGET_COLUMNS = {
 
 
 class Calibration(Folder):
-    """What `calibrate` has found; also read again from its folder."""
+    """The result of `calibrate`, also read again from its folder."""
 
     notes: list[str]  #: where the targets do not determine the parameters, or cannot be had
     keys: list[str]  #: the parameters
@@ -90,12 +90,12 @@ class Calibration(Folder):
         return self.table("likely")
 
     def plot(self) -> Figure:
-        """What is likely: each parameter alone and each pair. A figure of pyplot, in the style that is set."""
+        """Draws the likely values of each parameter and of each pair. Returns a figure of pyplot in the style that is set."""
         from matplotlib import pyplot  # type: ignore[import]
 
         size = pyplot.rcParams["figure.figsize"][0] * max(len(self.keys) / 2, 0.6)
         figure = pyplot.figure(figsize=(size, size), layout="constrained")
-        draw(figure, self.summary["vary"], self.parameters, self.likely)
+        draw_posterior(figure, self.summary["vary"], self.parameters, self.likely)
         return figure
 
 
@@ -117,14 +117,14 @@ def tables_of(answer: Answer) -> dict[str, Table]:
         return Table((key, numpy.array(cells), Quantity(name, description=what)) for (key, (name, what)), cells in named)
 
     return {
-        "parameters": table(PARAMETER_COLUMNS, [list(study.vary), *scaled(study, points)]),
+        "parameters": table(PARAMETER_COLUMNS, [list(study.vary), *parameter_values(study, points)]),
         "targets": table(TARGET_COLUMNS, zip(*rows)),
-        "likely": table(likely, scaled(study, found.drawn(DRAWN, 0)).T),
+        "likely": table(likely, parameter_values(study, found.samples(DRAWN, 0)).T),
     }
 
 
 def notes_of(answer: Answer, tables: Mapping[str, Table], correlations: Numbers) -> Iterator[str]:
-    """What has to be known beside the numbers."""
+    """Yields warnings about the result."""
     vary = answer.study.vary
     least = numpy.abs(answer.posterior.misfits).max(axis=1).min()
     if least > 2:
@@ -147,8 +147,8 @@ def notes_of(answer: Answer, tables: Mapping[str, Table], correlations: Numbers)
             yield f"{checked}, {abs(row['deviation']):.1f} standard deviations from {row['value']:.4g}."
 
 
-def content_of(answer: Answer) -> tuple[dict[str, Any], dict[str, Table]]:
-    """What is written about an answer: calibration.json, and the tables."""
+def summary_and_tables(answer: Answer) -> tuple[dict[str, Any], dict[str, Table]]:
+    """Returns the content of calibration.json, and the tables."""
     study, tables = answer.study, tables_of(answer)
     points = numpy.array(tables["likely"].tolist())
     # Of ranks: also where one parameter falls with the other along a curve.
@@ -156,7 +156,7 @@ def content_of(answer: Answer) -> tuple[dict[str, Any], dict[str, Table]]:
     tests = []
     for test in study.tests:
         scene = os.fspath(test.scene) if isinstance(test.scene, (str, os.PathLike)) else test.name
-        tests.append({"name": test.name, "scene": scene, "set": plain("set", test.set), "targets": test.targets})
+        tests.append({"name": test.name, "scene": scene, "set": plain_value("set", test.set), "targets": test.targets})
     summary = study._asdict() | {"tests": tests, "runs": answer.runs, "correlations": correlations.tolist()}
     summary |= {"notes": list(notes_of(answer, tables, correlations)), "tables": {}}
     for name, table in tables.items():
@@ -166,27 +166,27 @@ def content_of(answer: Answer) -> tuple[dict[str, Any], dict[str, Table]]:
 
 
 def files_of(summary: dict[str, Any], tables: dict[str, Table]) -> Iterator[tuple[str, bytes]]:
-    """By name. The first one tells that it is the folder of a calibration."""
+    """Yields name and content of each file. The first one marks the folder as one of a calibration."""
     from matplotlib.figure import Figure
 
-    from ._chart import style
-    from ._report import html
+    from ._chart import plot_style
+    from ._report import rendered_html
 
     yield "calibration.json", json.dumps(summary, indent=1, ensure_ascii=False).encode() + b"\n"
     for name, table in tables.items():
-        yield f"{name}.csv", csv_of(table.names, *table.tolist())
+        yield f"{name}.csv", csv_bytes(table.names, *table.tolist())
     png, side = io.BytesIO(), 1 + 2.2 * len(summary["vary"])
-    with style(1):
+    with plot_style(1):
         figure = Figure(figsize=(side, side), layout="constrained")
-        draw(figure, summary["vary"], tables["parameters"], tables["likely"])
+        draw_posterior(figure, summary["vary"], tables["parameters"], tables["likely"])
         figure.savefig(png, format="png", dpi=150, metadata={"Software": None})
     yield "calibration.png", png.getvalue()
     picture = f"data:image/png;base64,{base64.b64encode(png.getvalue()).decode()}"
-    yield "report.html", html("calibration.html", {}, **(summary | tables), picture=picture)
+    yield "report.html", rendered_html("calibration.html", {}, **(summary | tables), picture=picture)
 
 
 def summary_lines(parameters: Table, targets: Table, notes: Sequence[str]) -> list[str]:
-    """The answer for a terminal, from rows of its tables."""
+    """Returns the lines that are printed, from rows of the tables."""
     lines = [f"{row['parameter']}: {row['best']:.4g}, likely {row['low']:.4g} to {row['high']:.4g}" for row in parameters]
     for row in targets:
         checked = f"{row['checked']:.4g} ± {row['checked_se']:.2g}"
@@ -194,8 +194,8 @@ def summary_lines(parameters: Table, targets: Table, notes: Sequence[str]) -> li
     return [*lines, *notes]
 
 
-def draw(figure: Any, vary: Mapping[str, Sequence[float]], parameters: Table, likely: Table) -> None:
-    """What is likely into a figure: parameters alone on the diagonal, pairs below it."""
+def draw_posterior(figure: Any, vary: Mapping[str, Sequence[float]], parameters: Table, likely: Table) -> None:
+    """Draws the likely values into a figure: single parameters on the diagonal, pairs below it."""
     axes = figure.subplots(len(vary), len(vary), squeeze=False)
     for i, (key, row) in enumerate(zip(vary, parameters)):
         for ax in axes[i, i + 1 :]:
@@ -236,36 +236,37 @@ def calibrate(
     is_alone = tests is None or isinstance(tests, (list, tuple)) and not tests
     if (scene is None) == is_alone:
         raise ArgumentError("calibrate: either a scene with targets, or tests")
-    one = {"scene": scene, "targets": mapping("targets", targets), "set": mapping("set", set)}
+    one = {"scene": scene, "targets": checked_mapping("targets", targets), "set": checked_mapping("set", set)}
     counts = {"seeds": seeds, "points": points, "rounds": rounds, "check": check}
-    said = {"tests": [one] if is_alone else tests, "vary": mapping("vary", vary)} | counts
+    said = {"tests": [one] if is_alone else tests, "vary": checked_mapping("vary", vary)} | counts
 
     def refuse(place: Place, text: str) -> Error:
         shown = place[2:] if is_alone and place[:1] == ("tests",) else place
         return ArgumentError(": ".join(filter(None, (".".join(map(str, shown)), text))))
 
-    study = study_of(said, refuse)
-    workers("jobs", jobs), checked_progress(progress)
-    folder = absolute(output if output is not None else Path("renders") / f"{study.tests[0].name}-calibration")
+    study = parsed_study(said, refuse)
+    checked_workers("jobs", jobs), checked_progress(progress)
+    folder = absolute_path(output if output is not None else Path("renders") / f"{study.tests[0].name}-calibration")
     refuse_other_kind(folder, "calibration.json")
-    make_own(folder)
+    make_clca_folder(folder)
     number = 0
-    while not isinstance(following := step(study, folder, number), Answer):
+    while not isinstance(following := next_step(study, folder, number), Answer):
         for test, rows, numbers, there in following:
             sweep(test.scene, numbers, {tuple(study.vary): rows}, test.set, there, jobs, progress)
         number += 1
-    write_files(folder, files_of(*content_of(following)))
+    write_files(folder, files_of(*summary_and_tables(following)))
     return Calibration(folder)
 
 
 def command(options: dict[str, Any], folder: str) -> None:
-    """One step: answers with the sweeps that are needed, as options of `clca sweep`, or with the files of the answer."""
+    """Carries out one step. Answers with the needed sweeps, as options of `clca sweep`, or with the files of the result."""
     study = read_study(Path(options["study"]))
     refuse_other_kind(Path(folder), "calibration.json")
-    following = step(study, Path(folder), options["step"])
+    following = next_step(study, Path(folder), options["step"])
     if isinstance(following, Answer):
-        summary, tables = content_of(following)
-        _answer.files(files_of(summary, tables), summary_lines(tables["parameters"], tables["targets"], summary["notes"]))
+        summary, tables = summary_and_tables(following)
+        lines = summary_lines(tables["parameters"], tables["targets"], summary["notes"])
+        _answer.send_files_and_lines(files_of(summary, tables), lines)
         return
     separator = "," if len(study.vary) == 1 else "; "
     sweeps = [
@@ -278,4 +279,4 @@ def command(options: dict[str, Any], folder: str) -> None:
         }
         for test, rows, seeds, there in following
     ]
-    _answer.file("sweeps.json", json.dumps(sweeps).encode())
+    _answer.send_file("sweeps.json", json.dumps(sweeps).encode())

@@ -33,7 +33,7 @@ Limits = Sequence[float | None]
 
 
 class Curve(NamedTuple):
-    """Points that belong together, with what stands in the legend."""
+    """The points of one curve, and its entry in the legend."""
 
     label: str
     x: NDArray[Any]
@@ -57,7 +57,7 @@ class Axis(NamedTuple):
 
 
 class Panel(NamedTuple):
-    """One pair of axes: curves, or what a function draws."""
+    """One pair of axes, with curves or the drawing of a function."""
 
     curves: Sequence[Curve] = ()
     x: Axis = Axis()
@@ -72,7 +72,7 @@ class Panel(NamedTuple):
 
 
 class Chart(NamedTuple):
-    """A figure: what is drawn once somebody asks for it."""
+    """A figure, whose panels are made on demand."""
 
     name: str
     about: str
@@ -94,8 +94,8 @@ def font_with(letters: str) -> str | None:
     return None
 
 
-def plain(text: str) -> str:
-    """As matplotlib shows it letter by letter; letters that no font has by their number."""
+def plain_for_matplotlib(text: str) -> str:
+    """Returns the text so that matplotlib shows it literally; letters that no font has become their code points."""
     text = "".join(letter if letter.isprintable() or letter == "\n" else " " for letter in text)
     known = ft2font.FT2Font(font_manager.findfont("DejaVu Sans")).get_charmap()
     missing = "".join(sorted({letter for letter in text if letter != "\n" and ord(letter) not in known}))
@@ -108,17 +108,17 @@ def plain(text: str) -> str:
 
 
 def wrapped(text: str, inches: float, letter: float) -> str:
-    """In lines that fit; before a unit first."""
+    """Breaks the text into lines that fit; a unit goes to the next line first."""
     if "\n" in text:
         return "\n".join(wrapped(line, inches, letter) for line in text.split("\n"))
     most = max(int(inches * 72 / (0.6 * letter)), 8)
     head, mark, unit = text.rpartition(" (")
     parts = [head, mark[1:] + unit] if mark and len(text) > most else [text]
-    return "\n".join(line for part in parts for line in broken(part, most) or [""])
+    return "\n".join(line for part in parts for line in lines_of_length(part, most) or [""])
 
 
-def broken(text: str, most: int) -> list[str]:
-    """Lines of so many letters: between words, within a long one behind `=` and the dots of a key if that is enough."""
+def lines_of_length(text: str, most: int) -> list[str]:
+    """Breaks a text into lines of at most `most` letters: between words; long words behind `=` or dots if possible."""
     lines = []
     for line in textwrap.wrap(text, most, break_long_words=False):
         parts = re.sub(r"=|\.(?=[A-Za-z])", r"\g<0> ", line)
@@ -126,14 +126,14 @@ def broken(text: str, most: int) -> list[str]:
     return lines
 
 
-def colors(count: int) -> list[Any]:
-    """Of curves: those of the style, or, of many, steps from dark to light."""
+def curve_colors(count: int) -> list[Any]:
+    """Returns colours for curves: those of the style or, for many curves, steps from dark to light."""
     cycle = rcParams["axes.prop_cycle"].by_key().get("color", PALETTE)
     return [*cycle[:count]] if count <= len(cycle) else [*COLOR_SCALE(numpy.linspace(0, 1, count))]
 
 
 def running_mean(values: NDArray[Any], rows: int) -> NDArray[Any]:
-    """Over so many rows around each, fewer at the ends; without those that have no value."""
+    """Returns the mean over `rows` rows around each, fewer at the ends; rows without a value are left out."""
     there, window = numpy.isfinite(values), numpy.ones(min(rows, 2 * len(values) + 2 - rows % 2))
     padded = (numpy.append(cells, 0) for cells in (numpy.where(there, values, 0), there))  # convolve() refuses nothing
     sums, counts = (numpy.convolve(cells, window)[len(window) // 2 :][: len(values)] for cells in padded)
@@ -166,12 +166,12 @@ def draw_curve(ax: Any, curve: Curve, color: Any, log: bool) -> None:
 
 
 def draw_axis(ax: Any, which: str, axis: Axis, values: list[NDArray[Any]], given: Limits = (None, None)) -> None:
-    """Scale, limits and ticks of `x` or `y`."""
+    """Sets scale, limits and ticks of `x` or `y`."""
     of, set_limits = getattr(ax, f"{which}axis"), getattr(ax, f"set_{which}lim")
     flat = numpy.concatenate([numpy.asarray(part, float).ravel() for part in values]) if values else numpy.empty(0)
     flat = flat[numpy.isfinite(flat)]
     if axis.words:
-        of.set_ticks(range(len(axis.words)), labels=[plain(word) for word in axis.words])
+        of.set_ticks(range(len(axis.words)), labels=[plain_for_matplotlib(word) for word in axis.words])
         set_limits(-0.5, len(axis.words) - 0.5)
     elif axis.log and (flat > 0).any():
         getattr(ax, f"set_{which}scale")("log")
@@ -193,8 +193,8 @@ def draw_axis(ax: Any, which: str, axis: Axis, values: list[NDArray[Any]], given
         set_limits(*limits)
 
 
-class Look(NamedTuple):
-    """How a figure looks as a file."""
+class FileFormat(NamedTuple):
+    """File format, size and limits of a figure."""
 
     format: str = "png"
     in_mm: bool = False  #: width and height in millimetres, with letters of 8 points
@@ -204,14 +204,14 @@ class Look(NamedTuple):
     y_limits: Limits = (None, None)
 
 
-def draw_panel(ax: Any, panel: Panel, look: Look = Look(), beside: Sequence[Panel] = ()) -> list[Any]:
-    """Into the axes of anybody, as a page does it. `beside`: panels that share them. Returns them and those of `y2`."""
+def draw_panel(ax: Any, panel: Panel, look: FileFormat = FileFormat(), beside: Sequence[Panel] = ()) -> list[Any]:
+    """Draws the panel into given axes. `beside`: panels with the same axes. Returns the axes, and those of `y2`."""
     axes = [ax] if panel.y2 is None else [ax, ax.twinx()]
     shown = [*panel.curves, *panel.on_y2]
-    palette = colors(sum(curve.color is None for curve in shown))
+    palette = curve_colors(sum(curve.color is None for curve in shown))
     if panel.scale is not None:
         palette = list(COLOR_SCALE(Normalize()(panel.scale[1])))
-    free, numbered = iter(palette), palette or colors(MOST_COLORS)
+    free, numbered = iter(palette), palette or curve_colors(MOST_COLORS)
     for one, curves, axis in zip(axes, (panel.curves, panel.on_y2), (panel.y, panel.y2 or panel.y)):
         for curve in curves:
             color = next(free) if curve.color is None else curve.color
@@ -230,20 +230,20 @@ def draw_panel(ax: Any, panel: Panel, look: Look = Look(), beside: Sequence[Pane
     if panel.equal:
         ax.set_aspect("equal")
     set_labels(axes, panel)
-    ax.set_title(plain(panel.title), loc="left", fontsize="medium")
+    ax.set_title(plain_for_matplotlib(panel.title), loc="left", fontsize="medium")
     return axes
 
 
 def set_labels(axes: list[Any], panel: Panel, wide: float = 1e9, high: float = 1e9, letter: float = LETTER_SIZE) -> None:
-    """Of the axes, in lines that fit into so many inches."""
-    axes[0].set_xlabel(wrapped(plain(panel.x.label), wide, letter))
+    """Sets the labels of the axes, in lines that fit into this width and height in inches."""
+    axes[0].set_xlabel(wrapped(plain_for_matplotlib(panel.x.label), wide, letter))
     for ax, axis in zip(axes, (panel.y, panel.y2 or panel.y)):
-        ax.set_ylabel(wrapped(plain(axis.label), high, letter))
+        ax.set_ylabel(wrapped(plain_for_matplotlib(axis.label), high, letter))
 
 
 @contextmanager
-def style(scale: float) -> Iterator[None]:
-    """Ours, but for what a style of the user has set."""
+def plot_style(scale: float) -> Iterator[None]:
+    """Sets our style, except for what a style of the user has set."""
     sizes = {"font.size": LETTER_SIZE, "axes.labelpad": 2, "axes.titlepad": 3}
     sizes |= {"grid.linewidth": 0.5, "axes.linewidth": 0.6, "lines.linewidth": 1.2}
     for ticks in ("xtick", "ytick"):
@@ -257,27 +257,27 @@ def style(scale: float) -> Iterator[None]:
         yield
 
 
-def rendered(chart: Chart, look: Look) -> bytes:
-    """A whole file: the same for the same tables, matplotlib and fonts."""
+def figure_bytes(chart: Chart, look: FileFormat) -> bytes:
+    """Returns the bytes of the file: the same for the same tables, matplotlib and fonts."""
     unit = INCH if look.in_mm else 96
     width, height = look.width / unit, None if look.height is None else look.height / unit
     scale = 1 if look.in_mm else width / PRINT_WIDTH
-    with style(scale):
-        figure = page(chart, look, width, height, LETTER_SIZE * scale)
+    with plot_style(scale):
+        figure = page_figure(chart, look, width, height, LETTER_SIZE * scale)
         out = io.BytesIO()
         none = {"png": {"Software": None}, "pdf": {"CreationDate": None}, "svg": {"Date": None}}
         figure.savefig(out, format=look.format, dpi=300 if look.in_mm else 96, metadata=none[look.format])
         return out.getvalue()
 
 
-def page(chart: Chart, look: Look, width: float, height: float | None, letter: float) -> Any:
-    """The figure, with title, legend and panels, none of which covers another one."""
+def page_figure(chart: Chart, look: FileFormat, width: float, height: float | None, letter: float) -> Any:
+    """Returns the figure; title, legend and panels do not overlap."""
     panels = chart.panels()
     line = 1.3 * letter / 72
     columns = min(len(panels), max(1, int(width / (17 * letter / 72))), math.ceil(math.sqrt(len(panels))))
     rows = math.ceil(len(panels) / columns)
     wide = width / columns - 6 * line
-    aspects = [aspect_of(panel) for panel in panels]
+    aspects = [axes_aspect(panel) for panel in panels]
     each = max(min(aspect * wide, 1.2 * width) if aspect else 0.62 * width / columns for aspect in aspects)
     if len(panels) == 1 and not aspects[0]:
         each = (0.75 if look.in_mm else 0.625) * width - 4 * line
@@ -291,10 +291,10 @@ def page(chart: Chart, look: Look, width: float, height: float | None, letter: f
         ax.remove()
     axes = [draw_panel(ax, panel, look, panels) for ax, panel in zip(places, panels)]
     heads = [chart.title, panels[0].title if len(panels) == 1 else ""]
-    title = wrapped(plain("\n".join(filter(None, heads))), width - 2 * line, letter)
+    title = wrapped(plain_for_matplotlib("\n".join(filter(None, heads))), width - 2 * line, letter)
     title_lines = title.count("\n") + 1 if title else 0
     most = int(0.4 * height / line) - title_lines if height else int(1.2 * rows * room / line)
-    legend, legend_lines = legend_above(figure, *legend_of(axes, panels), width - line, max(most, 1))
+    legend, legend_lines = legend_above(figure, *legend_entries(axes, panels), width - line, max(most, 1))
     above = title_lines + legend_lines
     extra = 3 * line * (len(panels) < rows * columns) + rows * (3.5 + (1.4 if any(panel.title for panel in panels) else 0)) * line
     total = height or above * line + rows * room + extra
@@ -302,18 +302,19 @@ def page(chart: Chart, look: Look, width: float, height: float | None, letter: f
     tall = max(total - above * line, 4 * line) / rows - 3 * line
     for number, (those, panel) in enumerate(zip(axes, panels)):
         set_labels(those, panel, max(wide, 3 * line), max(tall, 3 * line), letter)
-        those[0].set_title(wrapped(plain(panel.title), width / columns - 3 * line, letter) if len(panels) > 1 else "", loc="left")
+        title = wrapped(plain_for_matplotlib(panel.title), width / columns - 3 * line, letter) if len(panels) > 1 else ""
+        those[0].set_title(title, loc="left")
         if len(panels) > 1:
             x_label = those[0].get_xlabel()
             those[0].label_outer()
             if number + columns >= len(panels):  # also where the last row has none
                 those[0].set_xlabel(x_label)
                 those[0].tick_params(labelbottom=True)
-        tidy_ticks(those[0], panel, wide, letter)
+        fit_tick_labels(those[0], panel, wide, letter)
     bar = next((panel.scale for panel in panels if panel.scale is not None), None)
     if bar is not None:
         bar_of = cm.ScalarMappable(Normalize(min(bar[1]), max(bar[1])), COLOR_SCALE)
-        figure.colorbar(bar_of, ax=[those[0] for those in axes], label=plain(bar[0]), aspect=30)
+        figure.colorbar(bar_of, ax=[those[0] for those in axes], label=plain_for_matplotlib(bar[0]), aspect=30)
     margin = 0.3 * line  # equal scales are not quite what the layout has reckoned with
     left, bottom = margin / width, margin / total
     layout.set(rect=(left, bottom, 1 - 2 * left, 1 - above * line / total - 2 * bottom))
@@ -324,23 +325,23 @@ def page(chart: Chart, look: Look, width: float, height: float | None, letter: f
     return figure
 
 
-def aspect_of(panel: Panel) -> float | None:
-    """Height over width, where both axes have one scale and limits."""
+def axes_aspect(panel: Panel) -> float | None:
+    """Returns height over width, if both axes have one scale and limits."""
     wide, high = (math.nan if axis.low is None or axis.high is None else axis.high - axis.low for axis in (panel.x, panel.y))
     return float(high / wide) * (0.84 if panel.bar else 1) if panel.equal else None
 
 
-def legend_of(axes: Sequence[Sequence[Any]], panels: Sequence[Panel]) -> tuple[list[Any], list[str]]:
-    """Handles and names, each once over all panels; none beside a colour bar."""
+def legend_entries(axes: Sequence[Sequence[Any]], panels: Sequence[Panel]) -> tuple[list[Any], list[str]]:
+    """Returns handles and names for the legend, each once over all panels; none if there is a colour bar."""
     found: dict[str, Any] = {}
     if all(panel.scale is None for panel in panels):
         for handle, name in (pair for those in axes for ax in those for pair in zip(*ax.get_legend_handles_labels())):
-            found.setdefault(plain(name), handle)
+            found.setdefault(plain_for_matplotlib(name), handle)
     return list(found.values()), list(found)
 
 
 def legend_above(figure: Any, handles: list[Any], names: list[str], room: float, most: int) -> tuple[Any, int]:
-    """As many names side by side as fit, in at most so many lines, with the number of others; and how many lines it has."""
+    """Draws a legend of at most `most` lines, with the number of omitted names. Returns it and its number of lines."""
     def legend(handles: list[Any], names: list[str], columns: int) -> Any:
         space = {"borderaxespad": 0, "borderpad": 0, "handlelength": 1.6, "columnspacing": 1.2, "labelspacing": 0.25}
         made = figure.legend(handles, names, loc="upper left", ncol=columns, **space)
@@ -370,8 +371,8 @@ def legend_above(figure: Any, handles: list[Any], names: list[str], room: float,
     return legend_above(figure, handles, cut, room, most)
 
 
-def tidy_ticks(ax: Any, panel: Panel, wide: float, letter: float) -> None:
-    """Words under an axis stand side by side, or aslant."""
+def fit_tick_labels(ax: Any, panel: Panel, wide: float, letter: float) -> None:
+    """Rotates tick labels that do not fit."""
     width = 0.6 * letter / 72  # of a letter
     if panel.x.words:
         if sum(len(word) + 2 for word in panel.x.words) * width > wide:

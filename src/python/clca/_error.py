@@ -1,11 +1,11 @@
-"""What the library reports."""
+"""Errors of the library."""
 
 import re
 from typing import Any
 
 
 def printable(text: str) -> str:
-    """In one line: control characters, which move the cursor of a terminal, and what is no UTF-8 as escapes."""
+    """Returns the text in one line: control characters and bytes that are no UTF-8 become escapes."""
     is_shown = [letter.isprintable() or "\udc80" <= letter <= "\udcff" for letter in text]  # or a byte of the name of a file
     text = "".join(letter if shown else ascii(letter)[1:-1] for letter, shown in zip(text, is_shown))
     return text.encode(errors="surrogateescape").decode(errors="backslashreplace")
@@ -40,11 +40,11 @@ class WriteError(Error):
 
 
 class CompiledPartError(Error, ImportError):
-    """What was asked for needs the compiled module, which is not there."""
+    """The compiled module is needed and missing."""
 
 
-def compiled(what: str) -> Any:
-    """The compiled module, for what needs it. Throws CompiledPartError."""
+def compiled_module(what: str) -> Any:
+    """Returns the compiled module, which `what` needs. Throws CompiledPartError."""
     try:
         from . import _clca
     except ImportError as error:

@@ -1,4 +1,4 @@
-"""Frames of a trajectory in the formats of other programs; docs/trajectory.md says what each has."""
+"""Writes frames of a trajectory in the formats of other programs, which docs/trajectory.md describes."""
 
 import io
 import json
@@ -18,20 +18,20 @@ from numpy.typing import NDArray
 from . import _answer
 from ._error import ArgumentError, Error, WriteError
 from ._folder import Run, refuse_files_of_clca
-from ._frames import PITCH, Frame, to_axial, in_h5py, slices, trajectory_in, trapezoids
+from ._frames import PITCH, Frame, to_axial, in_h5py, row_slices, trajectory_in, body_trapezoids
 
 MANY = 1 << 14  # particles that are written together
 VECTORS = ("position", "velocity", "displacement", "image")
 VTK_TYPES = {"<f4": "Float32", "<i4": "Int32", "<u2": "UInt16", "<u4": "UInt32"}
 
 
-class Target(NamedTuple):
+class ExportTarget(NamedTuple):
     path: Path  #: to write to
     file: Path  #: what it is going to be, as the user knows it
     add: Callable[[str, int, Iterable[Any]], None]  #: a file beside it: its name, its size and the parts of its content
 
 
-class Array(NamedTuple):
+class BlockArray(NamedTuple):
     """Numbers for a file, made block by block when they are written."""
 
     name: str
@@ -43,21 +43,21 @@ class Array(NamedTuple):
     def size(self) -> int:
         return numpy.dtype(self.kind).itemsize * math.prod(self.shape)
 
-    def whole(self) -> NDArray[Any]:
+    def all_values(self) -> NDArray[Any]:
         return numpy.concatenate(list(self.blocks))
 
 
-def array(name: str, values: NDArray[Any]) -> Array:
-    return Array(name, values.dtype.str, values.shape, [values])
+def block_array(name: str, values: NDArray[Any]) -> BlockArray:
+    return BlockArray(name, values.dtype.str, values.shape, [values])
 
 
 class ExportedFrames:
-    """The frames to export and what all formats have of them: in SI units where the run has them. Throws Error."""
+    """The frames to export, with their columns; in SI units where the run has them. Throws Error."""
 
     def __init__(self, run: Run, first: int | None, last: int | None, every: int) -> None:
         self.version = run.version
         self.trajectory = trajectory_in(run.folder, run.summary)
-        self.chosen = chosen(self.trajectory.list, first, last, every)
+        self.chosen = chosen_frames(self.trajectory.list, first, last, every)
         units = run.summary.get("units", {})
         self.spacing = float(units.get("spacing", 1))
         self.site_mass, self.site_weight = units.get("site_mass", 1.0), units.get("site_weight")
@@ -90,13 +90,13 @@ class ExportedFrames:
         return (Frame(self.trajectory, number) for number in self.chosen)
 
     def force_unit(self, frame: Frame) -> float:
-        """The unit of the forces of a frame, in that of the export."""
+        """Returns the factor from the force unit of a frame to that of the export."""
         if self.site_weight is None or not len(frame.kinds):
             return 1
         return float(self.site_weight * self.trajectory.sizes[frame.kinds].mean())
 
     def column(self, name: str, frame: Frame, rows: slice = slice(None)) -> NDArray[Any]:
-        """Of particles of a frame: N, or N x 3."""
+        """Returns a column of the particles of a frame: N, or N x 3."""
         some = frame.particles[rows]
         if name in VECTORS:
             vectors = numpy.zeros((len(some), 3))
@@ -109,16 +109,16 @@ class ExportedFrames:
         # A copy, which does not keep the frame.
         return numpy.array(self.force_unit(frame) * some["force"] if name == "force" else some[name])
 
-    def narrow(self, name: str, frame: Frame, origin: Any = 0) -> Array:
-        """A column of all particles in 32 bits, places from an origin."""
+    def column_32_bit(self, name: str, frame: Frame, origin: Any = 0) -> BlockArray:
+        """Returns a column of all particles in 32 bits; positions are relative to `origin`."""
         kind, start = "<u4" if name == "id" else "<f4", origin if name == "position" else 0
         shape = (len(frame.ids), 3) if name in VECTORS else (len(frame.ids),)
-        blocks = ((self.column(name, frame, rows) - start).astype(kind) for rows in slices(len(frame.ids)))
-        return Array(name, kind, shape, blocks)
+        blocks = ((self.column(name, frame, rows) - start).astype(kind) for rows in row_slices(len(frame.ids)))
+        return BlockArray(name, kind, shape, blocks)
 
 
-def chosen(frames: list[tuple[int, str]], first: int | None, last: int | None, every: int) -> list[int]:
-    """Which of the frames, of each the step and the stage. Throws Error if there are none."""
+def chosen_frames(frames: list[tuple[int, str]], first: int | None, last: int | None, every: int) -> list[int]:
+    """Returns the indices of the chosen frames; `frames` has step and stage of each. Throws Error if there are none."""
     result: list[int] = []
     for number, (step, stage) in enumerate(frames):
         begins_stage = number + 1 < len(frames) and frames[number + 1][1] != stage  # where this one ends
@@ -132,8 +132,8 @@ def chosen(frames: list[tuple[int, str]], first: int | None, last: int | None, e
     return result
 
 
-def contact_arrays(source: ExportedFrames, frame: Frame, count: int, pairs: bool = False) -> list[Array]:
-    """Of contacts the force on the upper one: as a vector, along the normal and along the normal turned anticlockwise."""
+def contact_arrays(source: ExportedFrames, frame: Frame, count: int, pairs: bool = False) -> list[BlockArray]:
+    """Returns the force on the upper particle: as a vector, along the normal, and along the normal turned anticlockwise."""
     unit = source.force_unit(frame)
 
     def blocks(name: str) -> Iterator[NDArray[Any]]:
@@ -144,11 +144,11 @@ def contact_arrays(source: ExportedFrames, frame: Frame, count: int, pairs: bool
             yield {"force": vector, "normal_force": along, "tangential_force": across}[name].astype("f4")
 
     shapes: dict[str, tuple[int, ...]] = {"force": (count, 3), "normal_force": (count,), "tangential_force": (count,)}
-    return [Array(name, "<f4", shape, blocks(name)) for name, shape in shapes.items()]
+    return [BlockArray(name, "<f4", shape, blocks(name)) for name, shape in shapes.items()]
 
 
-def xyz(source: ExportedFrames, target: Target) -> None:
-    """Extended XYZ (github.com/libAtoms/extxyz): frame after frame as text. A column `force` would be a vector to OVITO."""
+def write_xyz(source: ExportedFrames, target: ExportTarget) -> None:
+    """Writes Extended XYZ (github.com/libAtoms/extxyz), as text. OVITO would take a column `force` for a vector."""
     (width, height), (left, floor), depth = source.size, source.corner, source.spacing
     names = [name for name in source.columns if name != "image"]
     spin = names[7:]  # angular_velocity
@@ -161,7 +161,7 @@ def xyz(source: ExportedFrames, target: Target) -> None:
         for frame in source.frames():
             time = f"Time={frame.time!r} Step={frame.step}"
             file.write(f'{len(frame.ids)}\n{box} {time} pbc="{"FT"[source.periodic]} F F"\n')
-            for rows in slices(len(frame.ids), MANY):
+            for rows in row_slices(len(frame.ids), MANY):
                 columns = [source.column(name, frame, rows) for name in names]
                 columns[6] = columns[6] / 2  # of the diameter
                 cells = [column.T[:2] if column.ndim > 1 else column[None] for column in columns]
@@ -169,8 +169,8 @@ def xyz(source: ExportedFrames, target: Target) -> None:
                 file.writelines(map(line.__mod__, zip(*(text.tolist() for text in texts))))
 
 
-def gsd(source: ExportedFrames, target: Target) -> None:
-    """GSD with the schema of HOOMD (gsd.readthedocs.io); contacts of two particles are bonds."""
+def write_gsd(source: ExportedFrames, target: ExportTarget) -> None:
+    """Writes GSD with the schema of HOOMD (gsd.readthedocs.io); contacts of two particles are bonds."""
     import gsd.fl  # type: ignore[import]
 
     def put(name: str, values: Any, dtype: str) -> None:
@@ -196,30 +196,30 @@ def gsd(source: ExportedFrames, target: Target) -> None:
             put("particles/N", [len(frame.ids)], "u4")
             put("particles/typeid", frame.kinds, "u4")
             for name in source.columns:
-                column = source.narrow(name, frame, middle)
+                column = source.column_32_bit(name, frame, middle)
                 in_schema = name in ("position", "velocity", "mass", "diameter", "image")
                 path = f"particles/{name}" if in_schema else f"log/particles/{name}"
-                put(path, column.whole(), "i4" if name == "image" else column.kind)
+                put(path, column.all_values(), "i4" if name == "image" else column.kind)
             if source.trajectory.has_contacts:
                 blocks = (some[some["other"] >= 0] for some in frame._contact_blocks("upper", "other"))
                 ids = [numpy.stack([some["upper"], some["other"]], 1).astype("u4") for some in blocks]
                 both = numpy.concatenate(ids)
-                places = [numpy.searchsorted(frame.ids, both[some]).astype("u4") for some in slices(len(both))]
+                places = [numpy.searchsorted(frame.ids, both[some]).astype("u4") for some in row_slices(len(both))]
                 put("bonds/N", [len(both)], "u4")
                 put("bonds/typeid", numpy.zeros(len(both)), "u4")
                 put("bonds/group", numpy.concatenate(places), "u4")
                 put("log/bonds/id", both, "u4")
                 for force in contact_arrays(source, frame, len(both), pairs=True):
-                    put(f"log/bonds/{force.name}", force.whole(), "f4")
+                    put(f"log/bonds/{force.name}", force.all_values(), "f4")
             file.end_frame()
 
 
 class DeferredErrorFile(io.FileIO):
-    """A file whose first error waits for check(): the HDF5 library crashes where it cannot end a file."""
+    """A file that reports its first error in check(), since the HDF5 library crashes where it cannot end a file."""
 
     error: OSError | None = None
 
-    def write(self, data: Any) -> int:
+    def write_format(self, data: Any) -> int:
         rest = memoryview(data)
         try:
             while len(rest) and self.error is None:
@@ -240,8 +240,8 @@ class DeferredErrorFile(io.FileIO):
             raise self.error
 
 
-def h5md(source: ExportedFrames, target: Target) -> None:
-    """H5MD (h5md.org, version 1.1): row i of each dataset of particles is the particle with id i."""
+def write_h5md(source: ExportedFrames, target: ExportTarget) -> None:
+    """Writes H5MD (h5md.org, version 1.1): row i of each dataset of particles is the particle with id i."""
     frames, rows, units = len(source.chosen), max(1, source.trajectory.entered), source.trajectory.facts.units
 
     def dataset(name: str, unit: str, meaning: str, shape: tuple[int, ...], dtype: Any = "f4", **more: Any) -> Any:
@@ -284,7 +284,7 @@ def h5md(source: ExportedFrames, target: Target) -> None:
                     values[frame.ids] = source.column(name, frame)
                 for name, element in elements.items():
                     row = numpy.full(element.shape[1:], element.fillvalue, element.dtype)
-                    for rows_of in slices(len(frame.ids)):
+                    for rows_of in row_slices(len(frame.ids)):
                         row[frame.ids[rows_of]] = source.column(name, frame, rows_of)
                     element[number] = row
                 disk.check()
@@ -295,13 +295,13 @@ def h5md(source: ExportedFrames, target: Target) -> None:
         disk.check()
 
 
-def poly_data(
-    time: float, names: tuple[str, list[str]], kind: str, points: Array, counts: NDArray[Any], cells: list[Array]
+def poly_data_file(
+    time: float, names: tuple[str, list[str]], kind: str, points: BlockArray, counts: NDArray[Any], cells: list[BlockArray]
 ) -> tuple[int, Iterator[Any]]:
-    """A file of VTK ("PolyData", raw data appended): size and parts. `kind`: Polys or Lines, of `counts` points each."""
-    arrays: list[Array] = []
+    """Returns size and parts of a VTK file ("PolyData", raw data appended). `kind`: Polys or Lines of `counts` points each."""
+    arrays: list[BlockArray] = []
 
-    def declared(one: Array) -> str:
+    def declared(one: BlockArray) -> str:
         text = f'<DataArray Name="{one.name}" type="{VTK_TYPES[one.kind]}" NumberOfComponents="{(*one.shape, 1)[1]}" '
         text += f'format="appended" offset="{sum(8 + before.size for before in arrays)}"/>\n'
         arrays.append(one)
@@ -315,9 +315,9 @@ def poly_data(
         yield tail
 
     count = points.shape[0]
-    numbers = (numpy.arange(rows.start, rows.stop, dtype="i4") for rows in slices(count))
-    connectivity = Array("connectivity", "<i4", (count,), numbers)
-    offsets = array("offsets", numpy.cumsum(counts, dtype="i4"))
+    numbers = (numpy.arange(rows.start, rows.stop, dtype="i4") for rows in row_slices(count))
+    connectivity = BlockArray("connectivity", "<i4", (count,), numbers)
+    offsets = block_array("offsets", numpy.cumsum(counts, dtype="i4"))
     letters = " ".join(str(byte) for name in names[1] for byte in name.encode() + b"\0")
     head = f"""<?xml version="1.0"?>
 <VTKFile type="PolyData" version="1.0" byte_order="LittleEndian" header_type="UInt64">
@@ -338,12 +338,12 @@ _"""
     return len(head.encode()) + sum(8 + one.size for one in arrays) + len(tail), parts()
 
 
-def bodies(source: ExportedFrames, frame: Frame) -> tuple[int, Iterator[Any]]:
-    """A polygon for each particle."""
+def body_polygons(source: ExportedFrames, frame: Frame) -> tuple[int, Iterator[Any]]:
+    """Returns a polygon for each particle."""
     counts = numpy.array([len(outline) for outline in source.outlines], "i4")[frame.kinds]
 
     def blocks() -> Iterator[NDArray[Any]]:
-        for rows in slices(len(frame.ids), MANY):
+        for rows in row_slices(len(frame.ids), MANY):
             kinds, places, ends = frame.kinds[rows], frame.positions[rows], numpy.cumsum(counts[rows])
             points = numpy.zeros((counts[rows].sum(), 3), "f4")
             for kind in numpy.unique(kinds):
@@ -352,30 +352,30 @@ def bodies(source: ExportedFrames, frame: Frame) -> tuple[int, Iterator[Any]]:
                 points[corners, :2] = source.spacing * places[those] + outline
             yield points
 
-    points = Array("Points", "<f4", (int(counts.sum()), 3), blocks())
-    cells = [array("species", source.species[frame.kinds])]
-    cells += [source.narrow(name, frame) for name in source.columns if name not in ("position", "image")]
-    return poly_data(frame.time, ("species_names", source.trajectory.species), "Polys", points, counts, cells)
+    points = BlockArray("Points", "<f4", (int(counts.sum()), 3), blocks())
+    cells = [block_array("species", source.species[frame.kinds])]
+    cells += [source.column_32_bit(name, frame) for name in source.columns if name not in ("position", "image")]
+    return poly_data_file(frame.time, ("species_names", source.trajectory.species), "Polys", points, counts, cells)
 
 
-def walls(source: ExportedFrames, frame: Frame) -> tuple[int, Iterator[Any]]:
-    """The walls that are there, cut into trapezoids."""
+def wall_polygons(source: ExportedFrames, frame: Frame) -> tuple[int, Iterator[Any]]:
+    """Returns the present walls, cut into trapezoids."""
     corners, counts, numbers = [numpy.empty((0, 2))], [numpy.empty(0, "i4")], [numpy.empty(0, "u4")]
     for number, sites in source.trajectory.walls_in_box(frame._data[1]):
-        points, of_each = trapezoids(to_axial(sites))
+        points, of_each = body_trapezoids(to_axial(sites))
         corners.append(source.spacing * points)
         counts.append(of_each.astype("i4"))
         numbers.append(numpy.full(len(of_each), number, "u4"))
-    flat = array("Points", numpy.pad(numpy.concatenate(corners), ((0, 0), (0, 1))).astype("f4"))
+    flat = block_array("Points", numpy.pad(numpy.concatenate(corners), ((0, 0), (0, 1))).astype("f4"))
     names = ("wall_names", list(source.trajectory.facts.walls))
-    cells = [array("wall", numpy.concatenate(numbers))]
-    return poly_data(frame.time, names, "Polys", flat, numpy.concatenate(counts), cells)
+    cells = [block_array("wall", numpy.concatenate(numbers))]
+    return poly_data_file(frame.time, names, "Polys", flat, numpy.concatenate(counts), cells)
 
 
-def contacts(source: ExportedFrames, frame: Frame) -> tuple[int, Iterator[Any]]:
-    """A line for each contact, from the other centre, or from what is no particle, to the upper one."""
+def contact_lines(source: ExportedFrames, frame: Frame) -> tuple[int, Iterator[Any]]:
+    """Returns a line for each contact, from the other centre, or from a wall or side, to the upper centre."""
     upper = numpy.concatenate([some["upper"] for some in frame._contact_blocks("upper")])
-    other = Array("other", "<i4", upper.shape, (some["other"] for some in frame._contact_blocks("other")))
+    other = BlockArray("other", "<i4", upper.shape, (some["other"] for some in frame._contact_blocks("other")))
 
     def blocks() -> Iterator[NDArray[Any]]:
         for some in frame._contact_blocks("upper", "branch"):
@@ -384,14 +384,14 @@ def contacts(source: ExportedFrames, frame: Frame) -> tuple[int, Iterator[Any]]:
             points[:, 0, :2], points[:, 1, :2] = source.spacing * (centres - some["branch"]), source.spacing * centres
             yield points
 
-    points = Array("Points", "<f4", (2 * len(upper), 3), blocks())
-    cells = [array("upper", upper), other, *contact_arrays(source, frame, len(upper))]
+    points = BlockArray("Points", "<f4", (2 * len(upper), 3), blocks())
+    cells = [block_array("upper", upper), other, *contact_arrays(source, frame, len(upper))]
     names = ("wall_names", list(source.trajectory.facts.walls))
-    return poly_data(frame.time, names, "Lines", points, numpy.full(len(upper), 2, "i1"), cells)
+    return poly_data_file(frame.time, names, "Lines", points, numpy.full(len(upper), 2, "i1"), cells)
 
 
-def vtp(source: ExportedFrames, target: Target) -> None:
-    """Files of VTK for ParaView: particles of each frame, walls whenever they have changed, contacts, and collections."""
+def write_vtp(source: ExportedFrames, target: ExportTarget) -> None:
+    """Writes VTK files for ParaView: particles and contacts of each frame, walls when they have changed, and collections."""
     stem, digits = target.file.stem, max(6, len(str(source.trajectory.list[-1][0])))
     listed: dict[str, list[str]] = {"": [], "-contacts": []}  # collections
     stood: Any = None
@@ -407,13 +407,13 @@ def vtp(source: ExportedFrames, target: Target) -> None:
         listed[collection].append(f"{head} file={quoteattr(file)}/>\n")
 
     for frame in source.frames():
-        put("", frame, 0, "particles", add("", frame, bodies(source, frame)))
+        put("", frame, 0, "particles", add("", frame, body_polygons(source, frame)))
         if source.trajectory.facts.walls:
             if frame.walls != stood:
-                stood, wall_file = frame.walls, add("-walls", frame, walls(source, frame))
+                stood, wall_file = frame.walls, add("-walls", frame, wall_polygons(source, frame))
             put("", frame, 1, "walls", wall_file)
         if source.trajectory.has_contacts:
-            put("-contacts", frame, 0, "contacts", add("-contacts", frame, contacts(source, frame)))
+            put("-contacts", frame, 0, "contacts", add("-contacts", frame, contact_lines(source, frame)))
     for collection, entries in listed.items():
         text = '<?xml version="1.0"?>\n<VTKFile type="Collection" version="1.0" byte_order="LittleEndian">\n'
         text += f'<Collection>\n{"".join(entries)}</Collection>\n</VTKFile>\n'
@@ -423,16 +423,16 @@ def vtp(source: ExportedFrames, target: Target) -> None:
             target.add(f"{stem}{collection}.pvd", len(text.encode()), [text.encode()])
 
 
-FORMATS: dict[str, tuple[Callable[[ExportedFrames, Target], None], str]] = {
-    "vtp": (vtp, ".pvd"),
-    "gsd": (gsd, ".gsd"),
-    "xyz": (xyz, ".xyz"),
-    "h5md": (h5md, ".h5"),
+FORMATS: dict[str, tuple[Callable[[ExportedFrames, ExportTarget], None], str]] = {
+    "vtp": (write_vtp, ".pvd"),
+    "gsd": (write_gsd, ".gsd"),
+    "xyz": (write_xyz, ".xyz"),
+    "h5md": (write_h5md, ".h5"),
 }
 
 
-def write(source: ExportedFrames, form: str, target: Target) -> None:
-    """Throws Error, WriteError where the file cannot be written."""
+def write_format(source: ExportedFrames, form: str, target: ExportTarget) -> None:
+    """Writes the frames in this format. Throws Error, WriteError where the file cannot be written."""
     refuse_files_of_clca(target.file)
     try:
         FORMATS[form][0](source, target)
@@ -440,8 +440,8 @@ def write(source: ExportedFrames, form: str, target: Target) -> None:
         raise WriteError(f"cannot write {target.file}: {getattr(error, 'strerror', None) or error}") from None
 
 
-def export(run: Run, form: str, path: Path | None, first: int | None, last: int | None, every: int) -> Path:
-    """As Run.export()."""
+def export_run(run: Run, form: str, path: Path | None, first: int | None, last: int | None, every: int) -> Path:
+    """Exports as Run.export() does."""
     if form not in FORMATS:
         raise ArgumentError(f"format: expected {', '.join(FORMATS)}, found {form!r}")
     source = ExportedFrames(run, first, last, every)
@@ -453,7 +453,7 @@ def export(run: Run, form: str, path: Path | None, first: int | None, last: int 
                 with (Path(folder) / name).open("wb") as beside:
                     beside.writelines(parts)
 
-            write(source, form, Target(Path(folder) / file.name, file, add))
+            write_format(source, form, ExportTarget(Path(folder) / file.name, file, add))
             for name in sorted(os.listdir(folder), key=lambda name: name == file.name):  # which names the others
                 os.replace(Path(folder) / name, file.parent / name)
     except OSError as error:
@@ -465,5 +465,5 @@ def command(options: dict[str, Any], folder: str, path: str) -> None:
     """Writes what the command asks for; the program has made the file, and gives it its name."""
     first, last, every = (int(options[key]) if key in options else None for key in ("from", "to", "every"))
     source = ExportedFrames(Run(folder), first, last, every or 1)
-    write(source, options["format"], Target(Path(path), Path(options["output"]), _answer.parts))
-    _answer.files([], [f"{len(source.chosen)} frames"])
+    write_format(source, options["format"], ExportTarget(Path(path), Path(options["output"]), _answer.send_file_in_parts))
+    _answer.send_files_and_lines([], [f"{len(source.chosen)} frames"])

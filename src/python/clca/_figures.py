@@ -27,8 +27,8 @@ ENOUGH_PAIRS = 100  # for a mean over them
 Files = list[tuple[str, Table]]  # what `*` in the name stands for, and the table
 
 
-class Choice(NamedTuple):
-    """What is drawn in place of all that the tables allow."""
+class FigureChoice(NamedTuple):
+    """What the user has chosen to be drawn, in place of all possible figures."""
 
     x: str = ""
     y: Sequence[str] = ()
@@ -43,9 +43,9 @@ class Choice(NamedTuple):
 
 
 class ChosenTables:
-    """The tables of a folder, as far as they are chosen."""
+    """The chosen tables of a folder, with the chosen rows."""
 
-    def __init__(self, folder: Run | Sweep, choice: Choice) -> None:
+    def __init__(self, folder: Run | Sweep, choice: FigureChoice) -> None:
         self.folder, self.choice, self.names = folder, choice, folder.tables
         self.title = folder.title or (folder.scene if isinstance(folder, Run) else folder.folder.name)
         if isinstance(folder, Run):
@@ -79,7 +79,7 @@ class ChosenTables:
         return self._tables[name]
 
     def files(self, pattern: str) -> Files:
-        """What `*` of a table stands for, in the order of stages or times, and the tables."""
+        """Returns what `*` in the name stands for, in the order of stages or times, and the tables."""
         begin, star, _ = pattern.partition("*")
         if not star:
             return [("", self.table(pattern))] if pattern in self.names else []
@@ -96,33 +96,33 @@ class ChosenTables:
         return [(one, self.table(begin + one)) for one in labels if one not in self.stages or self.is_wanted(one)]
 
 
-def has(table: Table, column: str) -> bool:
-    """Whether a column is there, with a value other than 0."""
+def has_values(table: Table, column: str) -> bool:
+    """Returns whether there is such a column with a value other than 0."""
     if column not in table.names:
         return False
     cells = table[column]
     return bool(numpy.any(numpy.isfinite(cells) & (cells != 0))) if is_numeric(cells) else len(cells) > 0
 
 
-def time_of(table: Table) -> str:
+def time_column(table: Table) -> str:
     return next((name for name in ("time", "step", "cycle") if name in table.names), "")
 
 
-def text_of(value: Any) -> str:
+def value_text(value: Any) -> str:
     return str(value) if isinstance(value, str) else f"{value:g}"
 
 
 def groups_of(table: Table, column: str) -> list[tuple[str, Table]]:
-    """The rows of each value of a column: in their order, numbers ascending."""
+    """Returns the rows of each value of a column; numbers ascend."""
     if column not in table.names:
         return [("", table)]
     cells = table[column]
     values = sorted(set(cells[numpy.isfinite(cells)])) if is_numeric(cells) else list(dict.fromkeys(cells))
-    return [(text_of(value), table[cells == value]) for value in values]
+    return [(value_text(value), table[cells == value]) for value in values]
 
 
 def curve_of(source: ChosenTables, label: str, rows: Table, x: str, y: str, **more: Any) -> Curve:
-    """A column, with its standard error where it has one."""
+    """Returns the curve of a column, with its standard error where there is one."""
     if source.choice.mean > 1:
         return Curve(label, rows[x], running_mean(rows[y], source.choice.mean), **more)
     if f"{y}_se" not in rows.names:
@@ -131,12 +131,12 @@ def curve_of(source: ChosenTables, label: str, rows: Table, x: str, y: str, **mo
 
 
 def legend_entry(label: str, line: str = "--") -> Curve:
-    """Only a line in the legend."""
+    """Returns a curve without points, for a line in the legend."""
     return Curve(label, NO_POINTS, NO_POINTS, line=line, color=THEORY_COLOR)
 
 
 class Figure(NamedTuple):
-    """What a figure shows, and of which table: a row of FIGURES, or a column that was asked for (`table` is empty)."""
+    """Content and table of a figure: a row of FIGURES, or a column that the user has chosen (`table` is empty)."""
 
     name: str
     table: str  #: `*` stands for a stage or a time
@@ -155,12 +155,12 @@ class Figure(NamedTuple):
     draw: Callable[[ChosenTables, Figure, Files, str, Table], Panel] | None = None
 
 
-def lines(source: ChosenTables, figure: Figure, files: Files, part: str, table: Table) -> Panel:
-    """Columns over time or another column."""
-    x = figure.x or time_of(table)
+def lines_panel(source: ChosenTables, figure: Figure, files: Files, part: str, table: Table) -> Panel:
+    """Returns curves of columns over time or another column."""
+    x = figure.x or time_column(table)
     if figure.y.endswith("*"):
         prefix = figure.y[:-1]
-        columns = [name for name in table.names if name.startswith(prefix) and has(table, name)]
+        columns = [name for name in table.names if name.startswith(prefix) and has_values(table, name)]
         curves = [curve_of(source, column[len(prefix) :], table, x, column) for column in columns]
         label = table.label(columns[0]).replace(f", {columns[0][len(prefix):]}", "", 1)
     else:
@@ -170,10 +170,10 @@ def lines(source: ChosenTables, figure: Figure, files: Files, part: str, table: 
     return Panel(curves, Axis(table.label(x)), Axis(label, figure.log, figure.zero, high=figure.top), part)
 
 
-def outflow_rate(source: ChosenTables, figure: Figure, files: Files, part: str, table: Table) -> Panel:
-    """Over a twentieth of the time in which something left, three rows at least, or over as many rows as are chosen."""
+def outflow_rate_panel(source: ChosenTables, figure: Figure, files: Files, part: str, table: Table) -> Panel:
+    """Returns the outflow rate, averaged over a twentieth of the time of outflow, at least three rows, or over the chosen rows."""
     units = source.folder.summary.get("units", {})
-    name, mass = time_of(table), units.get("site_mass")
+    name, mass = time_column(table), units.get("site_mass")
     time, left = table[name].astype(float), (mass or 1) * table[figure.y]
     while_leaving = time[(left > left[0]) & (left < left[-1])]
     row = float(numpy.ptp(time)) / max(len(numpy.unique(time)) - 1, 1)
@@ -188,7 +188,7 @@ def outflow_rate(source: ChosenTables, figure: Figure, files: Files, part: str, 
     return Panel(curves, Axis(table.label(name)), Axis(y, zero=True), part)
 
 
-def profile(source: ChosenTables, figure: Figure, files: Files, part: str, table: Table) -> Panel:
+def profile_panel(source: ChosenTables, figure: Figure, files: Files, part: str, table: Table) -> Panel:
     curves = [Curve(f"end of {label}", table["x"], table["height_end"]) for label, table in files]
     bed = numpy.concatenate([curve.x[curve.y > 0] for curve in curves])
     tall = 1.05 * max(float(numpy.nanmax(curve.y)) for curve in curves)
@@ -197,12 +197,12 @@ def profile(source: ChosenTables, figure: Figure, files: Files, part: str, table
     return Panel(curves, x, Axis(table.label("height_end"), low=0, high=tall), part, equal=True)
 
 
-def slope(source: ChosenTables, figure: Figure, files: Files, part: str, table: Table) -> Panel:
-    y = "repose_gravity_deg" if has(table, "repose_gravity_deg") else figure.y
-    return lines(source, figure._replace(y=y, style="points"), files, part, table)
+def slope_panel(source: ChosenTables, figure: Figure, files: Files, part: str, table: Table) -> Panel:
+    y = "repose_gravity_deg" if has_values(table, "repose_gravity_deg") else figure.y
+    return lines_panel(source, figure._replace(y=y, style="points"), files, part, table)
 
 
-def neighbours(source: ChosenTables, figure: Figure, files: Files, part: str, table: Table) -> Panel:
+def neighbours_panel(source: ChosenTables, figure: Figure, files: Files, part: str, table: Table) -> Panel:
     fallen = table["fallen_d"]
     kept = Curve("neighbours kept", fallen, table["kept"], style="marked", color=0)
     apart = Curve("diffusion of pairs (right)", fallen, table["pair_diffusion"], style="marked", color=1)
@@ -210,15 +210,15 @@ def neighbours(source: ChosenTables, figure: Figure, files: Files, part: str, ta
     return Panel([kept], Axis(table.label("fallen_d")), left, part, right, [apart])
 
 
-def base_pressure(source: ChosenTables, figure: Figure, files: Files, part: str, table: Table) -> Panel:
-    rules = [rule for rule in ("inner", "outer", "pair", "q", "contact") if has(table, f"pressure_{rule}")]
+def base_pressure_panel(source: ChosenTables, figure: Figure, files: Files, part: str, table: Table) -> Panel:
+    rules = [rule for rule in ("inner", "outer", "pair", "q", "contact") if has_values(table, f"pressure_{rule}")]
     curves = [Curve(rule, table["base_position"], table[f"pressure_{rule}"], style="marked") for rule in rules]
     x = Axis(table.label("base_position"), low=-1, high=1)
     return Panel(curves, x, Axis("Base pressure over its mean", zero=True), part)
 
 
-def across(source: ChosenTables, figure: Figure, files: Files, part: str, table: Table) -> Panel:
-    """Profiles across lines: over x or y where all are level or upright."""
+def across_lines_panel(source: ChosenTables, figure: Figure, files: Files, part: str, table: Table) -> Panel:
+    """Returns profiles across lines: over x or y if all are level or upright."""
     groups = groups_of(table, "line")
     x = "position"
     for along, fixed in (("y", "x"), ("x", "y")):
@@ -234,13 +234,13 @@ def across(source: ChosenTables, figure: Figure, files: Files, part: str, table:
 
 
 def plane_panel(draw: Callable[[Any], None], title: str, x: Sequence[float], y: Sequence[float], bar: bool = False) -> Panel:
-    """In the plane, at equal scales."""
+    """Returns a panel with equal scales of x and y."""
     across, up = (Axis(f"{name} (spacings)", low=low, high=high) for name, (low, high) in (("x", x), ("y", y)))
     return Panel((), across, up, title, draw=draw, equal=True, bar=bar)
 
 
-def grid_of(table: Table) -> tuple[NDArray[Any], NDArray[Any], dict[str, NDArray[Any]], int]:
-    """Centres of cells, and means over the windows of a stage: velocities and energy weighted by particles."""
+def cell_grid(table: Table) -> tuple[NDArray[Any], NDArray[Any], dict[str, NDArray[Any]], int]:
+    """Returns centres of cells, and means over the windows of a stage; velocities and energy are weighted by particles."""
     xs, column = numpy.unique(table["x"].round(6), return_inverse=True)
     ys, row = numpy.unique(table["y"].round(6), return_inverse=True)
     windows, place, count = len(numpy.unique(table["step"])), row * len(xs) + column, len(xs) * len(ys)
@@ -254,14 +254,14 @@ def grid_of(table: Table) -> tuple[NDArray[Any], NDArray[Any], dict[str, NDArray
     return xs, ys, means | {"packing": total(table["packing"]) / windows}, windows
 
 
-def pitch_of(*centres: NDArray[Any]) -> float:
-    """The least distance of columns or rows of cells; where there is one, of the next ones given, or 1."""
+def cell_spacing(*centres: NDArray[Any]) -> float:
+    """Returns the least distance of the first `centres` that are two or more; else 1."""
     steps = [numpy.diff(numpy.unique(one)) for one in centres]
     return float(next((found[found > 1e-6].min() for found in steps if (found > 1e-6).any()), 1))
 
 
-def arrows(ax: Any, places: Sequence[Any], ends: Sequence[Any], cell: float, color: str) -> None:
-    """Of mean length 0.7 cells, and none longer than 1.3, so that the fast ones do not hide the others."""
+def draw_arrows(ax: Any, places: Sequence[Any], ends: Sequence[Any], cell: float, color: str) -> None:
+    """Draws arrows of mean length 0.7 cells, none longer than 1.3, so that fast ones do not hide the others."""
     length = numpy.hypot(*ends)
     with numpy.errstate(invalid="ignore", divide="ignore"):
         scale = numpy.minimum(0.7 * cell / (float(numpy.nanmean(length)) or 1.0), 1.3 * cell / length)
@@ -269,9 +269,9 @@ def arrows(ax: Any, places: Sequence[Any], ends: Sequence[Any], cell: float, col
     ax.quiver(*places, *(end * scale for end in ends), **how).set_in_layout(False)
 
 
-def field(source: ChosenTables, figure: Figure, files: Files, part: str, table: Table) -> Panel:
-    xs, ys, means, windows = grid_of(table)
-    wide, tall = pitch_of(xs, ys), pitch_of(ys, xs)
+def field_panel(source: ChosenTables, figure: Figure, files: Files, part: str, table: Table) -> Panel:
+    xs, ys, means, windows = cell_grid(table)
+    wide, tall = cell_spacing(xs, ys), cell_spacing(ys, xs)
     speeds = numpy.hypot(means["vx"], means["vy"])
     has_arrows = figure.y == "packing" and bool((speeds > 0).any())
     label = table.label(figure.y)
@@ -285,33 +285,33 @@ def field(source: ChosenTables, figure: Figure, files: Files, part: str, table: 
         shown = ax.pcolormesh(*edges, means[figure.y], cmap=blue, vmin=0)
         ax.figure.colorbar(shown, ax=ax, shrink=0.9, aspect=25)
         if has_arrows:
-            arrows(ax, numpy.meshgrid(xs, ys), (means["vx"], means["vy"]), wide, "#202020")
+            draw_arrows(ax, numpy.meshgrid(xs, ys), (means["vx"], means["vy"]), wide, "#202020")
 
     title = f"{part}, mean over {windows} window{'s' * (windows > 1)}\n{label}"
     return plane_panel(draw, title, (xs[0] - wide / 2, xs[-1] + wide / 2), (ys[0] - tall / 2, ys[-1] + tall / 2), bar=True)
 
 
-def convection(source: ChosenTables, figure: Figure, files: Files, part: str, table: Table) -> Panel:
-    cell = pitch_of(table["x"])
+def convection_panel(source: ChosenTables, figure: Figure, files: Files, part: str, table: Table) -> Panel:
+    cell = cell_spacing(table["x"])
     longest = float(numpy.nanmax(numpy.hypot(table["dx"], table["dy"])))
 
     def draw(ax: Any) -> None:
-        arrows(ax, (table["x"], table["y"]), (table["dx"], table["dy"]), cell, "#0072b2")
+        draw_arrows(ax, (table["x"], table["y"]), (table["dx"], table["dy"]), cell, "#0072b2")
 
     limits = [(float(table[axis].min()) - cell, float(table[axis].max()) + cell) for axis in ("x", "y")]
     return plane_panel(draw, f"{part} (longest: {longest:.2g} spacings per cycle)", limits[0], limits[1])
 
 
-def contacts(source: ChosenTables, figure: Figure, files: Files, part: str, table: Table) -> Panel:
+def contacts_panel(source: ChosenTables, figure: Figure, files: Files, part: str, table: Table) -> Panel:
     loads = source.table(f"loads-{part}")
-    column = "normal_force" if has(table, "normal_force") else "sites"
+    column = "normal_force" if has_values(table, "normal_force") else "sites"
     strongest = float(numpy.nanmax(table[column]))
-    centres = {text_of(number): (x, y) for number, x, y in zip(loads["id"], loads["x"], loads["y"])}
+    centres = {value_text(number): (x, y) for number, x, y in zip(loads["id"], loads["x"], loads["y"])}
     box = source.folder.summary.get("box", {})
     wide = box["right"] - box["left"] if box.get("periodic") else 0.0
     segments, widths = [], []
     for first, second, x, y, force in zip(*(table[name] for name in ("first", "second", "x", "y", column))):
-        start, end = centres.get(text_of(first)), centres.get(text_of(second), (x, y))
+        start, end = centres.get(value_text(first)), centres.get(value_text(second), (x, y))
         if start is None or not force > 0:
             continue
         those = [[start, end]]
@@ -331,8 +331,8 @@ def contacts(source: ChosenTables, figure: Figure, files: Files, part: str, tabl
     return plane_panel(draw, f"{part} (widest: {strongest:.3g} {table.units[column]})", x_limits, (low[1], high[1]))
 
 
-def density(table: Table, share: str) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
-    """Lower ends of bins and densities as steps, and widths. The last bin has no end: there the line before it ends."""
+def bin_density(table: Table, share: str) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
+    """Returns lower ends of bins, densities and widths, to draw steps up to the last bin, which has no end."""
     width = table["upper"] - table["lower"]
     values = table[share] / width
     is_open = ~numpy.isfinite(width)
@@ -340,17 +340,17 @@ def density(table: Table, share: str) -> tuple[NDArray[Any], NDArray[Any], NDArr
     return table["lower"], values, width
 
 
-def fluctuation(source: ChosenTables, figure: Figure, files: Files, part: str, table: Table) -> Panel:
+def fluctuation_panel(source: ChosenTables, figure: Figure, files: Files, part: str, table: Table) -> Panel:
     curves = []
     names = {"share": "over the mean of the window", "share_local": "over the mean of the cell"}
     for column, name in (names | {"reference": "chi-square"}).items():
-        x, y, _ = density(table, column)
+        x, y, _ = bin_density(table, column)
         curves.append(Curve(name, x, numpy.where(y > 0, y, numpy.nan), style="steps"))
     curves[-1] = curves[-1]._replace(line="--", color=THEORY_COLOR)
     return Panel(curves, Axis("X"), Axis("Probability density of X", log=True), part)
 
 
-def forces(source: ChosenTables, figure: Figure, files: Files, part: str, table: Table) -> Panel:
+def forces_panel(source: ChosenTables, figure: Figure, files: Files, part: str, table: Table) -> Panel:
     curves = []
     for label, table in files:
         middle = (table["low"] + table["high"]) / 2
@@ -360,17 +360,17 @@ def forces(source: ChosenTables, figure: Figure, files: Files, part: str, table:
     return Panel(curves, Axis("f / mean f"), Axis("Probability density of f / mean f", log=True))
 
 
-def theory_of(source: ChosenTables, *columns: str) -> Table | None:
-    """The closed forms, if they have values of all these columns."""
+def theory_table(source: ChosenTables, *columns: str) -> Table | None:
+    """Returns the closed forms, if they have values of all these columns."""
     table = source.table("closure") if "closure" in source.names else None
-    return table if table is not None and all(has(table, column) for column in columns) else None
+    return table if table is not None and all(has_values(table, column) for column in columns) else None
 
 
-def gas(source: ChosenTables, figure: Figure, files: Files, part: str, table: Table) -> Panel:
-    """Over time, with a curve for each restitution, error bars and the closed forms dashed."""
+def gas_panel(source: ChosenTables, figure: Figure, files: Files, part: str, table: Table) -> Panel:
+    """Returns curves over time, one for each restitution, with error bars, and the closed forms dashed."""
     columns = figure.y.split("/")
     is_ratio = len(columns) > 1
-    theory = theory_of(source, *columns)
+    theory = theory_table(source, *columns)
 
     def curve(label: str, rows: Table, **more: Any) -> Curve:
         with numpy.errstate(invalid="ignore", divide="ignore"):
@@ -387,26 +387,26 @@ def gas(source: ChosenTables, figure: Figure, files: Files, part: str, table: Ta
         shown = groups_of(theory, "restitution")
         curves += [curve("", rows, line="--", color=numbers.get(name, 0)) for name, rows in shown]
         curves.append(legend_entry("closed form"))
-    floor = measure_of(source, "hellinger_floor")
+    floor = measure_value(source, "hellinger_floor")
     if figure.y.startswith("dh_") and floor > 0:
         ends = numpy.array([table["time"].min(), table["time"].max()])
         curves.append(Curve("chance", ends, numpy.full(2, floor), line=":", color=THEORY_COLOR))
     label = "T_rot / T_tr, relative to time 0" if is_ratio else table.label(figure.y)
-    log = figure.log and not (has(table, "p_xy") and figure.y.startswith("t_"))
+    log = figure.log and not (has_values(table, "p_xy") and figure.y.startswith("t_"))
     return Panel(curves, Axis(table.label("time")), Axis(label, log), part)
 
 
-def measure_of(source: ChosenTables, name: str) -> float:
-    """Its value in the last stage that has it; NaN where none has."""
+def measure_value(source: ChosenTables, name: str) -> float:
+    """Returns the measure in the last stage that has it; NaN where none has."""
     stages = source.folder.stages.values() if isinstance(source.folder, Run) else ()
     return float(next((one.measures[name] for one in reversed(list(stages)) if name in one.measures), math.nan))
 
 
-def energy(source: ChosenTables, figure: Figure, files: Files, part: str, table: Table) -> Panel:
-    """Distributions at the times of the histograms, and chi-square with three degrees of freedom."""
+def energy_panel(source: ChosenTables, figure: Figure, files: Files, part: str, table: Table) -> Panel:
+    """Returns distributions at the times of the histograms, and chi-square with three degrees of freedom."""
     curves, end = [], 0.0
     for label, table in files:
-        x, y, width = density(table, "share")
+        x, y, width = bin_density(table, "share")
         end = max(end, float(numpy.nanmax(table["upper"])))
         shown = numpy.where(y > 0, y, 1e-12)  # in place of 0, which a logarithmic axis does not have
         error = table["share_se"] / width if "share_se" in table.names else numpy.nan
@@ -419,8 +419,8 @@ def energy(source: ChosenTables, figure: Figure, files: Files, part: str, table:
     return Panel(curves, Axis(f"X = |{symbol}|² / {symbol}₀²(t)", low=0, high=end), y_axis, f"ε = {part}" if part else "")
 
 
-def stress(source: ChosenTables, figure: Figure, files: Files, part: str, table: Table) -> Panel:
-    columns, theory = ["p_xx", "p_yy", "p_xy"], theory_of(source, "p_xy")
+def stress_panel(source: ChosenTables, figure: Figure, files: Files, part: str, table: Table) -> Panel:
+    columns, theory = ["p_xx", "p_yy", "p_xy"], theory_table(source, "p_xy")
     curves = [curve_of(source, name.replace("_", " "), table, "time", name, style="sparse") for name in columns]
     if theory is not None:
         rows = dict(groups_of(theory, "restitution")).get(part, theory[:0])
@@ -429,7 +429,7 @@ def stress(source: ChosenTables, figure: Figure, files: Files, part: str, table:
     return Panel(curves, Axis(table.label("time")), Axis("Stress / mean pressure"), f"ε = {part}" if part else "")
 
 
-def distribution_ratios(source: ChosenTables, figure: Figure, files: Files, part: str, table: Table) -> Panel:
+def distribution_ratios_panel(source: ChosenTables, figure: Figure, files: Files, part: str, table: Table) -> Panel:
     curves = []
     names = {
         "automaton": "automaton, a temperature for all",
@@ -439,9 +439,9 @@ def distribution_ratios(source: ChosenTables, figure: Figure, files: Files, part
     }
     ends = numpy.append(table["quantile_lower"], table["quantile_upper"][-1])
     for column, name in names.items():
-        if has(table, column):  # spheres that do not spin have no column of their own
+        if has_values(table, column):  # spheres that do not spin have no column of their own
             shares = table[column] / table["reference"]
-            label = f"{name}: D_H = {measure_of(source, f'hellinger_{column}'):.1e}"
+            label = f"{name}: D_H = {measure_value(source, f'hellinger_{column}'):.1e}"
             curves.append(Curve(label, ends, numpy.append(shares, shares[-1]), style="steps"))
     curves.append(Curve("chi-square", numpy.array([0.0, 1.0]), numpy.ones(2), line="--", color=THEORY_COLOR))
     x = Axis("Quantile of chi-square: 2 degrees of freedom in the plane, 3 in space", low=0, high=1)
@@ -451,7 +451,7 @@ def distribution_ratios(source: ChosenTables, figure: Figure, files: Files, part
 # fmt: off
 FIGURES = [
     Figure("profile", "profile-*", "height_end", "Surface of the bed above the floor of the box at the end of each stage; equal "
-           "scales, so that slopes are seen as they are.", 9, "x", draw=profile),
+           "scales, so that slopes are seen as they are.", 9, "x", draw=profile_panel),
     Figure("motion", "series", "moving_share", "Share of the particles that move by a site in a step; by contact "
            "dynamics a slow one does so only now and then.", 5, zero=True, top=1),
     Figure("mean-height", "series", "mean_height", "Mean height of all particles above the floor of the box.", 4, zero=True),
@@ -459,17 +459,17 @@ FIGURES = [
     Figure("particles", "series", "particles", "Particles in the box, where some enter or leave.", zero=True),
     Figure("outflow", "series", "discharged_sites", "What has left through outlets; the slope is the outflow.", 8, zero=True),
     Figure("outflow-rate", "series", "discharged_sites", "Outflow: what leaves through outlets, a running mean over a twentieth of "
-           "the time in which it leaves.", 7.5, draw=outflow_rate),
+           "the time in which it leaves.", 7.5, draw=outflow_rate_panel),
     Figure("outflow-apart", "series", "discharged.*", "What has left through each outlet, and of each species.", 7, zero=True),
     Figure("probe-flow", "probes", "flow", "Flow through each probe, downwards.", 6, by="probe"),
     Figure("probe-filling", "probes", "filling", "Share of the sites of each probe that particles cover.", by="probe", zero=True,
            top=1),
     Figure("line-velocity", "lines-*", "v_across", "Mean velocity across and along each line of the scene over a stage, with bands "
-           "of one standard error.", 7, by="line", each="file", draw=across),
+           "of one standard error.", 7, by="line", each="file", draw=across_lines_panel),
     Figure("line-flux", "lines-*", "flux", "Flux to the right across each line of the scene over a stage, with bands of one "
-           "standard error.", by="line", each="file", draw=across),
+           "standard error.", by="line", each="file", draw=across_lines_panel),
     Figure("line-filling", "lines-*", "filling", "Share of each line of the scene that particles cover, of what no wall covers; "
-           "mean over a stage.", by="line", zero=True, top=1, each="file", draw=across),
+           "mean over a stage.", by="line", zero=True, top=1, each="file", draw=across_lines_panel),
     Figure("wall-travel", "series", "travel.*", "How far walls are from where they were at the beginning, along their motion."),
     Figure("wall-overlap", "series", "index.*", "Overlap that began at each wall: its index of force.", zero=True),
     Figure("segregation", "cycles", "segregation_index", "Segregation by cycle of shaking or turning: 0 mixed, 1 all large ones "
@@ -478,80 +478,84 @@ FIGURES = [
            "chance.", 8, "cycle"),
     Figure("intruder", "cycles", "intruder_height_rel", "Height of the intruder by cycle of shaking or turning.", 8, "cycle"),
     Figure("slope", "cycles", "repose_angle_deg", "Slope of the surface by cycle of shaking or turning; with a vessel against "
-           "gravity.", 8, "cycle", draw=slope),
+           "gravity.", 8, "cycle", draw=slope_panel),
     Figure("surface-height", "cycles", "height_mean", "Mean height of the surface above the floor of the box, by cycle.", 0,
            "cycle", zero=True),
     Figure("neighbours", "mixing-*", "kept", "Neighbours kept, and diffusion of pairs, against the distance that they have fallen.",
-           7, "fallen_d", each="file", draw=neighbours, where=("pairs", ENOUGH_PAIRS)),
+           7, "fallen_d", each="file", draw=neighbours_panel, where=("pairs", ENOUGH_PAIRS)),
     Figure("base-pressure", "weight_paths-*", "pressure_inner", "Pressure below a bed at rest, over its mean: of weight passed on "
-           "by rules, and of the contact model.", 6, "base_position", each="file", draw=base_pressure),
+           "by rules, and of the contact model.", 6, "base_position", each="file", draw=base_pressure_panel),
     Figure("convection", "convection-*", "dx", "Mean drift in a cycle of shaking or turning, as arrows: of mean length 0.7 times "
            "the width of a cell, and none longer than 1.3 times it, so that the fast ones at the surface do not hide the others.",
-           7, "x", needs=("y", "dy"), each="file", draw=convection),
+           7, "x", needs=("y", "dy"), each="file", draw=convection_panel),
     Figure("velocity-field", "fields", "packing", "Packing and mean velocity in the cells of a grid, over a stage.", 7, "x",
-           needs=("y",), each="stage", draw=field),
+           needs=("y",), each="stage", draw=field_panel),
     Figure("fluctuation-field", "fields", "fluctuation", "Energy of the fluctuations in the cells of a grid, ½⟨|v - ⟨v⟩|²⟩, over a "
-           "stage.", 0, "x", needs=("y",), each="stage", draw=field),
+           "stage.", 0, "x", needs=("y",), each="stage", draw=field_panel),
     Figure("fluctuation", "fluctuation-*", "share", "Energy X of the fluctuations over its mean, and chi-square with 2 degrees of "
-           "freedom.", 0, "lower", needs=("upper", "reference"), each="file", draw=fluctuation),
+           "freedom.", 0, "lower", needs=("upper", "reference"), each="file", draw=fluctuation_panel),
     Figure("contacts", "contacts-*", "y", "Contacts at the end of a stage: lines between the centres of particles, or from them to "
-           "a wall. The stronger, the wider: by normal force, or by the sites that both have.", 5, "x", each="file", draw=contacts),
+           "a wall. The stronger, the wider: by normal force, or by the sites that both have.", 5, "x", each="file",
+           draw=contacts_panel),
     Figure("forces", "forces-*", "density", "Distribution of the normal forces of the contacts, or by the automaton of the index "
-           "of force, over their mean; at the end of a stage or averaged over it.", 6, "high", needs=("count",), draw=forces),
+           "of force, over their mean; at the end of a stage or averaged over it.", 6, "high", needs=("count",), draw=forces_panel),
     Figure("temperature-translational", "series", "t_tr", "Temperature of the translational motion, and its closed form.", 9,
-           "time", log=True, draw=gas),
+           "time", log=True, draw=gas_panel),
     Figure("temperature-rotational", "series", "t_rot", "Temperature of the rotational motion, and its closed form.", 8, "time",
-           log=True, draw=gas),
+           log=True, draw=gas_panel),
     Figure("temperature-ratio", "series", "t_rot/t_tr", "Rotational temperature over the translational one, each relative to its "
-           "beginning, and the closed form of it.", 7, "time", log=True, draw=gas),
+           "beginning, and the closed form of it.", 7, "time", log=True, draw=gas_panel),
     Figure("distance-rotational", "series", "dh_rot", "How far the distribution of rotational energy is from chi-square: Figs. 3 "
-           "(case 1) and 6 (case 2) of Ogawa & Kato 1982.", 6, "time", log=True, draw=gas),
+           "(case 1) and 6 (case 2) of Ogawa & Kato 1982.", 6, "time", log=True, draw=gas_panel),
     Figure("distance-translational", "series", "dh_tr", "How far the distribution of translational energy is from chi-square.", 6,
-           "time", log=True, draw=gas),
+           "time", log=True, draw=gas_panel),
     Figure("energy-rotational", "histogram-*", "share", "Distribution of the rotational energy at the times of the histograms, and "
            "chi-square with 3 degrees of freedom: Figs. 2 (case 1) and 5 (case 2) of Ogawa & Kato 1982.", 5, "upper",
-           each="restitution", draw=energy, where=("energy", "rotational")),
+           each="restitution", draw=energy_panel, where=("energy", "rotational")),
     Figure("energy-translational", "histogram-*", "share", "Distribution of the translational energy at the times of the "
            "histograms, and chi-square with 3 degrees of freedom: Fig. 4 (case 2) of Ogawa & Kato 1982.", 5, "upper",
-           each="restitution", draw=energy, where=("energy", "translational")),
+           each="restitution", draw=energy_panel, where=("energy", "translational")),
     Figure("cumulant-translational", "series", "a2_tr", "Second cumulant of the translational motion: 0 for a normal distribution.",
-           4, "time", draw=gas),
+           4, "time", draw=gas_panel),
     Figure("cumulant-rotational", "series", "a2_rot", "Second cumulant of the rotational motion: 0 for a normal distribution.", 4,
-           "time", draw=gas),
-    Figure("correlation", "series", "correlation", "Correlation of translational and rotational energy.", 0, "time", draw=gas),
+           "time", draw=gas_panel),
+    Figure("correlation", "series", "correlation", "Correlation of translational and rotational energy.", 0, "time",
+           draw=gas_panel),
     Figure("alignment", "series", "alignment", "Alignment of spins and velocities: 0 without a preferred angle.", 0, "time",
-           draw=gas),
-    Figure("collisions", "series", "collisions", "Collisions in which a particle has taken part.", 0, "time", draw=gas),
+           draw=gas_panel),
+    Figure("collisions", "series", "collisions", "Collisions in which a particle has taken part.", 0, "time", draw=gas_panel),
     Figure("stress", "series", "p_xy", "Pressure tensor of a sheared gas, and the theory of its steady state where a table has it.",
-           8, "time", needs=("p_xx", "p_yy"), each="restitution", draw=stress),
+           8, "time", needs=("p_xx", "p_yy"), each="restitution", draw=stress_panel),
     Figure("comparison", "comparison", "automaton", "Energies of the particles of an automaton run beside those of a Boltzmann "
            "run: shares of bins that chi-square makes equally probable, over their share under chi-square.", 0, "quantile_upper",
-           needs=("automaton_local", "boltzmann_translational", "reference"), draw=distribution_ratios),
+           needs=("automaton_local", "boltzmann_translational", "reference"), draw=distribution_ratios_panel),
 ]
 # fmt: on
 
 
-def allows(figure: Figure, table: Table) -> bool:
-    """Whether a table has what the figure needs, with values."""
+def is_possible(figure: Figure, table: Table) -> bool:
+    """Returns whether a table has the columns that the figure needs, with values."""
     if figure.y.endswith("*"):
-        return any(name.startswith(figure.y[:-1]) and set(name) <= LABEL_CHARACTERS and has(table, name) for name in table.names)
-    if figure.name == "particles" and has(table, "particles"):
+        names = [name for name in table.names if name.startswith(figure.y[:-1]) and set(name) <= LABEL_CHARACTERS]
+        return any(has_values(table, name) for name in names)
+    if figure.name == "particles" and has_values(table, "particles"):
         return len(numpy.unique(table["particles"])) > 1
-    return all(has(table, column) for column in (*figure.y.split("/"), figure.x, *figure.needs, figure.where[0]) if column)
+    return all(has_values(table, column) for column in (*figure.y.split("/"), figure.x, *figure.needs, figure.where[0]) if column)
 
 
 def charts_of(source: ChosenTables, figure: Figure) -> list[Chart]:
-    """Of a row of the list; none if the tables lack something. Throws Error."""
-    is_gas = figure.draw in (gas, energy, stress)
+    """Returns the charts of a figure; none if the tables lack something. Throws Error."""
+    is_gas = figure.draw in (gas_panel, energy_panel, stress_panel)
     if isinstance(source.folder, Sweep) or is_gas != (source.folder.kind == "boltzmann"):
         return []
-    files = [(label, table) for label, table in source.files(figure.table) if allows(figure, table)]
+    files = [(label, table) for label, table in source.files(figure.table) if is_possible(figure, table)]
     for label, table in files:
         needed = {*figure.y.split("/"), figure.x, *figure.needs} & {*table.names} - TEXT_COLUMNS
         if not all(is_numeric(table[name]) for name in needed):
             source.folder.table(figure.table.replace("*", label))._check_numbers(*needed)
     if source.choice.y2:
-        is_over_time = not figure.x and figure.draw in (None, outflow_rate) and figure.by == "stage" and not figure.y.endswith("*")
+        is_over_time = not figure.x and figure.draw in (None, outflow_rate_panel) and figure.by == "stage"
+        is_over_time = is_over_time and not figure.y.endswith("*")
         files = [(label, table) for label, table in files if is_over_time and source.choice.y2 in table.names]
     if figure.name == "contacts":
         files = [(label, table) for label, table in files if f"loads-{label}" in source.names]
@@ -562,7 +566,7 @@ def charts_of(source: ChosenTables, figure: Figure) -> list[Chart]:
             cells = table[column]
             table = table[cells == value if isinstance(value, str) else cells >= value]
         for group, rows in groups_of(table, figure.each):
-            if allows(figure, rows):
+            if is_possible(figure, rows):
                 parts.setdefault(label if figure.each == "file" else group, []).append((label, rows))
     return [chart_of(source, figure, those, part) for part, those in parts.items()]
 
@@ -571,23 +575,23 @@ def chart_of(source: ChosenTables, figure: Figure, files: Files, part: str = "")
     table, part_of = files[0][1], "Stage" if figure.each == "file" else figure.each
     name = f"{figure.name}-{part}" if part else figure.name
     about = f"{figure.about} {part_of}: {part}." if part else figure.about
-    draw = partial(figure.draw or lines, source, figure, files, part, table)
+    draw = partial(figure.draw or lines_panel, source, figure, files, part, table)
 
     def panels() -> list[Panel]:
-        return [log_scaled(with_y2(source, figure, table, draw()), source.choice.log)]
+        return [log_scaled(with_second_axis(source, figure, table, draw()), source.choice.log)]
 
     return Chart(name, about, figure.rank, panels, source.title, figure.name)
 
 
-def with_y2(source: ChosenTables, figure: Figure, table: Table, panel: Panel) -> Panel:
-    """With the column that is chosen for the second axis, dashed, of each group that has a curve."""
+def with_second_axis(source: ChosenTables, figure: Figure, table: Table, panel: Panel) -> Panel:
+    """Adds the column chosen for the second axis, dashed, for each group that has a curve."""
     if not (y2 := source.choice.y2):
         return panel
     table._check_numbers(y2)
     groups, left, right = dict(groups_of(table, figure.by)), f"{panel.y.label} (left)", f"{table.label(y2)} (right, dashed)"
 
     def dashed(of: Curve, label: str, color: int) -> Curve:
-        return curve_of(source, label, groups[of.label], figure.x or time_of(table), y2, line="--", color=color)
+        return curve_of(source, label, groups[of.label], figure.x or time_column(table), y2, line="--", color=color)
 
     panel = panel._replace(y2=Axis(table.label(y2)))
     if len(panel.curves) == 1:  # its colour tells the axis
@@ -604,13 +608,13 @@ def log_scaled(panel: Panel, log: str) -> Panel:
 
 
 def column_chart(source: ChosenTables, y: str) -> Chart:
-    """Of a column of a run that was asked for. Throws Error."""
+    """Returns the chart of a column that the user has chosen. Throws Error."""
     choice, where = source.choice, source.folder.folder
     if len(choice.over) > 1:
         over = " and ".join(choice.over)
         raise Error(f"{where}: of a run, a curve is drawn for each value of one column, not of {over}")
     table = table_with(source, [y, *filter(None, (choice.x, choice.y2, *choice.over))])
-    x = choice.x or time_of(table)
+    x = choice.x or time_column(table)
     by = next((name for name in choice.over or ("line", "probe", "restitution", "stage") if name in table.names), "")
     if not x:
         raise Error(f"{where}: say which column is x")
@@ -621,7 +625,7 @@ def column_chart(source: ChosenTables, y: str) -> Chart:
 
 
 def table_with(source: ChosenTables, columns: list[str]) -> Table:
-    """The first table that has all these columns: the series, else in alphabetical order. Throws Error."""
+    """Returns the first table with all these columns: the series, else in alphabetical order. Throws Error."""
     known: list[str] = []
     tables = sorted(source.names, key=lambda name: (name != "series", name))
     for name in tables:
@@ -636,8 +640,10 @@ def table_with(source: ChosenTables, columns: list[str]) -> Table:
     raise Error(f"{source.folder.folder}: no table with all of the columns {', '.join(columns)}")
 
 
-def charts(folder: Run | Sweep, choice: Choice = Choice(), unreadable: Callable[[Error], None] | None = None) -> list[Chart]:
-    """All that the tables allow, or what is chosen. Throws Error, but for tables that `unreadable` is told of."""
+def charts(
+    folder: Run | Sweep, choice: FigureChoice = FigureChoice(), unreadable: Callable[[Error], None] | None = None
+) -> list[Chart]:
+    """Returns all possible charts, or the chosen ones. Throws Error; if given, `unreadable` gets errors of tables instead."""
     from ._sweep_figures import sweep_charts
 
     if choice.first is not None and choice.last is not None and choice.first > choice.last:
@@ -661,30 +667,30 @@ def charts(folder: Run | Sweep, choice: Choice = Choice(), unreadable: Callable[
             if unreadable is None:
                 raise
             unreadable(error)
-    if choice.y2 and not found and (alone := Choice(y2=choice.y2)) != choice:
+    if choice.y2 and not found and (alone := FigureChoice(y2=choice.y2)) != choice:
         charts(folder, alone)  # says so if it is nowhere
     elif choice.y2 and not found:
         raise Error(f"{folder.folder}: no figure over time of a table with a column '{choice.y2}'")
     return found
 
 
-def names_of(possible: Iterable[Chart]) -> set[str]:
-    """Of figures and of their rows."""
+def chart_names(possible: Iterable[Chart]) -> set[str]:
+    """Returns the names of charts, and of their figures."""
     return {name for chart in possible for name in (chart.name, chart.source)}
 
 
-def chosen(folder: Run | Sweep, only: Sequence[str], choice: Choice) -> list[Chart]:
-    """Those of these names, of a figure or of its row. Throws Error."""
+def chosen_charts(folder: Run | Sweep, only: Sequence[str], choice: FigureChoice) -> list[Chart]:
+    """Returns the charts with these names, of charts or of figures. Throws Error."""
     possible = charts(folder, choice)
     is_of_columns = choice.x or choice.y or choice.over or choice.y2
     nothing = "nothing to draw of what is chosen" if is_of_columns else "no rows in the stages and times that are chosen"
     if not possible:
         there_is = charts(folder)
         raise Error(f"{folder.folder}: {nothing if there_is else 'no tables that a figure could be drawn from'}")
-    known = names_of(possible)
+    known = chart_names(possible)
     rows = {row.name: row for row in FIGURES}
     for name in (one for one in only if one not in known):
-        if name in names_of(charts(folder)):
+        if name in chart_names(charts(folder)):
             if choice.y2 and not choice.y:
                 over_time = ", ".join(chart.name for chart in possible)
                 raise Error(f"{folder.folder}: the figure '{name}' has no second axis; figures over time have one: {over_time}")

@@ -1,4 +1,4 @@
-"""Folders of runs and sweeps, read."""
+"""Reads the folders of runs and sweeps."""
 
 from __future__ import annotations
 
@@ -13,11 +13,12 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy
 from numpy.typing import NDArray
 
-from ._arguments import MAX_U64, absolute, at_most_runs, flag, number, path, checked_index, text, whole
-from ._error import ArgumentError, Error, WriteError, compiled
+from ._arguments import MAX_U64, absolute_path, checked_flag, checked_index, checked_number, checked_path, checked_run_list
+from ._arguments import checked_text, checked_whole
+from ._error import ArgumentError, Error, WriteError, compiled_module
 from ._frames import Frames, Kind, trajectory_in
-from ._notebook import Movie, Picture, Shown, overrides
-from ._table import Named, Quantity, Table, Value, check_regular, quantities, read_table
+from ._notebook import Movie, Picture, ShownInNotebook, frame_overrides
+from ._table import NamedDict, Quantity, Table, Value, check_regular, quantities, read_table
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes  # type: ignore[import]
@@ -50,14 +51,14 @@ SHAPES = {"run.json": RUN, "sweep.json": SWEEP, "calibration.json": CALIBRATION}
 
 
 def is_scalar_of(value: Any, shape: Any) -> bool:
-    """Whether a text, a number, yes, no or nothing is of that shape."""
+    """Returns whether a text, a number, a truth value or None has that shape."""
     if isinstance(shape, re.Pattern):
         return isinstance(value, str) and shape.fullmatch(value) is not None
     is_huge = type(value) is int and abs(value) >= 2**64
     return type(value) in (shape if isinstance(shape, tuple) else (shape,)) and not is_huge
 
 
-def check(value: Any, shape: Any, file: Path, place: str = "") -> None:
+def check_shape(value: Any, shape: Any, file: Path, place: str = "") -> None:
     """Throws Error where a value is not of that shape, with its place in the file."""
     parts: list[tuple[Any, Any, Any]] = []
     if isinstance(shape, list) and type(value) is list:
@@ -69,11 +70,11 @@ def check(value: Any, shape: Any, file: Path, place: str = "") -> None:
     elif not is_scalar_of(value, shape):
         raise Error(f"cannot read {file}: '{place}' is missing or not what it should be")
     for key, one, of in parts:
-        check(one, of, file, f"{place}.{key}" if place else str(key))
+        check_shape(one, of, file, f"{place}.{key}" if place else str(key))
 
 
 def read_json(file: Path) -> dict[str, Any]:
-    """The object in a file. Throws Error."""
+    """Returns the JSON object in a file. Throws Error."""
     check_regular(file)
     try:
         with file.open("rb") as stream:
@@ -93,13 +94,13 @@ def read_json(file: Path) -> dict[str, Any]:
 
 
 def refuse_other_kind(folder: Path, own: str) -> None:
-    """Throws Error for the folder of a run, a sweep or a calibration, unless `own` is what tells it."""
+    """Throws Error for the folder of a run, a sweep or a calibration, unless it is marked by the file `own`."""
     for name in SHAPES:
         if name != own and (folder / name).exists():
             raise Error(f"{folder}: it is the folder of a {Path(name).stem}; write elsewhere")
 
 
-def make_own(folder: Path) -> None:
+def make_clca_folder(folder: Path) -> None:
     """Makes a folder that clca may write into: it lists its files in a manifest. Throws Error if others have files there."""
     manifest = folder / MANIFEST
     try:
@@ -115,7 +116,7 @@ def make_own(folder: Path) -> None:
 
 
 def refuse_files_of_clca(file: Path) -> None:
-    """Throws Error for a file that somebody names but clca writes into its folders."""
+    """Throws Error if the user names a file that clca writes into its folders."""
     file = file.absolute().parent.resolve() / file.name
     for folder in list(file.parents)[:2]:
         is_own = any(os.path.exists(folder / name) for name in (MANIFEST, "run.json", "sweep.json"))
@@ -124,7 +125,7 @@ def refuse_files_of_clca(file: Path) -> None:
 
 
 def write_file(file: Path, content: bytes, is_listed: bool) -> None:
-    """A whole file. One that the manifest of its folder lists is removed by the next run into it. Throws Error."""
+    """Writes a whole file. If `is_listed`, the manifest lists it, and the next run into the folder removes it. Throws Error."""
     if file.is_dir():
         raise WriteError(f"cannot write {file}: it is a folder")
     new, line, manifest = file.with_name(f".{file.name}.new"), f'\nfile "{file.name}"\n', file.with_name(MANIFEST)
@@ -142,8 +143,8 @@ def write_file(file: Path, content: bytes, is_listed: bool) -> None:
 
 
 def write_files(folder: Path, contents: Iterable[tuple[str, bytes]]) -> None:
-    """Into a folder of ours. Throws Error."""
-    make_own(folder)
+    """Writes files into a folder of clca. Throws Error."""
+    make_clca_folder(folder)
     for name, content in contents:
         write_file(folder / name, content, is_listed=True)
 
@@ -151,24 +152,26 @@ def write_files(folder: Path, contents: Iterable[tuple[str, bytes]]) -> None:
 Names = str | Sequence[str]
 
 
-def names(name: str, given: Names) -> tuple[str, ...]:
-    return tuple([given] * bool(given) if isinstance(given, str) else [text(name, one) for one in at_most_runs(name, given)])
+def checked_names(name: str, given: Names) -> tuple[str, ...]:
+    if isinstance(given, str):
+        return (given,) if given else ()
+    return tuple(checked_text(name, one) for one in checked_run_list(name, given))
 
 
 class Folder:
-    """Tables in a folder, and what says what their columns are."""
+    """A folder with tables, and the summary that describes their columns."""
 
     folder: Path
     summary: dict[str, Any]  #: what run.json or sweep.json says
 
     def __init__(self, folder: str | os.PathLike[str], summary: str) -> None:
-        self.folder = absolute(folder)
+        self.folder = absolute_path(folder)
         self.summary = read_json(self.folder / summary)
-        check(self.summary, SHAPES[summary], self.folder / summary)
+        check_shape(self.summary, SHAPES[summary], self.folder / summary)
 
     @property
     def tables(self) -> list[str]:
-        """Names for `table`."""
+        """The names that `table` takes."""
         if not self.folder.is_dir():
             raise Error(f"cannot read {self.folder}: the folder is not there")
         return sorted(file.stem for file in self.folder.glob("*.csv"))
@@ -177,26 +180,26 @@ class Folder:
         """`NAME.csv` of the folder, such as `profile-flow`. Numbers are float64, whole ones int64; an empty cell is NaN.
         Throws Error.
         """
-        if text("name", name) not in self.tables:
+        if checked_text("name", name) not in self.tables:
             raise Error(f"{self.folder}: no table {name!r}; there are {', '.join(self.tables) or 'none'}")
         known = self.summary.get("tables", {})
         kind = max((kind for kind in known if name == kind or name.startswith(f"{kind}-")), key=len, default="")
         return read_table(self.folder / f"{name}.csv", quantities(known.get(kind, [])))
 
 
-class Result(Shown, Folder):
-    """Of runs: it can be drawn."""
+class Result(ShownInNotebook, Folder):
+    """A run or a sweep, which can be drawn."""
 
     def report(self, path: str | os.PathLike[str] | None = None, max_frames: int | None = None) -> Path:
         """Writes the page of `clca report`, `report.html` in the folder by default, and returns its path. `max_frames`: most
         pictures to step through; by default as many as keep the page below 20 MB. What cannot be read is left out with a
         warning of Python's. Throws Error, also if the file cannot be written. It needs Jinja2 and matplotlib.
         """
-        from ._report import write
+        from ._report import write_report
 
         assert isinstance(self, (Run, Sweep))
-        most = None if max_frames is None else whole("max_frames", max_frames, 0, 100_000)
-        return write(self, None if path is None else absolute(path), most)
+        most = None if max_frames is None else checked_whole("max_frames", max_frames, 0, 100_000)
+        return write_report(self, None if path is None else absolute_path(path), most)
 
     def plot(
         self, name: str = "", ax: Axes | None = None, *, x: str = "", y: Names = (), over: Names = (), y2: str = "",
@@ -207,22 +210,22 @@ class Result(Shown, Folder):
         against `x`, of a sweep measures `y`, also as `STAGE.MEASURE`, against a key or a measure `x`. It has the style of
         matplotlib that is set. Draws into `ax` if given. Returns Axes, or a list if there are several. Throws Error.
         """
-        from ._figures import Choice
+        from ._figures import FigureChoice
         from ._plot import plot
 
         assert isinstance(self, (Run, Sweep))
-        if text("log", log) not in ("", "x", "y", "xy"):
+        if checked_text("log", log) not in ("", "x", "y", "xy"):
             raise ArgumentError(f"log: expected x, y or xy, found '{log}'")
-        first, last = (None if one is None else number("first, last", one) for one in (first, last))
-        choice = Choice(
-            text("x", x), names("y", y), names("over", over), text("y2", y2), log, names("stage", stage), first, last,
-            flag("filling", filling), whole("mean", mean, 1, 1_000_000)
+        first, last = (None if one is None else checked_number("first, last", one) for one in (first, last))
+        choice = FigureChoice(
+            checked_text("x", x), checked_names("y", y), checked_names("over", over), checked_text("y2", y2), log,
+            checked_names("stage", stage), first, last, checked_flag("filling", filling), checked_whole("mean", mean, 1, 1_000_000)
         )
-        return plot(self, text("name", name), ax, choice)
+        return plot(self, checked_text("name", name), ax, choice)
 
 
 class Stage(NamedTuple):
-    """How a stage of a run went."""
+    """The result of a stage."""
 
     steps: int
     ended: str  #: settled, stalled, steps, time, discharged, cycles, bound or interrupted
@@ -254,11 +257,11 @@ class Run(Result):
         self.version, self.seed, self.status = said["clca"], said["seed"], said["status"]
         self.particles, self.steps, self.state_hash = said["particles"], said["steps"], said["state_hash"]
         known = quantities(said.get("measures", []))
-        self.stages: dict[str, Stage] = Named("stage", ())
+        self.stages: dict[str, Stage] = NamedDict("stage", ())
         for stage in said["stages"]:
             of = {key: Value(number, *known.get(key, Quantity())[:3]) for key, number in stage["measures"].items()}
             notes, fills = stage.get("notes", []), stage.get("fills", False)
-            measures = Named("measure", of.items())
+            measures = NamedDict("measure", of.items())
             self.stages[stage["name"]] = Stage(stage["steps"], stage["ended"], measures, notes, fills)
 
     def __repr__(self) -> str:
@@ -269,7 +272,7 @@ class Run(Result):
         """By stage, then by the names of `run.json`: `measures["flow"]["runout_99"]`. `clca explain --format quantities`
         lists what a scene can measure.
         """
-        return Named("stage", ((name, stage.measures) for name, stage in self.stages.items()))
+        return NamedDict("stage", ((name, stage.measures) for name, stage in self.stages.items()))
 
     @cached_property
     def series(self) -> Table:
@@ -294,11 +297,11 @@ class Run(Result):
         return self.frames._facts.walls
 
     def contacts(self, step: int) -> NDArray[numpy.void]:
-        """`contacts` of the frame of that step."""
+        """The contacts in the frame of that step: `Frame.contacts`."""
         return self.frames.at(step).contacts
 
     def _side_reached(self, stage: str) -> str:
-        """The side of the box to which grains have come in a stage that fills in none."""
+        """The side of the box that grains have reached in a stage without filling."""
         has_sides = not self.summary.get("box", {}).get("periodic", True)
         if not has_sides or self.stages[stage].fills or f"profile-{stage}" not in self.tables:
             return ""
@@ -311,8 +314,8 @@ class Run(Result):
         """The box at a step of the trajectory. `frames` are keys of `output.frames` in place of the scene's, such as
         `color_by="stage_layer"`, `width=400`. Throws Error.
         """
-        picture = compiled("drawing grains").picture
-        drawn: Picture = picture(self.folder, whole("step", step, 0, MAX_U64), overrides(frames)).view(Picture)
+        picture = compiled_module("drawing grains").picture
+        drawn: Picture = picture(self.folder, checked_whole("step", step, 0, MAX_U64), frame_overrides(frames)).view(Picture)
         return drawn
 
     def movie(
@@ -324,12 +327,12 @@ class Run(Result):
         notebook. Throws Error.
         """
         if duration is not None:
-            duration = number("duration", duration, 0.1, 86_400, "0.1 to 86400 seconds")
+            duration = checked_number("duration", duration, 0.1, 86_400, "0.1 to 86400 seconds")
             frames = {"every": 1, **frames}
-        stage = None if stage is None else text("stage", stage)
-        movie = compiled("drawing grains").movie
-        movie(self.folder, path(file), whole("fps", fps, 1, 240), duration, stage, overrides(frames))
-        return Movie(absolute(file))
+        stage = None if stage is None else checked_text("stage", stage)
+        movie = compiled_module("drawing grains").movie
+        movie(self.folder, checked_path(file), checked_whole("fps", fps, 1, 240), duration, stage, frame_overrides(frames))
+        return Movie(absolute_path(file))
 
     def export(
         self, format: str, path: str | os.PathLike[str] | None = None, first: int | None = None, last: int | None = None,
@@ -341,11 +344,11 @@ class Run(Result):
         steps apart, and where stages begin. Lengths, times, masses and forces are in SI units where the scene has them,
         else as frames have them. Returns the path. Throws Error.
         """
-        from ._export import export
+        from ._export import export_run
 
-        first, last = (None if step is None else whole("first, last", step, 0, MAX_U64) for step in (first, last))
-        file = None if path is None else absolute(path)
-        return export(self, text("format", format), file, first, last, whole("every", every, 1, MAX_U64))
+        first, last = (None if step is None else checked_whole("first, last", step, 0, MAX_U64) for step in (first, last))
+        file = None if path is None else absolute_path(path)
+        return export_run(self, checked_text("format", format), file, first, last, checked_whole("every", every, 1, MAX_U64))
 
     def __getstate__(self) -> dict[str, Any]:
         return {name: value for name, value in self.__dict__.items() if name != "frames"}  # of an open trajectory
@@ -385,14 +388,14 @@ class Sweep(Result):
         return quantities([*self.summary.get("measures", []), *of_runs])
 
     def _measure(self, name: str) -> Quantity:
-        """What a measure of `measures` is."""
+        """The description of a measure of `measures`."""
         whole, _, part = name.partition(".")
         found = self._quantities_by_key.get(name) or self._quantities_by_key.get(whole)
         return found._replace(of=found.of or part) if found else Quantity(name)
 
     @cached_property
     def notes(self) -> list[str]:
-        """Which measures say nothing: the same for three seeds or more, since grains have come to a side of the box."""
+        """Warnings about measures that are equal for three or more seeds, because grains have reached a side of the box."""
         self.measures._check_numbers("mean", "min", "max", "runs")
         notes = []
         for row in self.measures[(self.measures["runs"] >= 3) & (self.measures["min"] == self.measures["max"])]:
@@ -412,7 +415,7 @@ class Sweep(Result):
         return len(self.runs)
 
     def __getitem__(self, number: int) -> Run:
-        """The run of a row of `runs`."""
+        """The run in this row of `runs`."""
         return Run(self.folder / str(self.runs["folder"][checked_index("run", number, len(self))]))
 
     def __iter__(self) -> Iterator[Run]:
@@ -424,15 +427,15 @@ class Sweep(Result):
         single run.
         """
         table = self.table("mean-series")
-        rows = table[table["stage"] == text("stage", stage)]
+        rows = table[table["stage"] == checked_text("stage", stage)]
         if not len(rows):
             raise ArgumentError(f"{table._file}: no stage '{stage}'; there are {', '.join(dict.fromkeys(table['stage'].tolist()))}")
         names = {key: key for key in (*self.keys, "step")}
-        names |= {"mean": text("column", column), "standard_error": f"{column}_se", "runs": "runs"}
+        names |= {"mean": checked_text("column", column), "standard_error": f"{column}_se", "runs": "runs"}
         return Table((key, rows[name], table._quantities.get(name, Quantity(key))) for key, name in names.items())
 
 
 def open(folder: str | os.PathLike[str]) -> Run | Sweep:
     """The run or the sweep in a folder, also one that is under way. Throws Error if there is none."""
-    there = absolute(folder)
+    there = absolute_path(folder)
     return Sweep(there) if (there / "sweep.json").exists() and not (there / "run.json").exists() else Run(there)

@@ -17,7 +17,7 @@ import h5py  # type: ignore[import]
 import numpy
 from numpy.typing import NDArray
 
-from ._arguments import number as checked_number, checked_index
+from ._arguments import checked_number as checked_number, checked_index
 from ._error import Error
 from ._table import check_regular
 
@@ -55,13 +55,13 @@ class Kind(NamedTuple):
 
 
 def read_only(array: NDArray[Any]) -> NDArray[Any]:
-    """A view of it, which setflags() does not make writable."""
+    """Returns a view that setflags() does not make writable."""
     array.flags.writeable = False
     return array.view()
 
 
 class RunFacts(NamedTuple):
-    """What all frames of a run share."""
+    """The data that all frames of a run share."""
 
     kinds: list[Kind]
     walls: dict[str, NDArray[numpy.float64]]  #: of each its sites at home
@@ -69,8 +69,8 @@ class RunFacts(NamedTuple):
     bodies: dict[int, str]  #: what `other` of a contact is
 
 
-def column(name: str, said: str) -> Any:
-    """A property of a frame: that column of its particles."""
+def column_property(name: str, said: str) -> Any:
+    """Returns a property of Frame with this column of its particles."""
     return property(lambda frame: frame.particles[name], doc=said)
 
 
@@ -96,32 +96,32 @@ class Frame:
 
     @property
     def time(self) -> float:
-        """Of the step: see `units`."""
+        """The time of the step: see `units`."""
         return self.step * self._facts.units["time"][1]
 
     @property
     def units(self) -> dict[str, str]:
-        """Of `time` and `velocity`."""
+        """The units of `time` and `velocity`."""
         return {what: unit for what, (unit, _) in self._facts.units.items()}
 
     @property
     def particles(self) -> NDArray[numpy.void]:
-        """All of the following that is a number, as one structured array of `N` rows."""
+        """A structured array of `N` rows with the columns below that are numbers."""
         return self._data[0]
 
-    ids: NDArray[numpy.uint32] = column("id", "N: for life.")
-    positions: NDArray[numpy.float64] = column("position", "N x 2: centres of mass, in the box.")
-    velocities: NDArray[numpy.float64] = column(
+    ids: NDArray[numpy.uint32] = column_property("id", "N: for life.")
+    positions: NDArray[numpy.float64] = column_property("position", "N x 2: centres of mass, in the box.")
+    velocities: NDArray[numpy.float64] = column_property(
         "velocity", "N x 2: see `units`. Of the automaton the last move, in spacings a step."
     )
-    angular_velocities: NDArray[numpy.float64] = column(
+    angular_velocities: NDArray[numpy.float64] = column_property(
         "angular_velocity",
         "N: anticlockwise, radians per unit of `time`; 0 but of the contact model. NaN of a file of an earlier version.",
     )
-    displacements: NDArray[numpy.float64] = column(
+    displacements: NDArray[numpy.float64] = column_property(
         "displacement", "N x 2: since the stage began or the particle entered, across a periodic boundary, too."
     )
-    kinds: NDArray[numpy.uint16] = column("kind", "N: which of the kinds of the run.")
+    kinds: NDArray[numpy.uint16] = column_property("kind", "N: which of the kinds of the run.")
 
     @property
     def species(self) -> NDArray[numpy.str_]:
@@ -135,13 +135,13 @@ class Frame:
 
     @property
     def outlines(self) -> list[NDArray[numpy.float64]]:
-        """Of each particle corners x 2, anticlockwise."""
+        """For each particle an array of corners x 2, anticlockwise."""
         outlines = [kind.outline for kind in self._facts.kinds]
         return [read_only(outlines[kind] + position) for kind, position in zip(self.kinds, self.positions)]
 
     @property
     def walls(self) -> dict[str, tuple[float, float]]:
-        """Of the walls that are there: how far they are from home."""
+        """Displacements of the present walls from home, by name."""
         return {name: shift for name, shift in zip(self._facts.walls, self._data[1]) if shift is not None}
 
     @cached_property
@@ -155,7 +155,7 @@ class Frame:
         return read_only(self._source.contacts(self._number, slice(None), CONTACT.names or ()))
 
     def _contact_blocks(self, *columns: str) -> Iterator[NDArray[numpy.void]]:
-        """Some columns of the contacts, some rows at a time."""
+        """Yields these columns of the contacts, some rows at a time."""
         for start in count(0, MANY):
             block = self._source.contacts(self._number, slice(start, start + MANY), columns)
             yield block
@@ -172,7 +172,7 @@ class Frame:
 
 
 class Frames(Sequence[Frame]):
-    """The frames of a trajectory, each step once; what a frame has is read when it is asked for."""
+    """The frames of a trajectory, each step once. The data of a frame is read on demand."""
 
     def __init__(self, source: Trajectory) -> None:
         self._source, self._facts = source, source.facts
@@ -201,25 +201,25 @@ class Frames(Sequence[Frame]):
 
 
 def to_axial(sites: NDArray[Any]) -> NDArray[numpy.int64]:
-    """Axial coordinates x, q of columns and rows; unlike those, they can be added."""
+    """Returns the axial coordinates x, q of columns and rows. Unlike those, they can be added."""
     sites = sites.astype(numpy.int64)
     return numpy.stack([sites[..., 0], sites[..., 1] - sites[..., 0] // 2], -1)
 
 
-def positions(points: NDArray[Any]) -> NDArray[numpy.float64]:
-    """Of axial vectors, in lattice spacings."""
+def plane_positions(points: NDArray[Any]) -> NDArray[numpy.float64]:
+    """Returns the positions of axial vectors in the plane, in lattice spacings."""
     return numpy.stack([PITCH * points[..., 0], points[..., 1] + 0.5 * points[..., 0]], -1)
 
 
 def half_spacing_points(sites: NDArray[Any]) -> NDArray[Any]:
-    """The sites (axial vectors) and the middles of two neighbours, on the lattice of half the spacing."""
+    """Returns the sites (axial vectors) and the midpoints of neighbours, on the lattice of half the spacing."""
     known = sites @ [2**32, 1]
     neighbours = (sites[numpy.isin((sites + step) @ [2**32, 1], known)] * 2 + step for step in ((1, 0), (0, 1), (1, -1)))
     return numpy.concatenate([2 * sites, *neighbours])
 
 
 @lru_cache(maxsize=256)
-def outline(sites: tuple[tuple[int, int], ...], centre: tuple[float, float]) -> NDArray[numpy.float64]:
+def body_outline(sites: tuple[tuple[int, int], ...], centre: tuple[float, float]) -> NDArray[numpy.float64]:
     """The body of a particle in pictures: the six small triangles around each point of half_spacing_points(). Corners from the
     centre, anticlockwise.
     """
@@ -236,10 +236,10 @@ def outline(sites: tuple[tuple[int, int], ...], centre: tuple[float, float]) -> 
     path = numpy.array(loop)
     along = numpy.roll(path, -1, 0) - path
     corners = path[numpy.any(along != numpy.roll(along, 1, 0), 1)]
-    return read_only(positions(corners) / 2 - centre)
+    return read_only(plane_positions(corners) / 2 - centre)
 
 
-def trapezoids(sites: NDArray[Any]) -> tuple[NDArray[numpy.float64], NDArray[Any]]:
+def body_trapezoids(sites: NDArray[Any]) -> tuple[NDArray[numpy.float64], NDArray[Any]]:
     """The body of these sites (axial vectors, as outline() has it) cut into trapezoids: their corners, anticlockwise,
     one after the other, and how many corners each has.
     """
@@ -252,17 +252,17 @@ def trapezoids(sites: NDArray[Any]) -> tuple[NDArray[numpy.float64], NDArray[Any
     corners = numpy.array(list(zip((left, right, right, left), ends))).transpose(2, 0, 1)
     kept = numpy.any(corners != corners[:, [3, 0, 1, 0]], 2)  # where two are one, it is a triangle
     kept[:, :2] = True
-    return positions(corners[kept]) / 2, kept.sum(1)
+    return plane_positions(corners[kept]) / 2, kept.sum(1)
 
 
-def slices(count: int, many: int = MANY) -> Iterator[slice]:
-    """Of so many rows, one at least."""
+def row_slices(count: int, many: int = MANY) -> Iterator[slice]:
+    """Yields slices of at most `many` rows; at least one slice."""
     return (slice(start, min(start + many, count)) for start in range(0, max(count, 1), many))
 
 
 @contextmanager
-def opened(file: Path) -> Iterator[Any]:
-    """A part of a trajectory."""
+def opened_part(file: Path) -> Iterator[Any]:
+    """Opens a part of a trajectory."""
     check_regular(file)
     try:
         with file.open("rb") as stream:
@@ -279,7 +279,7 @@ def opened(file: Path) -> Iterator[Any]:
 
 
 def trajectory_in(folder: Path, summary: dict[str, Any]) -> Trajectory:
-    """That of a run. Throws Error."""
+    """Returns the trajectory of a run. Throws Error."""
     files = sorted((folder / "trajectory").glob("part-*.h5"))
     if not files:
         is_gas = summary["kind"] == "boltzmann"
@@ -291,7 +291,7 @@ def trajectory_in(folder: Path, summary: dict[str, Any]) -> Trajectory:
     for number, file in enumerate(files):
         if file.stem != f"part-{number:06}":
             raise Error(f"cannot read {folder / 'trajectory'}: the part before {file.name} is missing")
-    trajectory = Trajectory([partial(opened, file) for file in files], summary)
+    trajectory = Trajectory([partial(opened_part, file) for file in files], summary)
     if summary["status"] == "done" and trajectory.list[-1][0] < summary["steps"]:
         missing = folder / "trajectory" / f"part-{len(files):06}.h5"
         raise Error(f"cannot read {missing}: missing, though the run had written it")
@@ -336,7 +336,7 @@ class Trajectory:
         self._centres = part["scene/kinds/centre"][:].reshape(-1, 2)
 
         def sets(what: str) -> list[NDArray[Any]]:
-            """Of sites, two numbers each."""
+            """Returns the sets of sites, two numbers for each site."""
             sites = part[f"scene/{what}/sites"][:].reshape(-1, 2)
             ends = zip(part[f"scene/{what}/first"], part[f"scene/{what}/size"])
             return [sites[int(first) : int(first) + int(size)] for first, size in ends]
@@ -347,7 +347,7 @@ class Trajectory:
         kinds = []
         for i, name in enumerate(species[number] for number in of):
             full_name = f"{name}@{degrees[i]}" if several[of[i]] else name
-            body = outline(tuple(map(tuple, self._kind_sites[i].tolist())), tuple(self._centres[i].tolist()))
+            body = body_outline(tuple(map(tuple, self._kind_sites[i].tolist())), tuple(self._centres[i].tolist()))
             kinds.append(Kind(full_name, name, degrees[i], body))
         names = [name.decode() for name in part["scene/walls/name"]]
         self._wall_sites = list(map(to_axial, sets("walls")))
@@ -355,17 +355,17 @@ class Trajectory:
         if units := summary.get("units"):
             unit["time"] = units["time"], units["time_step"]
             unit["velocity"] = units["velocity"], units["spacing"] / units["time_step"]
-        walls = {name: read_only(positions(home)) for name, home in zip(names, self._wall_sites)}
+        walls = {name: read_only(plane_positions(home)) for name, home in zip(names, self._wall_sites)}
         return RunFacts(kinds, walls, unit, SIDES | {-2 - number: name for number, name in enumerate(names)})
 
     def _rows(self, part: Any, frame: int, name: str, columns: Sequence[str], rows: slice = slice(None)) -> list[Any]:
-        """These columns of a list of a frame, or of some of its rows."""
+        """Returns these columns of the dataset group `name` for a frame, or some of its rows."""
         first = int(self._frames[FIRST[name]][frame]) - self._starts[name][self._frames["part"][frame]]
         begin, end, _ = rows.indices(int(self._frames[name][frame]))
         return [numpy.asarray(part[f"{name}/{column}"][first + begin : first + max(begin, end)]) for column in columns]
 
     def _origins_of(self, frame: int) -> NDArray[Any]:
-        """By id, the site where it was when the stage began or it entered."""
+        """Returns by id the site where the particle was when the stage began or it entered."""
         stage_first = int(self._stage_first[frame])
         with self._lock:
             begin, end, origins = self._origins
@@ -383,7 +383,7 @@ class Trajectory:
             return origins
 
     def frame(self, number: int) -> FrameData:
-        """By its place in `list`. Throws Error."""
+        """Returns the frame with this index in `list`. Throws Error."""
         frame = int(self._numbers[number])
         origins = self._origins_of(frame)
         with self._parts[self._frames["part"][frame]]() as part:
@@ -400,7 +400,7 @@ class Trajectory:
         return read_only(bodies), there
 
     def contacts(self, number: int, rows: slice, columns: Sequence[str]) -> NDArray[numpy.void]:
-        """Of a frame. Throws Error."""
+        """Returns rows of the contacts of a frame. Throws Error."""
         frame = int(self._numbers[number])
         kind = [(name, CONTACT[name]) for name in columns]
         if not self.has_contacts:
@@ -413,26 +413,26 @@ class Trajectory:
         return found
 
     def _loads(self, number: int) -> NDArray[numpy.float64]:
-        """By id, the sum of the normal forces."""
+        """Returns by id the sum of the normal forces on the particle."""
         loads = numpy.zeros(self.entered)
         for of in ("upper", "other"):
-            for rows in slices(int(self._frames["contacts"][self._numbers[number]])):
+            for rows in row_slices(int(self._frames["contacts"][self._numbers[number]])):
                 some = self.contacts(number, rows, [of, "force"])
                 some = some[some[of] >= 0]
                 numpy.add.at(loads, some[of], some["force"][:, 0])
         return loads
 
     def _bodies(self, part: Any, frame: int, origins: NDArray[Any]) -> NDArray[numpy.void]:
-        """The particles but for their forces."""
+        """Returns the particles without their forces."""
         bodies = numpy.zeros(int(self._frames["particles"][frame]), BODY)
-        for rows in slices(len(bodies)):
+        for rows in row_slices(len(bodies)):
             some = bodies[rows]
             of = partial(self._rows, part, frame, "particles", rows=rows)
             ids, kinds, sites, place, move = of(["id", "kind", "site", "position", "move"])
             some["id"], some["kind"], some["position"] = ids, kinds, place
             axials = to_axial(sites)
-            some["displacement"] = positions(axials - to_axial(origins[ids]))
-            beyond = positions(axials)[:, 0] + self._centres[kinds, 0] - place[:, 0]
+            some["displacement"] = plane_positions(axials - to_axial(origins[ids]))
+            beyond = plane_positions(axials)[:, 0] + self._centres[kinds, 0] - place[:, 0]
             some["image"] = numpy.rint(beyond / (PITCH * self.lattice[0]))
             if "particles/velocity" in part:
                 some["velocity"] = of(["velocity"])[0] * self.facts.units["velocity"][1]
@@ -440,11 +440,11 @@ class Trajectory:
                 some["angular_velocity"] = spins / (self.radii[kinds] * self.facts.units["time"][1])
             else:
                 moves = numpy.array([(0, 1), (1, 0), (1, -1), (0, -1), (-1, 0), (-1, 1), (0, 0)])  # clockwise from up; 6: none
-                some["velocity"] = positions(moves)[numpy.minimum(move, 6)]
+                some["velocity"] = plane_positions(moves)[numpy.minimum(move, 6)]
         return bodies
 
     def _column_and_row(self, sites: NDArray[numpy.int64]) -> NDArray[numpy.int64]:
-        """Of axial vectors; the column as it is in the box."""
+        """Returns column and row of axial vectors; the column is in the box."""
         column, q = sites.T
         return numpy.stack([column % self.lattice[0] if self.lattice[2] else column, q + column // 2])
 
@@ -459,7 +459,7 @@ class Trajectory:
     def _shared_sites(
         self, kinds: NDArray[Any], axials: NDArray[numpy.int64], walls: list[tuple[float, float] | None]
     ) -> NDArray[numpy.float64]:
-        """Of each particle how many sites it has in common with others and with walls, by each of them."""
+        """Returns for each particle the number of sites shared with others and with walls, summed over them."""
         owners, shared = numpy.zeros(self.lattice[:2], "i4"), numpy.zeros(len(kinds))
         for _, places in self.walls_in_box(walls):
             numpy.add.at(owners, tuple(places.T), 1)

@@ -1,4 +1,4 @@
-"""What shows itself in notebooks: tables, runs, sweeps, pictures and movies, and how far a run has come."""
+"""What notebooks show: tables, runs, sweeps, pictures and movies, and the progress of a run."""
 
 import base64
 import os
@@ -10,35 +10,35 @@ from typing import Any, NamedTuple, cast
 
 import numpy
 
-from ._arguments import absolute, progress as checked, text, to_yaml
+from ._arguments import absolute_path, checked_progress as checked, checked_text, to_yaml
 
 MEDIA = {".mp4": "video/mp4", ".webm": "video/webm", ".webp": "image/webp", ".gif": "image/gif", ".png": "image/png"}
 
 
 class Picture(numpy.ndarray[Any, numpy.dtype[numpy.uint8]]):
-    """Rows from the top x columns x 3, bytes of red, green and blue. Shows itself in a notebook."""
+    """A picture that a notebook shows: rows from the top x columns x 3, bytes of red, green and blue."""
 
     def _repr_png_(self) -> bytes | None:
         is_whole = self.ndim == 3 and self.shape[2] == 3 and self.dtype == numpy.uint8
-        return png(self) if is_whole else None
+        return png_bytes(self) if is_whole else None
 
     def save(self, file: str | os.PathLike[str]) -> None:
-        """Writes a PNG."""
+        """Writes a PNG file."""
         from ._folder import refuse_files_of_clca, write_file
 
-        refuse_files_of_clca(absolute(file))
-        write_file(absolute(file), png(self), is_listed=False)
+        refuse_files_of_clca(absolute_path(file))
+        write_file(absolute_path(file), png_bytes(self), is_listed=False)
 
 
-def png(pixels: Picture) -> bytes:
+def png_bytes(pixels: Picture) -> bytes:
     from . import _clca
 
     return _clca.png(pixels)
 
 
-def overrides(frames: dict[str, Any]) -> list[str]:
-    """Keys of `output.frames` for the library."""
-    return [f"output.frames.{text('a key', key)}={to_yaml(key, value)}" for key, value in frames.items()]
+def frame_overrides(frames: dict[str, Any]) -> list[str]:
+    """Returns keys of `output.frames` with their values, for the library."""
+    return [f"output.frames.{checked_text('a key', key)}={to_yaml(key, value)}" for key, value in frames.items()]
 
 
 class Movie(PosixPath):
@@ -53,7 +53,7 @@ class Movie(PosixPath):
 
 
 class Progress(NamedTuple):
-    """How far a run or a sweep has come."""
+    """The progress of a run or a sweep."""
 
     stage: str  #: of a run; empty: a sweep
     done: int  #: steps of a run of grains, gases of a run of gases, runs of a sweep
@@ -69,20 +69,20 @@ class Progress(NamedTuple):
         return f"{head}[{bar:30}] {self.done} of {self.total}{left}"
 
 
-class Shown:
-    """Shows itself in a notebook: a table, a run or a sweep."""
+class ShownInNotebook:
+    """A table, a run or a sweep, which a notebook shows."""
 
     def _repr_html_(self) -> str | None:
         try:
-            from ._report import in_notebook
+            from ._report import notebook_html
         except ImportError:  # a notebook shows text where Jinja2 is missing
             return None
-        return in_notebook(cast(Any, self))
+        return notebook_html(cast(Any, self))
 
 
 @contextmanager
-def reporting(progress: bool | Callable[[Progress], object]) -> Iterator[Callable[..., None] | None]:
-    """What the compiled module calls: a bar on standard error, a function of the user, or nothing."""
+def progress_reporter(progress: bool | Callable[[Progress], object]) -> Iterator[Callable[..., None] | None]:
+    """Returns the function that the compiled module calls: it draws a bar on standard error, or calls that of the user."""
     width, is_wanted = 0, checked(progress)
 
     def report(*numbers: Any) -> None:

@@ -3,24 +3,24 @@
 from typing import Any
 
 from . import _answer, _figures
-from ._arguments import refused
-from ._chart import Look, draw_panel, legend_of, rendered
+from ._arguments import argument_error
+from ._chart import FileFormat, draw_panel, legend_entries, figure_bytes
 from ._error import Error
-from ._figures import Choice
+from ._figures import FigureChoice
 from ._folder import Run, Sweep, open
 
 
-def plot(folder: Run | Sweep, name: str, ax: Any, choice: Choice) -> Any:
-    """One figure into axes: those given, or new ones of pyplot in the style of the user. Returns Axes."""
+def plot(folder: Run | Sweep, name: str, ax: Any, choice: FigureChoice) -> Any:
+    """Draws one figure into the given axes, or into new ones of pyplot in the style of the user. Returns Axes."""
     from matplotlib import pyplot  # type: ignore[import]
 
     if not isinstance(ax, (pyplot.Axes, type(None))):
-        raise refused("ax", "Axes of matplotlib", ax)
+        raise argument_error("ax", "Axes of matplotlib", ax)
     if isinstance(folder, Sweep):
         of_runs = [one.partition(".") for one in choice.y if "." in one and one in folder.runs.names]
         if of_runs:
             choice = choice._replace(stages=[of_runs[0][0]], y=[measure for _, _, measure in of_runs])
-    found = _figures.chosen(folder, [name] if name else [], choice)
+    found = _figures.chosen_charts(folder, [name] if name else [], choice)
     chart = next((chart for chart in found if chart.name == name), found[0])
     panels = chart.panels()
     if ax is not None and len(panels) > 1:
@@ -31,29 +31,29 @@ def plot(folder: Run | Sweep, name: str, ax: Any, choice: Choice) -> Any:
         size = (wide * min(len(panels), 3), high)
         axes = pyplot.subplots(1, len(panels), squeeze=False, sharey=True, layout="constrained", figsize=size)[1][0]
     for one, panel in zip(axes, panels):
-        handles, names = legend_of([draw_panel(one, panel)], [panel])
+        handles, names = legend_entries([draw_panel(one, panel)], [panel])
         if names:
             one.legend(handles, names)
     return axes[0] if len(axes) == 1 else list(axes)
 
 
-def limits(text: str) -> tuple[float | None, float | None]:
-    """Of an axis, from `LOW:HIGH`."""
+def parsed_limits(text: str) -> tuple[float | None, float | None]:
+    """Returns the limits of an axis from `LOW:HIGH`."""
     low, _, high = text.partition(":")
-    return number(low), number(high)
+    return parsed_number(low), parsed_number(high)
 
 
-def number(text: str | None) -> float | None:
+def parsed_number(text: str | None) -> float | None:
     return float(text) if text else None
 
 
 def command(options: dict[str, Any], folder: str) -> None:
-    """Draws what the command asks for."""
-    choice = Choice(
+    """Draws the figures of the command."""
+    choice = FigureChoice(
         **{key: options[key] for key in ("x", "y", "over", "y2", "log") if key in options},
         stages=options.get("stage", ()),
-        first=number(options.get("from")),
-        last=number(options.get("to")),
+        first=parsed_number(options.get("from")),
+        last=parsed_number(options.get("to")),
         filling="no-filling" not in options,
         mean=int(options.get("running-mean", 1)),
     )
@@ -61,14 +61,14 @@ def command(options: dict[str, Any], folder: str) -> None:
     in_mm = [size.endswith("mm") for size in sizes if size]
     if len(set(in_mm)) > 1:
         raise Error("--width and --height: both in pixels, or both in mm")
-    width, height = (number(size and size.removesuffix("mm")) for size in sizes)
-    ranges = (limits(options.get(f"{axis}-range", "")) for axis in "xy")
-    look = Look(options.get("format", "png"), in_mm[0], width or 0, height, *ranges)
+    width, height = (parsed_number(size and size.removesuffix("mm")) for size in sizes)
+    ranges = (parsed_limits(options.get(f"{axis}-range", "")) for axis in "xy")
+    look = FileFormat(options.get("format", "png"), in_mm[0], width or 0, height, *ranges)
     source = open(folder)
-    drawn = _figures.chosen(source, options.get("only", []), choice)
+    drawn = _figures.chosen_charts(source, options.get("only", []), choice)
     for chart in drawn:
-        _answer.file(f"{chart.name}.{look.format}", rendered(chart, look))
+        _answer.send_file(f"{chart.name}.{look.format}", figure_bytes(chart, look))
     if not options.get("only") and not choice.y and (choice.first, choice.last, choice.stages) != (None, None, ()):
         every = _figures.charts(source, choice._replace(first=None, last=None, stages=()))
-        if empty := [chart.name for chart in every if chart.name not in _figures.names_of(drawn)]:
-            _answer.files([], [f"no rows in the stages and times that are chosen: {', '.join(empty)}"])
+        if empty := [chart.name for chart in every if chart.name not in _figures.chart_names(drawn)]:
+            _answer.send_files_and_lines([], [f"no rows in the stages and times that are chosen: {', '.join(empty)}"])

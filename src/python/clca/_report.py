@@ -1,4 +1,4 @@
-"""One page about the folder of a run or a sweep: what is on it. How it looks is in templates/."""
+"""Collects the content of the page about a run or a sweep; templates/ has its form."""
 
 import base64
 import math
@@ -19,11 +19,11 @@ import jinja2
 from markupsafe import Markup, escape
 
 from . import _answer
-from ._chart import Look, rendered
+from ._chart import FileFormat, figure_bytes
 from ._error import Error, printable
 from ._figures import charts
 from ._folder import Run, Sweep, open, refuse_files_of_clca, write_file
-from ._notebook import MEDIA, png
+from ._notebook import MEDIA, png_bytes
 from ._sweep_figures import VESSEL_ANGLE
 from ._table import Quantity, Table, check_regular, quantities, rows_of
 
@@ -48,8 +48,8 @@ UNUSED_SVG = re.compile(rb'<metadata>.*?</metadata>|(?<=<g) id="[^"]*"', re.DOTA
 RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
-def evenly(items: Sequence[T], count: int) -> list[T]:
-    """So many of them or all, with the first and the last."""
+def evenly_chosen(items: Sequence[T], count: int) -> list[T]:
+    """Returns at most `count` items at equal distances, with the first and the last."""
     most = len(items) - 1
     if most < count:
         return list(items)
@@ -64,7 +64,7 @@ def files_in(folder: Path) -> list[Path]:
 
 
 def decimals_for(numbers: Iterable[float | None], errors: Iterable[float | None] = ()) -> int:
-    """Behind the point: two digits of the smallest error, else four of the largest number."""
+    """Returns decimals that show two digits of the smallest error, else four of the largest number."""
     least, largest = (
         [abs(number) for number in those if number is not None and math.isfinite(number) and number]
         for those in (errors, numbers)
@@ -77,7 +77,7 @@ def decimals_for(numbers: Iterable[float | None], errors: Iterable[float | None]
 
 
 def is_scientific(number: float, decimals: int) -> bool:
-    """Too large, or too small to show three digits."""
+    """Returns whether the number is too large, or too small to show three digits."""
     size = abs(number)
     return size >= 1e7 or (0 < size < 1e-3 and size * 10**decimals < 100)
 
@@ -99,8 +99,8 @@ def with_decimals(number: float, decimals: int) -> str:
 whole = partial(with_decimals, decimals=0)
 
 
-def plain(cell: Any) -> str:
-    """As it is in the table."""
+def cell_text(cell: Any) -> str:
+    """Returns the text of the cell as it is in the table."""
     return str(cell) if not isinstance(cell, float) else "" if math.isnan(cell) else f"{cell:.15g}"
 
 
@@ -109,7 +109,7 @@ Measured = tuple[Any, float | None]  # a number, yes or no, or None, and its sta
 
 
 def measured_rows(columns: Sequence[dict[str, Measured]], of: Callable[[str], Quantity]) -> tuple[list[Row], bool]:
-    """A row for each measure; whether a vessel is turned: then what is measured along its floor is left out."""
+    """Returns a row for each measure, and whether a vessel is turned: then measures along its floor are left out."""
     angles = [column.get(VESSEL_ANGLE, (None, None))[0] for column in columns]
     turned = [angle is not None and abs(angle) > 0 for angle in angles]
     rows: list[Row] = []
@@ -119,11 +119,11 @@ def measured_rows(columns: Sequence[dict[str, Measured]], of: Callable[[str], Qu
         if any(found):
             cells = [one or (None, None) for one in found]
             decimals = decimals_for([value for value, _ in cells], [error for _, error in cells])
-            rows.append((key, what, [texts_of(value, error, decimals) for value, error in cells]))
+            rows.append((key, what, [value_and_error_texts(value, error, decimals) for value, error in cells]))
     return rows, any(turned)
 
 
-def texts_of(value: Any, error: float | None, decimals: int) -> tuple[str, str]:
+def value_and_error_texts(value: Any, error: float | None, decimals: int) -> tuple[str, str]:
     if value is None or isinstance(value, bool):
         return "–" if value is None else "yes" if value else "no", ""
     text = with_decimals(value, decimals if value else 0)
@@ -134,13 +134,13 @@ def texts_of(value: Any, error: float | None, decimals: int) -> tuple[str, str]:
 
 
 def breakable(text: str, mark: str = "") -> Markup:
-    """A key of a scene, KEY=VALUE or a heading; a line may end behind the dots of a key and `=`."""
+    """Returns a key, KEY=VALUE or a heading, in which lines may break behind dots of keys and `=`."""
     html = re.sub(r"=|\.(?=[A-Za-z])", rf"\g<0>{mark or '<wbr>'}", str(escape(text)))
     return Markup(html if mark else html.replace("\n", "<br>"))
 
 
 class Page:
-    """What goes onto the page, as far as it is found."""
+    """The content of the page, as far as files of the folder have it."""
 
     def __init__(self, folder: Run | Sweep) -> None:
         self.folder = folder
@@ -154,7 +154,7 @@ class Page:
             self.warnings.append(text)
 
     def read(self, file: Path, most: float) -> bytes | None:
-        """A file of the folder; a warning if it cannot be read."""
+        """Returns the bytes of a file of the folder; warns if it cannot be read."""
         try:
             check_regular(file)
             size = file.stat().st_size
@@ -167,66 +167,67 @@ class Page:
             self.warn(f"cannot read {file}: {error.strerror}")
         return None
 
-    def mark_for(self, content: bytes) -> Markup:
-        """A mark on the page, in place of which the content is put in at the end."""
+    def placeholder_for(self, content: bytes) -> Markup:
+        """Returns a placeholder, which the content replaces at the end."""
         self._parts.append(content)
         return Markup(f"{self._mark}-{len(self._parts) - 1}.")
 
     def data(self, kind: str, content: bytes) -> Markup:
-        return self.mark_for(f"data:{kind};base64,".encode() + base64.b64encode(content))
+        return self.placeholder_for(f"data:{kind};base64,".encode() + base64.b64encode(content))
 
     def figures(self) -> list[dict[str, Any]]:
-        """The most telling first."""
+        """Returns the figures, the most important one first."""
         found, figures = [], []
         try:
             found = sorted(charts(self.folder, unreadable=self.warn), key=lambda chart: -chart.rank)[:MOST_FIGURES]
         except Error as error:
             self.warn(error)
         for number, chart in enumerate(found, 1):
-            progress(f"figure {number} of {len(found)}")
+            show_progress(f"figure {number} of {len(found)}")
             untitled = chart._replace(title="")
             try:
-                svg = rendered(untitled, Look("svg", width=WIDTH))
+                svg = figure_bytes(untitled, FileFormat("svg", width=WIDTH))
                 if len(svg) <= MOST_SVG:
-                    content = {"svg": self.mark_for(UNUSED_SVG.sub(b"", svg[svg.find(b"<svg") :]))}
+                    content = {"svg": self.placeholder_for(UNUSED_SVG.sub(b"", svg[svg.find(b"<svg") :]))}
                 else:
-                    content = {"url": self.data("image/png", rendered(untitled, Look(width=2 * WIDTH)))}
+                    content = {"url": self.data("image/png", figure_bytes(untitled, FileFormat(width=2 * WIDTH)))}
                 figures.append({"name": chart.name, "about": chart.about, **content})
             except Exception as error:  # the rest of the page is worth having
                 self.warn(f"figure {chart.name} is left out: {error}")
-        progress("")
+        show_progress("")
         return figures
 
     def rendered(self, template: str, **values: Any) -> bytes:
         time = {"time": partial(time_text, self.folder)}
         values |= {"charts": self.figures(), "tables": self.folder.tables, "warnings": self.warnings}
-        page = html(template, time, summary=self.folder.summary, **values)
+        page = rendered_html(template, time, summary=self.folder.summary, **values)
         return re.sub(rb"%s-(\d+)\." % self._mark.encode(), lambda found: self._parts[int(found[1])], page)
 
 
-def marked(text: str) -> Markup:
-    """With names between backticks as code."""
+def with_code_markup(text: str) -> Markup:
+    """Returns the text with names between backticks as code."""
     return Markup(re.sub("`([^`]+)`", r"<code>\1</code>", str(escape(text))))
 
 
-def html(template: str, filters: Mapping[str, Any] = {}, **values: Any) -> bytes:
+def rendered_html(template: str, filters: Mapping[str, Any] = {}, **values: Any) -> bytes:
     loader, strict = jinja2.FileSystemLoader(TEMPLATES), jinja2.StrictUndefined
     environment = jinja2.Environment(loader=loader, autoescape=True, undefined=strict, trim_blocks=True, lstrip_blocks=True)
     environment.globals["verbatim"] = lambda name: Markup((TEMPLATES / name).read_text("utf-8"))
-    environment.filters |= {"breakable": breakable, "marked": marked, "shell": shlex.quote, "whole": whole, "zip": zip, **filters}
-    environment.filters["cell"] = lambda cell: plain(float(f"{cell:.6g}") if isinstance(cell, float) else cell)
+    environment.filters |= {"breakable": breakable, "marked": with_code_markup, "shell": shlex.quote}
+    environment.filters |= {"whole": whole, "zip": zip, **filters}
+    environment.filters["cell"] = lambda cell: cell_text(float(f"{cell:.6g}") if isinstance(cell, float) else cell)
     environment.filters["brief"] = lambda number: with_decimals(number, decimals_for([number]))  # four digits
     return CONTROL.sub("\ufffd", environment.get_template(template).render(**values)).encode()
 
 
-def progress(text: str) -> None:
-    """One line on a terminal, which the next one replaces."""
+def show_progress(text: str) -> None:
+    """Shows a line on a terminal, which the next one replaces."""
     if sys.stderr.isatty():
         print(f"\r\x1b[K{text}", end="", file=sys.stderr, flush=True)
 
 
 def time_text(run: Run | Sweep, steps: int) -> str:
-    """0.0150 s; empty where steps have no length."""
+    """Returns the time after so many steps, as `0.0150 s`; empty where steps have no length."""
     units = run.summary.get("units")
     if not units:
         return ""
@@ -244,31 +245,31 @@ class PagePicture(NamedTuple):
 
 
 def pictures_in(folder: Path) -> list[PagePicture]:
-    """NAME-000120.png, by step."""
+    """Returns the pictures NAME-000120.png of a folder by step."""
     found = [(re.fullmatch(r".*-(\d+)\.png", file.name), file) for file in files_in(folder)]
     pictures = [PagePicture(int(name[1]), file.stat().st_size, file) for name, file in found if name]
     return sorted(pictures, key=lambda picture: picture.step)
 
 
-def chosen(pictures: list[PagePicture], most: int, size: float) -> list[PagePicture]:
-    """Some of the pictures, evenly, with at most so many bytes."""
+def chosen_pictures(pictures: list[PagePicture], most: int, size: float) -> list[PagePicture]:
+    """Returns pictures at equal distances, at most `most` and of `size` bytes in all."""
     count = min(len(pictures), most)
     while True:
-        those = evenly(pictures, count)
+        those = evenly_chosen(pictures, count)
         total = sum(picture.size for picture in those)
         if total <= size:
             return those
         count = min(count - 1, int(count * size / total))
 
 
-def drawn(run: Run, ends: list[int]) -> list[PagePicture]:
-    """Pictures of the trajectory: ends of stages, and others evenly. Throws Error."""
+def drawn_pictures(run: Run, ends: list[int]) -> list[PagePicture]:
+    """Draws pictures from the trajectory: at ends of stages, and others at equal distances. Throws Error."""
     steps = run.frames.steps.tolist()
-    wanted = {*evenly(steps, MOST_DRAWN), *evenly([step for step in ends if step in steps], MOST_DRAWN_ENDS)}
+    wanted = {*evenly_chosen(steps, MOST_DRAWN), *evenly_chosen([step for step in ends if step in steps], MOST_DRAWN_ENDS)}
     pictures = []
     for number, step in enumerate(sorted(wanted), 1):
-        progress(f"picture {number} of {len(wanted)}")
-        content = png(run.picture(step))
+        show_progress(f"picture {number} of {len(wanted)}")
+        content = png_bytes(run.picture(step))
         pictures.append(PagePicture(step, len(content), content))
     return pictures
 
@@ -297,25 +298,25 @@ def pictures_of(page: Page, run: Run, most: int | None) -> dict[str, Any]:
             room -= len(content)
             movies.append({"name": file.name, "is_video": "video" in kind, "url": page.data(kind, content)})
     all_again = pictures_in(run.folder / "render")
-    again = chosen(all_again, MOST_AGAIN, room / 2)
+    again = chosen_pictures(all_again, MOST_AGAIN, room / 2)
     room -= sum(picture.size for picture in again)
 
     pictures, frames_drawn, undrawn = pictures_in(run.folder / "frames"), 0, False
     if not pictures and (run.folder / "trajectory").is_dir():
         try:
-            pictures, frames_drawn = drawn(run, ends), len(run.frames)
+            pictures, frames_drawn = drawn_pictures(run, ends), len(run.frames)
         except ImportError:  # also of the compiled part
             undrawn = True
         except Error as error:
             page.warn(error)
     at_ends: dict[int, dict[str, Any]] = {}
-    for number, step in evenly(list(enumerate(ends)), MOST_ENDS):
+    for number, step in evenly_chosen(list(enumerate(ends)), MOST_ENDS):
         picture = next((one for one in pictures if one.step == step and one.size <= room), None)
         end = picture and shown(picture)
         if picture and end:
             at_ends[step] = end | {"stage": names[number], "same": f"end-{number + 1}"}
             room -= picture.size
-    frames = chosen(pictures, len(pictures) if most is None else most, room)
+    frames = chosen_pictures(pictures, len(pictures) if most is None else most, room)
     shown_frames = [one for one in (at_ends.get(frame.step) or shown(frame) for frame in frames) if one]
     found = {"movies": movies, "again": list(filter(None, map(shown, again))), "again_total": len(all_again)}
     found |= {"total": len(pictures), "asked": most is not None, "drawn": frames_drawn, "undrawn": undrawn}
@@ -325,9 +326,9 @@ def pictures_of(page: Page, run: Run, most: int | None) -> dict[str, Any]:
 # Runs
 
 
-def walls_of(page: Page, run: Run) -> Iterator[tuple[str, list[str], list[tuple[str, ...]]]]:
-    """Of each stage its name, headings and rows of cells."""
-    for stage in evenly([stage for stage in run.stages if f"walls-{stage}" in run.tables], MOST_WALL_TABLES):
+def wall_tables(page: Page, run: Run) -> Iterator[tuple[str, list[str], list[tuple[str, ...]]]]:
+    """Yields for each stage its name, headings and rows of cells."""
+    for stage in evenly_chosen([stage for stage in run.stages if f"walls-{stage}" in run.tables], MOST_WALL_TABLES):
         try:
             table = run.table(f"walls-{stage}")[:MOST_WALLS]
         except Error as error:
@@ -338,13 +339,13 @@ def walls_of(page: Page, run: Run) -> Iterator[tuple[str, list[str], list[tuple[
             for column in columns[1:]:
                 if not isinstance(column[0], str):
                     decimals = decimals_for(column)
-                    column[:] = [texts_of(number, None, decimals)[0] for number in column]
+                    column[:] = [value_and_error_texts(number, None, decimals)[0] for number in column]
             yield stage, list(map(table.label, table.names)), list(zip(*columns))
 
 
-def measures_of(run: Run) -> tuple[list[dict[str, Any]], list[Row], bool]:
-    """The stages that are shown, and rows of their measures as of measured_rows()."""
-    stages = evenly(run.summary["stages"], MOST_STAGES)
+def measure_rows(run: Run) -> tuple[list[dict[str, Any]], list[Row], bool]:
+    """Returns the stages that are shown, and the result of measured_rows() for them."""
+    stages = evenly_chosen(run.summary["stages"], MOST_STAGES)
     known = quantities(run.summary.get("measures", []))
     columns = [
         {key: (value, of.get(f"{key}_se")) for key, value in of.items() if not key.endswith("_se")}
@@ -357,8 +358,8 @@ def run_page(page: Page, run: Run, most: int | None) -> bytes:
     if run.kind not in KINDS:
         raise Error(f"cannot read {run.folder / 'run.json'}: no report of a run of kind '{run.kind}'")
     scene = page.read(run.folder / "scene.yaml", MAX_BYTES_USUAL) or b""
-    stages, measures, turned = measures_of(run)
-    found = {"stages": stages, "measures": measures, "turned": turned, "walls": list(walls_of(page, run))}
+    stages, measures, turned = measure_rows(run)
+    found = {"stages": stages, "measures": measures, "turned": turned, "walls": list(wall_tables(page, run))}
     found |= {"scene_is_long": len(scene) > MAX_SCENE_BYTES, "scene_text": scene[:MAX_SCENE_BYTES].decode(errors="replace")}
     found |= {"scene_url": page.data("text/yaml", scene), "pictures": pictures_of(page, run, most)}
     return page.rendered("run.html", title=run.title or run.scene, kind=KINDS[run.kind], **found)
@@ -367,13 +368,13 @@ def run_page(page: Page, run: Run, most: int | None) -> bytes:
 # Sweeps
 
 
-def combinations_of(sweep: Sweep) -> tuple[list[str], list[tuple[str, list[Row], bool]]]:
-    """Combinations as KEY=VALUE, a line each; of each stage its name, rows, and whether a vessel is turned."""
+def combination_rows(sweep: Sweep) -> tuple[list[str], list[tuple[str, list[Row], bool]]]:
+    """Returns combinations as lines KEY=VALUE, and for each stage name, rows, and whether a vessel is turned."""
     table = sweep.measures
     table._check_numbers("mean", "standard_error")
     values = rows_of(table, sweep.keys)
-    names = ["\n".join(f"{key}={plain(value)}" for key, value in zip(sweep.keys, row)) for row in values]
-    shown = evenly(list(dict.fromkeys(names)), MOST_COLUMNS)
+    names = ["\n".join(f"{key}={cell_text(value)}" for key, value in zip(sweep.keys, row)) for row in values]
+    shown = evenly_chosen(list(dict.fromkeys(names)), MOST_COLUMNS)
     cells: dict[str, dict[str, dict[str, Measured]]] = {}
     for name, (stage, measure, mean, error) in zip(names, rows_of(table, ("stage", "measure", "mean", "standard_error"))):
         cells.setdefault(stage, {name: {} for name in shown}).setdefault(name, {})[measure] = (mean, error)
@@ -384,9 +385,9 @@ def combinations_of(sweep: Sweep) -> tuple[list[str], list[tuple[str, list[Row],
 def sweep_page(page: Page, sweep: Sweep) -> bytes:
     runs = sweep.runs
     names = [*sweep.keys, "seed", "status", "steps", "state_hash", "error"]
-    shown = [list(map(plain, row)) for row in rows_of(runs[:MOST_RUNS], names)]
+    shown = [list(map(cell_text, row)) for row in rows_of(runs[:MOST_RUNS], names)]
     try:
-        (combinations, stages), notes = combinations_of(sweep), sweep.notes
+        (combinations, stages), notes = combination_rows(sweep), sweep.notes
     except Error as error:
         combinations, stages, notes = [], [], []
         page.warn(error)
@@ -400,23 +401,23 @@ def sweep_page(page: Page, sweep: Sweep) -> bytes:
     return page.rendered("sweep.html", title=sweep.title or scene, scene=scene, **found)
 
 
-def in_notebook(thing: Table | Run | Sweep) -> str:
-    """Rows of a table, or measures of a run or a sweep."""
+def notebook_html(thing: Table | Run | Sweep) -> str:
+    """Returns HTML with rows of a table, or measures of a run or a sweep."""
     values: dict[str, Any] = {"said": repr(thing).strip("<>"), "columns": [], "parts": [], "notes": []}
     if isinstance(thing, Table):
         parts = [thing] if len(thing) <= 2 * HALF else [thing[:HALF], thing[-HALF:]]
         values = {"heads": list(map(thing.label, thing.names)), "parts": parts, "length": len(thing)}
     elif isinstance(thing, Run):
-        stages, rows, turned = measures_of(thing)
+        stages, rows, turned = measure_rows(thing)
         values |= {"columns": [stage["name"] for stage in stages], "parts": [("", rows, turned)]}
     elif "measures" in thing.tables:
-        values["columns"], values["parts"] = combinations_of(thing)
+        values["columns"], values["parts"] = combination_rows(thing)
         values["notes"] = thing.notes
-    return html("notebook.html", **values).decode()
+    return rendered_html("notebook.html", **values).decode()
 
 
-def report(folder: Run | Sweep, max_frames: int | None = None) -> tuple[bytes, list[str]]:
-    """The page, and what is left out. Throws Error."""
+def report_page(folder: Run | Sweep, max_frames: int | None = None) -> tuple[bytes, list[str]]:
+    """Returns the page, and warnings about omitted parts. Throws Error."""
     page = Page(folder)
     try:
         made = run_page(page, folder, max_frames) if isinstance(folder, Run) else sweep_page(page, folder)
@@ -425,11 +426,11 @@ def report(folder: Run | Sweep, max_frames: int | None = None) -> tuple[bytes, l
     return made, page.warnings
 
 
-def write(folder: Run | Sweep, path: Path | None, max_frames: int | None) -> Path:
+def write_report(folder: Run | Sweep, path: Path | None, max_frames: int | None) -> Path:
     """Throws Error."""
     if path is not None:
         refuse_files_of_clca(path)
-    page, left_out = report(folder, max_frames)
+    page, left_out = report_page(folder, max_frames)
     for text in left_out:
         warnings.warn(f"{folder.folder}: {text}", stacklevel=3)
     file = path or folder.folder / "report.html"
@@ -440,7 +441,7 @@ def write(folder: Run | Sweep, path: Path | None, max_frames: int | None) -> Pat
 def command(options: dict[str, Any], folder_name: str) -> None:
     if "output" in options:
         refuse_files_of_clca(Path(options["output"]))
-    page, left_out = report(open(folder_name), int(options["max-frames"]) if "max-frames" in options else None)
+    page, left_out = report_page(open(folder_name), int(options["max-frames"]) if "max-frames" in options else None)
     for text in left_out:
         print(f"clca: warning: {printable(text)}", file=sys.stderr, flush=True)
-    _answer.file("report.html", page)
+    _answer.send_file("report.html", page)

@@ -1,4 +1,4 @@
-"""The runs of a calibration: what has to be run next, what came out, and the answer that follows.
+"""The rounds of a calibration: which runs are needed next, their results, and the answer that follows.
 
 A Gaussian process for each measure interpolates it between the points that were run; from these and the measured values follows
 how likely other parameters are. Points of the unit cube are N x D arrays.
@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from ._arguments import suggestion
 from ._error import Error
 from ._folder import Sweep
-from ._study import Study, Test
+from ._study import Study, CalibrationTest
 from ._table import Table
 
 Numbers = NDArray[numpy.float64]
@@ -24,7 +24,7 @@ SAMPLES = 2**13  # of the unit cube
 
 
 class Surrogate:
-    """Means of a measure over the seeds, interpolated. `variances` are those of the means."""
+    """Interpolates means of a measure over the seeds. `variances` are those of the means."""
 
     def __init__(self, points: Numbers, means: Numbers, variances: Numbers) -> None:
         from sklearn.exceptions import ConvergenceWarning  # type: ignore[import]
@@ -45,15 +45,15 @@ class Surrogate:
             self._process: Any = process.fit(points, means)
 
     def __call__(self, points: Numbers) -> tuple[Numbers, Numbers]:
-        """Means and their standard errors."""
+        """Returns means and their standard errors."""
         if self.is_constant:
             return numpy.full(len(points), self._mean), numpy.zeros(len(points))
         found: tuple[Numbers, Numbers] = self._process.predict(points, return_std=True)
         return found
 
 
-def sobol(dimensions: int, count: int, seed: int) -> Numbers:
-    """Points that fill the unit cube evenly. `count` is a power of two."""
+def sobol_points(dimensions: int, count: int, seed: int) -> Numbers:
+    """Returns points that fill the unit cube evenly. `count` is a power of two."""
     from scipy.stats import qmc  # type: ignore[import]
 
     return numpy.asarray(qmc.Sobol(dimensions, seed=seed).random(count))
@@ -80,20 +80,20 @@ class Posterior(NamedTuple):
             found.append(column[order[min(rank, len(order) - 1)]])
         return numpy.array(found)
 
-    def drawn(self, count: int, seed: int) -> Numbers:
-        """So many different points or fewer, by their probability."""
+    def samples(self, count: int, seed: int) -> Numbers:
+        """Returns at most `count` different points, drawn by their probability."""
         generator = numpy.random.default_rng(seed)
         count = min(count, int((self.weights > 0).sum()))
         return numpy.asarray(generator.choice(self.points, count, replace=False, p=self.weights))
 
 
 def posterior(surrogates: Sequence[Surrogate], targets: Sequence[tuple[float, float]], dimensions: int) -> Posterior:
-    """The posterior of parameters that are equally likely in the unit cube before. `targets`: values with their standard
+    """Returns the posterior for a uniform prior in the unit cube. `targets`: values with their standard
     deviations, taken as normal and independent.
     """
     low, high = numpy.zeros(dimensions), numpy.ones(dimensions)
     for _ in range(3):  # each time within the bounds of what was likely
-        points = low + (high - low) * sobol(dimensions, SAMPLES, seed=0)
+        points = low + (high - low) * sobol_points(dimensions, SAMPLES, seed=0)
         logs, misfits = numpy.zeros(len(points)), numpy.empty((len(points), len(targets)))
         for number, (surrogate, (value, error)) in enumerate(zip(surrogates, targets)):
             mean, own = surrogate(points)
@@ -110,13 +110,13 @@ def posterior(surrogates: Sequence[Surrogate], targets: Sequence[tuple[float, fl
 class PlannedSweep(NamedTuple):
     """A sweep that is needed before the calibration goes on."""
 
-    test: Test
+    test: CalibrationTest
     rows: list[tuple[float, ...]]  #: values of the parameters
     seeds: range
     folder: Path
 
 
-def check_targets(test: Test, runs: Table, keys: Sequence[str]) -> None:
+def check_targets(test: CalibrationTest, runs: Table, keys: Sequence[str]) -> None:
     """Throws Error for a target that the runs do not measure."""
     there = [name for name in runs.names if "." in name and name not in keys]
     for target in test.targets:
@@ -124,10 +124,10 @@ def check_targets(test: Test, runs: Table, keys: Sequence[str]) -> None:
             raise Error(f"{test.name}: no measure '{target}'; there are {', '.join(there)}{suggestion(target, there)}")
 
 
-class TestMeans:
+class TargetMeans:
     """Means over the seeds of the targets of a test, at each point of its parameters."""
 
-    def __init__(self, test: Test, keys: Sequence[str], folder: Path) -> None:
+    def __init__(self, test: CalibrationTest, keys: Sequence[str], folder: Path) -> None:
         sweep = Sweep(folder / test.name)
         runs = sweep.runs
         check_targets(test, runs, keys)
@@ -137,7 +137,7 @@ class TestMeans:
         self.points, self.point_of_run = numpy.unique(rows, axis=0, return_inverse=True)
 
     def means(self, target: str) -> tuple[Numbers, Numbers, Numbers]:
-        """Points, means and variances of the means. The runs of a point scatter alike at all points."""
+        """Returns points, means and variances of the means. Runs are taken to scatter equally at all points."""
         there = numpy.isfinite(self.values[target])
         values, number = self.values[target][there], self.point_of_run[there]
         runs = numpy.bincount(number, minlength=len(self.points))
@@ -148,17 +148,17 @@ class TestMeans:
 
 
 class Answer(NamedTuple):
-    """What the rounds of a calibration have found."""
+    """The result of the rounds of a calibration."""
 
     study: Study
     posterior: Posterior
     surrogates: list[Surrogate]
-    check: list[TestMeans]  #: of each test, at the most likely values
+    check: list[TargetMeans]  #: of each test, at the most likely values
     runs: int
 
 
-def scaled(study: Study, points: Numbers) -> Numbers:
-    """Values of the parameters at points of the unit cube, with four digits of each range."""
+def parameter_values(study: Study, points: Numbers) -> Numbers:
+    """Returns parameter values at points of the unit cube, with four digits of each range."""
     columns = []
     for (low, high), column in zip(study.vary.values(), points.T):
         digits = 4 - math.ceil(math.log10(high - low))
@@ -166,8 +166,8 @@ def scaled(study: Study, points: Numbers) -> Numbers:
     return numpy.column_stack(columns)
 
 
-def step(study: Study, folder: Path, number: int) -> list[PlannedSweep] | Answer:
-    """What to run next, from what is in the folder: step 0 is one run of each test, step 1 the first round, the last one but one
+def next_step(study: Study, folder: Path, number: int) -> list[PlannedSweep] | Answer:
+    """Returns the sweeps to run next, from the folder: step 0 is one run of each test, step 1 the first round, the last but one
     the runs that check the answer. The same folder gives the same.
     """
 
@@ -176,7 +176,7 @@ def step(study: Study, folder: Path, number: int) -> list[PlannedSweep] | Answer
         return [PlannedSweep(test, rows, seeds, folder / part / test.name) for test in study.tests]
 
     seeds, keys = range(1, study.seeds + 1), list(study.vary)
-    first = scaled(study, sobol(len(keys), study.points, seed=1))
+    first = parameter_values(study, sobol_points(len(keys), study.points, seed=1))
     if number == 0:  # so that a mistake is told before hundreds of runs
         return planned(first[:1], seeds[:1], "runs")
     if number == 1:
@@ -184,7 +184,7 @@ def step(study: Study, folder: Path, number: int) -> list[PlannedSweep] | Answer
             if {*(runs := Sweep(folder / "runs" / test.name).runs)["status"]} == {"done"}:
                 check_targets(test, runs, keys)
         return planned(first, seeds, "runs")
-    design = [TestMeans(test, keys, folder / "runs") for test in study.tests]
+    design = [TargetMeans(test, keys, folder / "runs") for test in study.tests]
     low, high = numpy.array(list(study.vary.values())).T
     surrogates = []
     for test, at in zip(study.tests, design):
@@ -198,10 +198,10 @@ def step(study: Study, folder: Path, number: int) -> list[PlannedSweep] | Answer
         raise Error(f"no target depends on {' or '.join(keys)}: the same in all runs ({named})")
     found = posterior(surrogates, [value for test in study.tests for value in test.targets.values()], len(keys))
     if (drawn := number - 1) <= study.rounds:
-        more = scaled(study, found.drawn(study.points // 2, drawn))
+        more = parameter_values(study, found.samples(study.points // 2, drawn))
         return planned(numpy.vstack([design[0].points, more]), seeds, "runs")
     if drawn == study.rounds + 1:
         fresh = range(study.seeds + 1, study.seeds + study.check + 1)
-        return planned(scaled(study, found.best()[None]), fresh, "check")
-    check = [TestMeans(test, keys, folder / "check") for test in study.tests]
+        return planned(parameter_values(study, found.best()[None]), fresh, "check")
+    check = [TargetMeans(test, keys, folder / "check") for test in study.tests]
     return Answer(study, found, surrogates, check, sum(len(one.point_of_run) for one in design + check))

@@ -1,4 +1,4 @@
-"""Scenes, and what is made of them: runs, sweeps, simulations step by step, gases."""
+"""Scenes, and the runs, sweeps, simulations and gases that are made from them."""
 
 from __future__ import annotations
 
@@ -12,20 +12,21 @@ import numpy
 from numpy.typing import NDArray
 
 from . import _clca
-from ._arguments import MAX_U64, absolute, at_most_runs, flag, mapping, number, path, refused, text, to_yaml, whole, workers
+from ._arguments import MAX_U64, absolute_path, argument_error, checked_flag, checked_mapping, checked_number, checked_path
+from ._arguments import checked_run_list, checked_text, checked_whole, checked_workers, to_yaml
 from ._error import ArgumentError, Error
 from ._folder import Run, Sweep
 from ._frames import PITCH, Frame, Kind, RunFacts, Trajectory
-from ._notebook import Picture, Progress, overrides, reporting
+from ._notebook import Picture, Progress, frame_overrides, progress_reporter
 from ._table import Quantity, Table, Value
 
 __version__ = _clca.version()
 
 
-def replaced(seed: int | None, set: Mapping[str, Any] | None) -> dict[str, str]:
-    """Keys and their values in the syntax of a scene."""
-    keys = mapping("set", set) | ({} if seed is None else {"seed": seed})
-    return {text("set", key): to_yaml(key, value) for key, value in keys.items()}
+def override_texts(seed: int | None, set: Mapping[str, Any] | None) -> dict[str, str]:
+    """Returns replaced keys and their values in the syntax of a scene."""
+    keys = checked_mapping("set", set) | ({} if seed is None else {"seed": seed})
+    return {checked_text("set", key): to_yaml(key, value) for key, value in keys.items()}
 
 
 class Scene(_clca.Scene):
@@ -42,10 +43,10 @@ class Scene(_clca.Scene):
         name: str = "scene"
     ) -> None:
         if isinstance(source, Mapping):
-            file, content = path(name), to_yaml("scene", source, indent=1).encode()
+            file, content = checked_path(name), to_yaml("scene", source, indent=1).encode()
         else:
-            file, content = path(source), None
-        self._load(os.fsencode(file), content, replaced(seed, set))
+            file, content = checked_path(source), None
+        self._load(os.fsencode(file), content, override_texts(seed, set))
 
     def _load(self, file: bytes, text: bytes | None, overrides: dict[str, str]) -> None:
         self._overrides = overrides
@@ -54,7 +55,7 @@ class Scene(_clca.Scene):
 
     @classmethod
     def _again(cls, file: bytes, text: bytes, overrides: dict[str, str]) -> Scene:
-        """From what another one was made of."""
+        """Makes a scene from the source of another one."""
         scene = cls.__new__(cls)
         scene._load(file, text, overrides)
         return scene
@@ -66,7 +67,7 @@ class Scene(_clca.Scene):
             return cls(scene, seed, set)
         if seed is None and not set:
             return scene
-        return cls._again(*scene._origin, scene._overrides | replaced(seed, set))
+        return cls._again(*scene._origin, scene._overrides | override_texts(seed, set))
 
     def __reduce__(self) -> tuple[Any, ...]:
         return Scene._again, (*self._origin, self._overrides)
@@ -94,14 +95,14 @@ def run(
     Ctrl-C ends the run as on the command line: with complete files and a checkpoint, for `resume`; then it raises
     KeyboardInterrupt. Throws Error. Warnings of the run are Python's.
     """
-    if all([flag("keep", keep), flag("overwrite", overwrite)]):
+    if all([checked_flag("keep", keep), checked_flag("overwrite", overwrite)]):
         raise ArgumentError("keep excludes overwrite")
     if output is not None:
-        output = absolute(output)
-    with reporting(progress) as report:
+        output = absolute_path(output)
+    with progress_reporter(progress) as report:
         checked = Scene.of(scene, seed, set)
-        folder = output or absolute(f"renders/{checked.name}")
-        return Run(_clca.run(checked, str(folder), workers("threads", threads), keep, overwrite, report))
+        folder = output or absolute_path(f"renders/{checked.name}")
+        return Run(_clca.run(checked, str(folder), checked_workers("threads", threads), keep, overwrite, report))
 
 
 def resume(
@@ -109,9 +110,9 @@ def resume(
     progress: bool | Callable[[Progress], object] = False
 ) -> Run:
     """Goes on with a run that was stopped, or prolongs one to `until`, as in a scene. As `clca resume`; `progress` as of `run`."""
-    folder = absolute(folder)
-    with reporting(progress) as report:
-        _clca.resume(str(folder), None if until is None else to_yaml("until", until), workers("threads", threads), report)
+    folder = absolute_path(folder)
+    with progress_reporter(progress) as report:
+        _clca.resume(str(folder), None if until is None else to_yaml("until", until), checked_workers("threads", threads), report)
     return Run(folder)
 
 
@@ -130,19 +131,19 @@ def sweep(
     it. Throws Error.
     """
     checked, varied = Scene.of(scene, set=set), []
-    for keys, values in mapping("vary", vary).items():
-        of = [text("vary", key) for key in ([keys] if isinstance(keys, str) else at_most_runs("vary", keys))]
+    for keys, values in checked_mapping("vary", vary).items():
+        of = [checked_text("vary", key) for key in ([keys] if isinstance(keys, str) else checked_run_list("vary", keys))]
         if not of:
             raise ArgumentError("vary: expected keys, found none")
         name = ",".join(of)
-        rows = at_most_runs(name, values)
-        lists = [[row] if isinstance(keys, str) else at_most_runs(name, row) for row in rows]
+        rows = checked_run_list(name, values)
+        lists = [[row] if isinstance(keys, str) else checked_run_list(name, row) for row in rows]
         varied.append((of, [[to_yaml(name, value) for value in row] for row in lists]))
-    numbers = [whole("seeds", seed, 0, MAX_U64) for seed in at_most_runs("seeds", seeds)]
-    folder = absolute(f"renders/{checked.name}-sweep" if output is None else output)
-    with reporting(progress) as report:
+    numbers = [checked_whole("seeds", seed, 0, MAX_U64) for seed in checked_run_list("seeds", seeds)]
+    folder = absolute_path(f"renders/{checked.name}-sweep" if output is None else output)
+    with progress_reporter(progress) as report:
         # A text: Ctrl-C in the middle of a path's __fspath__ would be a TypeError.
-        _clca.sweep(*checked._origin, checked._options, varied, numbers, str(folder), workers("jobs", jobs), report)
+        _clca.sweep(*checked._origin, checked._options, varied, numbers, str(folder), checked_workers("jobs", jobs), report)
     return Sweep(folder)
 
 
@@ -154,7 +155,7 @@ class Simulation(_clca.Simulation):
     """
 
     def __init__(self, scene: AnyScene, seed: int | None = None, set: Mapping[str, Any] | None = None, threads: int = 1) -> None:
-        super().__init__(Scene.of(scene, seed, set), whole("threads", threads, 1, 1024))
+        super().__init__(Scene.of(scene, seed, set), checked_whole("threads", threads, 1, 1024))
 
     def __repr__(self) -> str:
         try:
@@ -166,10 +167,11 @@ class Simulation(_clca.Simulation):
         """Takes so many steps, and begins stages where others have ended. Returns how many were taken: fewer if the last
         stage has ended.
         """
-        return self._step(steps) if type(steps) is int and 0 <= steps <= MAX_U64 else self._step(whole("steps", steps, 0, MAX_U64))
+        is_plain = type(steps) is int and 0 <= steps <= MAX_U64  # without a call: single steps are short
+        return self._step(steps if is_plain else checked_whole("steps", steps, 0, MAX_U64))
 
     def _now(self) -> Trajectory:
-        """A trajectory of one frame: what is there now."""
+        """Returns a trajectory of one frame, the present state."""
         return Trajectory([partial(nullcontext, self._datasets())], self._summary())
 
     @cached_property
@@ -193,7 +195,7 @@ class Simulation(_clca.Simulation):
 
     @property
     def measures(self) -> dict[str, Value]:
-        """What a run has of its stage, taken as of now."""
+        """The measures of the stage as of now, as in `run.json`."""
         return {key: Value(number, *what) for key, number, *what in self._measures(None)}
 
     def measure(self, name: str) -> dict[str, Value] | Table:
@@ -204,13 +206,13 @@ class Simulation(_clca.Simulation):
             heights = numpy.array(self._heights())
             x = "x", PITCH * numpy.arange(len(heights)), Quantity("Position", "spacings")
             return Table([x, ("height", heights, Quantity("Height of the surface", "spacings"))])
-        return {key: Value(number, *what) for key, number, *what in self._measures(text("name", name))}
+        return {key: Value(number, *what) for key, number, *what in self._measures(checked_text("name", name))}
 
     def picture(self, **frames: Any) -> Picture:
         """The box as it is now. `frames` are keys of `output.frames` in place of the scene's, such as
         `color_by="stage_layer"`, `width=400`. Throws Error.
         """
-        return self._picture(overrides(frames)).view(Picture)
+        return self._picture(frame_overrides(frames)).view(Picture)
 
 
 class Gas(_clca.Gas):
@@ -223,15 +225,15 @@ class Gas(_clca.Gas):
     def __init__(
         self, scene: AnyScene, seed: int | None = None, set: Mapping[str, Any] | None = None, threads: int | None = None
     ) -> None:
-        super().__init__(Scene.of(scene, seed, set), workers("threads", threads))
+        super().__init__(Scene.of(scene, seed, set), checked_workers("threads", threads))
 
     def advance(self, time: float) -> None:
-        """Goes on to this time, which is not before that of the gas. The bits are those of a run where that also stops at it: its
-        times of observation.
+        """Advances to this time, which is not before that of the gas. The bits equal those of a run that also stops here: the
+        times of observation are the run's stops.
         """
-        until, now = number("time", time), self.time
+        until, now = checked_number("time", time), self.time
         if until < now:
-            raise refused("time", f"{now:g} or later", time)
+            raise argument_error("time", f"{now:g} or later", time)
         self._advance(until)
 
     def __repr__(self) -> str:

@@ -10,7 +10,7 @@ import numpy
 from ._arguments import suggestion
 from ._chart import MOST_COLORS, Axis, Chart, Curve, Panel, running_mean
 from ._error import Error
-from ._figures import LABEL_CHARACTERS, Choice, ChosenTables, has, log_scaled, text_of
+from ._figures import LABEL_CHARACTERS, FigureChoice, ChosenTables, has_values, log_scaled, value_text
 from ._folder import Sweep
 from ._table import Table, is_numeric, rows_of
 
@@ -21,33 +21,33 @@ VESSEL_ANGLE = "vessel_angle_deg"
 Combination = tuple[Any, ...]  # a value of each key
 
 
-def in_order(cells: Any) -> list[Any]:
-    """Numbers ascend, words as they appear."""
+def sorted_values(cells: Any) -> list[Any]:
+    """Returns the different values: numbers ascend, words keep their order."""
     return sorted(set(cells.tolist())) if is_numeric(cells) else list(dict.fromkeys(cells.tolist()))
 
 
-def listed(*parts: str) -> str:
+def joined_texts(*parts: str) -> str:
     return ", ".join(filter(None, parts))
 
 
 def label_of(keys: Sequence[str], cell: Combination) -> str:
-    return ", ".join(f"{key}={text_of(value)}" for key, value in zip(keys, cell))
+    return ", ".join(f"{key}={value_text(value)}" for key, value in zip(keys, cell))
 
 
-def grouped(rows: Table, keys: Sequence[str]) -> list[tuple[Combination, Table]]:
-    """The rows of each combination of values that is there."""
+def rows_by_combination(rows: Table, keys: Sequence[str]) -> list[tuple[Combination, Table]]:
+    """Returns the rows of each combination of values that occurs."""
     cells = rows_of(rows, keys)
     return [(cell, rows[numpy.array([one == cell for one in cells])]) for cell in dict.fromkeys(cells)]
 
 
-class Keys:
-    """What of the keys that vary goes along the axis, tells curves, panels and figures apart."""
+class KeyRoles:
+    """Which varied keys are on the axis, and which distinguish curves, panels and figures."""
 
-    def __init__(self, sweep: Sweep, choice: Choice, table: Table, along: Sequence[str]) -> None:
+    def __init__(self, sweep: Sweep, choice: FigureChoice, table: Table, along: Sequence[str]) -> None:
         others = [key for key in sweep.keys if key not in along]
         self.over = [key for key in choice.over if key in others] or ([] if choice.over else others)
         self.apart = [key for key in others if key not in self.over]
-        self.values = {key: in_order(table[key]) for key in others}
+        self.values = {key: sorted_values(table[key]) for key in others}
         self.split: list[str] = []  # keys with a panel for each combination
         if len(self.over) > 1 and self.count(self.over) > MOST_COLORS:
             self.over, self.split = self.over[:1], self.over[1:]
@@ -58,12 +58,13 @@ class Keys:
         return math.prod(len(self.values[key]) for key in keys)
 
     def combinations(self, rows: Table, keys: Sequence[str]) -> list[tuple[Combination, Table]]:
-        """As grouped(), in order."""
+        """Returns rows_by_combination() in the order of the values."""
         places = [self.values[key] for key in keys]
-        return sorted(grouped(rows, keys), key=lambda group: [place.index(value) for place, value in zip(places, group[0])])
+        groups = rows_by_combination(rows, keys)
+        return sorted(groups, key=lambda group: [place.index(value) for place, value in zip(places, group[0])])
 
     def label(self, cell: Combination) -> str:
-        """Of a curve; a word alone says enough."""
+        """Returns the label of a curve; the key is left out for a single word."""
         is_word = self.apart and len(cell) == 1 and isinstance(cell[0], str)
         return str(cell[0]) if is_word else label_of(self.over, cell)
 
@@ -77,13 +78,13 @@ class Keys:
             scale = (self.over[0], [cell[0] for cell, _ in lines]) if has_scale else None
             if len(all_cells) <= MOST_COLORS:
                 curves = [one._replace(color=all_cells.index(cell)) for one, (cell, _) in zip(curves, lines)]
-            name = listed(title if not made else "", label_of(self.split, values))
+            name = joined_texts(title if not made else "", label_of(self.split, values))
             made.append(log_scaled(Panel(curves, x, y, name, scale=scale), log))
         return made
 
 
 def sweep_charts(source: ChosenTables, sweep: Sweep) -> list[Chart]:
-    """Throws Error, also for a choice of what is not there."""
+    """Returns the charts of a sweep. Throws Error, also if something chosen does not exist."""
     if "measures" not in source.names:
         return []
     table, keys, choice = source.table("measures"), sweep.keys, source.choice
@@ -113,8 +114,8 @@ def measure_charts(source: ChosenTables, sweep: Sweep, table: Table) -> list[Cha
         second = table[key].tolist()
         vary_together = len(set(zip(first, second))) == len(set(first)) == len(set(second))
         along += [key] if key != axis and key not in choice.over and vary_together else []
-    ways = Keys(sweep, choice, table, along)
-    words = [] if is_numeric(table[axis]) or not is_key else in_order(table[axis])
+    ways = KeyRoles(sweep, choice, table, along)
+    words = [] if is_numeric(table[axis]) or not is_key else sorted_values(table[axis])
     most = max(MOST_LETTERS // max(len(words), 1), 4)
     shown_words = tuple(word if len(word) <= most else word[: most - 1] + "…" for word in words)
     x_name, derived = axis if is_key else choice.x, derived_of(sweep)
@@ -149,7 +150,7 @@ def measure_charts(source: ChosenTables, sweep: Sweep, table: Table) -> list[Cha
             if not seen.any():
                 continue
             log = choice.log + ("y" if measure.startswith("discharged_until_clog") else "")
-            where = listed(stage, label_of(ways.apart, values))
+            where = joined_texts(stage, label_of(ways.apart, values))
             about = what.about()
             about += f", against {x_axis.label}, at the end of stage {where}. "
             about += "Bars are one standard error over the seeds."
@@ -161,13 +162,13 @@ def measure_charts(source: ChosenTables, sweep: Sweep, table: Table) -> list[Cha
 
 
 def contrast(rows: Table) -> float:
-    """How far the means lie apart, in units of the errors: the larger, the more there is to see."""
+    """Returns the spread of the means in units of their errors, to show large effects first."""
     means, errors = rows["mean"], numpy.nan_to_num((rows["high"] - rows["low"]) / 2)
     return float(numpy.ptp(means) / (errors.mean() + 0.01 * numpy.abs(means).max() + 1e-300))
 
 
 def derived_of(sweep: Sweep) -> set[str]:
-    """Measures that the scene derives."""
+    """Returns the names of measures that the scene derives."""
     try:
         done = numpy.flatnonzero(sweep.runs["status"] == "done")
         return set(sweep[int(done[0])].summary.get("derived", {})) if len(done) else set()
@@ -176,7 +177,7 @@ def derived_of(sweep: Sweep) -> set[str]:
 
 
 def mean_charts(source: ChosenTables, sweep: Sweep, name: str) -> list[Chart]:
-    """Of a table of means over the seeds: each column over time or position, with bands of one standard error."""
+    """Returns charts of means over the seeds: each column over time or position, with bands of one standard error."""
     table, choice = source.table(name), source.choice
     if "runs" not in table.names or not len(table):
         return []
@@ -189,7 +190,7 @@ def mean_charts(source: ChosenTables, sweep: Sweep, name: str) -> list[Chart]:
     table._check_numbers(*positions, *table.names[at + 1 :])
     x = "time" if "time" in positions and numpy.isfinite(table["time"]).all() else positions[0]
     x_axis = Axis(table.label(x) + (", since the stage began" if x in ("step", "time") else ""))
-    ways = Keys(sweep, choice, table, ())
+    ways = KeyRoles(sweep, choice, table, ())
 
     def curve(column: str, those: Table, label: str) -> Curve:
         error = numpy.nan_to_num(those[f"{column}_se"])
@@ -198,13 +199,13 @@ def mean_charts(source: ChosenTables, sweep: Sweep, name: str) -> list[Chart]:
         return Curve(label, those[x], means, means - error, means + error, style=style)
 
     charts = []
-    for group, rows in grouped(table, groups):
+    for group, rows in rows_by_combination(table, groups):
         group_name = "-".join(group)
         for number, (values, part) in enumerate(ways.combinations(rows, ways.apart), 1):
-            where = listed(group_name or "-".join(name.split("-")[2:]), label_of(ways.apart, values))
+            where = joined_texts(group_name or "-".join(name.split("-")[2:]), label_of(ways.apart, values))
             for column in columns:
                 is_wanted = column in choice.y if choice.y else True
-                if not is_wanted or not has(part, column) or not set(column + group_name) <= LABEL_CHARACTERS:
+                if not is_wanted or not has_values(part, column) or not set(column + group_name) <= LABEL_CHARACTERS:
                     continue
                 axis = x_axis
                 if x in ("x", "position"):

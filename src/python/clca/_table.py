@@ -11,9 +11,9 @@ from typing import Any, NamedTuple, TypeVar
 import numpy
 from numpy.typing import NDArray
 
-from ._arguments import text
+from ._arguments import checked_text
 from ._error import ArgumentError, Error
-from ._notebook import Shown
+from ._notebook import ShownInNotebook
 
 T = TypeVar("T")
 COUNTED = ("", "particles", "sites", "moves", "step")  # units of numbers that may be whole
@@ -23,7 +23,7 @@ TEXT_COLUMNS = {"stage", "species", "wall", "probe", "line", "measure", "status"
 
 
 class Quantity(NamedTuple):
-    """What a measure or a column is."""
+    """The description of a measure or a column."""
 
     name: str = ""  #: in words
     unit: str = ""  #: empty for a pure number
@@ -36,12 +36,12 @@ class Quantity(NamedTuple):
         return f"{name} ({self.unit})" if self.unit else name
 
     def about(self) -> str:
-        """Name and description."""
+        """Returns name and description."""
         return ": ".join(filter(None, (self._replace(unit="").label(), self.description)))
 
 
 def quantities(listed: Iterable[Mapping[str, Any]]) -> dict[str, Quantity]:
-    """What a list of `run.json` says of measures or columns."""
+    """Returns by key the descriptions in a list of `run.json`."""
     more = {"unit": "", "meaning": "", "of": "", "of_floor": False}
     return {one["key"]: Quantity(one["name"], *(one.get(key, usual) for key, usual in more.items())) for one in listed}
 
@@ -66,8 +66,8 @@ class Value(float):
         return Value, (float(self), self.name, self.unit, self.description)
 
 
-class Named(dict[str, T]):
-    """A dictionary of things with names; its KeyError lists the names there are."""
+class NamedDict(dict[str, T]):
+    """A dictionary by name; its KeyError lists the known names."""
 
     def __init__(self, what: str, items: Iterable[tuple[str, T]]) -> None:
         super().__init__(items)
@@ -77,8 +77,8 @@ class Named(dict[str, T]):
         raise KeyError(f"no {self._what} {name!r}; there are {', '.join(self) or 'none'}")
 
 
-def as_array(cells: Any) -> NDArray[Any]:
-    """A column. Texts are of one length, but where a few long ones would take many times the memory of all."""
+def column_array(cells: Any) -> NDArray[Any]:
+    """Returns the cells as an array. Texts have one length, unless a few long ones would multiply the memory."""
     if isinstance(cells, list):
         longest = max(map(len, cells), default=0)
         if longest * len(cells) > 8 * sum(map(len, cells)) + 2**20:
@@ -86,7 +86,7 @@ def as_array(cells: Any) -> NDArray[Any]:
     return numpy.asarray(cells, dtype=str if isinstance(cells, list) and not cells else None)
 
 
-class Table(Shown, numpy.ndarray[Any, numpy.dtype[Any]]):
+class Table(ShownInNotebook, numpy.ndarray[Any, numpy.dtype[Any]]):
     """A structured array: a row for each line, a field for each column.
 
     `names` are the columns; `units` and `descriptions` are by column, empty where there is none.
@@ -96,7 +96,7 @@ class Table(Shown, numpy.ndarray[Any, numpy.dtype[Any]]):
     _file: str  #: that it was read from, for messages
 
     def __new__(cls, columns: Iterable[tuple[str, Any, Quantity]], file: str = "table") -> Table:
-        columns = [(key, as_array(cells), what) for key, cells, what in columns]
+        columns = [(key, column_array(cells), what) for key, cells, what in columns]
         filled = numpy.empty(len(columns[0][1]), [(key, cells.dtype) for key, cells, _ in columns])
         for key, cells, _ in columns:
             filled[key] = cells
@@ -135,19 +135,19 @@ class Table(Shown, numpy.ndarray[Any, numpy.dtype[Any]]):
         return {key: what.about() for key, what in self._quantities.items()}
 
     def _check_numbers(self, *columns: str) -> None:
-        """Throws Error where a cell of these is none, with its line in the file."""
+        """Throws Error with the line in the file if a cell of these columns is no number."""
         for column in columns:
             if not is_numeric(cells := self[column]):
                 if column in TEXT_COLUMNS:
                     raise Error(f"{self._file}: column '{column}' is text, no numbers")
-                wrong = ((line, cell) for line, cell in enumerate(cells, 2) if isinstance(numbers_of([cell]), list))
+                wrong = ((line, cell) for line, cell in enumerate(cells, 2) if isinstance(parsed_numbers([cell]), list))
                 line, cell = next(wrong, (0, ""))
                 where = f"line {line}: '{cell}'" if line else "a cell"  # of rows that were left out
                 raise Error(f"{self._file}: {where} in column '{column}' is no number")
 
     def label(self, column: str) -> str:
         """`Mean height of the particles (spacings)`; the column itself where nothing is known of it."""
-        column = text("column", column)
+        column = checked_text("column", column)
         return self._quantities.get(column, Quantity(column)).label()
 
     def to_pandas(self) -> Any:
@@ -158,7 +158,7 @@ class Table(Shown, numpy.ndarray[Any, numpy.dtype[Any]]):
 
 
 def rows_of(table: Table, names: Sequence[str]) -> list[tuple[Any, ...]]:
-    """The cells of these columns, row by row. Throws Error."""
+    """Returns the cells of these columns, row by row. Throws Error."""
     return list(zip(*(table[name].tolist() for name in names))) if names else [()] * len(table)
 
 
@@ -166,8 +166,8 @@ def is_numeric(cells: NDArray[Any]) -> bool:
     return cells.dtype.kind in "if"
 
 
-def numbers_of(cells: Sequence[str], unit: str = "") -> Any:
-    """An array if all cells are numbers or empty, of whole numbers where all are and may be; else the cells."""
+def parsed_numbers(cells: Sequence[str], unit: str = "") -> Any:
+    """Returns an array if all cells are numbers or empty, of integers if all are and may be; else the cells."""
     try:
         numbers = numpy.array([cell or "nan" for cell in cells], dtype=float)
     except ValueError:
@@ -176,8 +176,8 @@ def numbers_of(cells: Sequence[str], unit: str = "") -> Any:
     return numbers.astype(int) if is_whole else numbers
 
 
-def csv_of(*rows: Iterable[Any]) -> bytes:
-    """Rows of a table as clca writes them."""
+def csv_bytes(*rows: Iterable[Any]) -> bytes:
+    """Returns the rows as CSV, as clca writes tables."""
     lines = io.StringIO()
     whole = ((int(cell) if isinstance(cell, float) and cell.is_integer() else cell for cell in row) for row in rows)
     csv.writer(lines, lineterminator="\n").writerows(whole)
@@ -191,7 +191,7 @@ def check_regular(file: Path) -> None:
 
 
 def read_table(file: Path, known: Mapping[str, Quantity]) -> Table:
-    """A table as clca writes it. Throws Error."""
+    """Reads a table that clca has written. Throws Error."""
     check_regular(file)
     try:
         with file.open(encoding="utf-8", newline="") as lines:
@@ -207,5 +207,6 @@ def read_table(file: Path, known: Mapping[str, Quantity]) -> Table:
         raise Error(f"cannot read {file}: line {1 if wrong is None else 2 + wrong}: cut off or no row of the table")
     columns = list(zip(*cells)) if cells else [()] * len(names)
     what = [known.get(name, Quantity(name)) for name in names]
-    read = (list(column) if name in TEXT_COLUMNS else numbers_of(column, of.unit) for name, column, of in zip(names, columns, what))
+    named = zip(names, columns, what)
+    read = (list(column) if name in TEXT_COLUMNS else parsed_numbers(column, of.unit) for name, column, of in named)
     return Table(zip(names, read, what), str(file))
