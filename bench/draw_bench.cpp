@@ -39,7 +39,8 @@ struct Subject {
   automaton::Automaton subject;
   render::Painter painter;
 
-  Subject(std::size_t particles, int width, int threads, render::Drawing drawing, double share = 1)
+  Subject(std::size_t particles, int width, int threads, render::DrawingMethod drawing,
+          double share = 1)
       : subject(crowd(particles, share)),
         painter({.width = width,
                  .height = width * 9 / 16,
@@ -55,21 +56,21 @@ struct Subject {
 };
 
 /// Range 0: particles, 1: picture width, 2: threads that share what the simulation waits for.
-Subject subject_of(const benchmark::State& bench, render::Drawing drawing) {
+Subject subject_of(const benchmark::State& bench, render::DrawingMethod drawing) {
   return {static_cast<std::size_t>(bench.range(0)), static_cast<int>(bench.range(1)),
           static_cast<int>(bench.range(2)), drawing};
 }
 
 /// The time includes that of the colours.
 template <class ColoringOf>
-void capture(benchmark::State& bench, render::Drawing drawing, ColoringOf coloring_of) {
+void capture(benchmark::State& bench, render::DrawingMethod drawing, ColoringOf coloring_of) {
   Subject subject = subject_of(bench, drawing);
   for (auto _ : bench) {
     benchmark::DoNotOptimize(subject.capture(coloring_of(subject.subject.state())));
   }
 }
 
-void rasterize(benchmark::State& bench, render::Drawing drawing) {
+void rasterize(benchmark::State& bench, render::DrawingMethod drawing) {
   Subject subject = subject_of(bench, drawing);
   const render::Capture exposure = subject.capture(render::color_by_id(subject.subject.state()));
   subject.painter.rasterize(exposure, {});  // compiles the shaders
@@ -79,38 +80,38 @@ void rasterize(benchmark::State& bench, render::Drawing drawing) {
 }
 
 void expose_polygons(benchmark::State& bench) {
-  capture(bench, render::Drawing::polygons, render::color_by_id);
+  capture(bench, render::DrawingMethod::polygons, render::color_by_id);
 }
 void expose_lookup(benchmark::State& bench) {
-  capture(bench, render::Drawing::lookup, render::color_by_id);
+  capture(bench, render::DrawingMethod::lookup, render::color_by_id);
 }
 /// A picture of which four fifths are empty, as of a bed with room to flow.
 void expose_bed(benchmark::State& bench) {
   Subject subject(static_cast<std::size_t>(bench.range(0)), static_cast<int>(bench.range(1)),
-                  static_cast<int>(bench.range(2)), render::Drawing::lookup, 0.2);
+                  static_cast<int>(bench.range(2)), render::DrawingMethod::lookup, 0.2);
   for (auto _ : bench) {
     benchmark::DoNotOptimize(subject.capture(render::color_by_id(subject.subject.state())));
   }
 }
 void expose_displacement(benchmark::State& bench) {
-  capture(bench, render::Drawing::lookup, [](const grains::State& state) {
+  capture(bench, render::DrawingMethod::lookup, [](const grains::State& state) {
     return render::color_by_displacement(state, {0, 100});
   });
 }
 void expose_layers(benchmark::State& bench) {
-  capture(bench, render::Drawing::lookup, [](const grains::State& state) {
+  capture(bench, render::DrawingMethod::lookup, [](const grains::State& state) {
     return render::color_by_layer(state, 8, {0, 2000});
   });
 }
 void develop_polygons(benchmark::State& bench) {
-  rasterize(bench, render::Drawing::polygons);
+  rasterize(bench, render::DrawingMethod::polygons);
 }
 void develop_lookup(benchmark::State& bench) {
-  rasterize(bench, render::Drawing::lookup);
+  rasterize(bench, render::DrawingMethod::lookup);
 }
 
 void png(benchmark::State& bench) {
-  Subject subject = subject_of(bench, render::Drawing::lookup);
+  Subject subject = subject_of(bench, render::DrawingMethod::lookup);
   const image::Image image =
       subject.painter.rasterize(subject.capture(render::color_by_id(subject.subject.state())), {});
   std::size_t bytes = 0;

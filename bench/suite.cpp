@@ -110,7 +110,7 @@ void run(const Wishes& wishes) {
                                wishes.effort.seconds / 10);
   const auto [measurements, contact] = measure_all(wishes);
   const auto write = [&](const char* file, const store::Table& table) {
-    store::write_whole(wishes.folder / file, table.to_csv());
+    store::write_whole_file(wishes.folder / file, table.to_csv());
   };
   write("machine.csv", machine.table());
   write("automaton.csv", bench::automaton_table(measurements));

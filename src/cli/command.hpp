@@ -25,7 +25,7 @@ inline constexpr int kWrongInput = 2;
 inline constexpr int kTimeIsUp = 124;    // as of timeout(1)
 inline constexpr int kSignalBase = 128;  // plus the number of the signal that interrupted the run
 
-/// What the command does; `run` returns the exit code.
+/// Sets the action of the command; `run` returns the exit code.
 inline void set_action(CLI::App* command, std::function<int()> run) {
   command->callback([run = std::move(run)] {
     if (const int code = run(); code != kDone) {
@@ -34,17 +34,17 @@ inline void set_action(CLI::App* command, std::function<int()> run) {
   });
 }
 
-/// What may follow on the command line: a line `files` if names of files may, too, else `words`;
-/// then one line for each candidate, with a tab and what it means. The last of `words`, which
-/// begin after the program, has been begun and may be empty.
+/// Completions of a command line: a line `files` if names of files are possible, too, else `words`;
+/// then a line for each completion, with a tab and its description. `words` begin after the
+/// program; the last one is incomplete and may be empty.
 std::string completions(const CLI::App& program, const std::vector<std::string>& words);
 
 /// Man pages of the program and of each command, by file name.
 std::map<std::string, std::string> man_pages(const CLI::App& program);
 
-/// What `read` returns. A file that it cannot read is wrong input: throws text::InputError.
+/// Returns the result of `read`. Throws text::InputError in place of store::StoreError.
 template <class Read>
-auto as_input(Read&& read) {
+auto read_as_input(Read&& read) {
   try {
     return std::forward<Read>(read)();
   } catch (const store::FolderLockError&) {
@@ -54,8 +54,7 @@ auto as_input(Read&& read) {
   }
 }
 
-// Each adds commands to the program. `ranks`: that carry one out together, if it is not one process
-// alone.
+// Each adds commands to the program. `ranks`: processes that carry one out together; null: one.
 
 void add_run_commands(CLI::App& program, tasks::Ranks* ranks);  // run, resume, boltzmann
 void add_sweep_command(CLI::App& program, tasks::Ranks* ranks);

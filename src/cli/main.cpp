@@ -23,16 +23,16 @@ namespace clca::cli {
 namespace {
 
 /// How the program ends: its exit code and, if it has failed, a line about it.
-struct Ending {
+struct ProgramEnd {
   int code = 0;
   std::string line = {};
 };
 
-Ending failure(int code, std::string_view message) {
+ProgramEnd failure(int code, std::string_view message) {
   return {code, text::printable(fmt::format("clca: error: {}", message))};
 }
 
-int tell(const Ending& ending) {
+int report_end(const ProgramEnd& ending) {
   if (!ending.line.empty()) {
     print_error("{}\n", ending.line);
   }
@@ -134,14 +134,14 @@ int run_program(int argc, char** argv, tasks::Ranks* ranks) {
   }
   if (name == "__man" && argc == 3) {
     for (const auto& [file, text] : man_pages(program)) {
-      store::write_whole(std::filesystem::path(argv[2]) / file, {text.begin(), text.end()});
+      store::write_whole_file(std::filesystem::path(argv[2]) / file, {text.begin(), text.end()});
     }
     return kDone;
   }
   return carry_out(program, arguments_of(argc, argv));
 }
 
-Ending ending_of(int argc, char** argv, tasks::Ranks* ranks) {
+ProgramEnd run_and_catch(int argc, char** argv, tasks::Ranks* ranks) {
   try {
     return {run_program(argc, argv, ranks)};
   } catch (const scene::SceneError& error) {
@@ -164,18 +164,18 @@ Ending ending_of(int argc, char** argv, tasks::Ranks* ranks) {
 int run_as_rank(int argc, char** argv, tasks::Ranks& ranks) {
   const bool is_first = ranks.rank() == 0;
   if (!is_first) {
-    be_silent();
+    silence_output();
   }
-  if (argc < 2 || !is_shared(argv[1])) {
-    return is_first ? tell(ending_of(argc, argv, nullptr)) : kDone;
+  if (argc < 2 || !can_use_ranks(argv[1])) {
+    return is_first ? report_end(run_and_catch(argc, argv, nullptr)) : kDone;
   }
-  const Ending ending = ending_of(argc, argv, &ranks);
+  const ProgramEnd ending = run_and_catch(argc, argv, &ranks);
   if (ranks.is_at_work() && !ending.line.empty()) {
     write_always(is_first ? ending.line + "\n"
                           : fmt::format("rank {}: {}\n", ranks.rank(), ending.line));
     end_all_ranks(ending.code);
   }
-  tell(ending);
+  report_end(ending);
   if (!ranks.has_begun()) {
     ranks.begin("", ending.line.empty() ? "nothing to do together" : ending.line);
   } else if (ranks.is_at_work() && is_first) {
@@ -190,10 +190,10 @@ int run_main(int argc, char** argv, std::unique_ptr<tasks::Ranks>& ranks) {
     ranks = start_ranks(argv);
   } catch (const text::InputError& error) {
     const bool is_told = *error.what() == '\0';  // by another process
-    return is_told ? kWrongInput : tell(failure(kWrongInput, error.what()));
+    return is_told ? kWrongInput : report_end(failure(kWrongInput, error.what()));
   }
   return ranks && ranks->size() > 1 ? run_as_rank(argc, argv, *ranks)
-                                    : tell(ending_of(argc, argv, nullptr));
+                                    : report_end(run_and_catch(argc, argv, nullptr));
 }
 
 }  // namespace
@@ -215,5 +215,5 @@ int main(int argc, char** argv) {
     }
   }
   ranks.reset();
-  return clca::cli::end_output(code);
+  return clca::cli::finish_output(code);
 }

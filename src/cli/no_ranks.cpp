@@ -43,7 +43,7 @@ std::unique_ptr<tasks::Ranks> start_ranks(char** arguments) {
   // Open MPI, Slurm with PMIx, MPICH and Intel MPI.
   const auto rank = variable({"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK", "SLURM_PROCID"});
   const auto size = variable({"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "SLURM_STEP_NUM_TASKS"});
-  if (arguments[0] == nullptr || arguments[1] == nullptr || !is_shared(arguments[1]) || !rank ||
+  if (arguments[0] == nullptr || arguments[1] == nullptr || !can_use_ranks(arguments[1]) || !rank ||
       !size || *size == "1" || has_part(arguments)) {
     return nullptr;
   }
@@ -56,7 +56,7 @@ std::unique_ptr<tasks::Ranks> start_ranks(char** arguments) {
   throw text::InputError(*rank != "0"
                              ? ""
                              : fmt::format("{} processes have been started together, which "
-                                           "wants clca-mpi beside {}: build clca where "
+                                           "needs clca-mpi beside {}: build clca where "
                                            "MPI is installed, or use --part",
                                            *size, self.string()));
 }

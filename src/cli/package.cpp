@@ -46,9 +46,9 @@ void receive_answer(std::FILE* answer, const FileReceiver& file) {
 
 }  // namespace
 
-int run_package(const std::string& command, const Json& options, const std::vector<fs::path>& paths,
-                const FileReceiver& file, std::span<const std::uint8_t> input,
-                const fs::path& buffer_folder) {
+int run_python_command(const std::string& command, const Json& options,
+                       const std::vector<fs::path>& paths, const FileReceiver& file,
+                       std::span<const std::uint8_t> input, const fs::path& buffer_folder) {
   constexpr int kMaxCode = 2;  // of the package itself
   const fs::path package = process::data_folder("python") / "clca/__main__.py";
   const fs::path python = process::python();

@@ -20,9 +20,9 @@ using FileReceiver =
 /// `buffer_folder`: a folder for what it returns until then, if that may be large. Returns the exit
 /// code. Throws process::ProcessError where Python cannot be started or is killed, and
 /// process::StoppedError after a signal to stop.
-int run_package(const std::string& command, const nlohmann::json& options,
-                const std::vector<std::filesystem::path>& paths, const FileReceiver& file,
-                std::span<const std::uint8_t> input = {},
-                const std::filesystem::path& buffer_folder = {});
+int run_python_command(const std::string& command, const nlohmann::json& options,
+                       const std::vector<std::filesystem::path>& paths, const FileReceiver& file,
+                       std::span<const std::uint8_t> input = {},
+                       const std::filesystem::path& buffer_folder = {});
 
 }  // namespace clca::cli

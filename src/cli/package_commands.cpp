@@ -73,7 +73,7 @@ std::string text_of(const CLI::App& command, const char* option) {
 
 int draw_figures(const CLI::App& command) {
   const std::string run = text_of(command, "DIR");
-  return run_package(
+  return run_python_command(
       "plot", given_options(command), {run}, [&](const std::string& name, Bytes bytes) {
         const store::OutputFolder folder =
             store::named_folder(text_of(command, "--output"), run, store::kPlotsFolder);
@@ -85,26 +85,26 @@ int draw_figures(const CLI::App& command) {
 int write_report(const CLI::App& command) {
   const std::string run = text_of(command, "DIR");
   const std::string file = text_of(command, "--output");
-  return run_package("report", given_options(command), {run},
-                     [&](const std::string& name, Bytes page) {
-                       const store::OutputFolder folder(run);
-                       if (file.empty()) {
-                         folder.write(name, page);
-                       } else {
-                         store::write_whole(file, page);
-                       }
-                       print_out("{}\n", file.empty() ? folder.path(name).string() : file);
-                     });
+  return run_python_command("report", given_options(command), {run},
+                            [&](const std::string& name, Bytes page) {
+                              const store::OutputFolder folder(run);
+                              if (file.empty()) {
+                                folder.write(name, page);
+                              } else {
+                                store::write_whole_file(file, page);
+                              }
+                              print_out("{}\n", file.empty() ? folder.path(name).string() : file);
+                            });
 }
 
 int compare_runs(const CLI::App& command) {
   const std::string path = text_of(command, "--output");
   const store::OutputFolder folder(path);
-  folder.require_own();
+  folder.require_clca_folder();
   const int code =
-      run_package("compare", given_options(command),
-                  {text_of(command, "AUTOMATON"), text_of(command, "BOLTZMANN"), path},
-                  [&](const std::string& name, Bytes bytes) { folder.write(name, bytes); });
+      run_python_command("compare", given_options(command),
+                         {text_of(command, "AUTOMATON"), text_of(command, "BOLTZMANN"), path},
+                         [&](const std::string& name, Bytes bytes) { folder.write(name, bytes); });
   if (code == kDone) {
     print_out("{}\n", path);
   }
@@ -121,10 +121,11 @@ const std::vector<std::pair<std::string, std::string>>& export_formats() {
 int export_run(const CLI::App& command) {
   const fs::path run = text_of(command, "DIR");
   const fs::path named = text_of(command, "--output");
-  const std::string scene = as_input([&] { return store::read_summary(run / "run.json"); }).scene;
+  const std::string scene =
+      read_as_input([&] { return store::read_summary(run / "run.json"); }).scene;
   std::error_code unknown;  // Python reads without a look at checksums
   if (fs::exists(run / "trajectory", unknown)) {
-    as_input([&] { store::check_parts(run); });
+    read_as_input([&] { store::check_trajectory_parts(run); });
   }
   const fs::path target =
       fs::current_path() / (named.empty() ? run / store::kExportFolder : named.parent_path());
@@ -146,12 +147,13 @@ int export_run(const CLI::App& command) {
     if (named.empty()) {
       folder.write(other, bytes);
     } else {
-      store::write_whole(path.parent_path() / other, bytes);
+      store::write_whole_file(path.parent_path() / other, bytes);
     }
   };
   Json options = given_options(command);
   options["output"] = path.string();
-  const int code = run_package("export", options, {run, file.temporary_path()}, beside, {}, target);
+  const int code =
+      run_python_command("export", options, {run, file.temporary_path()}, beside, {}, target);
   if (code == kDone) {
     file.finish();
     print_out("{}\n", path.string());
@@ -171,26 +173,27 @@ void add_plot_command(CLI::App& program) {
        {"--only", "NAME,...", "Draw only these figures"},
        {"--format", "FORMAT", "Format of the files",
         CLI::IsMember({"png", "svg", "pdf"}, CLI::ignore_case), "png"},
-       {"--width", "TEXT", "Pixels, 96 to the inch of a PDF, or mm of paper", length_of_figure(),
-        "960"},
-       {"--height", "TEXT", "The same of the height [as the figure needs]", length_of_figure()},
-       {"--x", "NAME",
-        "Of a sweep a varied key or a measure; of a run a column [the first key; time]"},
-       {"--y", "NAME,...", "Only these measures; of a run columns, in place of its figures"},
+       {"--width", "TEXT", "Pixels, 96 to the inch of a PDF, or mm of paper",
+        figure_length_validator(), "960"},
+       {"--height", "TEXT", "The same of the height [as the figure needs]",
+        figure_length_validator()},
+       {"--x", "NAME", "Sweep: a varied key or measure; run: a column [the first key; time]"},
+       {"--y", "NAME,...", "Sweep: only these measures; run: columns, in place of its figures"},
        {"--over", "NAME,...",
-        "Keys with a curve for each value, the others with a figure; of a run a column [all keys "
-        "but x; the stage]"},
-       {"--y2", "NAME", "Of a run a column on a second axis, beside --y or a figure over time"},
+        "Sweep: keys with a curve for each value, the others with a figure; run: a column [all "
+        "keys but x; the stage]"},
+       {"--y2", "NAME", "Run: a column on a second axis, beside --y or a figure over time"},
        {"--log", "AXES", "Logarithmic axes", CLI::IsMember({"x", "y", "xy"})},
-       {"--x-range", "LOW:HIGH", "Limits of the axis x; either may be left out", limits_of_axis()},
-       {"--y-range", "LOW:HIGH", "Limits of the axis y", limits_of_axis()},
+       {"--x-range", "LOW:HIGH", "Limits of the axis x; either may be left out",
+        axis_limits_validator()},
+       {"--y-range", "LOW:HIGH", "Limits of the axis y", axis_limits_validator()},
        {"--stage", "NAME,...", "Only these stages"}});
   command->add_flag("--no-filling")->description("Leave out stages that fill the box");
-  add_options(command,
-              {{"--from", "TIME", "First time, or step where there is no time", finite_number()},
-               {"--to", "TIME", "Last time or step", finite_number()},
-               {"--running-mean", "ROWS", "Mean over so many rows around each",
-                whole_number(1, 1'000'000)}});
+  add_options(command, {{"--from", "TIME", "First time, or step where there is no time",
+                         finite_number_validator()},
+                        {"--to", "TIME", "Last time or step", finite_number_validator()},
+                        {"--running-mean", "ROWS", "Mean over so many rows around each",
+                         whole_number_validator(1, 1'000'000)}});
   set_action(command, [command] { return draw_figures(*command); });
 }
 
@@ -202,23 +205,23 @@ void add_report_command(CLI::App& program) {
                {"-o,--output", "TEXT", "Page to write [DIR/report.html]"},
                {"--max-frames", "UINT",
                 "Number of pictures in the page, at most [as many as keep the page below 20 MB]",
-                whole_number(0, 100'000)}});
+                whole_number_validator(0, 100'000)}});
   set_action(command, [command] { return write_report(*command); });
 }
 
 void add_compare_command(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
       "compare",
-      "Energies of an automaton run beside those of a Boltzmann run, as tables and a figure");
+      "Energies of a run of grains beside those of a Boltzmann run, as tables and a figure");
   add_options(
       command,
       {{"AUTOMATON", "TEXT", "Folder of a run with output.fields"},
        {"BOLTZMANN", "TEXT", "Folder of a run with output.histograms"},
        {"-o,--output", "TEXT", "Folder to write to", CLI::Validator(""), "renders/comparison"},
-       {"--stage", "NAME", "Stage of the automaton [the last with a fluctuation table]"},
-       {"--time", "FLOAT", "Time of the histogram [the latest]", finite_number()},
+       {"--stage", "NAME", "Stage of the run of grains [the last with a fluctuation table]"},
+       {"--time", "FLOAT", "Time of the histogram [the latest]", finite_number_validator()},
        {"--restitution", "FLOAT", "Restitution to choose if the Boltzmann run has several",
-        finite_number()}});
+        finite_number_validator()}});
   set_action(command, [command] { return compare_runs(*command); });
 }
 
@@ -231,10 +234,10 @@ void add_export_command(CLI::App& program) {
                {"-o,--output", "FILE",
                 "File to write, of vtp the .pvd with the others beside it [DIR/export/SCENE with "
                 "the ending of the format]"},
-               {"--from", "STEP", "First step", whole_number()},
-               {"--to", "STEP", "Last step", whole_number()},
+               {"--from", "STEP", "First step", whole_number_validator()},
+               {"--to", "STEP", "Last step", whole_number_validator()},
                {"--every", "STEPS", "Least number of steps between frames of a stage [all frames]",
-                whole_number(1)}});
+                whole_number_validator(1)}});
   command->get_option("--format")->required();
   set_action(command, [command] { return export_run(*command); });
 }

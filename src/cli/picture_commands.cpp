@@ -37,22 +37,20 @@ struct RenderOptions {
   bool quiet = false;
 };
 
-/// The scene of the run with the picture options applied.
 scene::Scene scene_of(const fs::path& run, const RenderOptions& options) {
   std::vector<scene::Override> overrides = options.look;
   overrides.insert(overrides.end(), options.scene.overrides.begin(), options.scene.overrides.end());
-  scene::Scene scene = drawing::drawn_scene(run, overrides);
-  check_memory(scene, memory_limit(options.scene));
+  scene::Scene scene = drawing::scene_for_drawing(run, overrides);
+  check_memory(scene, memory_limit_bytes(options.scene));
   return scene;
 }
 
-/// The space-time picture, if one is wanted.
 void set_space_time(RenderOptions& options) {
   const drawing::SpaceTimeOptions& wanted = options.space_time;
   if (wanted.file.empty()) {
     return;
   }
-  if (wanted.column.has_value() == options.surface) {
+  if (wanted.column_x.has_value() == options.surface) {
     throw drawing::RedrawError(
         "--space-time shows either a column or the surface: give --column X or --surface");
   }
@@ -62,7 +60,7 @@ void set_space_time(RenderOptions& options) {
 void check_memory_of_all(const std::vector<drawing::RunToDraw>& runs, double limit) {
   double bytes = 0;
   for (const drawing::RunToDraw& run : runs) {
-    bytes += run::memory_of(run.scene);
+    bytes += run::estimated_run_bytes(run.scene);
   }
   if (bytes > limit) {
     throw drawing::RedrawError(fmt::format(
@@ -82,36 +80,37 @@ std::vector<drawing::RunToDraw> runs_of(const RenderOptions& options) {
   for (const fs::path& folder : options.runs) {
     std::error_code unknown;
     if (std::ranges::any_of(runs, [&](const drawing::RunToDraw& run) {
-          return fs::equivalent(run.folder, folder, unknown);
+          return fs::equivalent(run.run_folder, folder, unknown);
         })) {
       throw drawing::RedrawError(fmt::format("{}: is given twice", folder.string()));
     }
-    runs.push_back({.scene = scene_of(folder, options), .folder = folder});
+    runs.push_back({.scene = scene_of(folder, options), .run_folder = folder});
   }
-  check_memory_of_all(runs, memory_limit(options.scene));
+  check_memory_of_all(runs, memory_limit_bytes(options.scene));
   return runs;
 }
 
 /// Where pictures go, if they are wanted one by one.
 void set_folders(std::vector<drawing::RunToDraw>& runs, const RenderOptions& options) {
   const drawing::RedrawOptions& redraw = options.redraw;
-  const bool one_file = !redraw.movie.empty() || !redraw.sheet.empty() || redraw.space_time;
+  const bool one_file =
+      !redraw.movie_file.empty() || !redraw.sheet_file.empty() || redraw.space_time;
   if (options.folder.empty() && one_file) {
     return;
   }
   for (drawing::RunToDraw& run : runs) {
-    run.pictures = store::named_folder(options.folder, run.folder, store::kRedrawnFolder);
+    run.picture_folder = store::named_folder(options.folder, run.run_folder, store::kRedrawnFolder);
   }
 }
 
 /// By the Python package, with axes and legend as in figures. Returns the exit code.
 int write_space_time(const drawing::SpaceTimePicture& picture, const fs::path& file) {
-  return run_package(
-      "space_time", nlohmann::json::parse(picture.figure), {},
+  return run_python_command(
+      "space_time", nlohmann::json::parse(picture.figure_json), {},
       [&](const std::string& /*name*/, std::span<const std::uint8_t> bytes) {
-        store::write_whole(file, bytes);
+        store::write_whole_file(file, bytes);
       },
-      image::encode_png(picture.content, {}));
+      image::encode_png(picture.plot_image, {}));
 }
 
 void print_totals(const std::vector<drawing::RunToDraw>& runs,
@@ -119,9 +118,9 @@ void print_totals(const std::vector<drawing::RunToDraw>& runs,
   print_out("{} of {} {} drawn\n", drawn, moments, runs.size() > 1 ? "moments" : "pictures");
   std::vector<fs::path> paths;
   for (const drawing::RunToDraw& run : runs) {
-    paths.push_back(run.pictures ? run.pictures->path() : fs::path());
+    paths.push_back(run.picture_folder ? run.picture_folder->path() : fs::path());
   }
-  paths.insert(paths.end(), {options.movie, options.sheet,
+  paths.insert(paths.end(), {options.movie_file, options.sheet_file,
                              options.space_time ? options.space_time->file : fs::path()});
   for (const fs::path& path : paths) {
     if (!path.empty() && drawn > 0) {
@@ -133,15 +132,16 @@ void print_totals(const std::vector<drawing::RunToDraw>& runs,
 int render_run(RenderOptions options) {
   drawing::RedrawOptions& redraw = options.redraw;
   const std::atomic<int>& stop = catch_stop_signals();
-  redraw.stop = &stop;
-  redraw.max_bytes = memory_limit(options.scene);
-  as_input([&] { set_space_time(options); });
-  if (redraw.duration) {
+  redraw.stop_signal = &stop;
+  redraw.max_bytes = memory_limit_bytes(options.scene);
+  read_as_input([&] { set_space_time(options); });
+  if (redraw.movie_seconds) {
     options.look.insert(options.look.begin(), "output.frames.every=1");
   }
-  std::vector<drawing::RunToDraw> runs = as_input([&] { return runs_of(options); });
+  std::vector<drawing::RunToDraw> runs = read_as_input([&] { return runs_of(options); });
   set_folders(runs, options);
-  const auto drawing = as_input([&] { return std::make_unique<drawing::Redraw>(runs, redraw); });
+  const auto drawing =
+      read_as_input([&] { return std::make_unique<drawing::Redraw>(runs, redraw); });
   ProgressLine line;
   drawing::RedrawEvents events;
   events.warning = [&](const std::string& text) { line.print("warning: " + text); };
@@ -152,15 +152,15 @@ int render_run(RenderOptions options) {
   }
   const std::size_t drawn = drawing->draw(events);
   if (redraw.space_time && drawn > 0) {
-    if (const int code = write_space_time(drawing->space_time(), redraw.space_time->file);
+    if (const int code = write_space_time(drawing->space_time_picture(), redraw.space_time->file);
         code != 0) {
       return code;
     }
   }
   if (!options.quiet) {
-    print_totals(runs, redraw, drawn, drawing->moments());
+    print_totals(runs, redraw, drawn, drawing->moment_count());
   }
-  return drawn == drawing->moments() ? kDone : kSignalBase + stop;
+  return drawn == drawing->moment_count() ? kDone : kSignalBase + stop;
 }
 
 /// An option that stands for `--set output.frames.KEY=VALUE`.
@@ -175,7 +175,7 @@ void add_frames_option(CLI::App* command, RenderOptions& options, const char* na
           },
           what)
       ->type_name(type)
-      ->transform(value_of_key(path));
+      ->transform(key_value_validator(path));
 }
 
 void add_look_options(CLI::App* command, RenderOptions& options) {
@@ -187,15 +187,18 @@ void add_look_options(CLI::App* command, RenderOptions& options) {
                     "print is without title, stage and step or time");
   add_frames_option(command, options, "--width", "width", "PIXELS", "Width of the pictures");
   add_frames_option(command, options, "--height", "height", "PIXELS", "Height of the pictures");
-  add_set(command, options.scene,
-          "Set a key of the pictures to VALUE (YAML), such as "
-          "output.frames.view=[0,0,60,40] or species.small.color='#d55e00'; may be repeated");
+  add_set_option(
+      command, options.scene,
+      "Set a key of the pictures to VALUE (YAML), such as "
+      "output.frames.view=[0,0,60,40] or species.small.color='#d55e00'; may be repeated");
 }
 
 void add_choice_options(CLI::App* command, RenderOptions& options) {
-  add_option(command, "--stage", options.redraw.stage, "NAME", "Draw only this stage");
-  add_option(command, "--from", options.redraw.from, "STEP", "First step to draw", whole_number());
-  add_option(command, "--to", options.redraw.to, "STEP", "Last step to draw", whole_number());
+  add_option(command, "--stage", options.redraw.only_stage, "NAME", "Draw only this stage");
+  add_option(command, "--from", options.redraw.first_step, "STEP", "First step to draw",
+             whole_number_validator());
+  add_option(command, "--to", options.redraw.last_step, "STEP", "Last step to draw",
+             whole_number_validator());
   add_frames_option(command, options, "--every", "every", "STEPS",
                     "Fewest steps between two pictures of a stage [as the scene says]");
 }
@@ -205,12 +208,13 @@ void add_space_time_options(CLI::App* command, RenderOptions& options) {
       add_option(command, "--space-time", options.space_time.file, "FILE",
                  "Write one picture over time of a column or the free surface: FILE.png");
   CLI::Option* column =
-      add_option(command, "--column", options.space_time.column, "X",
-                 "Over time: the column of the box at this x, in lattice spacings", finite_number())
+      add_option(command, "--column", options.space_time.column_x, "X",
+                 "Over time: the column of the box at this x, in lattice spacings",
+                 finite_number_validator())
           ->needs(space_time);
-  add_option(command, "--slit", options.space_time.slit, "WIDTH",
+  add_option(command, "--slit", options.space_time.slit_width, "WIDTH",
              "Over time: width of that column in lattice spacings; colours are means over it [1]",
-             finite_number())
+             finite_number_validator())
       ->needs(column);
   command->add_flag("--surface", options.surface, "Over time: the height of the free surface")
       ->needs(space_time);
@@ -223,27 +227,28 @@ void add_target_options(CLI::App* command, RenderOptions& options) {
                       "--space-time]");
   command
       ->add_option_function<std::string>(
-          "--format", [&redraw](const std::string& format) { redraw.pdf = format == "pdf"; },
+          "--format", [&redraw](const std::string& format) { redraw.as_pdf = format == "pdf"; },
           "Of these pictures: png, or pdf (vector graphics) [png]")
       ->type_name("FORMAT")
       ->transform(CLI::IsMember({"png", "pdf"}));
   CLI::Option* movie =
-      add_option(command, "--movie", redraw.movie, "FILE",
+      add_option(command, "--movie", redraw.movie_file, "FILE",
                  "Write a movie, with ffmpeg: FILE.mp4, FILE.webm, FILE.webp, FILE.gif or "
                  "FILE.png (animated)");
-  add_option(command, "--duration", redraw.duration, "SECONDS",
-             "Length of the movie: with more pictures some are chosen evenly, with less they "
-             "last longer; --every is 1 unless given",
-             finite_number(0.1, 86'400))
+  add_option(command, "--duration", redraw.movie_seconds, "SECONDS",
+             "Length of the movie: with more pictures some are chosen evenly, with fewer, each is "
+             "shown longer; --every is 1 unless given",
+             finite_number_validator(0.1, 86'400))
       ->needs(movie);
   add_option(command, "--fps", redraw.frames_per_second, "",
-             "Pictures per second of the movie; of a GIF at most 50", whole_number(1, 240))
+             "Pictures per second of the movie; of a GIF at most 50",
+             whole_number_validator(1, 240))
       ->needs(movie)
       ->capture_default_str();
-  CLI::Option* sheet = add_option(command, "--sheet", redraw.sheet, "FILE",
+  CLI::Option* sheet = add_option(command, "--sheet", redraw.sheet_file, "FILE",
                                   "Write a contact sheet of pictures evenly chosen: FILE.png");
-  add_option(command, "--columns", redraw.columns, "", "Pictures in a row of the contact sheet",
-             whole_number(1, 16))
+  add_option(command, "--columns", redraw.sheet_columns, "",
+             "Pictures in a row of the contact sheet", whole_number_validator(1, 16))
       ->needs(sheet)
       ->capture_default_str();
 }
@@ -257,7 +262,8 @@ struct DiffOptions {
 };
 
 render::Image read_picture(const std::string& file) {
-  const auto bytes = as_input([&] { return store::read_whole(file, store::kMaxPictureBytes); });
+  const auto bytes =
+      read_as_input([&] { return store::read_whole_file(file, store::kMaxPictureBytes); });
   try {
     return image::decode_png(bytes).image;
   } catch (const std::runtime_error& error) {
@@ -275,16 +281,17 @@ int diff(const DiffOptions& options) {
   }
   const render::Difference difference = render::difference_of(first, second, options.tolerance);
   if (!options.out.empty()) {
-    store::write_whole(options.out, image::encode_png(difference.picture, {}));
+    store::write_whole_file(options.out, image::encode_png(difference.picture, {}));
   }
-  if (difference.pixels == 0) {
-    print_out("alike (largest channel difference {})\n", difference.largest);
+  if (difference.differing_pixels == 0) {
+    print_out("alike (largest channel difference {})\n", difference.largest_difference);
     return kDone;
   }
-  print_out("{} pixels differ by up to {} in x {} to {}, y {} to {}\n", difference.pixels,
-            difference.largest, difference.box.min().x(), difference.box.max().x(),
-            difference.box.min().y(), difference.box.max().y());
-  return difference.pixels <= options.pixels ? kDone : kFailed;
+  print_out("{} pixels differ by up to {} in x {} to {}, y {} to {}\n", difference.differing_pixels,
+            difference.largest_difference, difference.differing_box.min().x(),
+            difference.differing_box.max().x(), difference.differing_box.min().y(),
+            difference.differing_box.max().y());
+  return difference.differing_pixels <= options.pixels ? kDone : kFailed;
 }
 
 }  // namespace
@@ -302,7 +309,7 @@ void add_render_command(CLI::App& program) {
   add_space_time_options(command, *options);
   add_look_options(command, *options);
   add_choice_options(command, *options);
-  add_memory_limit(command, options->scene);
+  add_memory_limit_option(command, options->scene);
   command->add_flag("--quiet", options->quiet, "Print warnings and errors only");
   set_action(command, [options] { return render_run(*options); });
 }
@@ -314,10 +321,11 @@ void add_diff_command(CLI::App& program) {
   command->add_option("A", options->first, "First PNG file")->required();
   command->add_option("B", options->second, "Second PNG file")->required();
   add_option(command, "--tolerance", options->tolerance, "",
-             "Channel difference up to which two pixels count as alike", whole_number(0, 255))
+             "Channel difference up to which two pixels count as alike",
+             whole_number_validator(0, 255))
       ->capture_default_str();
   add_option(command, "--pixels", options->pixels, "", "Number of pixels that may differ by more",
-             whole_number())
+             whole_number_validator())
       ->capture_default_str();
   command->add_option("-o,--output", options->out, "Write a picture of the differences");
   set_action(command, [options] { return diff(*options); });

@@ -54,29 +54,30 @@ std::size_t terminal_width() {
 std::string to_text(const run::Progress& progress) {
   return fmt::format("{} ({}/{}): step {}{}{}, {:.1f} % moving, {:.1f} million updates/s",
                      progress.stage, progress.stage_number, progress.stage_count, progress.step,
-                     progress.until_rest ? ", not at rest yet" : left_text_of_stage(progress),
-                     progress.time.empty() ? "" : ", t = " + progress.time,
-                     100 * progress.moving_share, progress.updates_per_second / 1e6);
+                     progress.ends_at_rest ? ", not at rest yet" : left_text_of_stage(progress),
+                     progress.time_text.empty() ? "" : ", t = " + progress.time_text,
+                     100 * progress.moving_share, progress.particle_updates_per_second / 1e6);
 }
 
 std::string to_text(const run::GasProgress& progress) {
   return fmt::format("{} ({}/{}): gas {} of {}{}, time {:.4g} of {}, {:.3g} million collisions/s",
                      progress.stage, progress.stage_number, progress.stage_count,
-                     std::min(progress.gases_done + 1, progress.gases), progress.gases,
-                     left_text_of_stage(progress), progress.time, progress.until,
+                     std::min(progress.gases_done + 1, progress.gas_count), progress.gas_count,
+                     left_text_of_stage(progress), progress.time, progress.end_time,
                      progress.collisions_per_second / 1e6);
 }
 
 std::string to_text(const drawing::RedrawProgress& progress) {
-  return fmt::format("{} of {} pictures{}", progress.drawn, progress.pictures,
+  return fmt::format("{} of {} pictures{}", progress.drawn_pictures, progress.total_pictures,
                      left_text(progress.seconds_left));
 }
 
 std::string to_text(const sweep::Progress& progress) {
-  std::string text = fmt::format("{} of {} runs, {} failed, {:.3g} runs/s{}",
-                                 progress.done + progress.failed, progress.runs, progress.failed,
-                                 progress.runs_per_second, left_text(progress.seconds_left));
-  for (const sweep::RunUnderWay& run : progress.under_way) {
+  std::string text =
+      fmt::format("{} of {} runs, {} failed, {:.3g} runs/s{}",
+                  progress.done_runs + progress.failed_runs, progress.total_runs,
+                  progress.failed_runs, progress.runs_per_second, left_text(progress.seconds_left));
+  for (const sweep::RunUnderWay& run : progress.running) {
     text += fmt::format("; {}: {} ({}/{}), step {}, {:.1f} % moving", run.name, run.progress.stage,
                         run.progress.stage_number, run.progress.stage_count, run.progress.step,
                         100 * run.progress.moving_share);

@@ -19,7 +19,6 @@ class ProgressLine {
   ProgressLine& operator=(const ProgressLine&) = delete;
 
   void show(const std::string& text);
-  /// A permanent line on standard error.
   void print(const std::string& line);
 
  private:

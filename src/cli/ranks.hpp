@@ -9,8 +9,7 @@
 
 namespace clca::cli {
 
-/// Whether several processes can carry out a command together.
-inline bool is_shared(std::string_view command) {
+inline bool can_use_ranks(std::string_view command) {
   return command == "sweep" || command == "boltzmann" || command == "resume";
 }
 

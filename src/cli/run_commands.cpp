@@ -33,7 +33,8 @@ struct RunCommandOptions {
 /// Threads: as asked for, otherwise one for grains, since it depends on the machine whether
 /// several are faster or slower; for a gas all of the machine, or one where ranks share it.
 int threads_of(const RunCommandOptions& options, bool is_gas) {
-  return options.threads.value_or(is_gas && options.run.ranks == nullptr ? machine_threads() : 1);
+  return options.threads.value_or(is_gas && options.run.ranks == nullptr ? machine_thread_count()
+                                                                         : 1);
 }
 
 /// For a gas: those of all ranks on this machine, which share its memory.
@@ -44,16 +45,15 @@ int threads_here(const RunCommandOptions& options) {
 
 /// Advances gases for rank 0, as another rank. Returns the exit code.
 int serve_gases(const RunCommandOptions& options) {
-  run::serve({.threads = threads_of(options, true),
-              .stop = &catch_stop_signals(),
-              .ranks = options.run.ranks});
+  run::work_for_rank_0({.threads = threads_of(options, true),
+                        .stop_signal = &catch_stop_signals(),
+                        .ranks = options.run.ranks});
   return kDone;
 }
 
-/// Prints `run.json` of a run folder.
 void print_summary(const std::filesystem::path& folder) {
   constexpr double kMaxBytes = 1 << 30;
-  const auto json = store::read_whole(folder / store::kSummaryFile, kMaxBytes);
+  const auto json = store::read_whole_file(folder / store::kSummaryFile, kMaxBytes);
   write_out({reinterpret_cast<const char*>(json.data()), json.size()});
 }
 
@@ -61,7 +61,8 @@ std::string totals(const store::RunSummary& summary) {
   const std::string time =
       summary.units ? fmt::format(" (t = {})", summary.units->time_text(summary.steps)) : "";
   return fmt::format("{}: {} particles, {} steps{} in {:.3g} s, {:.3g} {}/s", summary.status,
-                     summary.particles, summary.steps, time, summary.wall_seconds, summary.rate,
+                     summary.particles, summary.steps, time, summary.wall_seconds,
+                     summary.rate_per_second,
                      summary.kind == "boltzmann" ? "collisions" : "particle-updates");
 }
 
@@ -71,8 +72,8 @@ template <class RunIt>
 int run_and_show(const RunCommandOptions& options, bool is_gas, RunIt run_it) {
   run::RunOptions wanted = options.run;
   wanted.threads = threads_of(options, is_gas);
-  wanted.reference = options.engine != "fast";
-  wanted.stop = &catch_stop_signals();
+  wanted.use_reference_step = options.engine != "fast";
+  wanted.stop_signal = &catch_stop_signals();
   if (options.scene.frames_every == std::uint64_t{0}) {
     wanted.pictures = run::WantedPictures::none;
   }
@@ -89,7 +90,7 @@ int run_and_show(const RunCommandOptions& options, bool is_gas, RunIt run_it) {
     }
   }
   std::filesystem::path used = wanted.folder;
-  events.folder = [&](const std::filesystem::path& path) { used = path; };
+  events.folder_known = [&](const std::filesystem::path& path) { used = path; };
   const store::RunSummary summary = run_it(wanted, events);
   if (options.json) {
     print_summary(used);
@@ -111,8 +112,8 @@ int run_one(const Scene& scene, RunCommandOptions options) {
   if (options.run.folder.empty()) {
     options.run.folder = "renders/" + scene.name;
   }
-  if (!options.run.keep) {
-    run::check_output(options.scene.file, options.run.folder);
+  if (!options.run.keep_earlier_run) {
+    run::check_output_folder(options.scene.file, options.run.folder);
   }
   constexpr bool kIsGas = std::is_same_v<Scene, scene::BoltzmannScene>;
   return run_and_show(options, kIsGas,
@@ -134,7 +135,7 @@ int run_boltzmann_scene(const RunCommandOptions& options) {
   const scene::AnyScene scene = load_any_scene(options.scene, threads_here(options));
   if (const auto* automaton = std::get_if<scene::Scene>(&scene)) {
     throw scene::SceneError(fmt::format(
-        "{}: error: a scene of grains, which clca run takes; clca boltzmann wants a block "
+        "{}: error: a scene of grains, which clca run takes; clca boltzmann needs a block "
         "boltzmann in place of box to stages",
         automaton->box.location));
   }
@@ -145,10 +146,10 @@ int resume_run(const RunCommandOptions& options) {
   if (options.is_other_rank()) {
     return serve_gases(options);  // or wait for rank 0, which goes on with grains alone
   }
-  const double limit = memory_limit(options.scene);
+  const double limit = memory_limit_bytes(options.scene);
   run::SavedRun saved =
-      as_input([&] { return run::load_run(options.run.folder, limit, options.until); });
-  if (saved.finished) {
+      read_as_input([&] { return run::load_run(options.run.folder, limit, options.until); });
+  if (saved.finished_summary) {
     if (options.json) {
       print_summary(options.run.folder);
     } else if (!options.quiet) {
@@ -169,11 +170,11 @@ void add_run_options(CLI::App* command, RunCommandOptions& options) {
       command, "--threads", options.threads, "",
       "Threads; the result does not depend on it. Of grains only the automaton takes more than "
       "one [1 for grains, all for a gas]",
-      whole_number(1, 1024));
+      whole_number_validator(1, 1024));
   add_option(
-      command, "--time-limit", options.run.time_limit, "TIME",
+      command, "--time-limit", options.run.wall_seconds_limit, "TIME",
       "Save and stop after this time: 90 (seconds), 30min, 2h; clca resume continues the run",
-      time_span());
+      duration_validator());
   add_option(command, "--engine", options.engine, "NAME",
              "fast, or reference: the rule as documented, one thread, slow; for checks",
              CLI::IsMember({"fast", "reference"}))
@@ -196,10 +197,10 @@ CLI::App* add_command_with_scene(CLI::App& program, tasks::Ranks* ranks, const c
   command->add_option("-o,--output", options->run.folder,
                       "Folder to write to [renders/SCENE-NAME]");
   CLI::Option* keep =
-      command->add_flag("--keep", options->run.keep,
+      command->add_flag("--keep", options->run.keep_earlier_run,
                         "Leave an earlier run in the folder alone: write to FOLDER-2, ...");
   command
-      ->add_flag("--overwrite", options->run.overwrite,
+      ->add_flag("--overwrite", options->run.replace_interrupted,
                  "Replace an earlier run in the folder even if it could be resumed")
       ->excludes(keep);
   add_run_options(command, *options);
@@ -217,7 +218,7 @@ void add_resume_command(CLI::App& program, tasks::Ranks* ranks) {
              "Run to this end instead of the scene's: steps of the last stage, the time "
              "of a gas, or as `until` of a scene: settled, '{cycles: 400}'");
   add_run_options(command, *options);
-  add_memory_limit(command, options->scene);
+  add_memory_limit_option(command, options->scene);
   set_action(command, [options] { return resume_run(*options); });
 }
 

@@ -57,7 +57,7 @@ void print(const scene::Scene& scene, bool draws) {
     if (!draws) {
       checked.output.frames.reset();
     }
-    run::check_start(checked);
+    run::try_start(checked);
   } else {
     scene::check_room(scene);
   }
@@ -67,11 +67,11 @@ void print(const scene::Scene& scene, bool draws) {
     print_out("# a step takes {:.4g} {}\n", units->time_step, units->time_unit);
   }
   print_out("# {} x {} sites, up to {} particles, about {:.1f} MiB of memory\n", size.columns,
-            size.rows, size.particles, run::memory_of(scene) / kMebibyte);
+            size.rows, size.particles, run::estimated_run_bytes(scene) / kMebibyte);
 }
 
 void print(const scene::BoltzmannScene& scene, bool /*draws*/) {
-  const int threads = machine_threads();
+  const int threads = machine_thread_count();
   print_out("{}", scene::to_yaml(scene));
   print_out("# {} x {} runs of {} particles, about {:.1f} MiB of memory on {} threads\n",
             scene.restitutions.size(), scene.ensemble, scene.particles,
@@ -79,7 +79,7 @@ void print(const scene::BoltzmannScene& scene, bool /*draws*/) {
 }
 
 int list_scenes(bool as_json) {
-  const std::vector<Candidate> scenes = scenes_of_program();
+  const std::vector<Completion> scenes = installed_scenes();
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
   std::size_t width = 0;
   for (const auto& [name, title] : scenes) {
@@ -226,8 +226,8 @@ void add_explain_command(CLI::App& program) {
              "Keys as for --set, such as rules.inertia or walls.motion, the last part of a key, or "
              "quantities of run.json and tables [the top]");
   add_option(command, "--scene", options->scene, "",
-             "A scene in whose units quantities are, and whose derived measures may be among the "
-             "names; without KEY all of these",
+             "Scene that sets the units and adds its derived measures; without KEY, explains all "
+             "of these",
              scene_name_validator());
   add_option(command, "--format", options->format, "FORMAT",
              "text, markdown (a table), schema (JSON Schema), quantities (a table of the "

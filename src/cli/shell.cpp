@@ -13,7 +13,7 @@ namespace clca::cli {
 
 namespace {
 
-using Candidates = std::vector<Candidate>;
+using Candidates = std::vector<Completion>;
 
 constexpr std::string_view kHelp = "help";  // a command whose argument is a command
 
@@ -58,7 +58,7 @@ bool names_file(const std::string& type) {
   return type == "TEXT" || type == "FILE" || type == "FOLDER";
 }
 
-Candidates keys(const std::string& begun, const std::string& after_last) {
+Candidates key_completions(const std::string& begun, const std::string& after_last) {
   Candidates candidates;
   for (const scene::KeyName& key : scene::keys_beginning(begun)) {
     if (key.has_keys) {
@@ -72,10 +72,10 @@ Candidates keys(const std::string& begun, const std::string& after_last) {
 }
 
 /// `KEY=`, and after it the words that the key may have; several are separated by commas.
-Candidates assignments(const std::string& begun) {
+Candidates assignment_completions(const std::string& begun) {
   const std::size_t equals = begun.find('=');
   if (equals == std::string::npos) {
-    return keys(begun, "=");
+    return key_completions(begun, "=");
   }
   Candidates candidates;
   for (const std::string& word : scene::words_of(begun.substr(0, equals))) {
@@ -89,13 +89,13 @@ Candidates values_of(const CLI::Option& option, const std::string& begun) {
   const std::string type = option.get_type_name();
   const std::string& name = option.get_single_name();
   if (type.starts_with("KEY=")) {
-    return assignments(begun);
+    return assignment_completions(begun);
   }
   if (name == "KEY") {
-    return keys(begun, "");
+    return key_completions(begun, "");
   }
   if (name == "SCENE" || name == "scene") {
-    return scenes_of_program();
+    return installed_scenes();
   }
   Candidates words;
   const std::size_t open = type.find('{');
@@ -154,19 +154,19 @@ std::string escaped(std::string_view text) {
   return result;
 }
 
-std::string section(std::string_view title, std::string_view text) {
+std::string man_section(std::string_view title, std::string_view text) {
   return text.empty() ? "" : fmt::format(".SH {}\n{}", title, text);
 }
 
-std::string entry(std::string_view term, std::string_view about) {
+std::string man_entry(std::string_view term, std::string_view about) {
   return fmt::format(".TP\n.B {}\n{}\n", escaped(term), escaped(about));
 }
 
-std::string entries(const std::vector<const CLI::Option*>& options, bool are_arguments) {
+std::string man_entries(const std::vector<const CLI::Option*>& options, bool are_arguments) {
   const CLI::Formatter formatter;
   std::string text;
   for (const CLI::Option* option : options) {
-    text += entry(
+    text += man_entry(
         formatter.make_option_name(option, are_arguments) + formatter.make_option_opts(option),
         option->get_description());
   }
@@ -195,16 +195,17 @@ std::string man_page(const CLI::App& program, const CLI::App& command, const std
   std::string commands;
   if (is_program) {
     for (const auto& [text, what] : names_of_commands(program)) {
-      commands += entry(text, what);
+      commands += man_entry(text, what);
     }
   }
   return fmt::format(".TH {} 1 \"\" \"{}\" \"User Commands\"\n", escaped(name), program.version()) +
-         section("NAME", fmt::format("{} \\- {}\n", escaped(name), escaped(about))) +
-         section("SYNOPSIS", escaped(call)) +
-         section("ARGUMENTS", entries(arguments_of(command), true)) +
-         section("OPTIONS", entries(options_of(command), false)) + section("COMMANDS", commands) +
-         section("EXIT STATUS", escaped(command.get_footer()) + "\n") +
-         section("SEE ALSO", see_also(program, is_program ? "" : command.get_name()));
+         man_section("NAME", fmt::format("{} \\- {}\n", escaped(name), escaped(about))) +
+         man_section("SYNOPSIS", escaped(call)) +
+         man_section("ARGUMENTS", man_entries(arguments_of(command), true)) +
+         man_section("OPTIONS", man_entries(options_of(command), false)) +
+         man_section("COMMANDS", commands) +
+         man_section("EXIT STATUS", escaped(command.get_footer()) + "\n") +
+         man_section("SEE ALSO", see_also(program, is_program ? "" : command.get_name()));
 }
 
 }  // namespace

@@ -34,14 +34,14 @@ struct SweepCommandOptions {
 
 /// Memory for this process, in bytes: ranks on one machine share its memory.
 double memory_of_rank(const SweepCommandOptions& options) {
-  const double limit = memory_limit(options.scene);
+  const double limit = memory_limit_bytes(options.scene);
   const tasks::Ranks* ranks = options.sweep.ranks;
   const bool is_shared = ranks != nullptr && !options.scene.memory_limit;
   return is_shared ? limit / ranks->on_this_machine() : limit;
 }
 
 sweep::Plan plan_of(const SweepCommandOptions& options) {
-  sweep::Request request = {.scene = options.scene.file,
+  sweep::Request request = {.scene_file = options.scene.file,
                             .overrides = overrides_of(options.scene),
                             .variations = {},
                             .seeds = sweep::parse_seeds(options.seeds)};
@@ -52,35 +52,37 @@ sweep::Plan plan_of(const SweepCommandOptions& options) {
 }
 
 void print_totals(const sweep::Progress& totals, double seconds, const std::string& folder) {
-  const std::size_t left = totals.runs - totals.done - totals.failed - totals.elsewhere;
+  const std::size_t left =
+      totals.total_runs - totals.done_runs - totals.failed_runs - totals.runs_elsewhere;
   const auto some = [](std::size_t count, const char* text) {
     return count > 0 ? fmt::format(fmt::runtime(text), count) : "";
   };
-  print_out("{} runs: {} done{}, {} failed{}{}, in {:.3g} s\n{}\n", totals.runs, totals.done,
-            some(totals.reused, " ({} from before)"), totals.failed,
-            some(totals.elsewhere, ", {} under way elsewhere"),
+  print_out("{} runs: {} done{}, {} failed{}{}, in {:.3g} s\n{}\n", totals.total_runs,
+            totals.done_runs, some(totals.reused_runs, " ({} from before)"), totals.failed_runs,
+            some(totals.runs_elsewhere, ", {} under way elsewhere"),
             some(left, ", {} interrupted or not begun"), seconds, folder);
 }
 
 /// Tells on standard error what has failed or is missing.
 int exit_code_of(const sweep::Progress& totals, tasks::Ranks* ranks) {
-  const std::size_t missing = totals.runs - totals.done - totals.failed;
+  const std::size_t missing = totals.total_runs - totals.done_runs - totals.failed_runs;
   if (const int signal = stop_signal_of(ranks); signal != 0 && missing > 0) {
     return kSignalBase + signal;
   }
-  if (totals.failed > 0) {
-    print_error("clca: error: {} of {} runs failed\n", totals.failed, totals.runs);
+  if (totals.failed_runs > 0) {
+    print_error("clca: error: {} of {} runs failed\n", totals.failed_runs, totals.total_runs);
     return kFailed;
   }
   if (missing > 0) {
     const std::string elsewhere =
-        totals.elsewhere > 0
+        totals.runs_elsewhere > 0
             ? fmt::format(
                   "; {} under way in other processes: call the same command again when "
                   "these have ended",
-                  totals.elsewhere)
+                  totals.runs_elsewhere)
             : "";
-    print_error("clca: error: {} of {} runs are missing{}\n", missing, totals.runs, elsewhere);
+    print_error("clca: error: {} of {} runs are missing{}\n", missing, totals.total_runs,
+                elsewhere);
     return kFailed;
   }
   return kDone;
@@ -110,9 +112,9 @@ int run_sweep(const SweepCommandOptions& options) {
   const double memory = memory_of_rank(options);
   wanted.jobs = sweep::fitting_jobs(plan, wanted.jobs, memory);
   wanted.max_bytes = memory / wanted.jobs;
-  wanted.stop = &catch_stop_signals();
+  wanted.stop_signal = &catch_stop_signals();
   if (wanted.ranks != nullptr && wanted.ranks->rank() > 0) {
-    sweep::serve(plan, wanted);
+    sweep::work_for_rank_0(plan, wanted);
     return kDone;
   }
   const auto start = std::chrono::steady_clock::now();
@@ -131,7 +133,7 @@ std::vector<std::string> words_of(const std::string& command) {
 }
 
 /// The command, with `clca` behind the one that starts ranks.
-std::vector<std::string> launched(const std::string& launcher) {
+std::vector<std::string> launch_command(const std::string& launcher) {
   std::vector<std::string> command = words_of(launcher);
   command.front() = process::find_program(command.front()).value().string();
   command.push_back(std::filesystem::read_symlink("/proc/self/exe").string());
@@ -139,8 +141,8 @@ std::vector<std::string> launched(const std::string& launcher) {
 }
 
 /// As run_sweep(), by `command`. Throws process::ProcessError where it does not run the sweep.
-int launch(std::vector<std::string> command, const std::string& launcher,
-           const SweepCommandOptions& options) {
+int launch_sweep(std::vector<std::string> command, const std::string& launcher,
+                 const SweepCommandOptions& options) {
   command.insert(
       command.end(),
       {"sweep", options.scene.file, "--vary", options.variations.front(), "--seeds", options.seeds,
@@ -177,12 +179,13 @@ int calibrate(const std::string& study_file, const std::string& launcher,
     path = "renders/" + std::filesystem::path(study_file).stem().string() + "-calibration";
   }
   const std::vector<std::string> command =
-      launcher.empty() ? std::vector<std::string>() : launched(launcher);
+      launcher.empty() ? std::vector<std::string>() : launch_command(launcher);
   const store::OutputFolder folder(path);
-  folder.require_own();
+  folder.require_clca_folder();
   for (int step = 0;; ++step) {
     auto sweeps = nlohmann::json::array();
-    int code = run_package("calibrate", {{"step", step}, {"study", study_file}}, {path},
+    int code =
+        run_python_command("calibrate", {{"step", step}, {"study", study_file}}, {path},
                            [&](const std::string& name, std::span<const std::uint8_t> bytes) {
                              if (name == "sweeps.json") {
                                sweeps = nlohmann::json::parse(bytes);
@@ -196,7 +199,7 @@ int calibrate(const std::string& study_file, const std::string& launcher,
     if (code != kDone || sweeps.empty()) {
       return code;
     }
-    folder.make_own();
+    folder.make_clca_folder();
     for (const nlohmann::json& sweep : sweeps) {
       SweepCommandOptions wanted = options;
       wanted.scene.file = run::scene_file(sweep.at("scene"));
@@ -204,7 +207,7 @@ int calibrate(const std::string& study_file, const std::string& launcher,
       wanted.variations = {sweep.at("vary")};
       wanted.seeds = sweep.at("seeds");
       wanted.sweep.folder = sweep.at("folder").get<std::string>();
-      code = launcher.empty() ? run_sweep(wanted) : launch(command, launcher, wanted);
+      code = launcher.empty() ? run_sweep(wanted) : launch_sweep(command, launcher, wanted);
       if (code != kDone) {
         return code;
       }
@@ -212,9 +215,9 @@ int calibrate(const std::string& study_file, const std::string& launcher,
   }
 }
 
-void add_jobs(CLI::App* command, sweep::Options& options, const std::string& what) {
-  options.jobs = options.ranks != nullptr ? 1 : machine_threads();
-  add_option(command, "--jobs", options.jobs, "", what, whole_number(1, 1024))
+void add_jobs_option(CLI::App* command, sweep::Options& options, const std::string& what) {
+  options.jobs = options.ranks != nullptr ? 1 : machine_thread_count();
+  add_option(command, "--jobs", options.jobs, "", what, whole_number_validator(1, 1024))
       ->capture_default_str();
 }
 
@@ -225,7 +228,7 @@ void add_sweep_command(CLI::App& program, tasks::Ranks* ranks) {
       "sweep", "Run a scene for many seeds and values: tables and an overview into a folder");
   auto options = std::make_shared<SweepCommandOptions>();
   options->sweep.ranks = ranks;
-  add_scene_and_set(command, options->scene);
+  add_scene_set_begin_options(command, options->scene);
   add_option(
       command, "--seeds", options->seeds, "SEEDS",
       "Seeds of the random draws, such as 1..16 or 1,4,9..12; each value runs with each seed")
@@ -234,16 +237,17 @@ void add_sweep_command(CLI::App& program, tasks::Ranks* ranks) {
              "Run with KEY set to each of these values (YAML), such as rules.inertia=0,0.9 "
              "or a range FIRST:LAST:STEP; K1,K2=V1,V2; W1,W2 varies keys together; repeated: "
              "all combinations",
-             assignment("KEY=V1,V2,..."))
+             assignment_validator("KEY=V1,V2,..."))
       ->allow_extra_args(false);
   command->add_option("-o,--output", options->sweep.folder,
                       "Folder to write to, and to continue in [renders/SCENE-NAME-sweep]");
-  add_jobs(command, options->sweep,
-           "Runs at a time, each with one thread; with mpirun on each rank; the result does "
-           "not depend on it");
+  add_jobs_option(command, options->sweep,
+                  "Runs at a time, each with one thread; with mpirun on each rank; the result does "
+                  "not depend on it");
   const auto set_part = [part = &options->sweep.part](const std::string& text) {
     const std::size_t slash = text.find('/');
-    *part = {.number = std::stoul(text.substr(0, slash)), .of = std::stoul(text.substr(slash + 1))};
+    *part = {.number = std::stoul(text.substr(0, slash)),
+             .count = std::stoul(text.substr(slash + 1))};
   };
   CLI::Option* part =
       command
@@ -252,7 +256,7 @@ void add_sweep_command(CLI::App& program, tasks::Ranks* ranks) {
               "Do part K of N of the runs only, without tables; the same command without --part "
               "collects them and does what is missing")
           ->type_name("K/N")
-          ->transform(part_of_whole(100'000));
+          ->transform(part_validator(100'000));
   command
       ->add_flag("--collect", options->sweep.collect_only,
                  "Run nothing: tables over the runs that are there, and how many are missing")
@@ -260,7 +264,7 @@ void add_sweep_command(CLI::App& program, tasks::Ranks* ranks) {
   command->add_flag("--frames", options->sweep.all_pictures,
                     "All pictures that the scene asks for, not only the last of each run that the "
                     "overview shows");
-  add_memory_limit(command, options->scene);
+  add_memory_limit_option(command, options->scene);
   command->add_flag("--quiet", options->quiet, "Print warnings and errors only");
   set_action(command, [options] { return run_sweep(*options); });
 }
@@ -277,9 +281,10 @@ void add_calibrate_command(CLI::App& program) {
       ->required();
   command->add_option("-o,--output", options->sweep.folder,
                       "Folder to write to, and to continue in [renders/STUDY-NAME-calibration]");
-  add_jobs(command, options->sweep,
-           "Runs at a time, each with one thread; with --launcher on each rank, 1 if left out; the "
-           "result does not depend on it");
+  add_jobs_option(
+      command, options->sweep,
+      "Runs at a time, each with one thread; with --launcher on each rank, 1 if left out; the "
+      "result does not depend on it");
   auto launcher = std::make_shared<std::string>();
   add_option(command, "--launcher", *launcher, "COMMAND",
              "Run the sweeps by this command, which starts several ranks, such as 'mpirun -n "
@@ -290,7 +295,7 @@ void add_calibrate_command(CLI::App& program) {
                    ? std::string()
                    : fmt::format("no program '{}' on the PATH", words.empty() ? "" : words.front());
       });
-  add_memory_limit(command, options->scene, "Memory of all runs at a time");
+  add_memory_limit_option(command, options->scene, "Memory of all runs at a time");
   command->add_flag("--quiet", options->quiet, "Print the answer, warnings and errors only");
   set_action(command, [command, options, study_file, launcher] {
     if (!launcher->empty() && command->count("--jobs") == 0) {

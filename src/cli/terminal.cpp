@@ -53,7 +53,7 @@ void occupy_closed_streams() {
   }
 }
 
-void be_silent() noexcept {
+void silence_output() noexcept {
   is_silent = true;
 }
 
@@ -73,7 +73,7 @@ void write_always(std::string_view text) noexcept {
   write_all(STDERR_FILENO, text);
 }
 
-int end_output(int code) noexcept {
+int finish_output(int code) noexcept {
   if (::close(STDOUT_FILENO) != 0 && output_error == 0) {  // a file on a network may fail only now
     output_error = errno;
   }

@@ -12,10 +12,10 @@ namespace clca::cli {
 /// Call first. Reserves closed standard streams, so that no other file gets their number.
 void occupy_closed_streams();
 
-/// From then on nothing is written but by write_always(): of several processes one speaks.
-void be_silent() noexcept;
+/// From then on only write_always() writes: of several processes one reports.
+void silence_output() noexcept;
 
-/// Writes to standard output. A failure is remembered for end_output().
+/// Writes to standard output. A failure is remembered for finish_output().
 void write_out(std::string_view text) noexcept;
 /// Writes to standard error; failures are ignored.
 void write_error(std::string_view text) noexcept;
@@ -33,7 +33,7 @@ void print_error(fmt::format_string<T...> format, T&&... values) {
 
 /// Call last: returns `code`, or an error code if that is 0 and standard output could not be
 /// written. Reports it, unless the reader of a pipe has closed it.
-int end_output(int code) noexcept;
+int finish_output(int code) noexcept;
 
 /// The first SIGINT, SIGTERM or SIGHUP only sets the returned value to its number; the second ends
 /// the program. SIGHUP stays ignored if it was (nohup).

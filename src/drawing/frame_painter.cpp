@@ -20,7 +20,7 @@ namespace {
 // Higher ends of colour bars: fixed, so that pictures of a sequence are comparable.
 constexpr int kForceIndexBarEnd = 8;  // overlapped sites
 constexpr double kLoadBarEnd = 2;     // in OverlayScales::strongest_force
-constexpr double kSpeedBarEnd = 2;    // in OverlayScales::highest_velocity
+constexpr double kSpeedBarEnd = 2;    // in OverlayScales::middle_speed
 constexpr double kSpinBarEnd = 0.5;   // in OverlayScales::highest_spin
 constexpr double kContactBarEnd = 6;  // as many as touch a disc among discs of one size
 
@@ -32,14 +32,14 @@ render::Style style_of(const scene::Frames& frames, const lattice::Lattice& latt
       .width = frames.width.value_or(0),
       .height = frames.height.value_or(0),
       .supersampling = frames.supersampling,
-      .drawing = frames.drawing == scene::Drawing::polygons ? render::Drawing::polygons
-                                                            : render::Drawing::lookup,
-      .view = view_of(frames, lattice),
+      .drawing = frames.drawing == scene::Drawing::polygons ? render::DrawingMethod::polygons
+                                                            : render::DrawingMethod::lookup,
+      .view = view_rectangle(frames, lattice),
       .annotations = !frames.caption                              ? render::Annotations::none
                      : frames.style == scene::PictureStyle::print ? render::Annotations::legend
                                                                   : render::Annotations::all,
       .threads = use.threads,
-      .vector = use.vector};
+      .for_pdf = use.for_pdf};
   if (use.tile_width != 0) {
     const auto& [left, bottom, right, top] = style.view;
     const image::PixelBox size = render::tile_size(right - left, top - bottom, use.tile_width);
@@ -105,7 +105,7 @@ std::vector<double> loads(const PictureContent& content, const OverlayScales& sc
   const grains::State& state = content.state;
   std::vector<double> result = contact::loads(state.particles.size(), content.contact->forces);
   const double unit =
-      scales.value_of(over_circumference ? scene::kStressUnit : scene::kContactForceUnit, state);
+      scales.unit_factor(over_circumference ? scene::kStressUnit : scene::kContactForceUnit, state);
   for (std::size_t id = 0; id < result.size(); ++id) {
     const double diameter = state.shape(state.particles[id]).diameter();
     result[id] *= over_circumference ? unit / (std::numbers::pi * diameter) : unit;
@@ -115,12 +115,12 @@ std::vector<double> loads(const PictureContent& content, const OverlayScales& sc
 
 }  // namespace
 
-PictureContent present_content(const scene::Scene& scene, const model::SceneModel& model,
+PictureContent current_content(const scene::Scene& scene, const model::SceneModel& model,
                                const record::Observers& observers) {
   PictureContent content = {.state = model.state(),
                             .occupancy = model.grains().occupancy(),
                             .cycles = observers.find<record::CycleRecord>(),
-                            .angle = model.vessel().angle};
+                            .vessel_angle = model.vessel().angle};
   if (scene.model == scene::Model::contact) {
     content.contact.emplace();
     if (scene::pictures_show_forces(scene)) {
@@ -136,7 +136,7 @@ PictureContent present_content(const scene::Scene& scene, const model::SceneMode
   return content;
 }
 
-lattice::Rectangle view_of(const scene::Frames& frames, const lattice::Lattice& lattice) {
+lattice::Rectangle view_rectangle(const scene::Frames& frames, const lattice::Lattice& lattice) {
   return frames.view.value_or(render::box_with_frame(lattice));
 }
 
@@ -174,7 +174,7 @@ FramePainter::FramePainter(const scene::Scene& scene, const grains::State& state
       scales_(overlay_scales(scene)),
       painter_(make_painter(scene, state, use)) {}
 
-double FramePainter::bytes(const scene::Scene& scene, double particles, int captures) {
+double FramePainter::bytes_for(const scene::Scene& scene, double particles, int captures) {
   return render::Painter::bytes_for(
       style_of(*scene.output.frames, scene::lattice_of(scene.box), {}), particles, captures);
 }
@@ -195,16 +195,16 @@ CapturedFrame FramePainter::capture(const PictureContent& content, const Picture
   return {.capture = painter_.capture(content.state, content.occupancy, colors),
           .caption = {.title = scene_.title,
                       .detail = fmt::format("{}, {}", history.stage, when),
-                      .spacing = scene_.units ? scene_.units->spacing : 0},
+                      .metres_per_spacing = scene_.units ? scene_.units->spacing : 0},
           .overlay = std::move(overlay),
-          .turn = frames_.upright ? contact::degrees(content.angle) : 0,
+          .turn_degrees = frames_.upright ? contact::degrees(content.vessel_angle) : 0,
           .text = std::move(text)};
 }
 
 Picture FramePainter::rasterize(const CapturedFrame& frame) {
   Picture picture = {
-      .image = painter_.rasterize(frame.capture, frame.caption, frame.overlay, frame.turn),
-      .moment = frame.caption.detail,
+      .image = painter_.rasterize(frame.capture, frame.caption, frame.overlay, frame.turn_degrees),
+      .moment_text = frame.caption.detail,
       .legend = frame.capture.legend,
       .text = frame.text};
   picture.legend.fade = frame.overlay.fade;
@@ -226,7 +226,7 @@ render::Tile FramePainter::tile(const Picture& picture, int width) const {
 }
 
 std::vector<std::uint8_t> FramePainter::pdf(const CapturedFrame& frame) {
-  return painter_.pdf(frame.capture, frame.caption, frame.overlay, frame.turn);
+  return painter_.pdf(frame.capture, frame.caption, frame.overlay, frame.turn_degrees);
 }
 
 render::Coloring FramePainter::coloring(const PictureContent& content,
@@ -243,8 +243,8 @@ render::Coloring FramePainter::coloring(const PictureContent& content,
       return render::color_by_displacement(state, range(history.displacement_scale));
     case scene::ColorBy::speed:
       return render::color_by_value(state, speeds(content, history, scales_.step_velocity),
-                                    fmt::format("speed ({})", scales_.velocity_unit.several),
-                                    range(kSpeedBarEnd * scales_.highest_velocity));
+                                    fmt::format("speed ({})", scales_.velocity_unit.plural),
+                                    range(kSpeedBarEnd * scales_.middle_speed));
     case scene::ColorBy::spin: {
       const double high = kSpinBarEnd * scales_.highest_spin;
       const auto ends = frames_.range ? range(high) : statistics::Range{-high, high};
@@ -265,13 +265,13 @@ render::Coloring FramePainter::coloring(const PictureContent& content,
       return content.contact
                  ? render::color_by_value(
                        state, loads(content, scales_, /*over_circumference=*/false),
-                       fmt::format("load ({})", scales_.unit_of(scene::kContactForceUnit)),
+                       fmt::format("load ({})", scales_.picture_unit(scene::kContactForceUnit)),
                        range(kLoadBarEnd * scales_.strongest_force))
                  : render::color_by_force(state, content.occupancy, range(kForceIndexBarEnd));
     case scene::ColorBy::pressure:
       return render::color_by_value(
           state, loads(content, scales_, /*over_circumference=*/true),
-          fmt::format("pressure ({})", scales_.unit_of(scene::kStressUnit)),
+          fmt::format("pressure ({})", scales_.picture_unit(scene::kStressUnit)),
           range(scales_.highest_pressure));
     case scene::ColorBy::species:
       break;

@@ -19,7 +19,6 @@ namespace clca::drawing {
 
 namespace {
 
-/// Mean over the species, without weights.
 template <class ValueOf>
 double species_mean(const scene::Scene& scene, ValueOf value_of) {
   double sum = 0;
@@ -31,7 +30,8 @@ double species_mean(const scene::Scene& scene, ValueOf value_of) {
 
 /// One `unit` of the contact model in SI units, where there are any; else 1.
 /// `mean_mass`: see scene::Conversion.
-double in_si(std::optional<scene::Conversion> conversion, std::string_view unit, double mean_mass) {
+double si_factor(std::optional<scene::Conversion> conversion, std::string_view unit,
+                 double mean_mass) {
   if (!conversion) {
     return 1;
   }
@@ -55,42 +55,44 @@ OverlayScales overlay_scales(const scene::Scene& scene) {
   const double least_cell = std::max(width, height) / kMostAcross;
   OverlayScales scales = {
       .conversion = scene::conversion(scene),
-      .velocity_cell = frames.velocity_cell.value_or(std::max(kDiameters * diameter, least_cell)),
+      .velocity_cell_size =
+          frames.velocity_cell.value_or(std::max(kDiameters * diameter, least_cell)),
       .arrow_velocity = frames.velocity_scale,
-      .velocity_unit = {.one = "spacing per step", .several = "spacings per step"}};
+      .velocity_unit = {.singular = "spacing per step", .plural = "spacings per step"}};
   std::optional<scene::Conversion>& conversion = scales.conversion;
   if (conversion) {
     scales.step_velocity = conversion->velocity(1);
-    scales.velocity_unit = {.one = conversion->velocity_unit, .several = conversion->velocity_unit};
+    scales.velocity_unit = {.singular = conversion->velocity_unit,
+                            .plural = conversion->velocity_unit};
   }
   // In lattice spacings per step. The resolution is what a fall from the fall height ends with.
   const double velocity =
       scene.model == scene::Model::contact ? kOfFreeFall * scene.contact.resolution : kOfAutomaton;
-  scales.highest_velocity =
-      frames.velocity_scale.value_or(render::round_number_up_to(scales.step_velocity * velocity));
+  scales.middle_speed = frames.velocity_scale.value_or(
+      render::largest_round_number_up_to(scales.step_velocity * velocity));
   if (conversion) {
-    scales.highest_spin = 2 * scales.highest_velocity / (diameter * conversion->spacing);
+    scales.highest_spin = 2 * scales.middle_speed / (diameter * conversion->spacing);
   }
-  const double grain_weight = in_si(conversion, scene::kContactForceUnit, mass);
-  scales.strongest_force = frames.force_scale.value_or(render::round_number_up_to(
+  const double grain_weight = si_factor(conversion, scene::kContactForceUnit, mass);
+  scales.strongest_force = frames.force_scale.value_or(render::largest_round_number_up_to(
       2 * grain_weight * scene::contact_parameters(scene).fall_height / diameter));
   scales.highest_pressure = scales.strongest_force / grain_weight *
-                            in_si(conversion, scene::kStressUnit, mass) / diameter;
+                            si_factor(conversion, scene::kStressUnit, mass) / diameter;
   return scales;
 }
 
-std::string OverlayScales::unit_of(std::string_view unit) const {
+std::string OverlayScales::picture_unit(std::string_view unit) const {
   return record::shown_unit(unit, conversion);
 }
 
-double OverlayScales::value_of(std::string_view unit, const grains::State& state) const {
-  return in_si(conversion, unit, contact::mean_mass(state));
+double OverlayScales::unit_factor(std::string_view unit, const grains::State& state) const {
+  return si_factor(conversion, unit, contact::mean_mass(state));
 }
 
 double arrow_velocity_for(double typical, const OverlayScales& scales) {
   constexpr double kRest = 0.01;  // of the highest velocity
   return scales.arrow_velocity.value_or(
-      typical > kRest * scales.highest_velocity ? typical : scales.highest_velocity);
+      typical > kRest * scales.middle_speed ? typical : scales.middle_speed);
 }
 
 namespace {
@@ -130,28 +132,28 @@ void add_line(const grains::State& state, const grains::Particle& first, grains:
   lines.push_back({.from = {in, height}, .to = lattice.in_box(to), .strength = strength});
 }
 
-render::Overlay contact_forces(const PictureContent& content,
-                               const std::vector<contact::Force>& forces,
-                               const OverlayScales& scales) {
-  const double grain_weight = scales.value_of(scene::kContactForceUnit, content.state);
+render::Overlay contact_force_overlay(const PictureContent& content,
+                                      const std::vector<contact::Force>& forces,
+                                      const OverlayScales& scales) {
+  const double grain_weight = scales.unit_factor(scene::kContactForceUnit, content.state);
   std::vector<render::ForceLine> lines;
   for (const contact::Force& force : forces) {
     add_line(content.state, content.state.particles[force.upper], force.other, force.point,
              grain_weight * force.along_normal, lines);
   }
-  return render::force_network(
-      lines, scales.strongest_force,
-      fmt::format("{:g} {}", scales.strongest_force, scales.unit_of(scene::kContactForceUnit)));
+  return render::force_network(lines, scales.strongest_force,
+                               fmt::format("{:g} {}", scales.strongest_force,
+                                           scales.picture_unit(scene::kContactForceUnit)));
 }
 
-render::Overlay weight(const PictureContent& content, measure::WeightRule rule,
-                       const OverlayScales& scales) {
+render::Overlay weight_overlay(const PictureContent& content, measure::WeightRule rule,
+                               const OverlayScales& scales) {
   const auto supported = measure::supported_grains(content.state, content.occupancy);
-  return contact_forces(content, measure::weight_paths(content.state, supported, rule).forces,
-                        scales);
+  return contact_force_overlay(
+      content, measure::weight_paths(content.state, supported, rule).forces, scales);
 }
 
-render::Overlay overlaps(const PictureContent& content) {
+render::Overlay overlap_overlay(const PictureContent& content) {
   std::vector<render::ForceLine> lines;
   for (const measure::OverlapContact& contact :
        measure::contacts(content.state, content.occupancy)) {
@@ -177,7 +179,7 @@ render::Overlay convection_arrows(const record::CycleRecord& cycles) {
   }
   const double scale = std::max(kMinDisplacement, render::typical_length(field));
   return render::arrow_field(field, cycles.cell(), scale,
-                             {.one = "spacing per cycle", .several = "spacings per cycle"});
+                             {.singular = "spacing per cycle", .plural = "spacings per cycle"});
 }
 
 /// Arrows of the cells with enough grains. Their cost does not depend on the size of the box.
@@ -191,7 +193,7 @@ std::vector<render::FieldArrow> velocity_arrows(const grains::State& state,
     double sites = 0;
     Eigen::Vector2d displacement = Eigen::Vector2d::Zero();
   };
-  const measure::Grid grid(state.lattice, scales.velocity_cell);
+  const measure::Grid grid(state.lattice, scales.velocity_cell_size);
   std::map<std::size_t, Sums> cells;
   double enough = 0;
   for (const measure::Displacement& grain : begin.displacements(state)) {
@@ -212,11 +214,11 @@ std::vector<render::FieldArrow> velocity_arrows(const grains::State& state,
   return result;
 }
 
-render::Overlay velocities(const grains::State& state, const measure::Snapshot& begin,
-                           const OverlayScales& scales) {
+render::Overlay velocity_overlay(const grains::State& state, const measure::Snapshot& begin,
+                                 const OverlayScales& scales) {
   const std::vector<render::FieldArrow> field = velocity_arrows(state, begin, scales);
   const double scale = arrow_velocity_for(render::typical_length(field), scales);
-  return render::arrow_field(field, scales.velocity_cell, scale, scales.velocity_unit);
+  return render::arrow_field(field, scales.velocity_cell_size, scale, scales.velocity_unit);
 }
 
 }  // namespace
@@ -230,20 +232,20 @@ render::Overlay overlay_of(scene::Overlay overlay, const PictureContent& content
                            const PictureHistory& history, const OverlayScales& scales) {
   switch (overlay) {
     case scene::Overlay::forces:
-      return content.contact ? contact_forces(content, content.contact->forces, scales)
-                             : overlaps(content);
+      return content.contact ? contact_force_overlay(content, content.contact->forces, scales)
+                             : overlap_overlay(content);
     case scene::Overlay::arrows:
       return content.cycles != nullptr ? convection_arrows(*content.cycles) : render::Overlay();
     case scene::Overlay::velocity:
-      return velocities(content.state, *history.window, scales);
+      return velocity_overlay(content.state, *history.window, scales);
     case scene::Overlay::weight_inner:
-      return weight(content, measure::WeightRule::inner, scales);
+      return weight_overlay(content, measure::WeightRule::inner, scales);
     case scene::Overlay::weight_outer:
-      return weight(content, measure::WeightRule::outer, scales);
+      return weight_overlay(content, measure::WeightRule::outer, scales);
     case scene::Overlay::weight_pair:
-      return weight(content, measure::WeightRule::pair, scales);
+      return weight_overlay(content, measure::WeightRule::pair, scales);
     case scene::Overlay::weight_q:
-      return weight(content, measure::WeightRule::q, scales);
+      return weight_overlay(content, measure::WeightRule::q, scales);
     case scene::Overlay::none:
       break;
   }

@@ -49,7 +49,7 @@ class Pictures : public record::Observer {
   }
   void open(const store::RunFolder& folder, const grains::State& /*now*/) override {
     folder.remove_frames_after(history_.last_step);
-    folder.files().make_folder(store::kFramesFolder);
+    folder.output_folder().make_folder(store::kFramesFolder);
   }
   void finish() override { writer_.finish(); }
 
@@ -64,7 +64,7 @@ class Pictures : public record::Observer {
     }
     history_.last_step = state.step;
     CapturedFrame frame =
-        painter_.capture(present_content(scene_, now.model, now.observers), history_);
+        painter_.capture(current_content(scene_, now.model, now.observers), history_);
     begin_window(history_, scene_, state);
     writer_.start([this, folder = now.files->subfolder(store::kFramesFolder),
                    name = store::frame_name(scene_.name, state.step, scene::step_digits(scene_)),
@@ -89,7 +89,7 @@ std::unique_ptr<record::Observer> pictures_observer(const scene::Scene& scene,
   return std::make_unique<Pictures>(scene, state, threads, only_last);
 }
 
-double picture_bytes(const scene::Scene& scene, double particles) {
+double picture_memory_bytes(const scene::Scene& scene, double particles) {
   if (!scene.output.frames) {
     return 0;
   }
@@ -108,8 +108,8 @@ double picture_bytes(const scene::Scene& scene, double particles) {
       scene::pictures_compare_positions(scene)
           ? 2 * measure::Snapshot::bytes_for(particles) + particles * sizeof(measure::Displacement)
           : 0;
-  return FramePainter::bytes(scene, particles, kCaptures) + window + paths + particles * strokes +
-         record::frame_bytes(scene, has_forces, particles);
+  return FramePainter::bytes_for(scene, particles, kCaptures) + window + paths +
+         particles * strokes + record::frame_bytes(scene, has_forces, particles);
 }
 
 }  // namespace clca::drawing

@@ -34,11 +34,11 @@ void require_different(const char* one, const fs::path& file, const char* other,
 }
 
 void check_files(const RedrawOptions& options) {
-  require_different("movie", options.movie, "contact sheet", options.sheet);
+  require_different("movie", options.movie_file, "contact sheet", options.sheet_file);
   if (options.space_time) {
     const fs::path& space_time = options.space_time->file;
-    require_different("movie", options.movie, "picture over time", space_time);
-    require_different("contact sheet", options.sheet, "picture over time", space_time);
+    require_different("movie", options.movie_file, "picture over time", space_time);
+    require_different("contact sheet", options.sheet_file, "picture over time", space_time);
   }
 }
 
@@ -57,7 +57,6 @@ void make_comparable(const std::vector<RunToDraw>& runs, const Drawings& drawing
   }
 }
 
-/// Times or steps of the pictures of each run.
 std::vector<std::vector<double>> times_of(const Drawings& drawings) {
   const auto time_unit = [](const auto& drawing) {
     const auto conversion = scene::conversion(drawing->scene());
@@ -72,8 +71,8 @@ std::vector<std::vector<double>> times_of(const Drawings& drawings) {
   for (const auto& drawing : drawings) {
     const auto conversion = scene::conversion(drawing->scene());
     std::vector<double>& times = result.emplace_back();
-    for (std::size_t number = 0; number < drawing->pictures(); ++number) {
-      const std::uint64_t step = drawing->step(number);
+    for (std::size_t number = 0; number < drawing->picture_count(); ++number) {
+      const std::uint64_t step = drawing->step_of_picture(number);
       times.push_back(in_time ? conversion->time(step) : static_cast<double>(step));
     }
   }
@@ -97,19 +96,21 @@ std::vector<double> moments_of(const std::vector<std::vector<double>>& times) {
 /// to last longer.
 double picture_rate(const RedrawOptions& options, std::size_t moments) {
   const auto most = static_cast<double>(options.frames_per_second);
-  return options.duration ? std::min(most, static_cast<double>(moments) / *options.duration) : most;
+  return options.movie_seconds
+             ? std::min(most, static_cast<double>(moments) / *options.movie_seconds)
+             : most;
 }
 
 /// Leaves the moments that a movie as long as wanted shows.
 void choose_evenly(std::vector<double>& moments, const RedrawOptions& options) {
-  if (!options.duration) {
+  if (!options.movie_seconds) {
     return;
   }
   const auto most = static_cast<std::size_t>(std::max(
-      2.0, std::floor(*options.duration * static_cast<double>(options.frames_per_second))));
+      2.0, std::floor(*options.movie_seconds * static_cast<double>(options.frames_per_second))));
   std::size_t number = 0;
   std::erase_if(moments, [&, count = moments.size()](double /*moment*/) {
-    return !is_among(number++, count, most);
+    return !is_evenly_chosen(number++, count, most);
   });
 }
 
@@ -124,7 +125,10 @@ class SheetTarget {
  public:
   /// `moments`: their number. Throws RedrawError for an ending other than .png, store::StoreError.
   SheetTarget(const Drawings& drawings, const RedrawOptions& options, std::size_t moments)
-      : drawings_(drawings), file_(options.sheet), columns_(options.columns), moments_(moments) {
+      : drawings_(drawings),
+        file_(options.sheet_file),
+        columns_(options.sheet_columns),
+        moments_(moments) {
     if (file_.extension() != ".png") {
       throw RedrawError(fmt::format("{}: a contact sheet ends in .png", file_.string()));
     }
@@ -134,22 +138,23 @@ class SheetTarget {
   /// Whether this moment (numbered from 0) is on the sheet.
   bool shows(std::size_t number) const {
     constexpr std::size_t kMaxRows = 6;
-    return is_among(number, moments_,
-                    kMaxRows * static_cast<std::size_t>(columns_) / drawings_.size());
+    return is_evenly_chosen(number, moments_,
+                            kMaxRows * static_cast<std::size_t>(columns_) / drawings_.size());
   }
   /// The pictures of the runs at the next moment; left out if they look like those before.
   void add(const std::vector<Picture>& pictures) {
     std::vector<render::Tile> tiles;
     for (std::size_t run = 0; run < pictures.size(); ++run) {
       const RunDrawing& drawing = *drawings_[run];
-      const std::string& moment = pictures[run].moment;
+      const std::string& moment = pictures[run].moment_text;
       tiles.push_back(drawing.painter().tile(pictures[run], render::cell_width(columns_)));
       tiles.back().label =
           drawings_.size() > 1 ? fmt::format("{}: {}", drawing.name(), moment) : moment;
     }
     const std::size_t before = tiles_.size() - std::min(tiles_.size(), tiles.size());
     const auto last = std::span(tiles_).subspan(before);
-    if (!std::ranges::equal(last, tiles, {}, &render::Tile::view, &render::Tile::view)) {
+    if (!std::ranges::equal(last, tiles, {}, &render::Tile::view_image,
+                            &render::Tile::view_image)) {
       std::ranges::move(tiles, std::back_inserter(tiles_));
     }
   }
@@ -157,7 +162,7 @@ class SheetTarget {
     const scene::Scene& scene = drawings_.front()->scene();
     const render::Image sheet = render::contact_sheet(
         tiles_, columns_, render::cell_width(columns_), drawings_.size() > 1 ? "" : scene.title);
-    store::write_whole(file_, image::encode_png(sheet, scene_metadata(scene)));
+    store::write_whole_file(file_, image::encode_png(sheet, scene_metadata(scene)));
   }
 
  private:
@@ -173,53 +178,54 @@ class Redraw::Impl {
   Impl(const std::vector<RunToDraw>& runs, const RedrawOptions& options) : options_(options) {
     check_files(options);
     if (runs.size() > 1) {
-      options_.columns = static_cast<int>(runs.size());
+      options_.sheet_columns = static_cast<int>(runs.size());
     }
     if (options.space_time && runs.size() > 1) {
       throw RedrawError(
           fmt::format("{}: a picture over time is of one run", options.space_time->file.string()));
     }
     for (const RunToDraw& run : runs) {
-      folders_.push_back(run.pictures);
+      folders_.push_back(run.picture_folder);
       drawings_.push_back(std::make_unique<RunDrawing>(
           run, options, options.max_bytes / static_cast<double>(runs.size())));
     }
     if (runs.size() > 1) {
       make_comparable(runs, drawings_);
     }
-    const bool only_sheet =
-        !options.sheet.empty() && options.movie.empty() &&
-        std::ranges::none_of(runs, [](const RunToDraw& run) { return run.pictures.has_value(); });
-    const int tile_width = only_sheet ? render::cell_width(options_.columns) : 0;
+    const bool only_sheet = !options.sheet_file.empty() && options.movie_file.empty() &&
+                            std::ranges::none_of(runs, [](const RunToDraw& run) {
+                              return run.picture_folder.has_value();
+                            });
+    const int tile_width = only_sheet ? render::cell_width(options_.sheet_columns) : 0;
     for (const auto& drawing : drawings_) {
-      drawing->prepare(tile_width);
+      drawing->prepare_painter(tile_width);
     }
     times_ = times_of(drawings_);
     moments_ = moments_of(times_);
     choose_evenly(moments_, options_);
     if (options.space_time) {
       RunDrawing& drawing = *drawings_.front();
-      space_time_.emplace(drawing.scene(), drawing.initial(), *options.space_time,
-                          drawing.latest_frames());
+      space_time_.emplace(drawing.scene(), drawing.initial_state(), *options.space_time,
+                          drawing.picture_frames());
     }
   }
 
   std::size_t draw(const RedrawEvents& events) {
     const bool captions = std::ranges::any_of(
         drawings_, [](const auto& drawing) { return drawing->scene().output.frames->caption; });
-    if (events.warning && captions && !render::font_problem().empty()) {
-      events.warning(render::font_problem());
+    if (events.warning && captions && !render::font_warning().empty()) {
+      events.warning(render::font_warning());
     }
     if (events.warning) {
       for (const auto& drawing : drawings_) {
-        if (!drawing->note().empty()) {
-          events.warning(drawing->note());
+        if (!drawing->frame_choice_note().empty()) {
+          events.warning(drawing->frame_choice_note());
         }
       }
     }
-    if (!options_.movie.empty() || !options_.sheet.empty()) {
+    if (!options_.movie_file.empty() || !options_.sheet_file.empty()) {
       for (const auto& drawing : drawings_) {
-        drawing->share_arrow_scale();
+        drawing->unify_arrow_scale();
       }
     }
     open_targets();
@@ -253,14 +259,13 @@ class Redraw::Impl {
   SpaceTimePicture space_time() { return space_time_->picture(); }
 
  private:
-  /// Throws where a file cannot be written.
   void open_targets() {
     captured_.assign(drawings_.size(), std::numeric_limits<std::size_t>::max());
     pictures_.resize(drawings_.size());
-    if (!options_.movie.empty()) {
+    if (!options_.movie_file.empty()) {
       open_movie();
     }
-    if (!options_.sheet.empty()) {
+    if (!options_.sheet_file.empty()) {
       sheet_.emplace(drawings_, options_, moments_.size());
     }
     for (std::size_t run = 0; run < drawings_.size(); ++run) {
@@ -281,9 +286,9 @@ class Redraw::Impl {
       width += drawing->painter().width();
       height = std::max(height, drawing->painter().height());
     }
-    movie_file_.emplace(options_.movie);
-    movie_.emplace(options_.movie, movie_file_->temporary_path(), width, height,
-                   picture_rate(options_, moments_.size()), options_.stop);
+    movie_file_.emplace(options_.movie_file);
+    movie_.emplace(options_.movie_file, movie_file_->temporary_path(), width, height,
+                   picture_rate(options_, moments_.size()), options_.stop_signal);
   }
 
   /// By run, the number of the picture nearest to a moment.
@@ -320,8 +325,8 @@ class Redraw::Impl {
         const Picture& picture = pictures_[run] = painter.rasterize(*frames[run]);
         if (folders_[run]) {
           folders_[run]->write(file_name(run, pictures[run]),
-                               options_.pdf ? painter.pdf(*frames[run])
-                                            : image::encode_png(picture.image, picture.text));
+                               options_.as_pdf ? painter.pdf(*frames[run])
+                                               : image::encode_png(picture.image, picture.text));
         }
       }
       if (movie_) {
@@ -337,8 +342,8 @@ class Redraw::Impl {
 
   std::string file_name(std::size_t run, std::size_t picture) const {
     const scene::Scene& scene = drawings_[run]->scene();
-    return store::frame_name(scene.name, drawings_[run]->step(picture), scene::step_digits(scene),
-                             options_.pdf ? ".pdf" : ".png");
+    return store::frame_name(scene.name, drawings_[run]->step_of_picture(picture),
+                             scene::step_digits(scene), options_.as_pdf ? ".pdf" : ".png");
   }
 
   /// Adds the pictures before this one to the space-time picture, also those that no movie shows.
@@ -348,14 +353,16 @@ class Redraw::Impl {
     }
   }
 
-  bool stop_asked() const { return options_.stop != nullptr && options_.stop->load() != 0; }
+  bool stop_asked() const {
+    return options_.stop_signal != nullptr && options_.stop_signal->load() != 0;
+  }
 
   RedrawOptions options_;
   std::vector<std::optional<store::OutputFolder>> folders_;  // by run
   Drawings drawings_;
   std::vector<std::vector<double>> times_;  // by run, of its pictures
   std::vector<double> moments_;
-  std::optional<SpaceTime> space_time_;
+  std::optional<SpaceTimePainter> space_time_;
   std::size_t frames_added_ = 0;                 // to space_time_
   std::vector<std::size_t> captured_;            // by run, number of the last picture captured
   std::vector<Picture> pictures_;                // by run, the last one drawn
@@ -374,11 +381,11 @@ std::size_t Redraw::draw(const RedrawEvents& events) {
   return impl_->draw(events);
 }
 
-std::size_t Redraw::moments() const {
+std::size_t Redraw::moment_count() const {
   return impl_->moments();
 }
 
-SpaceTimePicture Redraw::space_time() {
+SpaceTimePicture Redraw::space_time_picture() {
   return impl_->space_time();
 }
 

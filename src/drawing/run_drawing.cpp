@@ -26,15 +26,15 @@ constexpr const char* kDisplacement = "displacement";
 constexpr const char* kCell = "cell";
 
 /// The scene, if the run can be drawn.
-const scene::Scene& drawable(const RunToDraw& run) {
+const scene::Scene& checked_scene(const RunToDraw& run) {
   const scene::Scene& scene = run.scene;
   std::error_code unknown;
   const auto& trajectory = scene.output.trajectory;
-  if (!trajectory && !fs::exists(run.folder / "trajectory", unknown) && !unknown) {
+  if (!trajectory && !fs::exists(run.run_folder / "trajectory", unknown) && !unknown) {
     throw RedrawError(fmt::format(
         "{}: the run has left no trajectory; run the scene again with output.trajectory in it, as "
         "by --set output.trajectory.every=10",
-        run.folder.string()));
+        run.run_folder.string()));
   }
   if (scene.output.frames->overlay == scene::Overlay::arrows) {
     throw RedrawError(fmt::format(
@@ -53,11 +53,10 @@ const scene::Scene& drawable(const RunToDraw& run) {
   return scene;
 }
 
-/// The frame nearest to a range of steps.
 std::size_t nearest_frame(const std::vector<Frame>& frames, const RedrawOptions& options) {
   const auto distance = [&](const Frame& frame) {
-    return frame.step < options.from ? options.from - frame.step
-                                     : frame.step - std::min(frame.step, options.to);
+    return frame.step < options.first_step ? options.first_step - frame.step
+                                           : frame.step - std::min(frame.step, options.last_step);
   };
   return static_cast<std::size_t>(std::ranges::min_element(frames, {}, distance) - frames.begin());
 }
@@ -68,13 +67,13 @@ void keep_stage(std::vector<std::size_t>& pictures, const RunToDraw& run, const 
   const std::vector<std::string_view> names = text::names_of(run.scene.stages);
   const auto number = static_cast<std::size_t>(std::ranges::find(names, stage) - names.begin());
   if (number == names.size()) {
-    throw RedrawError(fmt::format("{}: no stage {}{}", run.folder.string(), text::shown(stage),
+    throw RedrawError(fmt::format("{}: no stage {}{}", run.run_folder.string(), text::shown(stage),
                                   text::suggestion(stage, names)));
   }
   const auto first = std::ranges::find(frames, number, &Frame::stage);
   if (first == frames.end()) {
     throw RedrawError(fmt::format("{}: the trajectory ends before the stage {}",
-                                  run.folder.string(), text::shown(stage)));
+                                  run.run_folder.string(), text::shown(stage)));
   }
   std::erase_if(pictures, [&](std::size_t i) { return frames[i].stage != number; });
   const auto begin = static_cast<std::size_t>(first - frames.begin());
@@ -84,32 +83,32 @@ void keep_stage(std::vector<std::size_t>& pictures, const RunToDraw& run, const 
 }
 
 /// The pictures of the run that the options select, or the nearest frame.
-std::vector<std::size_t> chosen(const RunToDraw& run, const RedrawOptions& options,
-                                const std::vector<Frame>& frames,
-                                const std::vector<std::size_t>& run_pictures) {
+std::vector<std::size_t> chosen_pictures(const RunToDraw& run, const RedrawOptions& options,
+                                         const std::vector<Frame>& frames,
+                                         const std::vector<std::size_t>& run_pictures) {
   if (frames.empty()) {
-    throw RedrawError(fmt::format("{}: the trajectory is empty so far", run.folder.string()));
+    throw RedrawError(fmt::format("{}: the trajectory is empty so far", run.run_folder.string()));
   }
-  if (options.from > options.to) {
+  if (options.first_step > options.last_step) {
     throw RedrawError(fmt::format("{}: expected a first step up to the last one, found {} and {}",
-                                  run.folder.string(), options.from, options.to));
+                                  run.run_folder.string(), options.first_step, options.last_step));
   }
   std::vector<std::size_t> result = run_pictures;
-  if (options.stage) {
-    keep_stage(result, run, *options.stage, frames);
+  if (options.only_stage) {
+    keep_stage(result, run, *options.only_stage, frames);
   }
   std::erase_if(result, [&](std::size_t i) {
-    return frames[i].step < options.from || frames[i].step > options.to;
+    return frames[i].step < options.first_step || frames[i].step > options.last_step;
   });
-  const bool has_no_end = options.to == RedrawOptions().to;
-  if (options.from > frames.back().step && has_no_end) {
+  const bool has_no_end = options.last_step == RedrawOptions().last_step;
+  if (options.first_step > frames.back().step && has_no_end) {
     throw RedrawError(
         fmt::format("{}: no picture in that range; the trajectory goes from step {} to {}",
-                    run.folder.string(), frames.front().step, frames.back().step));
+                    run.run_folder.string(), frames.front().step, frames.back().step));
   }
-  if (result.empty() && options.stage) {
-    throw RedrawError(fmt::format("{}: stage {} has no picture in that range", run.folder.string(),
-                                  text::shown(*options.stage)));
+  if (result.empty() && options.only_stage) {
+    throw RedrawError(fmt::format("{}: stage {} has no picture in that range",
+                                  run.run_folder.string(), text::shown(*options.only_stage)));
   }
   if (result.empty()) {
     result.push_back(nearest_frame(frames, options));
@@ -117,7 +116,6 @@ std::vector<std::size_t> chosen(const RunToDraw& run, const RedrawOptions& optio
   return result;
 }
 
-/// The vessel at the start of each stage, as follows from the scene.
 std::vector<contact::Vessel> vessels(const scene::Scene& scene, const std::vector<Frame>& frames) {
   std::vector<contact::Vessel> result;
   std::uint64_t start = 0;
@@ -138,7 +136,6 @@ std::vector<contact::Vessel> vessels(const scene::Scene& scene, const std::vecto
   return result;
 }
 
-/// The text of the scene without the keys that only affect pictures.
 std::string text_without_pictures(scene::Scene scene) {
   scene.title.clear();
   scene.output.frames.reset();
@@ -151,7 +148,8 @@ std::string text_without_pictures(scene::Scene scene) {
 
 }  // namespace
 
-scene::Scene drawn_scene(const fs::path& folder, const std::vector<scene::Override>& overrides) {
+scene::Scene scene_for_drawing(const fs::path& folder,
+                               const std::vector<scene::Override>& overrides) {
   const store::RunSummary summary = store::read_summary(folder / store::kSummaryFile);
   if (summary.kind == "boltzmann") {
     throw RedrawError(fmt::format(
@@ -174,30 +172,30 @@ scene::Scene drawn_scene(const fs::path& folder, const std::vector<scene::Overri
   return scene;
 }
 
-image::Image picture(RunToDraw run, std::uint64_t step, double max_bytes) {
+image::Image picture_of_step(RunToDraw run, std::uint64_t step, double max_bytes) {
   run.scene.output.frames->every = 1;  // each frame of the trajectory has one
-  RunDrawing drawing(run, {.from = step, .to = step}, max_bytes);
-  if (drawing.step(0) != step) {
+  RunDrawing drawing(run, {.first_step = step, .last_step = step}, max_bytes);
+  if (drawing.step_of_picture(0) != step) {
     throw RedrawError(fmt::format("{}: no frame of step {} in the trajectory; the nearest is of {}",
-                                  run.folder.string(), step, drawing.step(0)));
+                                  run.run_folder.string(), step, drawing.step_of_picture(0)));
   }
-  drawing.prepare();
+  drawing.prepare_painter();
   return drawing.painter().rasterize(drawing.capture(0)).image;
 }
 
 RunDrawing::RunDrawing(const RunToDraw& run, const RedrawOptions& options, double max_bytes)
-    : name_(fs::absolute(run.folder / "").lexically_normal().parent_path().filename().string()),
-      scene_(drawable(run)),
+    : name_(fs::absolute(run.run_folder / "").lexically_normal().parent_path().filename().string()),
+      scene_(checked_scene(run)),
       initial_(model::initial_state(scene_)),
-      trajectory_(run.folder, scene_, initial_, max_bytes),
-      run_pictures_(frame_choice(trajectory_.frames(), scene_.output.frames->every)),
-      chosen_(chosen(run, options, trajectory_.frames(), run_pictures_)),
+      trajectory_(run.run_folder, scene_, initial_, max_bytes),
+      run_pictures_(chosen_frames(trajectory_.frames(), scene_.output.frames->every)),
+      chosen_(chosen_pictures(run, options, trajectory_.frames(), run_pictures_)),
       vessels_(vessels(scene_, trajectory_.frames())),
-      pdf_(options.pdf) {
-  const std::uint64_t first = step(0);
-  if (first < options.from || first > options.to) {
+      pdf_(options.as_pdf) {
+  const std::uint64_t first = step_of_picture(0);
+  if (first < options.first_step || first > options.last_step) {
     note_ = fmt::format("{}: no picture of the steps {} to {}; step {} of the trajectory is drawn",
-                        run.folder.string(), options.from, options.to, first);
+                        run.run_folder.string(), options.first_step, options.last_step, first);
   }
 }
 
@@ -218,8 +216,8 @@ RunDrawing::ScaleEnds RunDrawing::scale_ends() const {
   }
   const OverlayScales scales = overlay_scales(scene_);
   ends[scales.unit_of(scene::kContactForceUnit)] = scales.strongest_force;
-  ends[scales.velocity_unit.several] = scales.highest_velocity;
-  ends[kCell] = scales.velocity_cell;
+  ends[scales.velocity_unit.plural] = scales.middle_speed;
+  ends[kCell] = scales.velocity_cell_size;
   return ends;
 }
 
@@ -230,18 +228,18 @@ void RunDrawing::set_scale_ends(const ScaleEnds& ends) {
   }
   const OverlayScales scales = overlay_scales(scene_);
   frames.force_scale = ends.at(scales.unit_of(scene::kContactForceUnit));
-  frames.velocity_scale = ends.at(scales.velocity_unit.several);
+  frames.velocity_scale = ends.at(scales.velocity_unit.plural);
   frames.velocity_cell = ends.at(kCell);
 }
 
-void RunDrawing::share_arrow_scale() {
+void RunDrawing::unify_arrow_scale() {
   if (scene_.output.frames->overlay != scene::Overlay::velocity) {
     return;
   }
   OverlayScales& scales = painter_->scales();
   double highest = 0;
-  for (std::size_t number = 0; number < pictures(); ++number) {
-    look_at(number, chosen_[number], [&](const PictureContent& content) {
+  for (std::size_t number = 0; number < picture_count(); ++number) {
+    visit_content(number, chosen_[number], [&](const PictureContent& content) {
       highest = std::max(highest, typical_velocity(content, history_, scales));
     });
   }
@@ -250,30 +248,32 @@ void RunDrawing::share_arrow_scale() {
 
 CapturedFrame RunDrawing::capture(std::size_t number) {
   std::optional<CapturedFrame> frame;
-  look_at(number, chosen_[number],
-          [&](const PictureContent& content) { frame = painter_->capture(content, history_); });
+  visit_content(number, chosen_[number], [&](const PictureContent& content) {
+    frame = painter_->capture(content, history_);
+  });
   return *std::move(frame);
 }
 
-std::vector<Frame> RunDrawing::latest_frames() const {
+std::vector<Frame> RunDrawing::picture_frames() const {
   std::vector<Frame> result;
   for (const std::size_t frame : chosen_) {
-    result.push_back(trajectory_.frames()[latest(frame)]);
+    result.push_back(trajectory_.frames()[last_frame_of_step(frame)]);
   }
   return result;
 }
 
-void RunDrawing::add_frame_to(SpaceTime& space_time, std::size_t number) {
-  look_at(number, latest(chosen_[number]),
-          [&](const PictureContent& content) { space_time.add(content, history_, number); });
+void RunDrawing::add_frame_to(SpaceTimePainter& space_time, std::size_t number) {
+  visit_content(number, last_frame_of_step(chosen_[number]), [&](const PictureContent& content) {
+    space_time.add_frame(content, history_, number);
+  });
 }
 
-std::uint64_t RunDrawing::step(std::size_t number) const {
+std::uint64_t RunDrawing::step_of_picture(std::size_t number) const {
   return trajectory_.frames()[chosen_[number]].step;
 }
 
 template <class Show>
-void RunDrawing::look_at(std::size_t number, std::size_t frame, Show show) {
+void RunDrawing::visit_content(std::size_t number, std::size_t frame, Show show) {
   begin_stage(trajectory_.frames()[chosen_[number]].stage);
   begin_window(chosen_[number]);
   begin_stage(trajectory_.frames()[frame].stage);
@@ -296,7 +296,7 @@ void RunDrawing::look_at(std::size_t number, std::size_t frame, Show show) {
   show({.state = state,
         .occupancy = occupancy,
         .contact = std::move(contact),
-        .angle = angle_after(vessels_[*stage_], state.step - stage_start_)});
+        .vessel_angle = angle_after(vessels_[*stage_], state.step - stage_start_)});
 }
 
 std::size_t RunDrawing::first_frame(std::size_t stage) const {
@@ -304,7 +304,7 @@ std::size_t RunDrawing::first_frame(std::size_t stage) const {
   return static_cast<std::size_t>(std::ranges::find(frames, stage, &Frame::stage) - frames.begin());
 }
 
-std::size_t RunDrawing::latest(std::size_t frame) const {
+std::size_t RunDrawing::last_frame_of_step(std::size_t frame) const {
   const std::vector<Frame>& frames = trajectory_.frames();
   while (frame + 1 < frames.size() && frames[frame + 1].step == frames[frame].step) {
     ++frame;
@@ -334,8 +334,8 @@ void RunDrawing::begin_window(std::size_t frame) {
   drawing::begin_window(history_, scene_, trajectory_.state(before));
 }
 
-std::vector<std::size_t> frame_choice(const std::vector<store::Trajectory::Frame>& frames,
-                                      std::uint64_t every) {
+std::vector<std::size_t> chosen_frames(const std::vector<store::Trajectory::Frame>& frames,
+                                       std::uint64_t every) {
   std::vector<std::size_t> chosen;
   for (std::size_t i = 0; i < frames.size(); ++i) {
     const store::Trajectory::Frame& frame = frames[i];
@@ -349,7 +349,7 @@ std::vector<std::size_t> frame_choice(const std::vector<store::Trajectory::Frame
   return chosen;
 }
 
-bool is_among(std::size_t number, std::size_t count, std::size_t most) {
+bool is_evenly_chosen(std::size_t number, std::size_t count, std::size_t most) {
   if (count <= most) {
     return true;
   }

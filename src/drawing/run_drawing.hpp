@@ -21,52 +21,48 @@ class RunDrawing {
   /// store::StoreError.
   RunDrawing(const RunToDraw& run, const RedrawOptions& options, double max_bytes);
 
-  /// Ends of the scales of its pictures, by what they show and its unit.
+  /// Upper ends of the scales of its pictures, by quantity and unit.
   using ScaleEnds = std::map<std::string, double>;
   ScaleEnds scale_ends() const;
-  /// `ends`: has at least the names of scale_ends().
-  void set_scale_ends(const ScaleEnds& ends);
-  /// Of the folder, such as `gate-15`.
+  void set_scale_ends(const ScaleEnds& ends);  ///< `ends`: has at least the names of scale_ends()
+  /// Name of the folder, such as `gate-15`.
   const std::string& name() const { return name_; }
   /// Shown above the pictures.
   void set_title(const std::string& title) { scene_.title = title; }
 
   /// Call before capture(). `tile_width`: see PictureUse. Throws scene::SceneError if the driver
   /// cannot draw the pictures.
-  void prepare(int tile_width = 0) {
-    painter_.emplace(scene_, initial_, PictureUse{.vector = pdf_, .tile_width = tile_width});
+  void prepare_painter(int tile_width = 0) {
+    painter_.emplace(scene_, initial_, PictureUse{.for_pdf = pdf_, .tile_width = tile_width});
   }
   /// Gives the arrows of all pictures one scale, where the scene has none for them: that of the
   /// fastest picture.
-  void share_arrow_scale();
-  /// `number`: of the picture.
-  CapturedFrame capture(std::size_t number);
+  void unify_arrow_scale();
+  CapturedFrame capture(std::size_t number);  ///< captures the picture of this number
 
-  /// The frames of the pictures; where a stage ends with one, that at the beginning of the next.
-  std::vector<store::Trajectory::Frame> latest_frames() const;
-  /// Adds the frame of latest_frames() for a picture.
-  void add_frame_to(SpaceTime& space_time, std::size_t number);
+  /// The frame of each picture; at the end of a stage, the first frame of the next stage.
+  std::vector<store::Trajectory::Frame> picture_frames() const;
+  /// Adds the frame of picture_frames() for a picture.
+  void add_frame_to(SpaceTimePainter& space_time, std::size_t number);
 
-  /// What the user should know of the choice of the frames; empty if nothing.
-  const std::string& note() const { return note_; }
+  /// A note for the user on the choice of the frames; may be empty.
+  const std::string& frame_choice_note() const { return note_; }
   const scene::Scene& scene() const { return scene_; }
-  /// The state before the first stage.
-  const grains::State& initial() const { return initial_; }
+  const grains::State& initial_state() const { return initial_; }
   FramePainter& painter() { return *painter_; }
   const FramePainter& painter() const { return *painter_; }
-  std::size_t pictures() const { return chosen_.size(); }
-  std::uint64_t step(std::size_t number) const;
+  std::size_t picture_count() const { return chosen_.size(); }
+  std::uint64_t step_of_picture(std::size_t number) const;
 
  private:
   std::size_t first_frame(std::size_t stage) const;
-  /// The last frame of the step of `frame`.
-  std::size_t latest(std::size_t frame) const;
+  std::size_t last_frame_of_step(std::size_t frame) const;
   void begin_stage(std::size_t stage);
   /// Begins the window of velocities with the picture before, drawn or not, as the run does.
   void begin_window(std::size_t frame);
   /// Calls `show` with the content of a picture, taken from a frame.
   template <class Show>
-  void look_at(std::size_t number, std::size_t frame, Show show);
+  void visit_content(std::size_t number, std::size_t frame, Show show);
 
   std::string name_;
   scene::Scene scene_;
@@ -87,11 +83,11 @@ class RunDrawing {
 /// Selected indices into `frames`, ascending. Each stage begins and ends with a picture, the others
 /// are at least `every` steps apart. A step shared by two stages is drawn once, as the end of the
 /// first.
-std::vector<std::size_t> frame_choice(const std::vector<store::Trajectory::Frame>& frames,
-                                      std::uint64_t every);
+std::vector<std::size_t> chosen_frames(const std::vector<store::Trajectory::Frame>& frames,
+                                       std::uint64_t every);
 
 /// Whether item `number` of `count` is among at most `most` (two or more) evenly spaced ones,
 /// including first and last.
-bool is_among(std::size_t number, std::size_t count, std::size_t most);
+bool is_evenly_chosen(std::size_t number, std::size_t count, std::size_t most);
 
 }  // namespace clca::drawing

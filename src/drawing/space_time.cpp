@@ -26,7 +26,7 @@ constexpr double kBare = 0.5;  // share of the time with grains below which ther
 /// turned.
 lattice::Rectangle shown_part(const scene::Scene& scene) {
   const lattice::Lattice lattice = scene::lattice_of(scene.box);
-  const lattice::Rectangle view = view_of(*scene.output.frames, lattice);
+  const lattice::Rectangle view = view_rectangle(*scene.output.frames, lattice);
   if (scene.output.frames->upright) {
     return view;
   }
@@ -36,7 +36,6 @@ lattice::Rectangle shown_part(const scene::Scene& scene) {
           std::min(view.right, high.x()), std::min(view.top, high.y())};
 }
 
-/// Throws RedrawError.
 [[noreturn]] void refuse(const SpaceTimeOptions& options, const std::string& message) {
   throw RedrawError(fmt::format("{}: {}", options.file.string(), message));
 }
@@ -46,17 +45,17 @@ void check_column(const scene::Scene& scene, const SpaceTimeOptions& options,
   const scene::Frames& pictures = *scene.output.frames;
   const lattice::Rectangle part = shown_part(scene);
   const double width = part.right - part.left;
-  if (!(options.slit > 0 && options.slit <= width)) {
+  if (!(options.slit_width > 0 && options.slit_width <= width)) {
     refuse(options, fmt::format("expected a slit above 0 and up to {:g} spacings, the width of the "
                                 "box in view, found {:g}",
-                                width, options.slit));
+                                width, options.slit_width));
   }
   // Half a column of sites may be cut off.
-  const double reach = std::max(0.0, (options.slit - SpaceTimeOptions().slit) / 2);
-  if (!(*options.column - reach >= part.left && *options.column + reach <= part.right)) {
+  const double reach = std::max(0.0, (options.slit_width - SpaceTimeOptions().slit_width) / 2);
+  if (!(*options.column_x - reach >= part.left && *options.column_x + reach <= part.right)) {
     refuse(options,
            fmt::format("the column at x = {:g} reaches beyond the box in view, x = {:g} to {:g}",
-                       *options.column, part.left, part.right));
+                       *options.column_x, part.left, part.right));
   }
   if (pictures.color_by == scene::ColorBy::displacement && !pictures.range &&
       frames.front().stage != frames.back().stage) {
@@ -66,7 +65,6 @@ void check_column(const scene::Scene& scene, const SpaceTimeOptions& options,
   }
 }
 
-/// The options, if there is such a picture.
 const SpaceTimeOptions& checked(const scene::Scene& scene, const SpaceTimeOptions& options,
                                 const std::vector<store::Trajectory::Frame>& frames) {
   if (options.file.extension() != ".png") {
@@ -75,7 +73,7 @@ const SpaceTimeOptions& checked(const scene::Scene& scene, const SpaceTimeOption
   if (frames.front().step == frames.back().step) {
     refuse(options, "a picture over time needs frames of two steps in that range");
   }
-  if (options.column) {
+  if (options.column_x) {
     check_column(scene, options, frames);
   }
   return options;
@@ -88,7 +86,7 @@ std::pair<std::string, double> unit_for(const scene::Scene& scene, double length
   }
   const double spacing = scene.units->spacing;
   const render::LengthUnit unit = render::length_unit(spacing * length);
-  return {unit.name, unit.in_metre * spacing};
+  return {unit.name, unit.per_metre * spacing};
 }
 
 /// An axis as _space_time.py reads it: its label, with the unit, and its ends.
@@ -106,14 +104,14 @@ nlohmann::json time_axis(const scene::Scene& scene, std::uint64_t from, std::uin
 
 nlohmann::json position_axis(const scene::Scene& scene, const SpaceTimeOptions& options,
                              const lattice::Rectangle& part) {
-  if (!options.column) {
+  if (!options.column_x) {
     const auto [unit, spacing] = unit_for(scene, part.right - part.left);
     return axis(fmt::format("x ({})", unit), spacing * part.left, spacing * part.right);
   }
   const auto [unit, spacing] = unit_for(scene, part.top - part.bottom);
-  const double x = spacing * *options.column;
-  const double half = spacing * options.slit / 2;
-  const std::string where = options.slit > SpaceTimeOptions().slit
+  const double x = spacing * *options.column_x;
+  const double half = spacing * options.slit_width / 2;
+  const std::string where = options.slit_width > SpaceTimeOptions().slit_width
                                 ? fmt::format("x = {:g} to {:g}", x - half, x + half)
                                 : fmt::format("x = {:g}", x);
   return axis(fmt::format("height at {} ({})", where, unit), spacing * part.bottom,
@@ -122,17 +120,17 @@ nlohmann::json position_axis(const scene::Scene& scene, const SpaceTimeOptions& 
 
 /// The scene with pictures of the particles alone: of the slit or, where they may be turned, of the
 /// whole view.
-scene::Scene pictured(scene::Scene scene, const SpaceTimeOptions& options,
-                      const lattice::Rectangle& part) {
+scene::Scene scene_of_slit(scene::Scene scene, const SpaceTimeOptions& options,
+                           const lattice::Rectangle& part) {
   scene::Frames& frames = *scene.output.frames;
   frames.caption = false;
   frames.overlay = scene::Overlay::none;
   frames.height = frames.height.value_or(kUsualHeight);
   frames.width.reset();
   frames.view = part;
-  if (options.column && !frames.upright) {
-    frames.view->left = std::max(part.left, *options.column - options.slit / 2);
-    frames.view->right = std::min(part.right, *options.column + options.slit / 2);
+  if (options.column_x && !frames.upright) {
+    frames.view->left = std::max(part.left, *options.column_x - options.slit_width / 2);
+    frames.view->right = std::min(part.right, *options.column_x + options.slit_width / 2);
     const double scale = *frames.height / (part.top - part.bottom);
     frames.width = static_cast<int>(std::ceil(scale * (frames.view->right - frames.view->left)));
   }
@@ -151,7 +149,7 @@ std::pair<int, int> columns_in(const scene::Scene& scene, const lattice::Rectang
 int rows_of(const scene::Scene& scene, const SpaceTimeOptions& options,
             const lattice::Rectangle& part, int pixels) {
   const auto [first, last] = columns_in(scene, part);
-  return options.column ? pixels : last - first + 1;
+  return options.column_x ? pixels : last - first + 1;
 }
 
 std::uint8_t channel(double value) {
@@ -160,12 +158,12 @@ std::uint8_t channel(double value) {
 
 }  // namespace
 
-TimeMeans::TimeMeans(int columns, int rows, int values, double begin, double end)
-    : rows_(rows),
+TimeMeans::TimeMeans(int width, int height, int values, double begin, double end)
+    : rows_(height),
       begin_(begin),
-      columns_per_time_(columns / (end - begin)),
-      sums_(Eigen::ArrayXXd::Zero(values, Eigen::Index{columns} * rows)),
-      weights_(Eigen::ArrayXd::Zero(columns)) {}
+      columns_per_time_(width / (end - begin)),
+      sums_(Eigen::ArrayXXd::Zero(values, Eigen::Index{width} * height)),
+      weights_(Eigen::ArrayXd::Zero(width)) {}
 
 void TimeMeans::add(double from, double to, const Eigen::ArrayXXd& line) {
   const auto columns = static_cast<double>(weights_.size());
@@ -184,38 +182,42 @@ Eigen::ArrayXd TimeMeans::mean(int column, int row) const {
   return sums_.col(column * rows_ + row) / weights_[column];
 }
 
-SpaceTime::SpaceTime(const scene::Scene& scene, const grains::State& initial,
-                     const SpaceTimeOptions& options, std::vector<store::Trajectory::Frame> frames)
+SpaceTimePainter::SpaceTimePainter(const scene::Scene& scene, const grains::State& initial,
+                                   const SpaceTimeOptions& options,
+                                   std::vector<store::Trajectory::Frame> frames)
     : options_(checked(scene, options, frames)),
       frames_(std::move(frames)),
       shown_part_(shown_part(scene)),
       annotations_(scene.output.frames->caption),
-      scene_(pictured(scene, options_, shown_part_)),
+      scene_(scene_of_slit(scene, options_, shown_part_)),
       painter_(scene_, initial, {}),
       means_(scene.output.frames->width.value_or(kUsualWidth),
-             rows_of(scene, options_, shown_part_, painter_.height()), options_.column ? 3 : 2,
+             rows_of(scene, options_, shown_part_, painter_.height()), options_.column_x ? 3 : 2,
              static_cast<double>(frames_.front().step), static_cast<double>(frames_.back().step)) {}
 
-void SpaceTime::add(const PictureContent& content, const PictureHistory& history,
-                    std::size_t number) {
+void SpaceTimePainter::add_frame(const PictureContent& content, const PictureHistory& history,
+                                 std::size_t number) {
   const std::uint64_t next = frames_[std::min(number + 1, frames_.size() - 1)].step;
   means_.add(static_cast<double>(frames_[number].step), static_cast<double>(next),
-             options_.column ? column(content, history) : surface(content.state));
+             options_.column_x ? slit_colors(content, history) : surface_heights(content.state));
 }
 
-Eigen::ArrayXXd SpaceTime::column(const PictureContent& content, const PictureHistory& history) {
+Eigen::ArrayXXd SpaceTimePainter::slit_colors(const PictureContent& content,
+                                              const PictureHistory& history) {
   const Picture picture = painter_.rasterize(painter_.capture(content, history));
   legend_ = legend_ ? render::common_legend(*legend_, picture.legend) : picture.legend;
   const lattice::Rectangle& seen = *scene_.output.frames->view;
-  const image::PixelBox& box = painter_.view();
+  const image::PixelBox& box = painter_.view_box();
   const auto pixel = [&](double x) {
     return static_cast<int>(std::lround((x - seen.left) / (seen.right - seen.left) * box.width));
   };
-  const int left = std::clamp(pixel(*options_.column - options_.slit / 2), 0, box.width - 1);
-  const int right = std::clamp(pixel(*options_.column + options_.slit / 2), left + 1, box.width);
-  Eigen::ArrayXXd mean = Eigen::ArrayXXd::Zero(3, means_.rows());
-  for (int row = 0; row < means_.rows(); ++row) {
-    const int y = box.y + box.height - 1 - row * box.height / means_.rows();
+  const int left =
+      std::clamp(pixel(*options_.column_x - options_.slit_width / 2), 0, box.width - 1);
+  const int right =
+      std::clamp(pixel(*options_.column_x + options_.slit_width / 2), left + 1, box.width);
+  Eigen::ArrayXXd mean = Eigen::ArrayXXd::Zero(3, means_.height());
+  for (int row = 0; row < means_.height(); ++row) {
+    const int y = box.y + box.height - 1 - row * box.height / means_.height();
     for (int x = left; x < right; ++x) {
       const render::Rgb color = picture.image.at(box.x + x, y);
       mean.col(row) += Eigen::Array3d(color.red, color.green, color.blue);
@@ -224,11 +226,11 @@ Eigen::ArrayXXd SpaceTime::column(const PictureContent& content, const PictureHi
   return mean / (right - left);
 }
 
-Eigen::ArrayXXd SpaceTime::surface(const grains::State& state) const {
+Eigen::ArrayXXd SpaceTimePainter::surface_heights(const grains::State& state) const {
   const std::vector<double> profile = measure::surface_profile(state);
   const auto first = static_cast<std::size_t>(columns_in(scene_, shown_part_).first);
-  Eigen::ArrayXXd result(2, means_.rows());
-  for (int row = 0; row < means_.rows(); ++row) {
+  Eigen::ArrayXXd result(2, means_.height());
+  for (int row = 0; row < means_.height(); ++row) {
     const double height = profile[first + static_cast<std::size_t>(row)];
     result.col(row) << height, height > 0 ? 1 : 0;
   }
@@ -236,8 +238,8 @@ Eigen::ArrayXXd SpaceTime::surface(const grains::State& state) const {
 }
 
 template <class ColorOf>
-image::Image SpaceTime::image_of_means(ColorOf color_of) const {
-  image::Image image(means_.columns(), means_.rows(), kWhite);
+image::Image SpaceTimePainter::image_of_means(ColorOf color_of) const {
+  image::Image image(means_.width(), means_.height(), kWhite);
   for (int x = 0; x < image.width; ++x) {
     for (int row = 0; means_.is_known(x) && row < image.height; ++row) {
       image.at(x, image.height - 1 - row) = color_of(means_.mean(x, row));
@@ -246,11 +248,11 @@ image::Image SpaceTime::image_of_means(ColorOf color_of) const {
   return image;
 }
 
-image::Image SpaceTime::surface_image(render::Legend& legend) const {
+image::Image SpaceTimePainter::surface_image(render::Legend& legend) const {
   double highest = 0;
   bool bare = false;
-  for (int x = 0; x < means_.columns(); ++x) {
-    for (int row = 0; means_.is_known(x) && row < means_.rows(); ++row) {
+  for (int x = 0; x < means_.width(); ++x) {
+    for (int row = 0; means_.is_known(x) && row < means_.height(); ++row) {
       const Eigen::ArrayXd mean = means_.mean(x, row);
       if (mean[1] < kBare) {
         bare = true;
@@ -266,20 +268,20 @@ image::Image SpaceTime::surface_image(render::Legend& legend) const {
     legend.patches = {{.label = "no grains", .color = kWhite}};
   }
   return image_of_means([&](const Eigen::ArrayXd& mean) {
-    return mean[1] < kBare ? kWhite : render::map_color(mean[0] / mean[1] / highest);
+    return mean[1] < kBare ? kWhite : render::viridis_color(mean[0] / mean[1] / highest);
   });
 }
 
-SpaceTimePicture SpaceTime::picture() {
+SpaceTimePicture SpaceTimePainter::picture() {
   SpaceTimePicture picture;
   render::Legend legend;
-  if (options_.column) {
+  if (options_.column_x) {
     legend = legend_.value_or(render::Legend());
-    picture.content = image_of_means([](const Eigen::ArrayXd& mean) {
+    picture.plot_image = image_of_means([](const Eigen::ArrayXd& mean) {
       return render::Rgb{channel(mean[0]), channel(mean[1]), channel(mean[2])};
     });
   } else {
-    picture.content = surface_image(legend);
+    picture.plot_image = surface_image(legend);
   }
   const std::uint64_t begin = frames_.front().step;
   nlohmann::json stages;
@@ -290,8 +292,8 @@ SpaceTimePicture SpaceTime::picture() {
     }
   }
   const scene::Frames& frames = *scene_.output.frames;
-  picture.figure =
-      nlohmann::json({{"width", means_.columns()},
+  picture.figure_json =
+      nlohmann::json({{"width", means_.width()},
                       {"height", *frames.height},
                       {"annotations", annotations_},
                       {"title", frames.style == scene::PictureStyle::screen ? scene_.title : ""},

@@ -14,15 +14,15 @@ namespace clca::drawing {
 /// Values of a line over time, as means in the pixels of a picture.
 class TimeMeans {
  public:
-  /// `columns` pixels for the time from `begin` to `end`; `rows` positions with `values` each.
-  TimeMeans(int columns, int rows, int values, double begin, double end);
+  /// `width` pixels for the time from `begin` to `end`; `height` positions with `values` each.
+  TimeMeans(int width, int height, int values, double begin, double end);
 
   /// `line` (values x rows, the lowest position first) holds from `from` to `to`; of that the part
   /// between `begin` and `end` counts.
   void add(double from, double to, const Eigen::ArrayXXd& line);
 
-  int columns() const { return static_cast<int>(weights_.size()); }
-  int rows() const { return static_cast<int>(rows_); }
+  int width() const { return static_cast<int>(weights_.size()); }
+  int height() const { return static_cast<int>(rows_); }
   /// Whether any line holds at some time in the pixel column.
   bool is_known(int column) const { return weights_[column] > 0; }
   /// Mean over the time of a pixel column (from the left) at a position (from below).
@@ -36,24 +36,22 @@ class TimeMeans {
   Eigen::ArrayXd weights_;  // by column
 };
 
-/// Makes a space-time picture from frames of a run.
-class SpaceTime {
+class SpaceTimePainter {
  public:
   /// `initial`: before the first stage. `frames`: those to show, in their order; each holds until
   /// the next. Throws RedrawError.
-  SpaceTime(const scene::Scene& scene, const grains::State& initial,
-            const SpaceTimeOptions& options, std::vector<store::Trajectory::Frame> frames);
+  SpaceTimePainter(const scene::Scene& scene, const grains::State& initial,
+                   const SpaceTimeOptions& options, std::vector<store::Trajectory::Frame> frames);
 
-  /// `content`: of the frame `number`.
-  void add(const PictureContent& content, const PictureHistory& history, std::size_t number);
-  /// Of the frames so far.
+  /// Adds the frame `number`, which has this content.
+  void add_frame(const PictureContent& content, const PictureHistory& history, std::size_t number);
   SpaceTimePicture picture();
 
  private:
   /// Means over the width of the slit in the picture of a frame: red, green, blue.
-  Eigen::ArrayXXd column(const PictureContent& content, const PictureHistory& history);
+  Eigen::ArrayXXd slit_colors(const PictureContent& content, const PictureHistory& history);
   /// By column of the lattice: height in lattice spacings, and whether there are grains.
-  Eigen::ArrayXXd surface(const grains::State& state) const;
+  Eigen::ArrayXXd surface_heights(const grains::State& state) const;
   /// `color_of(mean)`: the colour of a TimeMeans::mean().
   template <class ColorOf>
   image::Image image_of_means(ColorOf color_of) const;

@@ -20,16 +20,16 @@ LoadedScene::LoadedScene(const std::string& source, const std::optional<std::str
                          const std::vector<scene::Override>& overrides)
     : file(given ? source : run::scene_file(source)),
       text(given ? *given : scene::scene_text(file)),
-      absolute(std::filesystem::absolute(file)),
+      absolute_path(std::filesystem::absolute(file)),
       scene(scene::parse_any(text, file, overrides)) {
-  run::complete(scene, file, run::default_memory_limit(), run::machine_threads());
+  run::prepare_scene(scene, file, run::default_memory_limit(), run::machine_thread_count());
 }
 
 std::string LoadedScene::usable_path() const {
-  return std::filesystem::absolute(file) == absolute ? file : absolute.string();
+  return std::filesystem::absolute(file) == absolute_path ? file : absolute_path.string();
 }
 
-const scene::Scene& LoadedScene::of_grains() const {
+const scene::Scene& LoadedScene::grains_scene() const {
   if (const auto* gas = std::get_if<scene::BoltzmannScene>(&scene)) {
     throw scene::SceneError(
         fmt::format("{}: error: expected a scene of grains, found one of a gas", gas->location));
@@ -37,7 +37,7 @@ const scene::Scene& LoadedScene::of_grains() const {
   return std::get<scene::Scene>(scene);
 }
 
-const scene::BoltzmannScene& LoadedScene::of_gas() const {
+const scene::BoltzmannScene& LoadedScene::gas_scene() const {
   if (const auto* grains = std::get_if<scene::Scene>(&scene)) {
     throw scene::SceneError(fmt::format("{}: error: expected a scene of a gas, found one of grains",
                                         grains->box.location));
@@ -50,7 +50,7 @@ namespace {
 void add_scene(py::module_& module) {
   py::class_<LoadedScene>(module, "Scene")
       .def(py::init<std::string, std::optional<std::string>, std::vector<scene::Override>>(),
-           py::call_guard<Released>())
+           py::call_guard<ReleasedInterpreter>())
       .def("__reduce__", refuse_pickle)
       .def_property_readonly(
           "name",
@@ -93,7 +93,7 @@ void translate(std::exception_ptr failure) {
 
 PYBIND11_MODULE(_clca, module) {
   py::register_local_exception_translator(translate);
-  watch_end();
+  watch_for_python_end();
   add_scene(module);
   add_run(module);
   add_simulation(module);

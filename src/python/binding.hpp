@@ -18,11 +18,11 @@ namespace clca::python {
 
 namespace py = pybind11;
 
-/// Base of what objects of Python hold; their caster, below, refuses those without it.
-struct Held {};
+/// Base of C++ objects in Python objects; the caster below refuses Python objects without one.
+struct HeldByPython {};
 
 /// A scene with all checks of the command line done.
-struct LoadedScene : Held {
+struct LoadedScene : HeldByPython {
   /// `source`: a file or a name; with a `given` text, the file that it is from or what messages
   /// call it.
   LoadedScene(const std::string& source, const std::optional<std::string>& given,
@@ -30,22 +30,23 @@ struct LoadedScene : Held {
 
   std::string file;  ///< for messages
   std::string text;  ///< as it was read
-  std::filesystem::path absolute;
+  std::filesystem::path absolute_path;
   scene::AnyScene scene;
 
-  /// `file`, if that still leads to the same file, else `absolute`.
+  /// `file`, if that still leads to the same file, else `absolute_path`.
   std::string usable_path() const;
 
   // Throw scene::SceneError for one of the other kind.
-  const scene::Scene& of_grains() const;
-  const scene::BoltzmannScene& of_gas() const;
+  const scene::Scene& grains_scene() const;
+  const scene::BoltzmannScene& gas_scene() const;
 };
 
 /// A read-only array over memory of `owner`, which it keeps. `strides`: in bytes; none: without
 /// gaps.
 template <class Owner>
-py::array view(std::shared_ptr<Owner> owner, const void* memory, const py::dtype& type,
-               py::array::ShapeContainer shape, py::array::StridesContainer strides = {}) {
+py::array readonly_array(std::shared_ptr<Owner> owner, const void* memory, const py::dtype& type,
+                         py::array::ShapeContainer shape,
+                         py::array::StridesContainer strides = {}) {
   const py::capsule base(new std::shared_ptr<Owner>(std::move(owner)), [](void* pointer) {
     delete static_cast<std::shared_ptr<Owner>*>(pointer);
   });
@@ -55,7 +56,7 @@ py::array view(std::shared_ptr<Owner> owner, const void* memory, const py::dtype
 }
 
 /// Rows from the top x columns x 3, of bytes.
-inline py::array pixels(const image::Image& image) {
+inline py::array pixel_array(const image::Image& image) {
   static_assert(sizeof(image::Rgb) == 3);
   return py::array_t<std::uint8_t>({image.height, image.width, 3}, &image.pixels.data()->red);
 }
@@ -73,7 +74,7 @@ void add_simulation(py::module_& module);
 }  // namespace clca::python
 
 /// Casts objects of Python: not those that __new__ alone has made, which hold nothing.
-template <std::derived_from<clca::python::Held> T>
+template <std::derived_from<clca::python::HeldByPython> T>
 class pybind11::detail::type_caster<T> : public type_caster_base<T> {
  public:
   bool load(handle source, bool convert) {

@@ -21,14 +21,14 @@ namespace clca::python {
 
 namespace {
 
-class Gas : public Held {
+class Gas : public HeldByPython {
  public:
   Gas(const LoadedScene& loaded, std::optional<int> threads)
-      : process_(scene::process(loaded.of_gas(), loaded.of_gas().restitutions.front())),
-        seed_(loaded.of_gas().seed),
-        threads_(threads.value_or(run::machine_threads())),
+      : process_(scene::process(loaded.gas_scene(), loaded.gas_scene().restitutions.front())),
+        seed_(loaded.gas_scene().seed),
+        threads_(threads.value_or(run::machine_thread_count())),
         gas_(std::make_shared<boltzmann::Gas>(
-            boltzmann::make_gas(scene::initial_condition(loaded.of_gas()), seed_))) {}
+            boltzmann::make_gas(scene::initial_condition(loaded.gas_scene()), seed_))) {}
 
   const boltzmann::Gas& now() const {
     BusyScope::check(busy_);
@@ -42,16 +42,16 @@ class Gas : public Held {
   void advance(double time) {
     now();
     const BusyScope change(busy_);
-    Interrupt interrupt;
-    interrupt.during([&] {
+    SignalWatch interrupt;
+    interrupt.run_without_interpreter([&] {
       if (gas_.use_count() > 1) {
         gas_ = std::make_shared<boltzmann::Gas>(*gas_);
       }
       try {
         boltzmann::advance(*gas_, process_, seed_, time, parallel::start_team(threads_),
                            [&](const boltzmann::Gas& /*gas*/) {
-                             interrupt.look_now_and_then();
-                             return *interrupt.stop() == 0;
+                             interrupt.check_signals_at_intervals();
+                             return *interrupt.stop_signal() == 0;
                            });
       } catch (const std::invalid_argument&) {
         throw;
@@ -66,8 +66,9 @@ class Gas : public Held {
   py::array motion_rows(int first) const {
     const boltzmann::Gas& gas = now();
     constexpr auto kNumber = static_cast<py::ssize_t>(sizeof(double));
-    return view(gas_, gas.motions.data() + first, py::dtype::of<double>(),
-                {gas.particles(), py::ssize_t{3}}, {gas.motions.rows() * kNumber, kNumber});
+    return readonly_array(gas_, gas.motions.data() + first, py::dtype::of<double>(),
+                          {gas.particles(), py::ssize_t{3}},
+                          {gas.motions.rows() * kNumber, kNumber});
   }
 
  private:

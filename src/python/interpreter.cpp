@@ -11,14 +11,13 @@ namespace clca::python {
 
 namespace {
 
-/// The end of Python in this process.
-struct End {
+struct PythonEnd {
   std::atomic<bool> is_near = false;
   std::atomic<std::thread::id> thread;  ///< the one that goes on
   std::atomic<int> at_work = 0;         ///< threads without the interpreter
 
-  static End& get() {
-    static End end;
+  static PythonEnd& get() {
+    static PythonEnd end;
     return end;
   }
 };
@@ -31,10 +30,10 @@ int& release_depth() {
 
 /// Those at work look for signals now and then, and so get here. What they use, such as the HDF5
 /// library, must not end before.
-void come_to_end() {
+void note_python_end() {
   using namespace std::chrono_literals;
   constexpr int kTries = 3000;
-  End& end = End::get();
+  PythonEnd& end = PythonEnd::get();
   end.thread = std::this_thread::get_id();
   end.is_near = true;
   const pybind11::gil_scoped_release free;
@@ -44,14 +43,14 @@ void come_to_end() {
 }
 
 /// The other threads are not in the child.
-void forked() {
-  End::get().at_work = release_depth();
+void reset_in_child() {
+  PythonEnd::get().at_work = release_depth();
 }
 
 }  // namespace
 
-void wait_at_end() {
-  End& end = End::get();
+void wait_if_python_ends() {
+  PythonEnd& end = PythonEnd::get();
   if (end.is_near && end.thread.load() != std::this_thread::get_id()) {
     end.at_work -= release_depth() > 0 ? 1 : 0;
     for (;;) {
@@ -60,22 +59,22 @@ void wait_at_end() {
   }
 }
 
-Released::Released() : state_(PyEval_SaveThread()) {
+ReleasedInterpreter::ReleasedInterpreter() : state_(PyEval_SaveThread()) {
   ++release_depth();
-  ++End::get().at_work;
-  wait_at_end();
+  ++PythonEnd::get().at_work;
+  wait_if_python_ends();
 }
 
-Released::~Released() {
-  wait_at_end();
+ReleasedInterpreter::~ReleasedInterpreter() {
+  wait_if_python_ends();
   PyEval_RestoreThread(state_);
   --release_depth();
-  --End::get().at_work;
+  --PythonEnd::get().at_work;
 }
 
-void watch_end() {
-  pthread_atfork(nullptr, nullptr, forked);
-  pybind11::module_::import("atexit").attr("register")(pybind11::cpp_function(come_to_end));
+void watch_for_python_end() {
+  pthread_atfork(nullptr, nullptr, reset_in_child);
+  pybind11::module_::import("atexit").attr("register")(pybind11::cpp_function(note_python_end));
 }
 
 }  // namespace clca::python

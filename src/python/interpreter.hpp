@@ -1,5 +1,5 @@
 #pragma once
-// Giving the interpreter up and taking it back while Python may come to its end; signals meanwhile.
+// Releases and takes back the interpreter while Python may end; checks signals meanwhile.
 
 #include <pybind11/pybind11.h>
 
@@ -14,15 +14,15 @@
 
 namespace clca::python {
 
-/// Without the interpreter, as pybind11::gil_scoped_release. CPython ends a thread that wants it
-/// back after Python has come to its end, and C++ cannot be unwound so everywhere: such a thread
-/// waits for the end of the process.
-class Released {
+/// Releases the interpreter in a scope, as pybind11::gil_scoped_release. CPython ends a thread that
+/// takes it back after the end of Python, which C++ cannot unwind everywhere: such a thread waits
+/// for the end of the process.
+class ReleasedInterpreter {
  public:
-  Released();
-  ~Released();
-  Released(const Released&) = delete;
-  Released& operator=(const Released&) = delete;
+  ReleasedInterpreter();
+  ~ReleasedInterpreter();
+  ReleasedInterpreter(const ReleasedInterpreter&) = delete;
+  ReleasedInterpreter& operator=(const ReleasedInterpreter&) = delete;
 
  private:
   PyThreadState* state_;
@@ -30,23 +30,23 @@ class Released {
 
 /// Waits for ever if Python comes to its end in another thread. To be called before the interpreter
 /// is taken back, for which CPython would end the thread.
-void wait_at_end();
+void wait_if_python_ends();
 
 /// Python tells when it comes to its end.
-void watch_end();
+void watch_for_python_end();
 
-/// Looks for signals, and keeps what their handlers in Python raise.
-class Interrupt {
+/// Checks signals, and keeps the exceptions that their handlers in Python raise.
+class SignalWatch {
  public:
-  const std::atomic<int>* stop() const { return &stop_; }
+  const std::atomic<int>* stop_signal() const { return &stop_; }
   /// Does not need the interpreter.
-  void look() {
-    look([] {});
+  void check_signals() {
+    check_signals([] {});
   }
   /// Also calls `report`, with the interpreter; what it raises ends the work likewise.
   template <class Report>
-  void look(Report report) {
-    wait_at_end();
+  void check_signals(Report report) {
+    wait_if_python_ends();
     const pybind11::gil_scoped_acquire interpreter;
     if (raised_) {
       return;
@@ -61,26 +61,26 @@ class Interrupt {
       stop_ = SIGINT;
     }
   }
-  /// look(), some ten times a second.
-  void look_now_and_then() {
+  /// check_signals(), some ten times a second.
+  void check_signals_at_intervals() {
     if (const auto now = Clock::now(); now >= due_) {
-      look();
+      check_signals();
       due_ = now + kInterval;
     }
   }
-  /// As look_now_and_then(). Throws process::StoppedError after a signal whose handler raises.
-  void check() {
-    look_now_and_then();
+  /// check_signals_at_intervals(); throws process::StoppedError once a handler has raised.
+  void throw_if_stopped() {
+    check_signals_at_intervals();
     if (stop_ != 0) {
       throw process::StoppedError("stopped by a signal");
     }
   }
   /// Calls `work` without the interpreter, which the caller has; then raises what was kept.
   template <class Work>
-  void during(Work work) {
+  void run_without_interpreter(Work work) {
     stop_ = 0;
     try {
-      const Released free;
+      const ReleasedInterpreter free;
       work();
     } catch (const process::StoppedError&) {  // of a program that was stopped for that reason
       raise();
@@ -108,7 +108,7 @@ class Interrupt {
 /// meanwhile, also where the lock of the interpreter is released.
 class BusyScope {
  public:
-  /// `busy` is of the object.
+  /// `busy`: a member of the object.
   explicit BusyScope(bool& busy) : busy_(busy) {
     check(busy);
     busy = true;

@@ -30,14 +30,14 @@ using Values = std::vector<std::string>;
 using VariedKeys = std::pair<Values, std::vector<Values>>;
 
 /// What runs tell while the interpreter is free: how far they are, and warnings.
-class Reporter : public Interrupt {
+class Reporter : public SignalWatch {
  public:
   /// `report`: None, or called as in _clca.pyi.
   explicit Reporter(const py::object& report) : report_(report) {}
 
   void report(const std::string& stage, std::uint64_t done, std::optional<std::uint64_t> of,
               std::optional<double> seconds_left) {
-    look([&] {
+    check_signals([&] {
       if (!report_.is_none()) {
         report_(stage, done, of, seconds_left);
       }
@@ -46,10 +46,10 @@ class Reporter : public Interrupt {
   std::function<void(const std::string&)> warning() {
     return [this](const std::string& text) { warnings_.push_back(text); };
   }
-  /// As that of Interrupt; then the warnings are those of Python.
+  /// SignalWatch::run_without_interpreter(), then gives Python the warnings.
   template <class DoIt>
-  void during(DoIt do_it) {
-    Interrupt::during(do_it);
+  void run_without_interpreter(DoIt do_it) {
+    SignalWatch::run_without_interpreter(do_it);
     for (const std::string& text : warnings_) {
       if (PyErr_WarnEx(PyExc_UserWarning, text.c_str(), 2) != 0) {
         throw py::error_already_set();
@@ -67,16 +67,16 @@ template <class RunIt>
 fs::path carry_out(run::RunOptions options, const py::object& report, RunIt run_it) {
   Reporter work(report);
   fs::path used;
-  work.during([&] {
-    options.stop = work.stop();
+  work.run_without_interpreter([&] {
+    options.stop_signal = work.stop_signal();
     run::RunEvents events;
     events.progress = [&](const run::Progress& now) {
       work.report(now.stage, now.step, {}, now.seconds_left);
     };
     events.gas_progress = [&](const run::GasProgress& now) {
-      work.report(now.stage, now.gases_done, now.gases, now.seconds_left);
+      work.report(now.stage, now.gases_done, now.gas_count, now.seconds_left);
     };
-    events.folder = [&](const fs::path& folder) { used = folder; };
+    events.folder_known = [&](const fs::path& folder) { used = folder; };
     events.warning = work.warning();
     run_it(options, events);
   });
@@ -85,18 +85,18 @@ fs::path carry_out(run::RunOptions options, const py::object& report, RunIt run_
 
 /// As of the commands.
 int default_threads(const scene::AnyScene& scene) {
-  return std::holds_alternative<scene::BoltzmannScene>(scene) ? run::machine_threads() : 1;
+  return std::holds_alternative<scene::BoltzmannScene>(scene) ? run::machine_thread_count() : 1;
 }
 
 fs::path run_scene(const LoadedScene& loaded, const fs::path& folder, std::optional<int> threads,
                    bool keep, bool overwrite, const py::object& report) {
   if (!keep) {
-    run::check_output(loaded.usable_path(), folder);
+    run::check_output_folder(loaded.usable_path(), folder);
   }
   return carry_out({.folder = folder,
                     .threads = threads.value_or(default_threads(loaded.scene)),
-                    .overwrite = overwrite,
-                    .keep = keep},
+                    .replace_interrupted = overwrite,
+                    .keep_earlier_run = keep},
                    report, [&](const run::RunOptions& options, const run::RunEvents& events) {
                      std::visit([&](const auto& scene) { run::run(scene, options, events); },
                                 loaded.scene);
@@ -107,7 +107,7 @@ void resume(const fs::path& folder, const std::optional<std::string>& until,
             std::optional<int> threads, const py::object& report) {
   const double limit = run::default_memory_limit();
   run::SavedRun saved = run::load_run(folder, limit, until);
-  if (saved.finished) {
+  if (saved.finished_summary) {
     return;
   }
   const int chosen = threads.value_or(default_threads(saved.scene));
@@ -119,7 +119,8 @@ void resume(const fs::path& folder, const std::optional<std::string>& until,
 }
 
 /// What the command refuses where it reads the text of options.
-void check(const std::vector<VariedKeys>& varied, const std::vector<std::uint64_t>& seeds) {
+void check_variations_and_seeds(const std::vector<VariedKeys>& varied,
+                                const std::vector<std::uint64_t>& seeds) {
   if (seeds.empty() || std::set(seeds.begin(), seeds.end()).size() < seeds.size()) {
     throw std::invalid_argument("expected seeds, each once");
   }
@@ -145,36 +146,40 @@ void sweep_scene(const std::string& source, const std::optional<std::string>& te
                  const std::vector<VariedKeys>& varied, std::vector<std::uint64_t> seeds,
                  const fs::path& folder, const std::optional<int>& jobs, const py::object& report) {
   Reporter work(report);
-  work.during([&] {
-    check(varied, seeds);
+  work.run_without_interpreter([&] {
+    check_variations_and_seeds(varied, seeds);
     std::ranges::sort(seeds);
-    sweep::Request request = {.scene = text ? source : run::scene_file(source),
+    sweep::Request request = {.scene_file = text ? source : run::scene_file(source),
                               .overrides = overrides,
                               .variations = {},
                               .seeds = std::move(seeds),
-                              .text = text};
+                              .scene_text = text};
     for (const auto& [keys, rows] : varied) {
-      request.variations.push_back({.keys = keys, .rows = rows});
+      request.variations.push_back({.keys = keys, .value_rows = rows});
     }
     const double memory = run::default_memory_limit();
-    const auto look = [&] { work.check(); };
+    const auto look = [&] { work.throw_if_stopped(); };
     const sweep::Plan plan = sweep::plan(std::move(request), memory, look);
     const int fitting =
-        sweep::fitting_jobs(plan, jobs.value_or(run::machine_threads()), memory, look);
-    sweep::execute(
-        plan,
-        {.folder = folder, .jobs = fitting, .max_bytes = memory / fitting, .stop = work.stop()},
-        {.progress =
-             [&](const sweep::Progress& now) {
-               work.report("", now.done + now.failed, now.runs, now.seconds_left);
-             },
-         .warning = work.warning()});
+        sweep::fitting_jobs(plan, jobs.value_or(run::machine_thread_count()), memory, look);
+    sweep::execute(plan,
+                   {.folder = folder,
+                    .jobs = fitting,
+                    .max_bytes = memory / fitting,
+                    .stop_signal = work.stop_signal()},
+                   {.progress =
+                        [&](const sweep::Progress& now) {
+                          work.report("", now.done_runs + now.failed_runs, now.total_runs,
+                                      now.seconds_left);
+                        },
+                    .warning = work.warning()});
   });
 }
 
 drawing::RunToDraw run_to_draw(const fs::path& folder,
                                const std::vector<scene::Override>& overrides) {
-  drawing::RunToDraw drawn = {.scene = drawing::drawn_scene(folder, overrides), .folder = folder};
+  drawing::RunToDraw drawn = {.scene = drawing::scene_for_drawing(folder, overrides),
+                              .run_folder = folder};
   run::check_memory(drawn.scene, run::default_memory_limit());
   return drawn;
 }
@@ -183,26 +188,29 @@ py::array picture(const fs::path& folder, std::uint64_t step,
                   const std::vector<scene::Override>& overrides) {
   image::Image image;
   {
-    const Released free;
-    image = drawing::picture(run_to_draw(folder, overrides), step, run::default_memory_limit());
+    const ReleasedInterpreter free;
+    image =
+        drawing::picture_of_step(run_to_draw(folder, overrides), step, run::default_memory_limit());
   }
-  return pixels(image);
+  return pixel_array(image);
 }
 
 void movie(const fs::path& folder, const fs::path& file, int frames_per_second,
            std::optional<double> duration, const std::optional<std::string>& stage,
            const std::vector<scene::Override>& overrides) {
-  Interrupt interrupt;
-  interrupt.during([&] {
+  SignalWatch interrupt;
+  interrupt.run_without_interpreter([&] {
     drawing::Redraw redraw({run_to_draw(folder, overrides)},
-                           {.movie = file,
+                           {.movie_file = file,
                             .frames_per_second = frames_per_second,
-                            .duration = duration,
-                            .stage = stage,
+                            .movie_seconds = duration,
+                            .only_stage = stage,
                             .max_bytes = run::default_memory_limit(),
-                            .stop = interrupt.stop()});
+                            .stop_signal = interrupt.stop_signal()});
     drawing::RedrawEvents events;
-    events.progress = [&](const drawing::RedrawProgress& /*progress*/) { interrupt.look(); };
+    events.progress = [&](const drawing::RedrawProgress& /*progress*/) {
+      interrupt.check_signals();
+    };
     redraw.draw(events);
   });
 }

@@ -22,25 +22,25 @@ namespace clca::python {
 
 namespace {
 
-class Simulation : public run::Simulation, public Held {
+class Simulation : public run::Simulation, public HeldByPython {
  public:
-  Simulation(const scene::Scene& scene, int threads, const std::shared_ptr<Interrupt>& by)
-      : run::Simulation(scene, threads, [by] { by->check(); }), interrupt(by) {}
+  Simulation(const scene::Scene& scene, int threads, const std::shared_ptr<SignalWatch>& by)
+      : run::Simulation(scene, threads, [by] { by->throw_if_stopped(); }), interrupt(by) {}
 
-  std::shared_ptr<Interrupt> interrupt;
+  std::shared_ptr<SignalWatch> interrupt;
   bool busy = false;
 };
 
 std::uint64_t step(Simulation& simulation, std::uint64_t steps) {
   const BusyScope change(simulation.busy);
-  Interrupt& interrupt = *simulation.interrupt;
+  SignalWatch& interrupt = *simulation.interrupt;
   std::uint64_t taken = 0;
-  interrupt.during([&] {
-    while (taken < steps && !simulation.is_over() && *interrupt.stop() == 0) {
+  interrupt.run_without_interpreter([&] {
+    while (taken < steps && !simulation.is_over() && *interrupt.stop_signal() == 0) {
       simulation.step();
       ++taken;
       if (taken < steps) {  // between two calls Python looks itself
-        interrupt.look_now_and_then();
+        interrupt.check_signals_at_intervals();
       }
     }
   });
@@ -49,11 +49,11 @@ std::uint64_t step(Simulation& simulation, std::uint64_t steps) {
 
 void next_stage(Simulation& simulation) {
   const BusyScope change(simulation.busy);
-  if (simulation.stage() + 1 == simulation.scene().stages.size()) {
-    throw text::InputError(
-        fmt::format("{} is the last stage", simulation.scene().stages[simulation.stage()].name));
+  if (simulation.stage_index() + 1 == simulation.scene().stages.size()) {
+    throw text::InputError(fmt::format("{} is the last stage",
+                                       simulation.scene().stages[simulation.stage_index()].name));
   }
-  simulation.interrupt->during([&] { simulation.next_stage(); });
+  simulation.interrupt->run_without_interpreter([&] { simulation.begin_next_stage(); });
 }
 
 py::list measures_now(const Simulation& simulation, const std::optional<std::string>& name) {
@@ -88,8 +88,9 @@ py::object values_of(const store::Dataset& dataset) {
       return texts;
     } else {
       py::array numbers = py::array_t<Item>(static_cast<py::ssize_t>(items.size()), items.data());
-      if (dataset.columns > 1) {
-        numbers = numbers.reshape({py::ssize_t{-1}, static_cast<py::ssize_t>(dataset.columns)});
+      if (dataset.numbers_per_row > 1) {
+        numbers =
+            numbers.reshape({py::ssize_t{-1}, static_cast<py::ssize_t>(dataset.numbers_per_row)});
       }
       return numbers;
     }
@@ -101,8 +102,8 @@ py::object values_of(const store::Dataset& dataset) {
 py::dict datasets_now(const Simulation& simulation) {
   std::vector<store::Dataset> datasets;
   {
-    const Released free;
-    datasets = store::datasets(simulation.scene(), simulation.grains(), simulation.stage(),
+    const ReleasedInterpreter free;
+    datasets = store::datasets(simulation.scene(), simulation.state(), simulation.stage_index(),
                                simulation.contact_frame());
   }
   py::dict result;
@@ -116,7 +117,7 @@ py::dict datasets_now(const Simulation& simulation) {
 py::dict summary(const Simulation& simulation) {
   using py::literals::operator""_a;
   py::list kinds;
-  for (const int degrees : scene::degrees_of(simulation.scene(), simulation.grains().kinds)) {
+  for (const int degrees : scene::degrees_of(simulation.scene(), simulation.state().kinds)) {
     kinds.append(py::dict("degrees"_a = degrees));
   }
   py::dict result("kinds"_a = kinds);
@@ -140,17 +141,17 @@ py::array picture_now(Simulation& simulation, const std::vector<scene::Override>
   const BusyScope change(simulation.busy);
   image::Image image;
   {
-    const Released free;
+    const ReleasedInterpreter free;
     image = simulation.picture(frames_of(simulation.scene(), overrides));
   }
-  return pixels(image);
+  return pixel_array(image);
 }
 
 /// All particles as the model has them.
 py::array particles(const Simulation& simulation) {
-  const auto state = simulation.held_grains();
-  return view(state, state->particles.data(), py::dtype::of<grains::Particle>(),
-              {static_cast<py::ssize_t>(state->particles.size())});
+  const auto state = simulation.shared_state();
+  return readonly_array(state, state->particles.data(), py::dtype::of<grains::Particle>(),
+                        {static_cast<py::ssize_t>(state->particles.size())});
 }
 
 }  // namespace
@@ -159,10 +160,11 @@ void add_simulation(py::module_& module) {
   PYBIND11_NUMPY_DTYPE_EX(grains::Particle, column, "column", row, "row", kind, "kind", previous,
                           "move", present, "present");
   const auto make = [](const LoadedScene& loaded, int threads) {
-    const scene::Scene& scene = loaded.of_grains();
-    const auto interrupt = std::make_shared<Interrupt>();
+    const scene::Scene& scene = loaded.grains_scene();
+    const auto interrupt = std::make_shared<SignalWatch>();
     std::unique_ptr<Simulation> made;
-    interrupt->during([&] { made = std::make_unique<Simulation>(scene, threads, interrupt); });
+    interrupt->run_without_interpreter(
+        [&] { made = std::make_unique<Simulation>(scene, threads, interrupt); });
     return made;
   };
   py::class_<Simulation>(module, "Simulation")
@@ -172,25 +174,27 @@ void add_simulation(py::module_& module) {
       .def("next_stage", next_stage,
            "Ends the stage here and begins the next one. Throws Error in the last one.")
       .def_property_readonly(
-          "steps", [](const Simulation& simulation) { return simulation.grains().step; },
+          "steps", [](const Simulation& simulation) { return simulation.state().step; },
           "Taken so far.")
       .def_property_readonly(
           "stage",
           [](const Simulation& simulation) {
-            return simulation.scene().stages[simulation.stage()].name;
+            return simulation.scene().stages[simulation.stage_index()].name;
           },
           "The name of the stage.")
       .def_property_readonly(
           "ended",
           [](const Simulation& simulation) -> py::object {
-            const std::string how = simulation.ended();
+            const std::string how = simulation.stage_end_text();
             return how.empty() ? py::object(py::none()) : py::str(how);
           },
           "How the stage has ended (settled, steps ...); None while it goes on.")
       .def_property_readonly("over", &Simulation::is_over, "Whether the last stage has ended.")
       .def_property_readonly(
           "state_hash",
-          [](const Simulation& simulation) { return fmt::format("{:016x}", simulation.hash()); },
+          [](const Simulation& simulation) {
+            return fmt::format("{:016x}", simulation.state_hash());
+          },
           "As `state_hash` of a run: equal for equal bits.")
       .def_property_readonly(
           "particles", particles,
@@ -199,10 +203,9 @@ void add_simulation(py::module_& module) {
           "up, 6 none) and present.\n\nCannot be written, is no copy and follows the steps, up to "
           "the end of the stage; while a source is open it is a copy.")
       .def("_measures", measures_now)
-      .def("_heights",
-           [](const Simulation& simulation) {
-             return measure::surface_profile(simulation.grains());
-           })
+      .def(
+          "_heights",
+          [](const Simulation& simulation) { return measure::surface_profile(simulation.state()); })
       .def("_datasets", datasets_now)
       .def("_summary", summary)
       .def("_picture", picture_now);

@@ -70,11 +70,11 @@ std::vector<store::TableSummary> Observers::summary() const {
 void Observers::open(const store::RunFolder& folder, const grains::State& now) {
   // All are checked before one is changed.
   for (const RunTable* table : tables_) {
-    table->check(folder.files());
+    table->check(folder.output_folder());
   }
   call(&Observer::open, folder, now);
   for (RunTable* table : tables_) {
-    table->open(folder.files());
+    table->open(folder.output_folder());
   }
 }
 

@@ -139,8 +139,8 @@ store::ColumnSummary summary_of(std::string_view key, const Quantity& quantity,
   const std::size_t dot = key.find('.');
   return {.key = std::string(key),
           .name = std::string(quantity.name),
-          .of = std::string(dot == std::string_view::npos ? part_of_vector(quantity, key)
-                                                          : key.substr(dot + 1)),
+          .part = std::string(dot == std::string_view::npos ? part_of_vector(quantity, key)
+                                                            : key.substr(dot + 1)),
           .unit = shown_unit(quantity.unit, units),
           .meaning = std::string(quantity.meaning)};
 }
@@ -221,7 +221,7 @@ std::optional<store::ColumnSummary> KnownQuantities::find(std::string_view key) 
     return std::nullopt;
   }
   store::ColumnSummary summary = summary_of(key, *known, units);
-  summary.of_floor = known->of_floor;
+  summary.relative_to_floor = known->of_floor;
   return summary;
 }
 
@@ -231,7 +231,7 @@ KnownQuantities known_quantities(const store::RunSummary& summary) {
                   : summary.kind == "sweep"   ? Kind::sweep
                                               : Kind::run,
           .units = summary.units,
-          .derived = summary.derived};
+          .derived = summary.derived_measures};
 }
 
 std::vector<store::ColumnSummary> sweep_summary(std::string_view table,
@@ -284,7 +284,7 @@ std::vector<std::string> sweep_columns(
 
 std::vector<store::ColumnSummary> RunTable::summary() const {
   std::vector<store::ColumnSummary> result;
-  for (const std::string& name : table_.columns()) {
+  for (const std::string& name : table_.column_names()) {
     const Quantity* column = find_column({&info_, 1}, name);
     const Quantity* known =
         column != nullptr ? column : find_column({&info_, 1}, name.substr(0, name.find('.')), true);
@@ -324,7 +324,7 @@ std::vector<std::string> table_names() {
 
 std::string columns_table(std::string_view table) {
   if (table == kTrajectory) {
-    return store::datasets_table();
+    return store::datasets_markdown_table();
   }
   const TableInfo* found = nullptr;
   for (const Declared& kind : all_declared()) {

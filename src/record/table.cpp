@@ -75,7 +75,7 @@ std::vector<grains::Owner> walls_and_sides(const scene::Scene& scene) {
 
 void RunTable::check(const store::OutputFolder& folder) const {
   if (info_.kind == TableInfo::Kind::growing) {
-    store::GrowingFile::check(folder, store::table_name(info_.name), bytes_);
+    store::GrowingFile::check_kept_bytes(folder, store::table_name(info_.name), bytes_);
   }
 }
 
@@ -87,18 +87,18 @@ void RunTable::open(const store::OutputFolder& folder) {
 
 void RunTable::write_rows(std::size_t least) {
   if (!file_) {
-    table_.take();
-  } else if (table_.waiting_bytes() > 0 && table_.waiting_bytes() >= least) {
-    const std::string header = bytes_ == 0 ? table_.header() : "";
-    file_->append(header + table_.take());
-    bytes_ = file_->bytes();
+    table_.take_csv_rows();
+  } else if (table_.pending_bytes() > 0 && table_.pending_bytes() >= least) {
+    const std::string header = bytes_ == 0 ? table_.csv_header() : "";
+    file_->append(header + table_.take_csv_rows());
+    bytes_ = file_->size_in_bytes();
   }
 }
 
 void RunTable::write(const store::OutputFolder* folder, const std::string& part) {
-  const std::string rows = table_.take();
+  const std::string rows = table_.take_csv_rows();
   if (folder != nullptr) {
-    folder->write(store::table_name(info_.name, part), table_.header() + rows);
+    folder->write(store::table_name(info_.name, part), table_.csv_header() + rows);
   }
 }
 

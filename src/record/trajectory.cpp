@@ -33,7 +33,7 @@ class TrajectoryObserver : public Observer {
     saved.read(kStepPath, step_, now.model.state());
   }
   void open(const store::RunFolder& folder, const grains::State& now) override {
-    writer_.emplace(folder.files(), scene_, now, kept_);
+    writer_.emplace(folder.output_folder(), scene_, now, kept_);
   }
   void finish() override { writer_->flush(); }
 
@@ -50,8 +50,8 @@ class TrajectoryObserver : public Observer {
     if (scene_.output.trajectory->contacts) {
       contact.forces = now.observers.find<ContactRecord>()->shown_forces(now.model);
     }
-    writer_->add(state, static_cast<std::size_t>(&now.stage - scene_.stages.data()), begins,
-                 contact);
+    writer_->add_frame(state, static_cast<std::size_t>(&now.stage - scene_.stages.data()), begins,
+                       contact);
     step_ = state.step;
   }
 

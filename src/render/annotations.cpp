@@ -55,7 +55,6 @@ std::vector<Eigen::Vector2d> fitted(const std::vector<Eigen::Vector2d>& outline,
   return result;
 }
 
-/// A legend entry: an icon or stroke, and its label.
 struct Entry {
   Graphics::Text label;
   double mark_width = 0;  ///< pixels
@@ -69,13 +68,13 @@ class Annotator {
 
   void draw(const Caption& caption, const Legend& legend) {
     fade_ = legend.fade;
-    if (layout_.captions) {
+    if (layout_.has_captions) {
       draw_caption(caption);
     }
-    const double bar_left = draw_scale_bar(caption.spacing);
+    const double bar_left = draw_scale_bar(caption.metres_per_spacing);
     const double right = bar_left - em(kGap);
     double left = layout_.text_left;
-    for (const Legend::Bar& bar : legend.bars) {
+    for (const Legend::ColorBar& bar : legend.bars) {
       left = draw_color_bar(bar, left, right) + em(kGap);
     }
     draw_entries(legend, left, right);
@@ -108,20 +107,20 @@ class Annotator {
 
   /// Returns its left end.
   double draw_scale_bar(double spacing) {
-    if (!layout_.scale_bar) {
+    if (!layout_.has_scale_bar) {
       return layout_.text_right + em(kGap);
     }
     const double room = layout_.text_right - layout_.text_left;
     const double unit = spacing > 0 ? spacing : 1;
-    const double shown =
-        round_number_up_to(std::min<double>(layout_.panel.width, room) / 5 / layout_.scale * unit);
+    const double shown = largest_round_number_up_to(std::min<double>(layout_.panel.width, room) /
+                                                    5 / layout_.pixels_per_spacing * unit);
     const double length = shown / unit;
     const LengthUnit metric = length_unit(shown);
     const Graphics::Text label =
-        text(spacing > 0 ? fmt::format("{:g} {}", shown * metric.in_metre, metric.name)
+        text(spacing > 0 ? fmt::format("{:g} {}", shown * metric.per_metre, metric.name)
                          : fmt::format("{:g} {}", length, length == 1 ? "spacing" : "spacings"));
     const double right = layout_.text_right;
-    const double left = right - length * layout_.scale;
+    const double left = right - length * layout_.pixels_per_spacing;
     const double label_left = left - em(0.7) - label.width();
     if (label_left < layout_.text_left) {
       return right;
@@ -138,7 +137,7 @@ class Annotator {
   }
 
   /// Returns its right end.
-  double draw_color_bar(const Legend::Bar& bar, double left, double right) {
+  double draw_color_bar(const Legend::ColorBar& bar, double left, double right) {
     const double longest = em(kBarWidth);
     const double width = std::floor(std::min(longest, (right - left) * 0.6));
     if (width < em(4)) {
@@ -174,7 +173,7 @@ class Annotator {
     return label_left + label.width();
   }
 
-  void draw_ticks(const Legend::Bar& bar, double left, double width, double bottom) {
+  void draw_ticks(const Legend::ColorBar& bar, double left, double width, double bottom) {
     struct Tick {
       double x;
       double label_left;
@@ -190,7 +189,7 @@ class Annotator {
     int most = 6;
     do {
       shown.clear();
-      for (const double value : ticks(bar.low, bar.high, most)) {
+      for (const double value : tick_values(bar.low, bar.high, most)) {
         const double share = bar.high > bar.low ? (value - bar.low) / (bar.high - bar.low) : 0;
         const double x = std::round(left + share * (width - thickness));
         const Graphics::Text label = text(fmt::format("{:g}", value));
@@ -205,9 +204,10 @@ class Annotator {
   }
 
   Stroke key_stroke(const Legend::Line& line) const {
-    const double length = line.length > 0 ? line.length * layout_.scale : em(kLineLength);
-    const double width =
-        std::min(line.width * layout_.scale, em(line.arrow ? kMaxArrowWidth : kMaxLineWidth));
+    const double length =
+        line.length > 0 ? line.length * layout_.pixels_per_spacing : em(kLineLength);
+    const double width = std::min(line.width * layout_.pixels_per_spacing,
+                                  em(line.arrow ? kMaxArrowWidth : kMaxLineWidth));
     return {{0, 0}, {length, 0}, width, line.color, line.arrow};
   }
 
@@ -242,7 +242,7 @@ class Annotator {
     Stroke stroke = *entry.stroke;
     stroke.from = {left, middle};
     stroke.to = {left + entry.mark_width, middle};
-    if (!stroke.arrow) {  // round ends stay within the mark
+    if (!stroke.is_arrow) {  // round ends stay within the mark
       const double end = std::min(stroke.width, entry.mark_width) / 2;
       stroke.from.x() += end;
       stroke.to.x() -= end;
@@ -263,11 +263,11 @@ class Annotator {
       const double x = left + item.left;
       const double middle = below_panel(kLegendMiddle + kLegendPitch * item.line);
       const double baseline = middle + em(kHalfLetter);
-      if (!item.entry) {
+      if (!item.entry_index) {
         graphics_.draw_text(ellipsis, x, baseline, kInk);
         continue;
       }
-      const Entry& entry = entries[*item.entry];
+      const Entry& entry = entries[*item.entry_index];
       draw_mark(entry, x, middle);
       graphics_.draw_text(entry.label, x + entry.mark_width + em(kBeforeLabel), baseline, kInk);
     }
@@ -280,7 +280,7 @@ class Annotator {
 
 }  // namespace
 
-double round_number_up_to(double number) {
+double largest_round_number_up_to(double number) {
   const double decade = std::pow(10.0, std::floor(std::log10(number)));
   for (const double factor : {5.0, 2.0}) {
     if (factor * decade <= number) {
@@ -290,13 +290,13 @@ double round_number_up_to(double number) {
   return decade;
 }
 
-std::vector<double> ticks(double low, double high, int count) {
+std::vector<double> tick_values(double low, double high, int count) {
   if (!(high > low) || !std::isfinite(high - low)) {
     return {low};
   }
-  double step = round_number_up_to((high - low) / std::max(1, count - 1));
+  double step = largest_round_number_up_to((high - low) / std::max(1, count - 1));
   if (std::floor(high / step) - std::ceil(low / step) + 1 > count) {
-    step = round_number_up_to(2.5001 * step);
+    step = largest_round_number_up_to(2.5001 * step);
   }
   std::vector<double> result;
   const auto most = static_cast<std::size_t>(std::max(1, count));  // reached where i + 1 is i

@@ -13,7 +13,7 @@
 namespace clca::render {
 
 /// Round numbers from `low` to `high`, at most `count` of them.
-std::vector<double> ticks(double low, double high, int count);
+std::vector<double> tick_values(double low, double high, int count);
 
 /// Draws captions, legend and scale bar where `layout` has room for text.
 void annotate(Graphics& graphics, const Layout& layout, const Caption& caption,
@@ -21,8 +21,8 @@ void annotate(Graphics& graphics, const Layout& layout, const Caption& caption,
 
 /// A legend entry, or the ellipsis for omitted entries.
 struct LegendItem {
-  std::optional<std::size_t> entry;  ///< none: the ellipsis
-  double left = 0;                   ///< from the beginning of the line
+  std::optional<std::size_t> entry_index;  ///< none: the ellipsis
+  double left = 0;                         ///< from the beginning of the line
   int line = 0;
 
   bool operator==(const LegendItem&) const = default;

@@ -68,14 +68,14 @@ Trapezoid column_piece(const SmallTriangle& first, const SmallTriangle& last) {
 }
 
 /// Whether `a`, `b`, `c` are collinear in this order.
-bool straight(Axial a, Axial b, Axial c) {
+bool is_straight(Axial a, Axial b, Axial c) {
   return (b.q - a.q) * (c.x - b.x) == (c.q - b.q) * (b.x - a.x);
 }
 
-bool continues(const Trapezoid& left, const Trapezoid& right) {
+bool can_extend(const Trapezoid& left, const Trapezoid& right) {
   return left.right_low == right.left_low && left.right_high == right.left_high &&
-         straight(left.left_low, left.right_low, right.right_low) &&
-         straight(left.left_high, left.right_high, right.right_high);
+         is_straight(left.left_low, left.right_low, right.right_low) &&
+         is_straight(left.left_high, left.right_high, right.right_high);
 }
 
 }  // namespace
@@ -122,7 +122,7 @@ std::vector<Trapezoid> trapezoids(const lattice::Shape& shape) {
     const Trapezoid piece = column_piece(triangles[first], triangles[i]);
     const auto left = by_right_side.find({piece.left_low, piece.left_high});
     std::size_t number = result.size();
-    if (left != by_right_side.end() && continues(result[left->second], piece)) {
+    if (left != by_right_side.end() && can_extend(result[left->second], piece)) {
       number = left->second;
       result[number].right_low = piece.right_low;
       result[number].right_high = piece.right_high;

@@ -41,14 +41,14 @@ Rgb interpolated(std::span<const Sample> table, double share) {
   const double position =
       share > 0 ? std::min(share, 1.0) * static_cast<double>(table.size() - 1) : 0.0;
   const auto low = std::min(static_cast<std::size_t>(position), table.size() - 2);
-  return mixed(unpacked(table[low]), unpacked(table[low + 1]), position - static_cast<double>(low));
+  return mixed(to_rgb(table[low]), to_rgb(table[low + 1]), position - static_cast<double>(low));
 }
 
 /// Alternately dark and light along a colour map: adjacent layers differ in lightness, and every
 /// layer has its own colour.
 Rgb layer_color(int layer, int layers) {
   const double share = layers > 1 ? static_cast<double>(layer) / (layers - 1) : 0.0;
-  const Rgb color = map_color(0.08 + 0.72 * share);
+  const Rgb color = viridis_color(0.08 + 0.72 * share);
   return layer % 2 == 0 ? color : mixed(color, {255, 255, 255}, 0.55);
 }
 
@@ -116,10 +116,10 @@ std::vector<Legend::Patch> species_icons(std::span<const grains::Kind> kinds,
 }  // namespace
 
 Rgb palette_color(std::size_t number) {
-  return unpacked(kOkabeIto[number % kOkabeIto.size()]);
+  return to_rgb(kOkabeIto[number % kOkabeIto.size()]);
 }
 
-Rgb map_color(double share) {
+Rgb viridis_color(double share) {
   return interpolated(kViridis, share);
 }
 
@@ -127,10 +127,10 @@ Rgb diverging_color(double value) {
   return interpolated(kCoolToWarm, (1 + value) / 2);
 }
 
-Rgb bar_color(const Legend::Bar& bar, double share) {
+Rgb bar_color(const Legend::ColorBar& bar, double share) {
   const double value = bar.low + share * (bar.high - bar.low);
   return bar.diverging ? diverging_color(value / std::max(std::abs(bar.low), std::abs(bar.high)))
-                       : map_color(share);
+                       : viridis_color(share);
 }
 
 Rgb mixed(Rgb color, Rgb other, double share) {
@@ -151,7 +151,7 @@ Rgb outline_color(Rgb fill, double strength) {
 }
 
 Coloring color_by_species(const State& state, std::span<const NamedColor> species) {
-  Coloring result = {.shades = values_by_id<std::uint16_t>(state, [&](std::size_t id) {
+  Coloring result = {.palette_indices = values_by_id<std::uint16_t>(state, [&](std::size_t id) {
                        return state.kinds[state.particles[id].kind].species;
                      })};
   for (const NamedColor& named : species) {
@@ -205,7 +205,7 @@ Coloring color_by_layer(const State& state, int layers, const LayerRange& range)
         range.high > range.low ? (height - range.low) / (range.high - range.low) : 0;
     return std::clamp(share * layers, 0.0, static_cast<double>(layers - 1));
   };
-  Coloring result = {.shades = values_by_id<std::uint16_t>(state, layer_of)};
+  Coloring result = {.palette_indices = values_by_id<std::uint16_t>(state, layer_of)};
   for (int layer = 0; layer < layers; ++layer) {
     result.palette.push_back(layer_color(layer, layers));
     result.legend.patches.push_back({layer_label(layer, layers), result.palette.back()});
@@ -219,10 +219,10 @@ Coloring color_by_value(const State& state, const std::vector<double>& values, s
   if (!(range.low < range.high && std::isfinite(range.high - range.low))) {
     throw std::invalid_argument("a colour bar goes from a lower to a higher value");
   }
-  Legend::Bar bar = {
+  Legend::ColorBar bar = {
       .label = std::move(label), .low = range.low, .high = range.high, .diverging = diverging};
   Coloring result;
-  result.shades = values_by_id<std::uint16_t>(state, [&](std::size_t id) {
+  result.palette_indices = values_by_id<std::uint16_t>(state, [&](std::size_t id) {
     bar.below = bar.below || values[id] < range.low;
     bar.above = bar.above || values[id] > range.high;
     return (kShades - 1) *
@@ -254,7 +254,8 @@ Coloring color_by_force(const State& state, const grains::Occupancy& occupancy,
   });
   Coloring result = color_by_value(state, shared, "overlapped sites", range);
   for (std::size_t id = 0; id < shared.size(); ++id) {
-    result.shades[id] = static_cast<std::uint16_t>(shared[id] > 0 ? result.shades[id] + 1 : 0);
+    result.palette_indices[id] =
+        static_cast<std::uint16_t>(shared[id] > 0 ? result.palette_indices[id] + 1 : 0);
   }
   result.palette.insert(result.palette.begin(), kNone);
   result.legend.patches.push_back({"none", kNone});
@@ -262,7 +263,7 @@ Coloring color_by_force(const State& state, const grains::Occupancy& occupancy,
 }
 
 Coloring color_by_axis(const State& state) {
-  Coloring result = {.shades = values_by_id<std::uint16_t>(state, [&](std::size_t id) {
+  Coloring result = {.palette_indices = values_by_id<std::uint16_t>(state, [&](std::size_t id) {
                        return baxter::axis_of(state.particles[id]);
                      })};
   for (const char* axis : {"axis upright", "60°", "120°"}) {
@@ -276,8 +277,8 @@ Coloring color_by_id(const State& state) {
   // Ids before the colours repeat: three tints in turn, times a Fibonacci number of golden-ratio
   // steps, which close the circle to 1/2000.
   constexpr std::size_t kShades = std::size_t{3} * 987;
-  Coloring result = {
-      .shades = values_by_id<std::uint16_t>(state, [](std::size_t id) { return id % kShades; })};
+  Coloring result = {.palette_indices = values_by_id<std::uint16_t>(
+                         state, [](std::size_t id) { return id % kShades; })};
   for (std::size_t id = 0; id < kShades; ++id) {
     result.palette.push_back(id_color(id));
   }

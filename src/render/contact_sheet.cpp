@@ -28,15 +28,15 @@ constexpr double kSheetTitleSize = 1.4;
 constexpr double kLegendStrip = 2.95;
 constexpr double kOwnLegendSize = 0.7;
 
-bool missing(const Tile& tile) {
-  return tile.view.width < 1 || tile.view.height < 1;
+bool is_missing(const Tile& tile) {
+  return tile.view_image.width < 1 || tile.view_image.height < 1;
 }
 
 /// None where the pictures have different ones.
 std::optional<Legend> legend_of_all(const std::vector<Tile>& tiles) {
   std::optional<Legend> legend;
   for (const Tile& tile : tiles) {
-    if (!missing(tile)) {
+    if (!is_missing(tile)) {
       legend = legend ? common_legend(*legend, tile.legend) : tile.legend;
       if (!legend) {
         return std::nullopt;
@@ -46,7 +46,6 @@ std::optional<Legend> legend_of_all(const std::vector<Tile>& tiles) {
   return legend.value_or(Legend());
 }
 
-/// Layout of the sheet, in pixels.
 class Sheet {
  public:
   Sheet(const std::vector<Tile>& tiles, int columns, int cell_width, bool titled)
@@ -56,14 +55,14 @@ class Sheet {
         cell_width_(cell_width),
         text_size_(std::clamp(std::round(cell_width / 20.0), 9.0, 24.0)),
         own_text_size_(std::max(9.0, std::round(kOwnLegendSize * text_size_))),
-        has_font_(font_problem().empty()),
+        has_font_(font_warning().empty()),
         legend_(legend_of_all(tiles)) {
     double top = em(titled ? kTitleStrip : kSheetGap);
     double height = cell_width * 9.0 / 16;  // of a row without pictures
     for (std::size_t first = 0; first < tiles.size(); first += columns_) {
       double highest = 0;
       for (std::size_t i = first; i < std::min(first + columns_, tiles.size()); ++i) {
-        highest = std::max(highest, missing(tiles[i]) ? 0 : tile_height(tiles[i]));
+        highest = std::max(highest, is_missing(tiles[i]) ? 0 : tile_height(tiles[i]));
       }
       height = highest > 0 ? highest : height;
       tops_.push_back(top);
@@ -87,9 +86,9 @@ class Sheet {
       draw_tile(graphics, tiles_[i], left, tops_[i / columns_], heights_[i / columns_]);
     }
     if (legend_) {
-      const auto shown = std::ranges::find_if_not(tiles_, missing);
-      draw_legend(graphics, *legend_, shown == tiles_.end() ? 1 : shown->scale, em(kSheetGap),
-                  height_ - em(kLegendStrip) - em(kSheetGap), room, text_size_);
+      const auto shown = std::ranges::find_if_not(tiles_, is_missing);
+      draw_legend(graphics, *legend_, shown == tiles_.end() ? 1 : shown->pixels_per_spacing,
+                  em(kSheetGap), height_ - em(kLegendStrip) - em(kSheetGap), room, text_size_);
     }
     return graphics.image();
   }
@@ -100,7 +99,7 @@ class Sheet {
     return static_cast<double>(columns_) * (cell_width_ + em(kSheetGap)) + em(kSheetGap);
   }
   double tile_height(const Tile& tile) const {
-    return tile.view.height + (legend_ ? 0 : std::round(kLegendStrip * own_text_size_));
+    return tile.view_image.height + (legend_ ? 0 : std::round(kLegendStrip * own_text_size_));
   }
 
   void draw_text(Graphics& graphics, const std::string& text, double size, double room, double left,
@@ -116,12 +115,12 @@ class Sheet {
     if (has_font_) {
       annotate(graphics,
                {.panel = {pixels(left), pixels(top), pixels(room), 0},
-                .scale = scale,
+                .pixels_per_spacing = scale,
                 .text_size = pixels(text_size),
                 .text_left = pixels(left),
                 .text_right = pixels(left + room),
-                .captions = false,
-                .scale_bar = false},
+                .has_captions = false,
+                .has_scale_bar = false},
                {}, legend);
     }
   }
@@ -129,15 +128,16 @@ class Sheet {
   void draw_tile(Graphics& graphics, const Tile& tile, double left, double top,
                  double height) const {
     double bottom = top + height;
-    if (missing(tile)) {
+    if (is_missing(tile)) {
       graphics.fill_box(left, top, left + cell_width_, bottom, kMissing);
     } else {
       bottom = top + tile_height(tile);
-      const double inset = std::floor((cell_width_ - tile.view.width) / 2.0);
-      graphics.draw_image(tile.view, left + inset, top, tile.view.width, tile.view.height);
+      const double inset = std::floor((cell_width_ - tile.view_image.width) / 2.0);
+      graphics.draw_image(tile.view_image, left + inset, top, tile.view_image.width,
+                          tile.view_image.height);
       if (!legend_) {
-        draw_legend(graphics, tile.legend, tile.scale, left, top + tile.view.height, cell_width_,
-                    own_text_size_);
+        draw_legend(graphics, tile.legend, tile.pixels_per_spacing, left,
+                    top + tile.view_image.height, cell_width_, own_text_size_);
       }
     }
     draw_text(graphics, tile.label, text_size_, cell_width_, left, bottom + em(1.2));
@@ -173,8 +173,8 @@ PixelBox tile_size(double view_width, double view_height, int width) {
 Tile tile(const Image& picture, const PictureView& view, int width) {
   const PixelBox& box = view.box;
   const PixelBox size = tile_size(box.width, box.height, width);
-  return {.view = scaled(cropped(picture, box), size.width, size.height),
-          .scale = view.scale * size.width / box.width};
+  return {.view_image = resized(cropped(picture, box), size.width, size.height),
+          .pixels_per_spacing = view.pixels_per_spacing * size.width / box.width};
 }
 
 Image side_by_side(const std::vector<Image>& pictures) {

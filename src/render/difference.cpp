@@ -36,10 +36,10 @@ Difference difference_of(const Image& first, const Image& second, int tolerance)
   for (int y = 0; y < first.height; ++y) {
     for (int x = 0; x < first.width; ++x) {
       const int change = channel_difference(first.at(x, y), second.at(x, y));
-      result.largest = std::max(result.largest, change);
+      result.largest_difference = std::max(result.largest_difference, change);
       if (change > tolerance) {
-        ++result.pixels;
-        result.box.extend(Eigen::Vector2i(x, y));
+        ++result.differing_pixels;
+        result.differing_box.extend(Eigen::Vector2i(x, y));
       }
       result.picture.at(x, y) = change > tolerance ? kStrong : pale(first.at(x, y));
     }

@@ -84,7 +84,6 @@ Surface page_of(int width, int height, std::vector<std::uint8_t>& pdf) {
   return surface;
 }
 
-/// A row of pixels.
 Sample* row_of(cairo_surface_t* surface, int y) {
   return reinterpret_cast<Sample*>(cairo_image_surface_get_data(surface) +
                                    static_cast<std::ptrdiff_t>(y) *
@@ -95,13 +94,13 @@ Surface surface_of(const Image& image) {
   Surface surface = surface_of(image.width, image.height);
   for (int y = 0; y < image.height; ++y) {
     const Rgb* pixels = image.pixels.data() + std::ptrdiff_t{y} * image.width;
-    std::transform(pixels, pixels + image.width, row_of(surface.get(), y), packed);
+    std::transform(pixels, pixels + image.width, row_of(surface.get(), y), to_sample);
   }
   cairo_surface_mark_dirty(surface.get());
   return surface;
 }
 
-bool drawable(const Stroke& stroke) {
+bool is_drawable(const Stroke& stroke) {
   constexpr double kFar = 1e6;  // pixels; Cairo counts to 8 million
   const auto near = [](double coordinate) { return std::abs(coordinate) < kFar; };  // false for NaN
   return near(stroke.from.x()) && near(stroke.from.y()) && near(stroke.to.x()) &&
@@ -121,7 +120,6 @@ void line_to(cairo_t* cairo, const Eigen::Vector2d& point) {
   cairo_line_to(cairo, point.x(), point.y());
 }
 
-/// With round ends.
 void straight_line(cairo_t* cairo, const Eigen::Vector2d& from, const Eigen::Vector2d& to,
                    double width) {
   cairo_set_line_cap(cairo, CAIRO_LINE_CAP_ROUND);
@@ -230,7 +228,7 @@ Image Graphics::image(const PixelBox& without) const {
     if (y >= without.y && y < without.y + without.height) {
       continue;
     }
-    std::transform(row_of(surface, y), row_of(surface, y) + width_, &image.at(0, y), unpacked);
+    std::transform(row_of(surface, y), row_of(surface, y) + width_, &image.at(0, y), to_rgb);
   }
   return image;
 }
@@ -276,11 +274,11 @@ void Graphics::fill_polygon(std::span<const Eigen::Vector2d> corners, Rgb fill, 
 }
 
 void Graphics::draw_stroke(const Stroke& stroke) {
-  if (!drawable(stroke)) {
+  if (!is_drawable(stroke)) {
     return;
   }
   set_color(stroke.color);
-  if (stroke.arrow) {
+  if (stroke.is_arrow) {
     arrow(cairo_.get(), stroke);
   } else {
     straight_line(cairo_.get(), stroke.from, stroke.to, stroke.width);
@@ -318,7 +316,7 @@ Graphics::Text Graphics::text(std::string_view text, double size, double room) {
     fonts_.reset(font_context(cairo_.get(), fonts.map), g_object_unref);
   }
   if (fonts.sizes.insert(size).second || !is_ascii(text)) {  // Pango may look for other fonts
-    if (const std::string problem = font_problem(); !problem.empty()) {
+    if (const std::string problem = font_warning(); !problem.empty()) {
       throw RenderError(problem);
     }
   }
@@ -374,7 +372,7 @@ void Graphics::move_into(const PixelBox& box, double turn) {
   }
 }
 
-Image scaled(const Image& image, int width, int height) {
+Image resized(const Image& image, int width, int height) {
   Graphics graphics(width, height);
   graphics.draw_image(image, 0, 0, width, height);
   return graphics.image();
@@ -396,7 +394,7 @@ Image cropped(const Image& image, const PixelBox& box) {
   return result;
 }
 
-std::string font_problem() {
+std::string font_warning() {
   require_memory();  // fontconfig and Pango end the program where there is none
   const FcFontSet* fonts = FcConfigGetFonts(nullptr, FcSetSystem);
   if (fonts == nullptr || fonts->nfont == 0) {

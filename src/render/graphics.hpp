@@ -32,7 +32,7 @@ class Graphics {
   /// Throws RenderError if Cairo cannot draw a picture or page of this size, std::bad_alloc.
   Graphics(int width, int height, Medium medium = Medium::picture);
 
-  /// What is drawn on a picture; white in the rows of `without`.
+  /// The drawn picture; the rows of `without` are white.
   Image image(const PixelBox& without = {}) const;
   /// The PDF with the page, and a title for viewers. Nothing can be drawn afterwards.
   std::vector<std::uint8_t> pdf(const std::string& title);
@@ -45,12 +45,10 @@ class Graphics {
   void fill_polygon(std::span<const Eigen::Vector2d> corners, Rgb fill, double line, Rgb outline);
   /// Strokes that are not finite, or end further than a million pixels away, are left out.
   void draw_stroke(const Stroke& stroke);
-  /// Fades everything to white by this share, from 0 to 1.
-  void fade(double share);
+  void fade(double share);  ///< fades everything to white by this share, from 0 to 1
   /// A picture in this box, resized where needed; downwards each pixel is a mean.
   void draw_image(const Image& image, double left, double top, double width, double height);
 
-  /// One line of text.
   class Text {
    public:
     double width() const { return width_; }
@@ -85,8 +83,7 @@ class Graphics {
   std::shared_ptr<void> fonts_;  ///< PangoContext
 };
 
-/// `image` resized; see Graphics::draw_image().
-Image scaled(const Image& image, int width, int height);
+Image resized(const Image& image, int width, int height);
 
 /// Puts `image` onto `picture`, with its upper left corner at `left`, `top`.
 void paste(const Image& image, Image& picture, int left, int top);

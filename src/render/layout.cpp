@@ -17,7 +17,6 @@ constexpr int kMinTextSize = 9;  // pixels, below which letters cannot be read
 constexpr double kTextSizesInHeight = 42;
 constexpr double kTextSizesInWidth = 50;  // matters in pictures narrower than 6:5
 
-/// Height above the view.
 double top_strip(Annotations annotations) {
   return annotations == Annotations::all ? kTopStrip : kMargin;
 }
@@ -69,11 +68,12 @@ Layout layout_of(int width, int height, const lattice::Rectangle& view, Annotati
 
   Layout layout;
   layout.text_size = text_size;
-  layout.captions = annotations == Annotations::all;
-  layout.scale = std::min(room_width / view_width, room_height / view_height);
+  layout.has_captions = annotations == Annotations::all;
+  layout.pixels_per_spacing = std::min(room_width / view_width, room_height / view_height);
   PixelBox& panel = layout.panel;
-  panel.width = std::max(1, static_cast<int>(std::lround(view_width * layout.scale)));
-  panel.height = std::max(1, static_cast<int>(std::lround(view_height * layout.scale)));
+  panel.width = std::max(1, static_cast<int>(std::lround(view_width * layout.pixels_per_spacing)));
+  panel.height =
+      std::max(1, static_cast<int>(std::lround(view_height * layout.pixels_per_spacing)));
   panel.x = margin + (room_width - panel.width) / 2;
   panel.y = top + (room_height - panel.height) / 2;
   // In line with the view, unless it is too narrow.
@@ -83,7 +83,7 @@ Layout layout_of(int width, int height, const lattice::Rectangle& view, Annotati
   return layout;
 }
 
-Style completed(Style style, const lattice::Lattice& lattice) {
+Style with_view_and_size(Style style, const lattice::Lattice& lattice) {
   constexpr int kMaxSupersampling = 4;
   constexpr int kMaxSize = 32'767;  // of Cairo
   if (style.width < 0 || style.height < 0) {
@@ -102,7 +102,7 @@ Style completed(Style style, const lattice::Lattice& lattice) {
   if (!(width > 0 && height > 0 && std::isfinite(width) && std::isfinite(height))) {
     throw RenderError("the view to draw is empty or without bounds");
   }
-  if (style.annotations != Annotations::none && !font_problem().empty()) {
+  if (style.annotations != Annotations::none && !font_warning().empty()) {
     style.annotations = Annotations::none;
   }
   const PixelBox size = picture_size(style.width, style.height, style.view, style.annotations);
@@ -122,13 +122,14 @@ Projection projection_of(const lattice::Rectangle& view, const Layout& layout, i
   constexpr double kThick = 0.2;  // must stay below 0.4, where the lookup loses sight of the edge
   constexpr double kNone = 1.5;   // pixels a spacing
   constexpr double kFull = 4.0;
-  const double visible = std::max(0.8, picture_height / 1440.0) / layout.scale;
+  const double visible = std::max(0.8, picture_height / 1440.0) / layout.pixels_per_spacing;
   return {.width = layout.panel.width * samples,
           .height = layout.panel.height * samples,
-          .scale = layout.scale * samples,
+          .samples_per_spacing = layout.pixels_per_spacing * samples,
           .corner = {view.left, view.bottom},
           .outline_width = std::clamp(visible, kThin, kThick),
-          .outline_strength = std::clamp((layout.scale - kNone) / (kFull - kNone), 0.0, 1.0)};
+          .outline_strength =
+              std::clamp((layout.pixels_per_spacing - kNone) / (kFull - kNone), 0.0, 1.0)};
 }
 
 lattice::Rectangle box_with_frame(const lattice::Lattice& lattice) {

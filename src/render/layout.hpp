@@ -12,13 +12,13 @@
 namespace clca::render {
 
 struct Layout {
-  PixelBox panel;     ///< shows the view
-  double scale = 1;   ///< pixels a lattice spacing
+  PixelBox panel;  ///< shows the view
+  double pixels_per_spacing = 1;
   int text_size = 0;  ///< pixels; 0: no annotations, or no room for them
   int text_left = 0;  ///< bounds of captions and legends
   int text_right = 0;
-  bool captions = true;
-  bool scale_bar = true;
+  bool has_captions = true;
+  bool has_scale_bar = true;
 };
 
 /// A size in which the view fills the picture, with space for annotations if requested: even
@@ -32,9 +32,8 @@ Layout layout_of(int width, int height, const lattice::Rectangle& view, Annotati
 
 /// `style` with its view, or the whole box if it has none, and its size. Throws RenderError for an
 /// invalid style.
-Style completed(Style style, const lattice::Lattice& lattice);
+Style with_view_and_size(Style style, const lattice::Lattice& lattice);
 
-/// A particle in view.
 struct Body {
   std::uint16_t kind = 0;
   lattice::Axial place;  ///< of the reference site, in half spacings from site 0, 0
@@ -44,14 +43,14 @@ struct Body {
 struct Projection {
   int width = 0;  ///< samples
   int height = 0;
-  double scale = 1;             ///< samples a lattice spacing
+  double samples_per_spacing = 1;
   Eigen::Vector2d corner;       ///< of the canvas, lower left, in lattice spacings
   double outline_width = 0;     ///< lattice spacings
   double outline_strength = 0;  ///< 0 draws no outline, 1 the darkest one
 
-  /// The part of the plane that the canvas shows.
   lattice::Rectangle view() const {
-    return {corner.x(), corner.y(), corner.x() + width / scale, corner.y() + height / scale};
+    return {corner.x(), corner.y(), corner.x() + width / samples_per_spacing,
+            corner.y() + height / samples_per_spacing};
   }
 
   /// The samples whose centre lies in `rectangle`, the lower left one first.
@@ -60,10 +59,10 @@ struct Projection {
       return static_cast<int>(
           std::clamp(std::ceil(coordinate - 0.5), 0.0, static_cast<double>(count)));
     };
-    const int left = first((rectangle.left - corner.x()) * scale, width);
-    const int right = first((rectangle.right - corner.x()) * scale, width);
-    const int bottom = first((rectangle.bottom - corner.y()) * scale, height);
-    const int top = first((rectangle.top - corner.y()) * scale, height);
+    const int left = first((rectangle.left - corner.x()) * samples_per_spacing, width);
+    const int right = first((rectangle.right - corner.x()) * samples_per_spacing, width);
+    const int bottom = first((rectangle.bottom - corner.y()) * samples_per_spacing, height);
+    const int top = first((rectangle.top - corner.y()) * samples_per_spacing, height);
     return {left, bottom, std::max(0, right - left), std::max(0, top - bottom)};
   }
 };

@@ -25,11 +25,11 @@ namespace clca::render {
 
 // As JSON.
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Legend::Patch, label, color, outline, size)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Legend::Bar, label, low, high, diverging, below, above)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Legend::ColorBar, label, low, high, diverging, below, above)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Legend::Line, label, width, length, color, arrow)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Legend, patches, bars, lines, fade)
 
-void add_walls(Legend& legend, bool moving) {
+void add_wall_entries(Legend& legend, bool moving) {
   const std::vector<Eigen::Vector2d> square = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   legend.patches.push_back({.label = "wall", .color = kWallColor, .outline = square});
   if (moving) {
@@ -45,8 +45,8 @@ std::optional<Legend> common_legend(const Legend& first, const Legend& second) {
     return std::nullopt;
   }
   for (std::size_t i = 0; i < result.bars.size(); ++i) {
-    Legend::Bar& bar = result.bars[i];
-    const Legend::Bar& other = second.bars[i];
+    Legend::ColorBar& bar = result.bars[i];
+    const Legend::ColorBar& other = second.bars[i];
     if (bar.label != other.label || bar.low != other.low || bar.high != other.high) {
       return std::nullopt;
     }
@@ -65,7 +65,7 @@ std::string to_text(const Legend& legend) {
   return nlohmann::json(legend).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
 }
 
-Legend legend_of(const std::string& text) {
+Legend parse_legend(const std::string& text) {
   try {
     return nlohmann::json::parse(text).get<Legend>();
   } catch (const nlohmann::json::exception&) {

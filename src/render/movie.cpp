@@ -87,8 +87,8 @@ Arguments ffmpeg_arguments(const std::filesystem::path& file, MovieFormat format
   return arguments;
 }
 
-process::Program started(const Arguments& arguments, const process::OutputCapture& errors,
-                         const std::atomic<int>* stop) {
+process::Program start_ffmpeg(const Arguments& arguments, const process::OutputCapture& errors,
+                              const std::atomic<int>* stop) {
   try {
     return {arguments,
             {.out = &errors,
@@ -134,9 +134,9 @@ Movie::Movie(const std::filesystem::path& file, const std::filesystem::path& tem
     : file_(file),
       width_(width),
       height_(height),
-      ffmpeg_(
-          started(ffmpeg_arguments(temporary, movie_format(file), width, height, frames_per_second),
-                  errors_, stop)) {}
+      ffmpeg_(start_ffmpeg(
+          ffmpeg_arguments(temporary, movie_format(file), width, height, frames_per_second),
+          errors_, stop)) {}
 
 void Movie::add(const Image& image) {
   if (image.width != width_ || image.height != height_) {

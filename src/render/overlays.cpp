@@ -60,28 +60,28 @@ double typical_length(std::span<const FieldArrow> arrows) {
       squares += arrow.vector.squaredNorm();
     }
   }
-  return squares > 0 ? round_number_up_to(1.5 * squares / sum) : 0;
+  return squares > 0 ? largest_round_number_up_to(1.5 * squares / sum) : 0;
 }
 
 Overlay arrow_field(std::span<const FieldArrow> arrows, double cell, double scale,
                     const UnitName& unit) {
   Overlay overlay = {.strokes = {}, .fade = kArrowFade};
   if (!(scale > 0 && cell > 0)) {
-    overlay.legend_lines = {{fmt::format("0 {}", unit.several), 0, 0, arrow_color(0), true}};
+    overlay.legend_lines = {{fmt::format("0 {}", unit.plural), 0, 0, arrow_color(0), true}};
     return overlay;
   }
   const double width = kArrowWidth * cell;
-  const double shown = round_number_up_to(scale);
+  const double shown = largest_round_number_up_to(scale);
   const double share = shown / scale;
-  overlay.legend_lines = {{fmt::format("{:g} {}", shown, shown == 1 ? unit.one : unit.several),
+  overlay.legend_lines = {{fmt::format("{:g} {}", shown, shown == 1 ? unit.singular : unit.plural),
                            width, kArrowShare * cell * share, arrow_color(share), true}};
   std::vector<FieldArrow> sorted(arrows.begin(), arrows.end());
   std::erase_if(sorted, [](const FieldArrow& arrow) { return arrow.vector.hasNaN(); });
   std::ranges::stable_sort(sorted, {}, [](const FieldArrow& arrow) { return arrow.vector.norm(); });
   for (const FieldArrow& arrow : sorted) {
     const Eigen::Vector2d half = kArrowShare * cell / scale / 2 * arrow.vector;
-    overlay.strokes.push_back(
-        {arrow.at - half, arrow.at + half, width, arrow_color(arrow.vector.norm() / scale), true});
+    overlay.strokes.push_back({arrow.center - half, arrow.center + half, width,
+                               arrow_color(arrow.vector.norm() / scale), true});
   }
   return overlay;
 }

@@ -60,7 +60,7 @@ std::vector<Body> bodies_in_view(const Projection& projection, const grains::Sta
         const int columns = image * state.lattice.columns();  // to there, at the same height
         const lattice::Axial place =
             from_corner + from_corner + lattice::Axial{2 * columns, -columns};
-        bodies.push_back({particle.kind, place, coloring.palette[coloring.shades[id]]});
+        bodies.push_back({particle.kind, place, coloring.palette[coloring.palette_indices[id]]});
       }
     }
   }
@@ -83,7 +83,7 @@ struct Capture::Content {
 
 struct Painter::Impl {
   Impl(const Style& wanted, const lattice::Lattice& where, const std::vector<grains::Kind>& kinds)
-      : style(completed(wanted, where)),
+      : style(with_view_and_size(wanted, where)),
         lattice(where),
         layout(layout_of(style.width, style.height, style.view, style.annotations)),
         projection(projection_of(style.view, layout, style.supersampling, style.height)),
@@ -92,7 +92,7 @@ struct Painter::Impl {
     for (const grains::Kind& kind : kinds) {
       outlines.push_back(outline(kind.shape));
     }
-    if (style.drawing == Drawing::polygons) {
+    if (style.drawing == DrawingMethod::polygons) {
       polygons = polygon_painter(projection, style.supersampling,
                                  projection.samples_in(box_with_frame(lattice)), kinds);
     }
@@ -100,7 +100,7 @@ struct Painter::Impl {
 
   /// Of a point of the plane, from the upper left corner of the panel.
   Eigen::Vector2d pixel(const Eigen::Vector2d& point) const {
-    const Eigen::Vector2d from_corner = layout.scale * (point - projection.corner);
+    const Eigen::Vector2d from_corner = layout.pixels_per_spacing * (point - projection.corner);
     return {from_corner.x(), layout.panel.height - from_corner.y()};
   }
 
@@ -114,9 +114,9 @@ struct Painter::Impl {
       draw_particles();
       graphics.fade(overlay.fade);
       for (const Stroke& stroke : overlay.strokes) {
-        Stroke drawn = {pixel(stroke.from), pixel(stroke.to), stroke.width * layout.scale,
-                        stroke.color, stroke.arrow};
-        if (!drawn.arrow || moved_into_view(drawn, box, turn)) {
+        Stroke drawn = {pixel(stroke.from), pixel(stroke.to),
+                        stroke.width * layout.pixels_per_spacing, stroke.color, stroke.is_arrow};
+        if (!drawn.is_arrow || moved_into_view(drawn, box, turn)) {
           graphics.draw_stroke(drawn);
         }
       }
@@ -144,7 +144,8 @@ struct Painter::Impl {
         for (const lattice::Axial corner : outlines[body.kind]) {
           corners.push_back(pixel(position_from_halves(body.place + corner)));
         }
-        graphics.fill_polygon(corners, body.fill, projection.outline_width * layout.scale,
+        graphics.fill_polygon(corners, body.fill,
+                              projection.outline_width * layout.pixels_per_spacing,
                               outline_color(body.fill, projection.outline_strength));
       }
     });
@@ -172,11 +173,11 @@ Capture Painter::capture(const grains::State& state, const grains::Occupancy& oc
   if (state.lattice != impl_->lattice || state.kinds.size() != impl_->outlines.size()) {
     throw std::invalid_argument("the painter was made for another lattice or other kinds");
   }
-  if (coloring.shades.size() != state.particles.size()) {
+  if (coloring.palette_indices.size() != state.particles.size()) {
     throw std::invalid_argument("the colours are those of another state");
   }
   for (std::size_t id = 0; id < state.particles.size(); ++id) {
-    if (state.particles[id].present && coloring.shades[id] >= coloring.palette.size()) {
+    if (state.particles[id].present && coloring.palette_indices[id] >= coloring.palette.size()) {
       throw std::invalid_argument("a shade is not in the palette");
     }
   }
@@ -184,14 +185,15 @@ Capture Painter::capture(const grains::State& state, const grains::Occupancy& oc
   if (!impl_->polygons) {
     content->panel = impl_->lookup.picture(state, occupancy, coloring);
   }
-  if (impl_->polygons || impl_->style.vector) {
-    content->walls = impl_->walls.picture(
-        state, occupancy,
-        {.shades = std::vector<std::uint16_t>(state.particles.size()), .palette = {kPaper}});
+  if (impl_->polygons || impl_->style.for_pdf) {
+    content->walls =
+        impl_->walls.picture(state, occupancy,
+                             {.palette_indices = std::vector<std::uint16_t>(state.particles.size()),
+                              .palette = {kPaper}});
     content->bodies = bodies_in_view(impl_->projection, state, coloring);
   }
   Capture capture = {.content = std::move(content), .legend = coloring.legend};
-  add_walls(capture.legend, std::ranges::any_of(state.walls, moves));
+  add_wall_entries(capture.legend, std::ranges::any_of(state.walls, is_moving_wall));
   return capture;
 }
 
@@ -201,9 +203,10 @@ Image Painter::rasterize(const Capture& captured, const Caption& caption, const 
   const PixelBox& box = impl_->layout.panel;
   Graphics graphics(style.width, style.height);
   const Image polygons =
-      impl_->polygons ? means_over(captured.content->walls,
-                                   impl_->polygons(captured.content->bodies), style.supersampling)
-                      : Image();
+      impl_->polygons
+          ? averaged_over_background(captured.content->walls,
+                                     impl_->polygons(captured.content->bodies), style.supersampling)
+          : Image();
   const Image& panel = impl_->polygons ? polygons : captured.content->panel;
   const bool bare = overlay.strokes.empty() && overlay.fade == 0 && turn == 0;
   impl_->draw(graphics, captured.legend, caption, overlay, turn, [&] {
@@ -233,7 +236,7 @@ double Painter::bytes_for(const Style& style, double particles, int captures) {
   double bytes = pixels * (4 + (captures + 2.0) * sizeof(Rgb) + sizeof(grains::Owner)) +
                  particles * 4 * sizeof(Sample);
   bytes += particles * (sizeof(double) + 2 * sizeof(std::uint16_t));  // values and their shades
-  if (style.vector || style.drawing == Drawing::polygons) {
+  if (style.for_pdf || style.drawing == DrawingMethod::polygons) {
     // Of the walls in captures and lookup, on the canvas and as it is read.
     const double samples = pixels * style.supersampling * style.supersampling;
     bytes += samples * ((captures + 1.0) * sizeof(Rgb) + 2 * sizeof(Sample)) +
@@ -251,7 +254,7 @@ int Painter::height() const {
 }
 
 PictureView Painter::view() const {
-  return {impl_->layout.panel, impl_->layout.scale};
+  return {impl_->layout.panel, impl_->layout.pixels_per_spacing};
 }
 
 Image Painter::draw(const grains::State& state, const grains::Occupancy& occupancy,

@@ -17,7 +17,7 @@ constexpr Owner kStandingWall = grains::kFree - 1;
 constexpr Owner kMovingWall = grains::kFree - 2;
 constexpr std::size_t kOthers = 3;  // owners that are no particles: these and kFree
 
-constexpr Sample kPackedPaper = packed(kPaper);
+constexpr Sample kPackedPaper = to_sample(kPaper);
 
 std::int64_t in_units(double value, int fraction_bits) {
   return static_cast<std::int64_t>(std::floor(std::ldexp(value, fraction_bits)));
@@ -25,18 +25,17 @@ std::int64_t in_units(double value, int fraction_bits) {
 
 }  // namespace
 
-/// Colours of all owners in a state.
 class SiteLookup::Colors {
  public:
   Colors(const grains::State& state, const grains::Occupancy& occupancy, const Coloring& coloring,
          double outline_strength)
       : occupancy_(occupancy), colors_(2 * (state.particles.size() + kOthers)) {
     for (const grains::Wall& wall : state.walls) {
-      moving_.push_back(moves(wall));
+      moving_.push_back(is_moving_wall(wall));
     }
     const auto set = [this](Owner owner, Rgb fill, Rgb outline) {
-      colors_[color_index(owner)] = packed(fill);
-      colors_[color_index(owner) + 1] = packed(outline);
+      colors_[color_index(owner)] = to_sample(fill);
+      colors_[color_index(owner) + 1] = to_sample(outline);
     };
     set(grains::kFree, kPaper, kPaper);
     for (const bool moving : moving_) {  // so that the table tells of it
@@ -50,7 +49,7 @@ class SiteLookup::Colors {
     }
     for (std::size_t id = 0; id < state.particles.size(); ++id) {
       if (state.particles[id].present) {
-        const std::size_t shade = coloring.shades[id];
+        const std::size_t shade = coloring.palette_indices[id];
         set(static_cast<Owner>(id), coloring.palette[shade], outlines[shade]);
       }
     }
@@ -181,7 +180,7 @@ SiteLookup::SiteLookup(const lattice::Lattice& lattice, const Projection& projec
                                projection.outline_width / lattice::kColumnPitch, kFractionBits))
                          : 0) {
   for (int y = box_.y; y < box_.y + box_.height; ++y) {
-    const double height = projection.corner.y() + (y + 0.5) / projection.scale;
+    const double height = projection.corner.y() + (y + 0.5) / projection.samples_per_spacing;
     const std::int64_t units = in_units(height, kFractionBits);
     heights_.push_back(
         {static_cast<int>(units >> kFractionBits), static_cast<std::int32_t>(units & (kOne - 1))});
@@ -191,7 +190,7 @@ SiteLookup::SiteLookup(const lattice::Lattice& lattice, const Projection& projec
     return lattice.periodic() ? wanted : std::clamp(wanted, -1, lattice.columns());
   };
   for (int x = box_.x; x < box_.x + box_.width; ++x) {
-    const double across = projection.corner.x() + (x + 0.5) / projection.scale;
+    const double across = projection.corner.x() + (x + 0.5) / projection.samples_per_spacing;
     const std::int64_t units = in_units(across / lattice::kColumnPitch, kFractionBits);
     const auto column = static_cast<int>(units >> kFractionBits);
     const int rows_more = lattice::is_odd(column) ? 1 : 0;  // on the right, at the same height
@@ -354,7 +353,7 @@ Image SiteLookup::picture(const grains::State& state, const grains::Occupancy& o
           const std::span<Rgb> pixels(&image.at(left, image.height - 1 - row),
                                       static_cast<std::size_t>(count));
           const Sample* from = samples.data() + std::ptrdiff_t{left} * samples_;
-          set_means(pixels, from, pitch, samples_);
+          set_to_sample_means(pixels, from, pitch, samples_);
         }
       }
     });

@@ -16,11 +16,10 @@
 namespace clca::render {
 
 /// Whether the wall is present and has a motion; such walls have another colour.
-inline bool moves(const grains::Wall& wall) {
+inline bool is_moving_wall(const grains::Wall& wall) {
   return wall.present && wall.motion.has_value();
 }
 
-/// For one view of one lattice.
 class SiteLookup {
  public:
   /// `samples` a pixel along each axis. `threads`: that share a picture.

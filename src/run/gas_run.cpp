@@ -30,7 +30,6 @@ namespace {
 constexpr double kMinSeconds = 1e-9;
 constexpr double kAnySize = std::numeric_limits<double>::infinity();
 
-/// The gases of an ensemble that a rank advances.
 struct GasShare {
   double restitution = 1;
   /// Numbers of the members that have not begun: each rank takes the next one when it is free.
@@ -41,13 +40,12 @@ struct GasShare {
   CLCA_FIELDS(restitution, shared, begun);
 };
 
-/// A message from one rank to another.
 template <class T>
-tasks::Bytes packed(const T& value, const std::string& scene) {
+tasks::Bytes message_bytes(const T& value, const std::string& scene) {
   return store::checkpoint_bytes({.kind = "gas",
                                   .scene_name = "",
-                                  .scene = scene,
-                                  .summary = "",
+                                  .scene_text = scene,
+                                  .summary_json = "",
                                   .fields = reflection::encode(value)});
 }
 
@@ -66,7 +64,6 @@ std::string case_name(double restitution) {
   return fmt::format("restitution-{}", restitution);
 }
 
-/// How far a member of the ensemble is.
 struct MemberProgress {
   std::atomic<double> time = 0;                   ///< while this process advances it, else 0
   std::atomic<std::uint64_t> participations = 0;  ///< so far, of any process
@@ -75,7 +72,7 @@ struct MemberProgress {
 class GasRun : public RunBase {
  public:
   GasRun(const scene::BoltzmannScene& scene, const RunOptions& options, const RunEvents& events,
-         std::optional<store::RunFolder> folder = {}, GasCourse course = {})
+         std::optional<store::RunFolder> folder = {}, SavedGasRun course = {})
       : RunBase({.kind = "boltzmann",
                  .scene = scene.name,
                  .title = scene.title,
@@ -91,7 +88,7 @@ class GasRun : public RunBase {
         course_(std::move(course)),
         cases_logged_(std::exchange(course_.cases_ended, 0)) {
     if (course_.cases.empty()) {
-      begin(std::move(folder), checkpoint());
+      begin(std::move(folder), checkpoint_without_fields());
     } else {
       go_on(*std::move(folder), course_.log_bytes, course_.wall_seconds);
     }
@@ -108,8 +105,7 @@ class GasRun : public RunBase {
   void check_if_save_is_due();
   void show_progress(double restitution);
   void finish_case(const record::GasCase& gas_case);
-  /// Writes a checkpoint; no gas may change meanwhile.
-  void save_course();
+  void save_course();  ///< writes a checkpoint; no gas may change meanwhile
   void warn_of_long_step();
   bool is_done(const model::GasMember& member) const {
     return member.observations.size() == integrator_.times().size();
@@ -134,7 +130,7 @@ class GasRun : public RunBase {
   tasks::Ranks& ranks_;
   GasThreads threads_;
   model::GasIntegrator integrator_;
-  GasCourse course_;
+  SavedGasRun course_;
   std::uint64_t cases_logged_;               // by the lines of log.txt that were there
   std::uint64_t participations_before_ = 0;  // of the cases before
   std::uint64_t gases_done_ = 0;
@@ -185,14 +181,14 @@ void GasRun::run_cases() {
     record::GasCase& gas_case = course_.cases[i];
     run_case(gas_case);
     if (!has_all_observations(gas_case)) {
-      interrupt();
+      mark_interrupted();
     }
     const bool last = i + 1 == scene_.restitutions.size();
     if (!is_complete() || (last && scene_.checkpoint)) {
       save_course();
     }
     finish_case(gas_case);
-    record::write_tables(scene_, course_.cases, folder().files());
+    record::write_tables(scene_, course_.cases, folder().output_folder());
   }
 }
 
@@ -209,15 +205,15 @@ void GasRun::run_case(record::GasCase& gas_case) {
   forecast_ = record::TimeEstimate();
   const std::vector<GasShare> shares = shares_of(gas_case);
   ranks_.hand_out([&](int rank) {
-    return packed(shares[static_cast<std::size_t>(rank)], scene::to_yaml(scene_));
+    return message_bytes(shares[static_cast<std::size_t>(rank)], scene::to_yaml(scene_));
   });
-  tasks::Pool<bool> pool(threads_.gases, ranks_, shares[0].shared, work(gas_case), options().stop,
-                         true);
+  tasks::Pool<bool> pool(threads_.gases, ranks_, shares[0].shared, work(gas_case),
+                         options().stop_signal, true);
   for (const auto& [number, _] : shares[0].begun) {
     pool.add(number);
   }
   constexpr std::chrono::milliseconds kPause(100);
-  if (stop_asked()) {
+  if (stop_is_requested()) {
     pool.stop();
   }
   while (!pool.finished()) {
@@ -227,7 +223,7 @@ void GasRun::run_case(record::GasCase& gas_case) {
         pool.add(number);
       }
     }
-    if (stop_asked()) {
+    if (stop_is_requested()) {
       pool.stop();
     }
     check_if_save_is_due();
@@ -281,7 +277,7 @@ tasks::Pool<bool>::Work GasRun::work(record::GasCase& gas_case) {
           progress_due()) {  // in the thread that called run()
         show_progress(gas_case.restitution);
       }
-      return stop == 0 && !stop_asked() && !is_save_due_;
+      return stop == 0 && !stop_is_requested() && !is_save_due_;
     };
     integrator_.integrate(member, gas_case.restitution, boltzmann::member_seed(scene_.seed, number),
                           startable_threads_, keep_going);
@@ -330,9 +326,9 @@ void GasRun::show_progress(double restitution) {
                          .stage_number = course_.cases_ended + 1,
                          .stage_count = scene_.restitutions.size(),
                          .time = latest,
-                         .until = scene_.until,
+                         .end_time = scene_.until,
                          .gases_done = gases_done_,
-                         .gases = scene_.ensemble,
+                         .gas_count = scene_.ensemble,
                          .collisions_per_second = collisions() / wall_seconds(),
                          .seconds_left = forecast_.seconds_left()});
 }
@@ -345,10 +341,10 @@ void GasRun::finish_case(const record::GasCase& gas_case) {
   }
   steps_ += steps;
   const std::string ended = is_complete() ? "time" : "interrupted";
-  stages().push_back({.name = case_name(gas_case.restitution),
-                      .steps = steps,
-                      .ended = ended,
-                      .measures = record::gas_measures(scene_, gas_case)});
+  stage_summaries().push_back({.name = case_name(gas_case.restitution),
+                               .steps = steps,
+                               .end_reason = ended,
+                               .measures = record::gas_measures(scene_, gas_case)});
   if (++course_.cases_ended > cases_logged_) {
     info(fmt::format("restitution {}: {} gases of {} particles, {} steps, ended: {}",
                      gas_case.restitution, gas_case.members.size(), scene_.particles, steps,
@@ -359,8 +355,8 @@ void GasRun::finish_case(const record::GasCase& gas_case) {
 void GasRun::save_course() {
   course_.wall_seconds = wall_seconds();
   course_.log_bytes = log_bytes();
-  store::Checkpoint saved = checkpoint();
-  reflection::encode(kSavedGases, course_, saved.fields);
+  store::Checkpoint saved = checkpoint_without_fields();
+  reflection::encode(kGasesPath, course_, saved.fields);
   save(std::move(saved));
 }
 
@@ -368,9 +364,9 @@ void GasRun::complete_summary(store::RunSummary& summary) const {
   summary.ranks = ranks_.size();
   summary.particles = scene_.particles * scene_.ensemble;
   summary.steps = steps_;
-  summary.tables = record::gas_summary(scene_);
+  summary.table_descriptions = record::gas_summary(scene_);
   summary.step_seconds = summary.wall_seconds;
-  summary.rate = collisions() / std::max(summary.wall_seconds, kMinSeconds);
+  summary.rate_per_second = collisions() / std::max(summary.wall_seconds, kMinSeconds);
   summary.state_hash = hash_.value();
 }
 
@@ -385,10 +381,10 @@ void advance(GasShare share, const scene::BoltzmannScene& scene, const RunOption
     integrator.integrate(member, share.restitution, boltzmann::member_seed(scene.seed, number),
                          parallel::start_team(threads.per_gas),
                          [&](const model::GasMember& /*now*/) { return stop == 0; });
-    return packed(member, "");
+    return message_bytes(member, "");
   };
   tasks::Pool<tasks::Bytes> pool(threads.gases, *options.ranks, share.shared,
-                                 {.carry_out = advance_one}, options.stop);
+                                 {.carry_out = advance_one}, options.stop_signal);
   for (const auto& [number, _] : share.begun) {
     pool.add(number);
   }
@@ -404,24 +400,25 @@ store::RunSummary run(const scene::BoltzmannScene& scene, const RunOptions& opti
 
 store::RunSummary resume_gas(SavedRun& saved, const RunOptions& options, const RunEvents& events) {
   const auto& scene = std::get<scene::BoltzmannScene>(saved.scene);
-  GasCourse course;
-  if (saved.checkpoint.is_start()) {
+  SavedGasRun course;
+  if (saved.checkpoint.is_before_first_step()) {
     saved.folder.start_over(saved.checkpoint);
   } else {
-    course = saved_course(saved);
+    course = saved_gas_run(saved);
     saved.checkpoint.fields.clear();  // as large as the gases
   }
   return GasRun(scene, options, events, std::move(saved.folder), std::move(course)).execute();
 }
 
-void serve(const RunOptions& options) {
+void work_for_rank_0(const RunOptions& options) {
   options.ranks->begin(store::version());
-  while (const auto work = options.ranks->wait_for_work(options.stop)) {
+  while (const auto work = options.ranks->wait_for_work(options.stop_signal)) {
     const store::Checkpoint content = store::parse_checkpoint(*work, kAnySize);
     GasShare share;
     reflection::decode(content.fields, kAnySize, share);
     advance(std::move(share),
-            std::get<scene::BoltzmannScene>(scene::parse_any(content.scene, "the scene of rank 0")),
+            std::get<scene::BoltzmannScene>(
+                scene::parse_any(content.scene_text, "the scene of rank 0")),
             options);
   }
 }

@@ -17,7 +17,7 @@ void require_of_run(bool holds, const char* reason) {
 }
 
 /// Throws reflection::Mismatch unless a run of the scene can have saved it.
-void check(const GasCourse& course, const scene::BoltzmannScene& scene) {
+void check(const SavedGasRun& course, const scene::BoltzmannScene& scene) {
   const std::vector<model::GasTime> times = model::gas_times(scene);
   const std::size_t lasting = model::lasting_times(scene);
   const std::size_t bins = model::bins_of(scene).count();
@@ -64,8 +64,8 @@ void check(const GasCourse& course, const scene::BoltzmannScene& scene) {
   }
 }
 
-/// Moves gases back where the end of the run changes.
-void move_end(GasCourse& course, const scene::BoltzmannScene& old_scene, const SavedRun& saved) {
+void move_back_to_new_end(SavedGasRun& course, const scene::BoltzmannScene& old_scene,
+                          const SavedRun& saved) {
   const auto& scene = std::get<scene::BoltzmannScene>(saved.scene);
   const auto refuse = [&](const std::string& reason) {
     throw store::StoreError(fmt::format("cannot resume the run in {} until {}: {}",
@@ -97,19 +97,19 @@ void move_end(GasCourse& course, const scene::BoltzmannScene& old_scene, const S
 
 }  // namespace
 
-GasCourse saved_course(const SavedRun& saved) {
+SavedGasRun saved_gas_run(const SavedRun& saved) {
   const store::Checkpoint& checkpoint = saved.checkpoint;
   const auto old_scene = std::get<scene::BoltzmannScene>(
-      scene::parse_any(checkpoint.scene, (saved.folder.path() / store::kSceneFile).string()));
-  GasCourse course;
+      scene::parse_any(checkpoint.scene_text, (saved.folder.path() / store::kSceneFile).string()));
+  SavedGasRun course;
   try {
-    reflection::decode(kSavedGases, checkpoint.fields, saved.max_bytes, course);
+    reflection::decode(kGasesPath, checkpoint.fields, saved.max_bytes, course);
     check(course, old_scene);
   } catch (const reflection::Mismatch& error) {
     throw mismatched_checkpoint(saved.folder.path(), error.what());
   }
   if (old_scene.until != std::get<scene::BoltzmannScene>(saved.scene).until) {
-    move_end(course, old_scene, saved);
+    move_back_to_new_end(course, old_scene, saved);
   }
   for (record::GasCase& gas_case : course.cases) {
     for (model::GasMember& member : gas_case.members) {

@@ -45,7 +45,7 @@ OtherRun end_state_of(const fs::path& folder, const store::RunSummary& summary, 
         "of its trajectory",
         folder.string()));
   }
-  if (found && found->checkpoint.is_start()) {
+  if (found && found->checkpoint.is_before_first_step()) {
     throw store::StoreError(fmt::format("a new run begins in {}", folder.string()));
   }
   if (!found) {
@@ -54,7 +54,8 @@ OtherRun end_state_of(const fs::path& folder, const store::RunSummary& summary, 
                     "name a step of its trajectory",
                     folder.string()));
   }
-  scene::Scene scene = scene::parse(found->checkpoint.scene, (folder / store::kSceneFile).string());
+  scene::Scene scene =
+      scene::parse(found->checkpoint.scene_text, (folder / store::kSceneFile).string());
   model::ModelState state = model::saved_state(scene, found->checkpoint.fields, max_bytes);
   if (model::hash(state) != summary.state_hash) {
     throw store::StoreError(
@@ -193,7 +194,6 @@ void take_grains(const scene::Scene& scene, const OtherRun& other,
   }
 }
 
-/// Grains in an outlet leave at once.
 void remove_at_outlets(grains::State& state) {
   for (std::uint32_t id = 0; id < state.particles.size(); ++id) {
     if (grains::count_at_outlet(state, id)) {
@@ -289,7 +289,7 @@ void take_motion(const scene::Scene& scene, const OtherRun& other,
 
 }  // namespace
 
-model::ModelState first_state(const scene::Scene& scene) {
+model::ModelState state_at_start(const scene::Scene& scene) {
   model::ModelState state = model::empty_state(scene);
   if (!scene.begin) {
     return state;
@@ -304,7 +304,7 @@ model::ModelState first_state(const scene::Scene& scene) {
   return state;
 }
 
-void find_begin(scene::Scene& scene, double max_bytes) {
+void resolve_begin(scene::Scene& scene, double max_bytes) {
   if (!scene.begin || scene.begin->particles > 0) {
     return;
   }

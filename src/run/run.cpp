@@ -42,10 +42,10 @@ class Run : public RunBase {
  public:
   Run(const scene::Scene& scene, const RunOptions& options, const RunEvents& events,
       std::optional<store::RunFolder> folder = {})
-      : Run(scene, options, events, first_state(scene), false) {
+      : Run(scene, options, events, state_at_start(scene), false) {
     course_.history = prepare_stage(model_, scene_, 0);
-    store::Checkpoint start = checkpoint();
-    reflection::encode(kWantedPictures, options.pictures, start.fields);
+    store::Checkpoint start = checkpoint_without_fields();
+    reflection::encode(kRequestedPicturesPath, options.pictures, start.fields);
     begin(std::move(folder), start);
   }
 
@@ -53,11 +53,11 @@ class Run : public RunBase {
   Run(const scene::Scene& scene, const RunOptions& options, const RunEvents& events,
       SavedRun& saved, SavedParts parts)
       : Run(scene, options, events, std::move(parts.state), true) {
-    course_.reached = parts.reached;
-    go_on(std::move(saved.folder), parts.reached.log_bytes, parts.reached.wall_seconds);
+    course_.counters = parts.counters;
+    go_on(std::move(saved.folder), parts.counters.log_bytes, parts.counters.wall_seconds);
     course_.history = std::move(parts.history);
-    course_.present = grains::present_count(model_.state());
-    stages() = std::move(parts.stages);
+    course_.present_particles = grains::present_count(model_.state());
+    stage_summaries() = std::move(parts.ended_stages);
     model_.set_rules(stage());
     course_.observers.load({saved.checkpoint.fields, saved.max_bytes}, course_.view());
   }
@@ -77,7 +77,7 @@ class Run : public RunBase {
         model_(scene, std::move(state),
                {.threads = options.threads,
                 .parallel_from = options.parallel_from,
-                .reference = options.reference}),
+                .reference = options.use_reference_step}),
         course_{.scene = scene,
                 .model = &model_,
                 .observers = observers_of(scene, model_.state(), options),
@@ -90,38 +90,37 @@ class Run : public RunBase {
   void run_stage();
   /// Writes the rest of the trajectory; the failure itself is reported by the base.
   void finish_after_failure();
-  /// Runs steps until the stage ends; returns the reason.
-  StageEnd run_steps();
+  StageEnd run_steps();  ///< runs steps until the stage ends; returns the reason
   void end_stage(StageEnd end);
-  /// Of the run between two steps.
-  store::Checkpoint checkpoint_now();
+  store::Checkpoint checkpoint_now();  ///< of the run between two steps
   void show_progress(bool until_rest, std::optional<double> seconds_left);
   const scene::Stage& stage() const { return course_.stage(); }
   double rate() const {
-    const RunCounters& reached = course_.reached;
+    const RunCounters& reached = course_.counters;
     return reached.step_seconds > 0 ? reached.updates / reached.step_seconds : 0;
   }
 
   const scene::Scene& scene_;
   std::optional<scene::Conversion> conversion_;
   model::SceneModel model_;
-  Course course_;
+  StageRunner course_;
   bool in_stage_;                                    // one that goes on
   std::optional<store::Checkpoint> end_checkpoint_;  // is written with what comes after it
 };
 
 void Run::open_files() {
-  course_.files = &folder().files();
+  course_.files = &folder().output_folder();
   course_.observers.open(folder(), model_.state());
 }
 
 void Run::carry_out() {
   const bool has_pictures = scene_.output.frames && options().pictures != WantedPictures::none;
-  if (has_pictures && scene_.output.frames->caption && !render::font_problem().empty()) {
-    warning(render::font_problem());
+  if (has_pictures && scene_.output.frames->caption && !render::font_warning().empty()) {
+    warning(render::font_warning());
   }
   try {
-    for (; course_.reached.stage < scene_.stages.size() && is_complete(); ++course_.reached.stage) {
+    for (; course_.counters.stage < scene_.stages.size() && is_complete();
+         ++course_.counters.stage) {
       run_stage();
     }
   } catch (const std::exception&) {
@@ -143,20 +142,20 @@ void Run::finish_after_failure() {
 
 void Run::run_stage() {
   if (!std::exchange(in_stage_, false)) {
-    if (course_.reached.stage > 0) {
-      course_.history = prepare_stage(model_, scene_, course_.reached.stage);
+    if (course_.counters.stage > 0) {
+      course_.history = prepare_stage(model_, scene_, course_.counters.stage);
     }
     tell(fmt::format("stage {}: begins at step {} with {} particles", stage().name,
                      model_.state().step, grains::present_count(model_.state())));
     course_.begin_stage();
-    if (scene_.begin && course_.reached.stage == 0) {
+    if (scene_.begin && course_.counters.stage == 0) {
       save(checkpoint_now());  // from here on the other run is not needed
     }
   }
   const StageEnd end = run_steps();
-  const bool last = course_.reached.stage + 1 == scene_.stages.size();
+  const bool last = course_.counters.stage + 1 == scene_.stages.size();
   if (end == StageEnd::interrupted) {
-    interrupt();
+    mark_interrupted();
     save(checkpoint_now());
   } else if (last && scene_.output.checkpoint) {
     end_checkpoint_ = checkpoint_now();
@@ -170,7 +169,7 @@ StageEnd Run::run_steps() {
     if (const auto ended = stage_end(stage(), model_.state(), course_.history)) {
       return *ended;
     }
-    if (stop_asked()) {
+    if (stop_is_requested()) {
       return StageEnd::interrupted;
     }
     course_.step();
@@ -188,12 +187,12 @@ StageEnd Run::run_steps() {
 void Run::end_stage(StageEnd end) {
   course_.end_stage(end);
   const record::StageHistory& history = course_.history;
-  stages().push_back({.name = stage().name,
-                      .steps = history.steps,
-                      .ended = to_text(end),
-                      .measures = record::stage_measures(course_.view()),
-                      .notes = record::measure_notes(scene_, model_),
-                      .fills = stage().fill.has_value()});
+  stage_summaries().push_back({.name = stage().name,
+                               .steps = history.steps,
+                               .end_reason = to_text(end),
+                               .measures = record::stage_measures(course_.view()),
+                               .notes = record::measure_notes(scene_, model_),
+                               .fills_particles = stage().fill.has_value()});
   const std::string time =
       conversion_ ? fmt::format(" ({})", conversion_->time_text(history.steps)) : "";
   info(fmt::format("stage {}: {} steps{}, ended: {}", stage().name, history.steps, time,
@@ -203,7 +202,7 @@ void Run::end_stage(StageEnd end) {
     info(fmt::format("stage {}: nothing moves any more, with {:.3g} % discharged, not {:.3g} %",
                      stage().name, 100 * history.discharged_share(), 100 * until->share));
   }
-  for (const std::string& note : stages().back().notes) {
+  for (const std::string& note : stage_summaries().back().notes) {
     info(fmt::format("stage {}: {}", stage().name, note));
   }
   for (const std::string& line : record::stall_lines(scene_, model_, history.profile_at_start)) {
@@ -217,29 +216,29 @@ void Run::end_stage(StageEnd end) {
 
 store::Checkpoint Run::checkpoint_now() {
   tell(fmt::format("checkpoint of step {}", model_.state().step));
-  store::Checkpoint saved = checkpoint();
+  store::Checkpoint saved = checkpoint_without_fields();
   course_.observers.save(saved.fields);
-  course_.reached.wall_seconds = wall_seconds();
-  course_.reached.log_bytes = log_bytes();
+  course_.counters.wall_seconds = wall_seconds();
+  course_.counters.log_bytes = log_bytes();
   model_.save(saved.fields);
-  reflection::encode(kSavedReached, course_.reached, saved.fields);
-  reflection::encode(kSavedHistory, course_.history, saved.fields);
-  reflection::encode(kSavedPictures, options().pictures, saved.fields);
+  reflection::encode(kCountersPath, course_.counters, saved.fields);
+  reflection::encode(kStageHistoryPath, course_.history, saved.fields);
+  reflection::encode(kPicturesPath, options().pictures, saved.fields);
   return saved;
 }
 
 void Run::show_progress(bool until_rest, std::optional<double> seconds_left) {
   if (events().progress) {
     events().progress({.stage = stage().name,
-                       .stage_number = course_.reached.stage + 1,
+                       .stage_number = course_.counters.stage + 1,
                        .stage_count = scene_.stages.size(),
                        .step = model_.state().step,
-                       .time = conversion_ ? conversion_->time_text(model_.state().step) : "",
+                       .time_text = conversion_ ? conversion_->time_text(model_.state().step) : "",
                        .particles = model_.state().particles.size(),
-                       .moving_share = static_cast<double>(course_.reached.moving) /
-                                       std::max(1.0, static_cast<double>(course_.reached.stepped)),
-                       .updates_per_second = rate(),
-                       .until_rest = until_rest,
+                       .moving_share = static_cast<double>(course_.counters.moving) /
+                                       std::max(1.0, static_cast<double>(course_.counters.stepped)),
+                       .particle_updates_per_second = rate(),
+                       .ends_at_rest = until_rest,
                        .seconds_left = seconds_left});
   }
 }
@@ -256,25 +255,25 @@ void Run::complete_summary(store::RunSummary& summary) const {
                  .floor = low.y(),
                  .top = high.y(),
                  .periodic = lattice.periodic()};
-  summary.derived = scene_.derived;
-  summary.tables = course_.observers.summary();
+  summary.derived_measures = scene_.derived;
+  summary.table_descriptions = course_.observers.summary();
   const auto& kinds = model_.state().kinds;
   const std::vector<int> degrees = scene::degrees_of(scene_, kinds);
   for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
     summary.kinds.push_back({scene_.species[kinds[kind].species].name, degrees[kind]});
   }
   if (scene_.begin) {
-    summary.begin = {.run = scene_.begin->run,
+    summary.begin = {.run_folder = scene_.begin->run,
                      .step = scene_.begin->step,
                      .state_hash = scene_.begin->state.value_or(0)};
   }
-  summary.step_seconds = course_.reached.step_seconds;
-  summary.rate = rate();
+  summary.step_seconds = course_.counters.step_seconds;
+  summary.rate_per_second = rate();
   summary.state_hash = model_.hash();
 }
 
 /// With the threads that the steps will use started: later there may be no memory for them.
-RunOptions with_team(const RunOptions& options, const RunEvents& events) {
+RunOptions with_started_threads(const RunOptions& options, const RunEvents& events) {
   return with_threads(options, parallel::start_team(options.threads), events);
 }
 
@@ -283,7 +282,7 @@ std::unique_ptr<Run> resumed_run(const scene::Scene& scene, RunOptions options,
                                  const RunEvents& events, SavedRun& saved) {
   const std::filesystem::path folder = saved.folder.path();
   try {
-    options.pictures = saved_pictures(saved);
+    options.pictures = wanted_pictures_of(saved);
     return std::make_unique<Run>(scene, options, events, saved, saved_parts(scene, saved));
   } catch (const reflection::Mismatch& error) {
     throw mismatched_checkpoint(folder, error.what());
@@ -294,9 +293,9 @@ std::unique_ptr<Run> resumed_run(const scene::Scene& scene, RunOptions options,
 
 }  // namespace
 
-void check_start(const scene::Scene& scene) {
+void try_start(const scene::Scene& scene) {
   scene::check_room(scene);
-  model::SceneModel model(scene, first_state(scene), {});
+  model::SceneModel model(scene, state_at_start(scene), {});
   prepare_stage(model, scene, 0);
   if (scene.output.frames) {
     const drawing::FramePainter painter(scene, model.state(), {});
@@ -306,7 +305,7 @@ void check_start(const scene::Scene& scene) {
 store::RunSummary run(const scene::Scene& scene, const RunOptions& options,
                       const RunEvents& events) {
   std::error_code unknown;
-  if (scene.begin && !options.keep &&
+  if (scene.begin && !options.keep_earlier_run &&
       std::filesystem::equivalent(scene.begin->run, options.folder, unknown)) {
     throw scene::SceneError(
         fmt::format("{}: error: begin: this run would replace the one in {}; run in another "
@@ -315,25 +314,25 @@ store::RunSummary run(const scene::Scene& scene, const RunOptions& options,
   }
   record::check_derived(scene);
   scene::Scene whole = scene;
-  find_begin(whole, std::numeric_limits<double>::infinity());
+  resolve_begin(whole, std::numeric_limits<double>::infinity());
   scene::check_room(whole);
-  return Run(whole, with_team(options, events), events).execute();
+  return Run(whole, with_started_threads(options, events), events).execute();
 }
 
 store::RunSummary resume(SavedRun saved, const RunOptions& options, const RunEvents& events) {
   if (!saved.warning.empty() && events.warning) {
     events.warning(saved.warning);
   }
-  if (saved.finished) {
-    return *saved.finished;
+  if (saved.finished_summary) {
+    return *saved.finished_summary;
   }
   if (std::holds_alternative<scene::BoltzmannScene>(saved.scene)) {
     return resume_gas(saved, options, events);
   }
-  RunOptions startable = with_team(options, events);
+  RunOptions startable = with_started_threads(options, events);
   const auto& scene = std::get<scene::Scene>(saved.scene);
-  if (saved.checkpoint.is_start()) {
-    startable.pictures = saved_pictures(saved);
+  if (saved.checkpoint.is_before_first_step()) {
+    startable.pictures = wanted_pictures_of(saved);
     saved.folder.start_over(saved.checkpoint);
     return Run(scene, startable, events, std::move(saved.folder)).execute();
   }

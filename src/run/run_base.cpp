@@ -24,11 +24,11 @@ std::string description(const store::EarlierRun& earlier) {
   const store::RunSummary& run = earlier.summary;
   return fmt::format("{}, seed {}, {}{}{}", run.scene, run.seed,
                      run.status == "running" ? "not done" : run.status,
-                     earlier.when.empty() ? "" : " ", earlier.when);
+                     earlier.written_at.empty() ? "" : " ", earlier.written_at);
 }
 
 /// Makes the first of FOLDER, FOLDER-2, ... that does not exist.
-fs::path made_free(const fs::path& folder) {
+fs::path make_unused_folder(const fs::path& folder) {
   const fs::path wanted = folder.has_filename() ? folder : folder.parent_path();
   if (wanted.has_parent_path()) {
     store::make_folder(wanted.parent_path());
@@ -57,10 +57,11 @@ RunOptions with_threads(RunOptions options, int startable, const RunEvents& even
 
 void RunBase::begin_files() {
   constexpr double kMostBytes = 16 << 20;
-  const store::OutputFolder& files = folder_->files();
+  const store::OutputFolder& files = folder_->output_folder();
   const fs::path file = files.path() / store::kSummaryFile;
   const bool is_resumed = fs::exists(file);
-  const auto old = is_resumed ? store::read_whole(file, kMostBytes) : std::vector<std::uint8_t>();
+  const auto old =
+      is_resumed ? store::read_whole_file(file, kMostBytes) : std::vector<std::uint8_t>();
   // First: no summary says that a run is done whose files are cut or whose scene is another one.
   write(summary("running"));
   try {
@@ -88,7 +89,7 @@ store::RunSummary RunBase::execute() {
   store::RunSummary last = summary(is_complete_ ? "done" : "interrupted");
   write(last);
   if (is_complete_ && !identity_.checkpoints) {
-    store::remove_checkpoints(folder_->files());
+    store::remove_checkpoints(folder_->output_folder());
   }
   return last;
 }
@@ -98,14 +99,15 @@ void RunBase::begin(std::optional<store::RunFolder> folder, const store::Checkpo
     go_on(*std::move(folder), 0, 0);
     return;
   }
-  const fs::path path = options_.keep ? made_free(options_.folder) : options_.folder;
-  if (events_.folder) {
-    events_.folder(path);
+  const fs::path path =
+      options_.keep_earlier_run ? make_unused_folder(options_.folder) : options_.folder;
+  if (events_.folder_known) {
+    events_.folder_known(path);
   }
   store::RunFolder made = store::RunFolder::for_new_run(path);
   if (const auto earlier = made.earlier_run()) {
     const std::string run = description(*earlier);
-    if (earlier->unfinished && !options_.overwrite) {
+    if (earlier->is_resumable && !options_.replace_interrupted) {
       throw UnfinishedRunError(
           fmt::format("{}: there is an unfinished run ({}): continue it with clca resume, "
                       "replace it with --overwrite, or run in another folder with --keep",
@@ -121,7 +123,7 @@ void RunBase::begin(std::optional<store::RunFolder> folder, const store::Checkpo
 
 void RunBase::go_on(store::RunFolder folder, std::uint64_t log_bytes, double seconds_before) {
   folder_.emplace(std::move(folder));
-  log_.emplace(folder_->files(), store::kLogFile, log_bytes);
+  log_.emplace(folder_->output_folder(), store::kLogFile, log_bytes);
   seconds_before_ = seconds_before;
 }
 
@@ -131,7 +133,7 @@ bool RunBase::checkpoint_due(std::uint64_t step) {
 }
 
 void RunBase::save(store::Checkpoint checkpoint) {
-  writing_.start([run_folder = folder_->files(), checkpoint = std::move(checkpoint)] {
+  writing_.start([run_folder = folder_->output_folder(), checkpoint = std::move(checkpoint)] {
     store::write_checkpoint(run_folder, checkpoint);
   });
 }
@@ -154,19 +156,19 @@ void RunBase::note(const char* level, const std::string& line,
   }
 }
 
-store::Checkpoint RunBase::checkpoint() const {
+store::Checkpoint RunBase::checkpoint_without_fields() const {
   store::RunSummary now = summary("running");
-  now.measures.clear();  // only run.json has to say what its numbers are
-  now.tables.clear();
+  now.measure_descriptions.clear();  // only run.json has to say what its numbers are
+  now.table_descriptions.clear();
   return {.kind = identity_.kind,
           .scene_name = identity_.scene,
-          .scene = identity_.scene_text,
-          .summary = store::to_json(now),
+          .scene_text = identity_.scene_text,
+          .summary_json = store::to_json(now),
           .fields = {}};
 }
 
 store::RunSummary RunBase::summary(const std::string& status) const {
-  store::RunSummary summary = store::provenance();
+  store::RunSummary summary = store::summary_with_provenance();
   summary.kind = identity_.kind;
   summary.scene = identity_.scene;
   summary.title = identity_.title;
@@ -181,7 +183,7 @@ store::RunSummary RunBase::summary(const std::string& status) const {
   for (const store::StageSummary& stage : summary.stages) {
     for (const auto& [key, value] : stage.measures) {
       if (keys.insert(key).second) {
-        summary.measures.push_back(
+        summary.measure_descriptions.push_back(
             known.find(key).value_or(store::ColumnSummary{.key = key, .name = key}));
       }
     }
@@ -192,7 +194,7 @@ store::RunSummary RunBase::summary(const std::string& status) const {
 /// On the disk after all else that the run has written: who reads that it is done finds the rest
 /// whole.
 void RunBase::write(const store::RunSummary& summary) const {
-  const store::OutputFolder& files = folder_->files();
+  const store::OutputFolder& files = folder_->output_folder();
   store::AtomicFile file = files.create(store::kSummaryFile);
   file.write(store::to_json(summary));
   if (summary.status != "running") {

@@ -31,11 +31,10 @@ class RunBase {
   RunBase(const RunBase&) = delete;
   RunBase& operator=(const RunBase&) = delete;
 
-  /// Carries the run out, or on, and leaves its summary.
-  store::RunSummary execute();
+  store::RunSummary execute();  ///< carries out the run, or the rest of it, and writes its summary
 
  protected:
-  /// What all summaries of the run say.
+  /// The constant part of all summaries of the run.
   struct Identity {
     std::string kind;  ///< as run.json calls it
     std::string scene;
@@ -62,46 +61,42 @@ class RunBase {
   virtual void carry_out() = 0;
   virtual void complete_summary(store::RunSummary& summary) const = 0;
 
-  /// `folder`: if it has been prepared already; else that of the options, from which the files of
-  /// an earlier run are removed. Throws UnfinishedRunError and store::StoreError before it changes
+  /// `folder`: one that has been prepared; none: that of the options, from which the files of an
+  /// earlier run are removed. Throws UnfinishedRunError and store::StoreError before it changes
   /// anything.
   void begin(std::optional<store::RunFolder> folder, const store::Checkpoint& start);
-  /// Goes on. Keeps the first `log_bytes` of the log. `seconds_before`: by the clock, until the run
+  /// Resumes. Keeps the first `log_bytes` of the log. `seconds_before`: wall time until the run
   /// was saved.
   void go_on(store::RunFolder folder, std::uint64_t log_bytes, double seconds_before);
   const RunOptions& options() const { return options_; }
   const RunEvents& events() const { return events_; }
   const store::RunFolder& folder() const { return *folder_; }
-  // Into log.txt and to the callbacks. Failure to write (full disk) does not stop the run.
+  // Write to log.txt and call the callbacks. Failure to write (full disk) does not stop the run.
   void info(const std::string& line) { note("info", line, events_.message); }
   void warning(const std::string& line) { note("warning", line, events_.warning); }
-  /// Bytes of log.txt written so far.
-  std::uint64_t log_bytes() const { return log_->bytes(); }
-  /// To RunEvents::detail alone.
+  std::uint64_t log_bytes() const { return log_->size_in_bytes(); }
+  /// Calls RunEvents::detail; the log does not have it.
   void tell(const std::string& detail) const {
     if (events_.detail) {
       events_.detail(detail);
     }
   }
 
-  bool stop_asked() const {
-    return (options_.stop != nullptr && options_.stop->load() != 0) ||
-           (options_.time_limit && wall_clock_.seconds() >= *options_.time_limit);
+  bool stop_is_requested() const {
+    return (options_.stop_signal != nullptr && options_.stop_signal->load() != 0) ||
+           (options_.wall_seconds_limit && wall_clock_.seconds() >= *options_.wall_seconds_limit);
   }
   double wall_seconds() const { return seconds_before_ + wall_clock_.seconds(); }
-  /// Whether it is time to show progress.
   bool progress_due() { return progress_timer_.due(); }
-  void interrupt() { is_complete_ = false; }
+  void mark_interrupted() { is_complete_ = false; }
   bool is_complete() const { return is_complete_; }
-  /// Summaries of the stages that have ended.
-  std::vector<store::StageSummary>& stages() { return stages_; }
-  /// Whether a checkpoint is due after `step` steps.
-  bool checkpoint_due(std::uint64_t step);
+  std::vector<store::StageSummary>& stage_summaries() { return stages_; }
+  bool checkpoint_due(std::uint64_t step);  ///< whether a checkpoint is due after `step` steps
   bool checkpoint_due_by_clock() { return checkpoint_timer_ && checkpoint_timer_->due(); }
   /// Writes it in the background. Waits for the previous one and rethrows its error.
   void save(store::Checkpoint checkpoint);
-  /// What all runs save: a checkpoint without fields.
-  store::Checkpoint checkpoint() const;
+  /// The part of a checkpoint that all runs share; it has no fields.
+  store::Checkpoint checkpoint_without_fields() const;
 
  private:
   store::RunSummary summary(const std::string& status) const;

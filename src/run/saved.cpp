@@ -14,8 +14,8 @@ namespace clca::run {
 namespace {
 
 /// The saved scene with another end, and with a bound of steps that is not below it.
-scene::AnyScene prolonged(const scene::AnyScene& saved, const std::string& text,
-                          const std::string& file, const std::string& until) {
+scene::AnyScene scene_with_new_end(const scene::AnyScene& saved, const std::string& text,
+                                   const std::string& file, const std::string& until) {
   const auto* automaton = std::get_if<scene::Scene>(&saved);
   if (automaton == nullptr) {
     return scene::parse_any(text, file, {"boltzmann.until=" + until});
@@ -45,9 +45,8 @@ bool is_possible_outflow(const record::StageHistory& history, const grains::Stat
                             measure::discharged_particles(now, species), std::less_equal<>());
 }
 
-/// Throws scene::SceneError for an end that the last stage has passed.
-void require_ahead(const std::string& until, const scene::Stage& stage,
-                   const record::StageHistory& history) {
+void require_end_not_passed(const std::string& until, const scene::Stage& stage,
+                            const record::StageHistory& history) {
   const auto steps = scene::steps_of(stage.until);
   const auto* cycles = std::get_if<scene::UntilCycles>(&stage.until);
   if ((steps && *steps < history.steps) || (cycles != nullptr && cycles->cycles < history.cycles)) {
@@ -62,22 +61,23 @@ void require_ahead(const std::string& until, const scene::Stage& stage,
 
 SavedRun load_run(const std::filesystem::path& folder, double max_bytes,
                   const std::optional<std::string>& until) {
-  SavedRun run = {
-      .folder = store::RunFolder::for_resumed_run(folder), .max_bytes = max_bytes, .until = until};
-  run.finished = until ? std::nullopt : store::finished_summary(run.folder.path());
+  SavedRun run = {.folder = store::RunFolder::for_resumed_run(folder),
+                  .max_bytes = max_bytes,
+                  .new_end = until};
+  run.finished_summary = until ? std::nullopt : store::finished_summary(run.folder.path());
   std::optional<store::FoundCheckpoint> found;
   try {
     found = store::read_checkpoint(folder, max_bytes);
   } catch (const store::StoreError&) {
-    if (!run.finished) {  // else it is older and damaged: it is not needed
+    if (!run.finished_summary) {  // else it is older and damaged: it is not needed
       throw;
     }
   }
-  const bool begins_anew = found && found->checkpoint.is_start();
-  if (run.finished && !begins_anew) {
+  const bool begins_anew = found && found->checkpoint.is_before_first_step();
+  if (run.finished_summary && !begins_anew) {
     return run;
   }
-  run.finished.reset();
+  run.finished_summary.reset();
   if (!found) {
     throw store::StoreError(
         fmt::format("cannot resume the run in {}: it has no checkpoint; a run with "
@@ -92,9 +92,9 @@ SavedRun load_run(const std::filesystem::path& folder, double max_bytes,
         fmt::format("cannot resume the run in {}: '{}' cannot name a file", folder.string(), name));
   }
   const std::string file = (folder / store::kSceneFile).string();
-  run.scene = scene::parse_any(run.checkpoint.scene, file);
+  run.scene = scene::parse_any(run.checkpoint.scene_text, file);
   if (until) {
-    run.scene = prolonged(run.scene, run.checkpoint.scene, file, *until);
+    run.scene = scene_with_new_end(run.scene, run.checkpoint.scene_text, file, *until);
   }
   std::visit([&](auto& held) { held.name = name; }, run.scene);
   return run;
@@ -108,12 +108,12 @@ store::UnusableCheckpointError mismatched_checkpoint(const std::filesystem::path
   return error;
 }
 
-WantedPictures saved_pictures(const SavedRun& saved) {
+WantedPictures wanted_pictures_of(const SavedRun& saved) {
   const reflection::Columns& columns = saved.checkpoint.fields;
-  const bool is_start = saved.checkpoint.is_start();
+  const bool is_start = saved.checkpoint.is_before_first_step();
   WantedPictures pictures = WantedPictures::all;
   if (!is_start || !columns.empty()) {
-    reflection::decode(is_start ? kWantedPictures : kSavedPictures, columns, saved.max_bytes,
+    reflection::decode(is_start ? kRequestedPicturesPath : kPicturesPath, columns, saved.max_bytes,
                        pictures);
   }
   return pictures;
@@ -122,20 +122,21 @@ WantedPictures saved_pictures(const SavedRun& saved) {
 SavedParts saved_parts(const scene::Scene& scene, const SavedRun& saved) {
   SavedParts parts = {.state = model::saved_state(scene, saved.checkpoint.fields, saved.max_bytes)};
   const reflection::Columns& columns = saved.checkpoint.fields;
-  reflection::decode(kSavedReached, columns, saved.max_bytes, parts.reached);
-  reflection::decode(kSavedHistory, columns, saved.max_bytes, parts.history);
-  parts.stages = store::parse_summary(saved.checkpoint.summary, "its summary").stages;
+  reflection::decode(kCountersPath, columns, saved.max_bytes, parts.counters);
+  reflection::decode(kStageHistoryPath, columns, saved.max_bytes, parts.history);
+  parts.ended_stages = store::parse_summary(saved.checkpoint.summary_json, "its summary").stages;
   const grains::State& grains = model::grains_of(parts.state);
   const auto columns_of_lattice = static_cast<std::size_t>(grains.lattice.columns());
   if (!is_possible_outflow(parts.history, grains, scene.species.size())) {
-    throw reflection::Mismatch("what has left is not of this run");
+    throw reflection::Mismatch("the numbers of discharged particles do not belong to this run");
   }
-  if (parts.reached.stage >= scene.stages.size() || parts.stages.size() != parts.reached.stage ||
+  if (parts.counters.stage >= scene.stages.size() ||
+      parts.ended_stages.size() != parts.counters.stage ||
       parts.history.profile_at_start.size() != columns_of_lattice) {
-    throw reflection::Mismatch("its stages are others");
+    throw reflection::Mismatch("its stages differ from those of the scene");
   }
-  if (saved.until && parts.reached.stage + 1 == scene.stages.size()) {
-    require_ahead(*saved.until, scene.stages.back(), parts.history);
+  if (saved.new_end && parts.counters.stage + 1 == scene.stages.size()) {
+    require_end_not_passed(*saved.new_end, scene.stages.back(), parts.history);
   }
   return parts;
 }

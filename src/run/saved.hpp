@@ -1,5 +1,5 @@
 #pragma once
-// The checkpoint content of a run, of grains without that of observers.
+// The content of checkpoints; of runs of grains without that of observers.
 
 #include "clca/run/run.hpp"
 #include "clca/store/file.hpp"
@@ -9,10 +9,10 @@
 
 namespace clca::run {
 
-/// How far a run of grains is, as checkpoints have it.
+/// Progress of a run of grains, as checkpoints have it.
 struct RunCounters {
-  std::uint64_t stage = 0;    ///< that it is in, from 0
-  std::uint64_t moving = 0;   ///< particles, in the last step
+  std::uint64_t stage = 0;    ///< present stage, from 0
+  std::uint64_t moving = 0;   ///< particles that moved in the last step
   std::uint64_t stepped = 0;  ///< as StageView::stepped
   double updates = 0;         ///< particles x steps
   double wall_seconds = 0;
@@ -23,30 +23,29 @@ struct RunCounters {
 };
 
 // Paths in a checkpoint.
-inline constexpr const char* kSavedReached = "course";
-inline constexpr const char* kSavedHistory = "stage";
+inline constexpr const char* kCountersPath = "course";
+inline constexpr const char* kStageHistoryPath = "stage";
 /// Paths of the wanted pictures: in a checkpoint before the first step, and in later ones.
-inline const std::string kWantedPictures = std::string(store::Checkpoint::kWanted) + "/pictures";
-inline constexpr const char* kSavedPictures = "outputs/wanted_pictures";
+inline const std::string kRequestedPicturesPath =
+    std::string(store::Checkpoint::kRequestPrefix) + "/pictures";
+inline constexpr const char* kPicturesPath = "outputs/wanted_pictures";
 
 /// The parts of a checkpoint that are not of observers.
 struct SavedParts {
   model::ModelState state;
-  RunCounters reached = {};
+  RunCounters counters = {};
   record::StageHistory history = {};
-  std::vector<store::StageSummary> stages = {};  ///< those that have ended
+  std::vector<store::StageSummary> ended_stages = {};  ///< those that have ended
 };
 
 /// Throws reflection::Mismatch or std::invalid_argument if no run of the scene can have saved it.
 SavedParts saved_parts(const scene::Scene& scene, const SavedRun& saved);
 
-/// The error for an invalid checkpoint in this folder.
 store::UnusableCheckpointError mismatched_checkpoint(const std::filesystem::path& folder,
                                                      const std::string& reason);
 
-/// Progress of a Boltzmann run.
-struct GasCourse {
-  std::uint64_t cases_ended = 0;  ///< of which log.txt tells already
+struct SavedGasRun {
+  std::uint64_t cases_ended = 0;  ///< those that log.txt has already
   double wall_seconds = 0;
   std::uint64_t log_bytes = 0;
   std::vector<record::GasCase> cases;  ///< all that have begun, in the order of the scene
@@ -57,12 +56,12 @@ struct GasCourse {
 /// As resume(), for a scene of the Boltzmann equation.
 store::RunSummary resume_gas(SavedRun& saved, const RunOptions& options, const RunEvents& events);
 
-inline constexpr const char* kSavedGases = "gases";
+inline constexpr const char* kGasesPath = "gases";
 
 /// Loads the checkpoint for resuming with its scene. Gases at or on the way to a previous end go
 /// back to the last time shared with the new one.
 /// Throws store::StoreError for a checkpoint that no run of the scene can have saved, and for an
 /// end that it cannot continue to.
-GasCourse saved_course(const SavedRun& saved);
+SavedGasRun saved_gas_run(const SavedRun& saved);
 
 }  // namespace clca::run

@@ -64,7 +64,7 @@ std::string scene_file(const std::string& name) {
   return name;
 }
 
-int machine_threads() {
+int machine_thread_count() {
   return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 }
 
@@ -72,18 +72,18 @@ double default_memory_limit() {
   return kShareOfMemory * available_bytes();
 }
 
-double memory_of(const scene::Scene& scene) {
+double estimated_run_bytes(const scene::Scene& scene) {
   const scene::Size size = scene::size_of(scene);
   const auto particles = static_cast<double>(size.particles);
   return size.bytes + model::checkpoint_bytes(scene, particles) +
-         record::observer_bytes(scene, particles) + drawing::picture_bytes(scene, particles);
+         record::observer_bytes(scene, particles) + drawing::picture_memory_bytes(scene, particles);
 }
 
 void check_memory(const scene::Scene& scene, double limit) {
-  if (const double bytes = memory_of(scene); bytes > limit) {
+  if (const double bytes = estimated_run_bytes(scene); bytes > limit) {
     const scene::Size size = scene::size_of(scene);
     const bool pictures_are_too_large =
-        bytes - drawing::picture_bytes(scene, static_cast<double>(size.particles)) <= limit;
+        bytes - drawing::picture_memory_bytes(scene, static_cast<double>(size.particles)) <= limit;
     throw scene::SceneError(fmt::format(
         "{}: error: the scene needs about {:.0f} MiB of memory for {} x {} sites and {} particles, "
         "more than the limit of {:.0f} MiB; make the {} smaller or raise --memory-limit",
@@ -108,17 +108,17 @@ void check_memory(const scene::AnyScene& scene, double limit, int threads) {
   }
 }
 
-void complete(scene::AnyScene& scene, const std::string& file, double limit, int threads) {
+void prepare_scene(scene::AnyScene& scene, const std::string& file, double limit, int threads) {
   if (auto* grains = std::get_if<scene::Scene>(&scene)) {
     record::check_derived(*grains);
-    find_begin(*grains, limit);
+    resolve_begin(*grains, limit);
   }
   scene::check_resolved(std::visit([](const auto& held) { return scene::to_yaml(held); }, scene),
                         file);
   check_memory(scene, limit, threads);
 }
 
-void check_output(const std::string& file, const std::filesystem::path& folder) {
+void check_output_folder(const std::string& file, const std::filesystem::path& folder) {
   std::error_code unknown;
   if (std::filesystem::equivalent(file, folder / store::kSceneFile, unknown)) {
     throw scene::SceneError(

@@ -21,12 +21,11 @@ namespace {
 
 scene::Scene checked(scene::Scene scene) {
   record::check_derived(scene);
-  find_begin(scene, std::numeric_limits<double>::infinity());
+  resolve_begin(scene, std::numeric_limits<double>::infinity());
   scene::check_room(scene);
   return scene;
 }
 
-/// Without what is only written to files.
 scene::Scene without_files(scene::Scene scene) {
   scene.output.series.reset();
   scene.output.trajectory.reset();
@@ -40,7 +39,7 @@ struct Simulation::Impl {
       : scene(checked(wanted)),
         options{.threads = parallel::start_team(threads)},
         interruption(std::move(interrupt)),
-        model(std::make_shared<model::SceneModel>(scene, first_state(scene), options)),
+        model(std::make_shared<model::SceneModel>(scene, state_at_start(scene), options)),
         observed_scene(without_files(scene)),
         course{.scene = scene,
                .model = model.get(),
@@ -48,7 +47,7 @@ struct Simulation::Impl {
     begin_stage();
   }
 
-  bool is_last() const { return course.reached.stage + 1 == scene.stages.size(); }
+  bool is_last() const { return course.counters.stage + 1 == scene.stages.size(); }
 
   image::Image picture(const scene::Frames& frames) {
     if (!scene_painter || *scene_painter->scene.output.frames != frames) {
@@ -57,12 +56,11 @@ struct Simulation::Impl {
       scene_painter.emplace(std::move(drawn), model->state());
     }
     const drawing::CapturedFrame frame = scene_painter->painter.capture(
-        drawing::present_content(scene_painter->scene, *model, course.observers), pictures);
+        drawing::current_content(scene_painter->scene, *model, course.observers), pictures);
     pictures.window.emplace(model->state());
     return scene_painter->painter.rasterize(frame).image;
   }
 
-  /// Draws pictures that look the same way.
   struct ScenePainter {
     ScenePainter(scene::Scene drawn, const grains::State& state)
         : scene(std::move(drawn)), painter(scene, state, {}) {}
@@ -95,8 +93,8 @@ struct Simulation::Impl {
   }
 
   void begin_next_stage() {
-    ++course.reached.stage;
-    course.reached.moving = course.reached.stepped = 0;
+    ++course.counters.stage;
+    course.counters.moving = course.counters.stepped = 0;
     end.reset();
     begin_stage();
   }
@@ -107,7 +105,7 @@ struct Simulation::Impl {
     }
     model->set_interruption(interruption);
     course.model = model.get();
-    course.history = prepare_stage(*model, scene, course.reached.stage);
+    course.history = prepare_stage(*model, scene, course.counters.stage);
     course.begin_stage();
     drawing::begin_stage(pictures, scene, course.stage(), model->state());
     pictures.window.emplace(model->state());
@@ -118,7 +116,7 @@ struct Simulation::Impl {
   std::function<void()> interruption;
   std::shared_ptr<model::SceneModel> model;
   scene::Scene observed_scene;
-  Course course;
+  StageRunner course;
   std::optional<StageEnd> end;
   drawing::PictureHistory pictures;
   std::optional<ScenePainter> scene_painter;
@@ -129,7 +127,7 @@ Simulation::Simulation(const scene::Scene& scene, int threads, std::function<voi
     : impl_(std::make_unique<Impl>(scene, threads, std::move(interruption))) {}
 Simulation::~Simulation() = default;
 
-Simulation::Impl& Simulation::live() const {
+Simulation::Impl& Simulation::checked_impl() const {
   if (impl_->failure) {
     std::rethrow_exception(impl_->failure);
   }
@@ -139,15 +137,15 @@ Simulation::Impl& Simulation::live() const {
 const scene::Scene& Simulation::scene() const {
   return impl_->scene;
 }
-std::size_t Simulation::stage() const {
-  return live().course.reached.stage;
+std::size_t Simulation::stage_index() const {
+  return checked_impl().course.counters.stage;
 }
-std::string Simulation::ended() const {
-  const Impl& impl = live();
+std::string Simulation::stage_end_text() const {
+  const Impl& impl = checked_impl();
   return impl.end ? to_text(*impl.end) : "";
 }
 bool Simulation::is_over() const {
-  const Impl& impl = live();
+  const Impl& impl = checked_impl();
   return impl.end && impl.is_last();
 }
 grains::StepReport Simulation::step() {
@@ -156,34 +154,34 @@ grains::StepReport Simulation::step() {
   }
   return impl_->guarded([this] { return impl_->take_step(); });
 }
-void Simulation::next_stage() {
-  if (live().is_last()) {
+void Simulation::begin_next_stage() {
+  if (checked_impl().is_last()) {
     throw std::logic_error("the last stage has no next one");
   }
   impl_->guarded([this] { impl_->begin_next_stage(); });
 }
-const grains::State& Simulation::grains() const {
-  return live().model->state();
+const grains::State& Simulation::state() const {
+  return checked_impl().model->state();
 }
-std::shared_ptr<const grains::State> Simulation::held_grains() const {
-  const auto& model = live().model;
+std::shared_ptr<const grains::State> Simulation::shared_state() const {
+  const auto& model = checked_impl().model;
   const bool grows = std::ranges::any_of(model->state().sources, &grains::Source::open);
   return grows ? std::make_shared<const grains::State>(model->state())
                : std::shared_ptr<const grains::State>(model, &model->state());
 }
 store::ContactFrame Simulation::contact_frame() const {
-  const model::SceneModel& model = *live().model;
+  const model::SceneModel& model = *checked_impl().model;
   return {.velocities = model.velocities(), .spins = model.spins(), .forces = model.forces()};
 }
-std::uint64_t Simulation::hash() const {
-  return live().model->hash();
+std::uint64_t Simulation::state_hash() const {
+  return checked_impl().model->hash();
 }
 std::vector<store::NamedMeasure> Simulation::measures(std::optional<scene::Measure> wanted) const {
-  const record::StageView view = live().course.view();
+  const record::StageView view = checked_impl().course.view();
   return wanted ? record::stage_measures(*wanted, view) : record::stage_measures(view);
 }
 image::Image Simulation::picture(const scene::Frames& frames) {
-  return live().picture(frames);
+  return checked_impl().picture(frames);
 }
 
 }  // namespace clca::run

@@ -121,27 +121,27 @@ std::optional<StageEnd> stage_end(const scene::Stage& stage, const grains::State
   return history.steps >= stage.max_steps ? std::optional(StageEnd::bound) : std::nullopt;
 }
 
-void Course::begin_stage() {
+void StageRunner::begin_stage() {
   history.begin(model->state());
-  present = grains::present_count(model->state());
+  present_particles = grains::present_count(model->state());
   observers.begin_stage(view());
 }
 
-grains::StepReport Course::step() {
+grains::StepReport StageRunner::step() {
   const record::WallClock clock;
   const grains::StepReport report = model->grains().step();
-  reached.step_seconds += clock.seconds();
+  counters.step_seconds += clock.seconds();
   history.add_step(report, model->state());
-  reached.moving = report.moved;
-  reached.stepped = present + report.emitted;
-  present = reached.stepped - report.removed;
-  reached.updates += static_cast<double>(reached.stepped);
+  counters.moving = report.moved;
+  counters.stepped = present_particles + report.emitted;
+  present_particles = counters.stepped - report.removed;
+  counters.updates += static_cast<double>(counters.stepped);
   observers.after_step(view());
   history.cycles = observers.find<record::CycleRecord>()->cycles();
   return report;
 }
 
-void Course::end_stage(StageEnd end) {
+void StageRunner::end_stage(StageEnd end) {
   history.settled = end == StageEnd::settled || end == StageEnd::stalled;
   observers.end_stage(view());
 }

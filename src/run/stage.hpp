@@ -13,11 +13,11 @@
 
 namespace clca::run {
 
-/// The initial state of a scene. If it begins with another run, with the particles of that: they
-/// are numbered anew, in their order; grains of the contact model keep velocities, contacts and
+/// The state before the first step. If the scene begins with another run, it has the particles of
+/// that, numbered anew in their order; grains of the contact model keep velocities, contacts and
 /// positions within their sites if they come from the end of a run of that model, else they are at
 /// rest. Throws scene::SceneError unless they are there, of species of the scene, and find room.
-model::ModelState first_state(const scene::Scene& scene);
+model::ModelState state_at_start(const scene::Scene& scene);
 
 /// Removes and inserts walls, fills, opens and closes sources, starts walls and the vessel, marks
 /// the origins. The history counts what has left before: the fill may be in outlets.
@@ -37,7 +37,6 @@ enum class StageEnd : std::uint8_t {
   interrupted
 };
 
-/// As written in run.json.
 std::string to_text(StageEnd end);
 
 /// Why the stage ends now; none if it continues.
@@ -45,29 +44,27 @@ std::optional<StageEnd> stage_end(const scene::Stage& stage, const grains::State
                                   const record::StageHistory& history);
 
 /// A scene of grains on its way through its stages, with what observes it.
-struct Course {
+struct StageRunner {
   const scene::Scene& scene;
   model::SceneModel* model;
   record::Observers observers;
   const store::OutputFolder* files = nullptr;  ///< as StageView::files
-  /// As StageView::warn.
   std::function<void(const std::string& line)> warn = [](const std::string& /*line*/) {};
-  RunCounters reached = {};
+  RunCounters counters = {};
   record::StageHistory history = {};
-  std::size_t present = 0;  ///< particles in the box
+  std::size_t present_particles = 0;  ///< particles in the box
 
-  const scene::Stage& stage() const { return scene.stages[reached.stage]; }
+  const scene::Stage& stage() const { return scene.stages[counters.stage]; }
   record::StageView view() const {
-    return {scene,          stage(),         *model, history, observers,
-            reached.moving, reached.stepped, files,  warn};
+    return {scene,           stage(),          *model, history, observers,
+            counters.moving, counters.stepped, files,  warn};
   }
-  /// Of a stage that prepare_stage() has prepared.
-  void begin_stage();
+  void begin_stage();  ///< begins a stage that prepare_stage() has prepared
   grains::StepReport step();
   void end_stage(StageEnd end);
 };
 
-/// Progress of the stage in [0, 1]; none of one until rest: nobody knows how long that takes.
+/// Progress of the stage in [0, 1]; none for a stage until rest, whose length is unknown.
 std::optional<double> done_share(const scene::Stage& stage, const record::StageHistory& history);
 
 }  // namespace clca::run

@@ -44,8 +44,8 @@ constexpr FileKind kCheckpointKind = {"checkpoint", 4};
 using Text = std::pair<std::string_view, std::string Checkpoint::*>;
 constexpr std::array<Text, 4> kTexts = {{{"kind", &Checkpoint::kind},
                                          {"scene_name", &Checkpoint::scene_name},
-                                         {"scene", &Checkpoint::scene},
-                                         {"summary", &Checkpoint::summary}}};
+                                         {"scene", &Checkpoint::scene_text},
+                                         {"summary", &Checkpoint::summary_json}}};
 
 void require(bool holds, const char* reason) {
   if (!holds) {
@@ -55,7 +55,7 @@ void require(bool holds, const char* reason) {
 
 /// The bytes of a vector or text, and of a number of it.
 template <class Values>
-auto memory_of(Values& values) {
+auto value_bytes(Values& values) {
   using Byte = std::conditional_t<std::is_const_v<Values>, const std::uint8_t, std::uint8_t>;
   constexpr std::size_t kSize = sizeof(typename Values::value_type);
   return std::pair(std::span(reinterpret_cast<Byte*>(values.data()), values.size() * kSize), kSize);
@@ -102,7 +102,7 @@ void add_entry(std::vector<std::uint8_t>& content, std::size_t type, std::string
     const auto* bytes = reinterpret_cast<const std::uint8_t*>(&number);
     content.insert(content.end(), bytes, bytes + sizeof number);
   };
-  const auto [bytes, number_bytes] = memory_of(values);
+  const auto [bytes, number_bytes] = value_bytes(values);
   const std::vector<std::uint8_t> data = compressed(bytes, number_bytes);
   put(static_cast<std::uint8_t>(type));
   put(static_cast<std::uint16_t>(name.size()));
@@ -122,7 +122,7 @@ struct Entry {
   template <class Values>
   void read_into(Values& values) const {
     values.resize(count);
-    const auto [bytes, number_bytes] = memory_of(values);
+    const auto [bytes, number_bytes] = value_bytes(values);
     auto length = static_cast<uLongf>(bytes.size());
     auto used = static_cast<uLong>(data.size());
     const bool whole = bytes.empty()
@@ -189,7 +189,7 @@ reflection::Column column_of(std::size_t type, std::index_sequence<kIndex...> /*
 }
 
 Checkpoint read(const fs::path& file, double max_bytes) {
-  const std::vector<std::uint8_t> bytes = read_whole(file, max_bytes);
+  const std::vector<std::uint8_t> bytes = read_whole_file(file, max_bytes);
   try {
     return parse_checkpoint(bytes, max_bytes);
   } catch (const std::runtime_error& error) {

@@ -38,7 +38,6 @@ std::string header_text(const FileKind& kind, std::span<const std::uint8_t> cont
                      checksum(title, content));
 }
 
-/// The number after `key` in the header, if present.
 template <class T>
 bool read_number(std::string_view header, std::string_view key, T& number) {
   const std::size_t at = header.find(key);

@@ -32,7 +32,7 @@ fs::path new_temporary_name() {
 }
 
 /// `flags`: LOCK_NB, or 0 to wait.
-bool lock(const Descriptor& file, int flags) {
+bool lock(const FileDescriptor& file, int flags) {
   int result = 0;
   do {
     result = ::flock(file.number(), LOCK_EX | flags);
@@ -82,7 +82,7 @@ struct AtomicFile::State {
 
   fs::path path;
   fs::path temporary;  ///< empty when there is nothing to remove
-  Descriptor file;
+  FileDescriptor file;
   std::function<void()> flush_later;
   bool flushed = false;
   std::uint64_t size = 0;
@@ -105,7 +105,7 @@ AtomicFile::AtomicFile(const fs::path& path, std::function<void()> flush_later)
   do {  // before it is locked, another process may lock it as abandoned, and remove it
     const fs::path temporary = state_->path.parent_path() / new_temporary_name();
     constexpr int kFlags = O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC;
-    state_->file = Descriptor(::open(temporary.c_str(), kFlags, kNewFileMode));
+    state_->file = FileDescriptor(::open(temporary.c_str(), kFlags, kNewFileMode));
     if (!state_->file.is_open()) {
       fail("write", path);
     }
@@ -163,7 +163,7 @@ void remove_abandoned_files(const fs::path& folder) {
   for (fs::directory_iterator it(place, error), end; !error && it != end; it.increment(error)) {
     const std::string name = it->path().filename().string();
     if (name.starts_with(kTemporaryBegin) && name.ends_with(kTemporaryEnd)) {
-      const Descriptor file(
+      const FileDescriptor file(
           ::open(it->path().c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
       if (file.is_open() && file.is_regular() && lock(file, LOCK_NB)) {
         ::unlink(it->path().c_str());
@@ -172,7 +172,7 @@ void remove_abandoned_files(const fs::path& folder) {
   }
 }
 
-void write_whole(const fs::path& path, std::span<const std::uint8_t> bytes) {
+void write_whole_file(const fs::path& path, std::span<const std::uint8_t> bytes) {
   AtomicFile file(path);
   file.write(bytes);
   file.finish();
@@ -189,11 +189,11 @@ void make_folder(const fs::path& folder) {
 void refresh_folder(const fs::path& folder) {
   for (const fs::path& directory : {folder.parent_path(), folder}) {
     // To open a folder asks the server.
-    const Descriptor opened(::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    const FileDescriptor opened(::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   }
 }
 
-std::vector<std::uint8_t> read_whole(const fs::path& path, double max_bytes) {
+std::vector<std::uint8_t> read_whole_file(const fs::path& path, double max_bytes) {
   try {
     return text::read_file(path, max_bytes);
   } catch (const text::ReadError& error) {
@@ -204,7 +204,7 @@ std::vector<std::uint8_t> read_whole(const fs::path& path, double max_bytes) {
 FolderLock::FolderLock(const fs::path& folder) {
   const fs::path file = folder / ".clca.lock";
   constexpr int kFlags = O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC;
-  Descriptor opened(::open(file.c_str(), kFlags, kNewFileMode));
+  FileDescriptor opened(::open(file.c_str(), kFlags, kNewFileMode));
   if (!opened.is_open()) {
     refuse_lock(file, std::strerror(errno));
   }

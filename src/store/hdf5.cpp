@@ -60,7 +60,7 @@ void add_text(const Handle& object, const char* name, const std::string& text) {
   check(H5Tset_size(type.id(), H5T_VARIABLE), "text size");
   check(H5Tset_cset(type.id(), H5T_CSET_UTF8), "encoding");
   const Handle attribute(
-      H5Acreate2(object.id(), name, type.id(), space_of({}).id(), H5P_DEFAULT, H5P_DEFAULT),
+      H5Acreate2(object.id(), name, type.id(), dataspace({}).id(), H5P_DEFAULT, H5P_DEFAULT),
       H5Aclose, "attribute");
   const char* characters = text.c_str();
   check(H5Awrite(attribute.id(), type.id(), &characters), "attribute");
@@ -69,7 +69,7 @@ void add_text(const Handle& object, const char* name, const std::string& text) {
 /// Access properties of a file that is only in memory.
 Handle memory_file_access() {
   constexpr std::size_t kGrowth = 1U << 18U;
-  Handle access = properties(H5P_FILE_ACCESS);
+  Handle access = make_properties(H5P_FILE_ACCESS);
   check(H5Pset_fapl_core(access.id(), kGrowth, false), "memory driver");
   return access;
 }
@@ -113,21 +113,21 @@ hid_t number_type(const Hdf5Dataset::Values& values) {
   return types.at(values.index());
 }
 
-Handle space_of(const std::vector<hsize_t>& extent) {
+Handle dataspace(const std::vector<hsize_t>& extent) {
   return {extent.empty()
               ? H5Screate(H5S_SCALAR)
               : H5Screate_simple(static_cast<int>(extent.size()), extent.data(), nullptr),
           H5Sclose, "extent"};
 }
 
-Handle space_of(hsize_t rows, std::size_t columns) {
-  return columns == 1 ? space_of({rows}) : space_of({rows, columns});
+Handle dataspace(hsize_t rows, std::size_t columns) {
+  return columns == 1 ? dataspace({rows}) : dataspace({rows, columns});
 }
 
 Handle make_dataset(const Handle& file, const Hdf5Dataset& dataset, hid_t type, const Handle& space,
                     const Handle& creation) {
   check(H5Pset_obj_track_times(creation.id(), false), "times");  // equal content, equal bytes
-  const Handle links = properties(H5P_LINK_CREATE);
+  const Handle links = make_properties(H5P_LINK_CREATE);
   check(H5Pset_create_intermediate_group(links.id(), 1), "groups");
   check(H5Pset_char_encoding(links.id(), H5T_CSET_UTF8), "encoding");
   Handle made(H5Dcreate2(file.id(), dataset.path.c_str(), type, space.id(), links.id(),
@@ -140,8 +140,8 @@ Handle make_dataset(const Handle& file, const Hdf5Dataset& dataset, hid_t type, 
   return made;
 }
 
-std::vector<std::uint8_t> image(const std::filesystem::path& path,
-                                const std::function<void(const Handle& file)>& fill) {
+std::vector<std::uint8_t> file_bytes(const std::filesystem::path& path,
+                                     const std::function<void(const Handle& file)>& fill) {
   try {
     const Session session;
     const Handle file(
@@ -173,7 +173,7 @@ Handle creation_properties(hsize_t rows, hsize_t columns, std::size_t number_byt
   constexpr std::size_t kSmall = 4096;         // bytes that are not worth compressing
   constexpr hsize_t kChunkNumbers = 1U << 16;  // in a chunk
   constexpr unsigned kDeflateLevel = 1;  // more costs time and gains little on shuffled numbers
-  Handle creation = hdf5::properties(H5P_DATASET_CREATE);
+  Handle creation = hdf5::make_properties(H5P_DATASET_CREATE);
   if (rows * columns * number_bytes > kSmall) {
     const std::array<hsize_t, 2> chunk = {
         std::min(rows, std::max<hsize_t>(1, kChunkNumbers / columns)), columns};
@@ -206,7 +206,7 @@ void write_texts(const Handle& file, const Hdf5Dataset& dataset, std::span<const
   check(H5Tset_size(type.id(), longest), "text size");
   check(H5Tset_cset(type.id(), H5T_CSET_UTF8), "encoding");
   check(H5Tset_strpad(type.id(), H5T_STR_NULLPAD), "padding");
-  write_dataset(file, dataset, type.id(), space, hdf5::properties(H5P_DATASET_CREATE),
+  write_dataset(file, dataset, type.id(), space, hdf5::make_properties(H5P_DATASET_CREATE),
                 cells.data());
 }
 
@@ -283,7 +283,7 @@ void read(const Handle& file, const Hdf5Dataset& wanted, double& bytes_left) {
   const Handle dataset(H5Dopen2(file.id(), wanted.path.c_str(), H5P_DEFAULT), H5Dclose,
                        "is no dataset");
   const Extent extent = extent_of(dataset);
-  if (extent[1] != wanted.columns) {
+  if (extent[1] != wanted.numbers_per_row) {
     throw Error(fmt::format("has {} columns", extent[1]));
   }
   std::visit([&](auto* values) { read(dataset, extent, bytes_left, *values); }, wanted.values);
@@ -291,18 +291,19 @@ void read(const Handle& file, const Hdf5Dataset& wanted, double& bytes_left) {
 
 }  // namespace
 
-void hdf5::add(const Handle& file, const Hdf5Dataset& dataset) {
+void hdf5::add_dataset(const Handle& file, const Hdf5Dataset& dataset) {
   std::visit(
       [&]<class T>(const T* values) {
         if constexpr (std::same_as<T, std::string>) {
-          write_texts(file, dataset, {values, 1}, space_of({}));
+          write_texts(file, dataset, {values, 1}, dataspace({}));
         } else if constexpr (std::same_as<T, std::vector<std::string>>) {
-          write_texts(file, dataset, *values, space_of({values->size()}));
+          write_texts(file, dataset, *values, dataspace({values->size()}));
         } else {
-          const hsize_t rows = values->size() / dataset.columns;
-          write_dataset(file, dataset, number_type(dataset.values), space_of(rows, dataset.columns),
-                        creation_properties(rows, dataset.columns, sizeof(typename T::value_type)),
-                        values->data());
+          const hsize_t rows = values->size() / dataset.numbers_per_row;
+          write_dataset(
+              file, dataset, number_type(dataset.values), dataspace(rows, dataset.numbers_per_row),
+              creation_properties(rows, dataset.numbers_per_row, sizeof(typename T::value_type)),
+              values->data());
         }
       },
       dataset.values);
@@ -311,7 +312,7 @@ void hdf5::add(const Handle& file, const Hdf5Dataset& dataset) {
 void read_hdf5(const std::filesystem::path& path, const FileKind& kind,
                const std::vector<Hdf5Dataset>& datasets, double max_bytes) {
   constexpr double kCopies = 3;  // as it was read, and of the library
-  const std::vector<std::uint8_t> file = read_whole(path, max_bytes);
+  const std::vector<std::uint8_t> file = read_whole_file(path, max_bytes);
   double bytes_left = max_bytes - kCopies * static_cast<double>(file.size());
   try {
     const auto content = content_of(kind, file);

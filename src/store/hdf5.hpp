@@ -20,14 +20,13 @@
 
 namespace clca::store {
 
-/// Tells numbers of a dataset from texts.
+/// A number of a dataset, not a text.
 template <class T>
 concept Number = std::is_arithmetic_v<T> && !std::same_as<T, char>;
 
-/// What a dataset says of itself; as Quantity.
 struct Meaning {
-  std::string_view unit;  ///< of a pure number, a name or a text empty
-  std::string text;       ///< empty: it says nothing
+  std::string_view unit;  ///< empty for pure numbers, names and texts
+  std::string text;       ///< description; may be empty
 };
 
 /// A dataset in memory: rows of `columns` numbers, a list of texts or a single one. It is written
@@ -40,7 +39,7 @@ struct Hdf5Dataset {
                               std::vector<std::string>*, std::string*>;
   std::string path;
   Values values;
-  std::size_t columns = 1;
+  std::size_t numbers_per_row = 1;
   Meaning meaning = {};
   bool may_be_missing = false;  ///< then no values are read
 };
@@ -81,17 +80,17 @@ class Handle {
   Close close_;
 };
 
-inline Handle properties(hid_t of) {
+inline Handle make_properties(hid_t of) {
   return {H5Pcreate(of), H5Pclose, "properties"};
 }
 
-/// Of numbers, in the byte order of the machine, which HDF5 records.
+/// The type of the numbers, in the byte order of the machine, which HDF5 records.
 hid_t number_type(const Hdf5Dataset::Values& values);
 
 /// The dataspace of a dataset with these dimensions; none: a single value.
-Handle space_of(const std::vector<hsize_t>& extent);
+Handle dataspace(const std::vector<hsize_t>& extent);
 /// The dataspace of rows of so many numbers; of one number it has one dimension.
-Handle space_of(hsize_t rows, std::size_t columns);
+Handle dataspace(hsize_t rows, std::size_t columns);
 
 /// Adds a dataset without its values, and the groups of its path, with the attributes `units` (of a
 /// pure number "1") and `description`, as UTF-8. `creation`: its properties.
@@ -99,12 +98,12 @@ Handle make_dataset(const Handle& file, const Hdf5Dataset& dataset, hid_t type, 
                     const Handle& creation);
 
 /// Adds a dataset to a file. Many numbers are chunked and compressed. Throws as check().
-void add(const Handle& file, const Hdf5Dataset& dataset);
+void add_dataset(const Handle& file, const Hdf5Dataset& dataset);
 
 /// The bytes of an HDF5 file that `fill` creates, without a header. Throws StoreError: `cannot
 /// write PATH: REASON`.
-std::vector<std::uint8_t> image(const std::filesystem::path& path,
-                                const std::function<void(const Handle& file)>& fill);
+std::vector<std::uint8_t> file_bytes(const std::filesystem::path& path,
+                                     const std::function<void(const Handle& file)>& fill);
 
 }  // namespace hdf5
 

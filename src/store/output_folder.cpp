@@ -65,8 +65,8 @@ void require_folder_or_nothing(const fs::path& folder) {
   }
 }
 
-Descriptor opened(const fs::path& file, int flags) {
-  return Descriptor(
+FileDescriptor opened(const fs::path& file, int flags) {
+  return FileDescriptor(
       ::open(file.c_str(), flags | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, kNewFileMode));
 }
 
@@ -111,7 +111,7 @@ struct OutputFolder::State {
     if (!opened(at(kManifest), O_RDONLY).is_open()) {  // a symbolic link
       fail("read", path / kManifest);
     }
-    const std::vector<std::uint8_t> bytes = read_whole(at(kManifest), kMaxManifestBytes);
+    const std::vector<std::uint8_t> bytes = read_whole_file(at(kManifest), kMaxManifestBytes);
     std::istringstream text(std::string(bytes.begin(), bytes.end()));
     std::string line;
     if (std::getline(text, line) && line != kHeader) {
@@ -129,7 +129,7 @@ struct OutputFolder::State {
     }
   }
   void add_to_manifest(std::string text) {
-    Descriptor file = opened(at(kManifest), O_WRONLY | O_APPEND | O_CREAT);
+    FileDescriptor file = opened(at(kManifest), O_WRONLY | O_APPEND | O_CREAT);
     struct stat status {};
     if (file.is_open() && ::fstat(file.number(), &status) == 0 && status.st_size == 0) {
       text.insert(0, std::string(kHeader) + "\n");
@@ -196,7 +196,7 @@ fs::path OutputFolder::path(const std::string& name) const {
   return state_->path / (prefix_ + name);
 }
 
-void OutputFolder::require_own(const std::string& beside) const {
+void OutputFolder::require_clca_folder(const std::string& beside) const {
   const std::lock_guard lock(state_->mutex);
   std::error_code error;
   fs::directory_iterator it(state_->absolute, error);
@@ -218,8 +218,8 @@ void OutputFolder::require_own(const std::string& beside) const {
   }
 }
 
-void OutputFolder::make_own(const std::string& beside) const {
-  require_own(beside);
+void OutputFolder::make_clca_folder(const std::string& beside) const {
+  require_clca_folder(beside);
   const std::lock_guard lock(state_->mutex);
   state_->make_folders("");
   state_->add_to_manifest("");
@@ -230,7 +230,7 @@ bool OutputFolder::owns(const std::string& name) const {
   return state_->names.contains(prefix_ + name) && state_->is_file(prefix_ + name);
 }
 
-std::vector<std::string> OutputFolder::files() const {
+std::vector<std::string> OutputFolder::listed_files() const {
   const std::lock_guard lock(state_->mutex);
   std::vector<std::string> there;
   for (const std::string& name : state_->names) {
@@ -246,7 +246,7 @@ void OutputFolder::make_folder(const std::string& name) const {
   state_->make_folders(prefix_ + name + "/");
 }
 
-fs::path OutputFolder::prepared(const std::string& name) const {
+fs::path OutputFolder::prepare_file(const std::string& name) const {
   const std::lock_guard lock(state_->mutex);
   state_->prepare(prefix_ + name);
   return state_->at(prefix_ + name);
@@ -257,7 +257,7 @@ AtomicFile OutputFolder::create(const std::string& name) const {
   if (state_->delays_flushing) {
     later = [folder = *this, name] { folder.flush_later(name); };
   }
-  return {prepared(name), std::move(later)};
+  return {prepare_file(name), std::move(later)};
 }
 
 void OutputFolder::write(const std::string& name, std::span<const std::uint8_t> bytes) const {
@@ -267,7 +267,7 @@ void OutputFolder::write(const std::string& name, std::span<const std::uint8_t> 
 }
 
 void OutputFolder::truncate(const std::string& name, std::uint64_t bytes) const {
-  const Descriptor file = opened(state_->at(prefix_ + name), O_RDWR);
+  const FileDescriptor file = opened(state_->at(prefix_ + name), O_RDWR);
   if (!file.is_open() && errno == ENOENT) {
     return;
   }
@@ -295,7 +295,7 @@ void OutputFolder::flush() const {
     names.swap(state_->not_flushed);
   }
   const auto open = [this](const std::string& name) {
-    Descriptor file = opened(state_->at(name), O_RDONLY);
+    FileDescriptor file = opened(state_->at(name), O_RDONLY);
     if (!file.is_open() && errno != ENOENT) {
       fail("write", state_->path / name);
     }
@@ -305,7 +305,7 @@ void OutputFolder::flush() const {
     ::sync_file_range(open(name).number(), 0, 0, SYNC_FILE_RANGE_WRITE);
   }
   for (const std::string& name : names) {
-    const Descriptor file = open(name);
+    const FileDescriptor file = open(name);
     if (file.is_open() && ::fsync(file.number()) != 0) {
       fail("write", state_->path / name);
     }
@@ -314,7 +314,8 @@ void OutputFolder::flush() const {
 
 void OutputFolder::rename(const std::string& from, const std::string& to) const {
   const std::string there = prefix_ + from;
-  if (state_->is_file(there) && ::rename(state_->at(there).c_str(), prepared(to).c_str()) != 0) {
+  if (state_->is_file(there) &&
+      ::rename(state_->at(there).c_str(), prepare_file(to).c_str()) != 0) {
     fail("write", path(to));
   }
 }
@@ -349,11 +350,12 @@ OutputFolder named_folder(const fs::path& named, const fs::path& run, const std:
     return OutputFolder(run).subfolder(below);
   }
   OutputFolder folder(named);
-  folder.require_own();
+  folder.require_clca_folder();
   return folder;
 }
 
-void GrowingFile::check(const OutputFolder& folder, const std::string& name, std::uint64_t kept) {
+void GrowingFile::check_kept_bytes(const OutputFolder& folder, const std::string& name,
+                                   std::uint64_t kept) {
   if (kept == 0) {
     return;
   }
@@ -375,7 +377,7 @@ void GrowingFile::check(const OutputFolder& folder, const std::string& name, std
 
 GrowingFile::GrowingFile(OutputFolder folder, std::string name, std::uint64_t kept)
     : folder_(std::move(folder)), name_(std::move(name)), bytes_(kept) {
-  check(folder_, name_, kept);
+  check_kept_bytes(folder_, name_, kept);
   if (kept == 0) {
     folder_.state_->remove(folder_.prefix_ + name_);
   } else {
@@ -387,7 +389,7 @@ void GrowingFile::append(std::string_view text) {
   if (text.empty()) {
     return;
   }
-  Descriptor file = opened(folder_.prepared(name_), O_WRONLY | O_APPEND | O_CREAT);
+  FileDescriptor file = opened(folder_.prepare_file(name_), O_WRONLY | O_APPEND | O_CREAT);
   if (!file.is_open()) {
     fail("write", folder_.path(name_));
   }

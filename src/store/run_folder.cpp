@@ -66,8 +66,8 @@ RunFolder::RunFolder(const fs::path& path, FolderLock lock)
 RunFolder RunFolder::for_new_run(const fs::path& path) {
   {
     const OutputFolder files(path);
-    files.require_own();
-    const std::vector<std::string> there = files.files();
+    files.require_clca_folder();
+    const std::vector<std::string> there = files.listed_files();
     if (!there.empty() && !is_of_run(files)) {
       throw StoreError(fmt::format(
           "cannot run in {}: clca has written something else than a run there ({}); run elsewhere",
@@ -96,7 +96,7 @@ RunFolder RunFolder::for_resumed_run(const fs::path& path) {
 }
 
 std::optional<EarlierRun> RunFolder::earlier_run() const {
-  if (folder_.files().empty()) {
+  if (folder_.listed_files().empty()) {
     return std::nullopt;
   }
   const fs::path summary = path() / kSummaryFile;
@@ -107,7 +107,7 @@ std::optional<EarlierRun> RunFolder::earlier_run() const {
   try {
     if (has_summary) {
       earlier.summary = read_summary(summary);
-      earlier.when = time_of(summary);
+      earlier.written_at = time_of(summary);
     }
   } catch (const StoreError& error) {
     has_summary = false;
@@ -116,15 +116,15 @@ std::optional<EarlierRun> RunFolder::earlier_run() const {
   if (has_summary && earlier.summary.status == "done") {
     return earlier;
   }
-  earlier.unfinished = true;
+  earlier.is_resumable = true;
   try {
     const auto found = read_checkpoint(path(), kMaxCheckpointBytes);
-    earlier.unfinished = found && !found->checkpoint.is_start();
+    earlier.is_resumable = found && !found->checkpoint.is_before_first_step();
     if (!found && !has_summary) {
       throw StoreError(problem.empty() ? "it has neither run.json nor a checkpoint" : problem);
     }
     if (!has_summary) {
-      earlier.summary = parse_summary(found->checkpoint.summary, "its checkpoint");
+      earlier.summary = parse_summary(found->checkpoint.summary_json, "its checkpoint");
     }
   } catch (const StoreError& error) {  // without run.json nobody can say whose files they are
     if (!has_summary) {
@@ -144,7 +144,7 @@ void RunFolder::start_over(const Checkpoint& start) const {
 }
 
 void RunFolder::remove_frames_after(std::optional<std::uint64_t> last_step) const {
-  for (const std::string& name : folder_.files()) {
+  for (const std::string& name : folder_.listed_files()) {
     if (const auto step = step_of(name); step && (!last_step || *step > *last_step)) {
       folder_.remove(name);
     }

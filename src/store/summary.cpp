@@ -49,7 +49,6 @@ Json to_object(const std::vector<scene::DerivedMeasure>& derived) {
   return object;
 }
 
-/// The simulated time, if steps have a length.
 void add_time(Json& object, std::uint64_t steps, const std::optional<scene::Conversion>& units) {
   if (units) {
     object["time"] = units->time(steps);
@@ -63,9 +62,9 @@ Json to_object(const StageSummary& stage, const std::optional<scene::Conversion>
   }
   Json object = {{"name", stage.name}, {"steps", stage.steps}};
   add_time(object, stage.steps, units);
-  object["ended"] = stage.ended;
+  object["ended"] = stage.end_reason;
   object["measures"] = std::move(measures);
-  if (stage.fills) {
+  if (stage.fills_particles) {
     object["fills"] = true;
   }
   if (!stage.notes.empty()) {
@@ -77,12 +76,12 @@ Json to_object(const StageSummary& stage, const std::optional<scene::Conversion>
 Json to_object(const ColumnSummary& column) {
   Json object = {{"key", column.key}, {"name", column.name}};
   for (const auto& [key, text] :
-       {std::pair("of", column.of), {"unit", column.unit}, {"meaning", column.meaning}}) {
+       {std::pair("of", column.part), {"unit", column.unit}, {"meaning", column.meaning}}) {
     if (!text.empty()) {
       object[key] = text;
     }
   }
-  if (column.of_floor) {
+  if (column.relative_to_floor) {
     object["of_floor"] = true;
   }
   return object;
@@ -90,7 +89,6 @@ Json to_object(const ColumnSummary& column) {
 
 // Reading is strict, since the file may be truncated or foreign.
 
-/// The problem with a run.json.
 class FormatError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -158,12 +156,12 @@ std::string name(const Json& object, const char* key) {
 StageSummary stage(const Json& object) {
   StageSummary summary = {.name = name(object, "name"),
                           .steps = count(object, "steps"),
-                          .ended = text(object, "ended"),
+                          .end_reason = text(object, "ended"),
                           .measures = {}};
   for (const auto& [name, value] : field(object, "measures", &Json::is_object).items()) {
     summary.measures.emplace_back(name, measure(value));
   }
-  summary.fills = object.contains("fills");
+  summary.fills_particles = object.contains("fills");
   if (object.contains("notes")) {
     for (const Json& note : field(object, "notes", &Json::is_array)) {
       if (!note.is_string()) {
@@ -224,13 +222,13 @@ RunSummary summary_of(const Json& object) {
                         .steps = count(object, "steps"),
                         .wall_seconds = number(object, "wall_seconds"),
                         .step_seconds = number(object, "step_seconds"),
-                        .rate = number(object, rate_key(text(object, "kind"))),
+                        .rate_per_second = number(object, rate_key(text(object, "kind"))),
                         .state_hash = hash(object, "state_hash"),
                         .compiler = text(build, "compiler"),
                         .build_type = text(build, "type"),
                         .stages = {}};
   take_if_there(object, "units", units, summary.units);
-  take_if_there(object, "derived", derived, summary.derived);
+  take_if_there(object, "derived", derived, summary.derived_measures);
   if (summary.kind != "comparison") {  // which writes no files of that name
     name(object, "scene");
   }
@@ -242,7 +240,7 @@ RunSummary summary_of(const Json& object) {
 
 }  // namespace
 
-Json to_list(const std::vector<ColumnSummary>& measures) {
+Json to_json_list(const std::vector<ColumnSummary>& measures) {
   Json list = Json::array();
   for (const ColumnSummary& column : measures) {
     list.push_back(to_object(column));
@@ -250,10 +248,10 @@ Json to_list(const std::vector<ColumnSummary>& measures) {
   return list;
 }
 
-Json to_object(const std::vector<TableSummary>& tables) {
+Json to_json_object(const std::vector<TableSummary>& tables) {
   Json object = Json::object();
   for (const auto& [name, columns] : tables) {
-    object[name] = to_list(columns);
+    object[name] = to_json_list(columns);
   }
   return object;
 }
@@ -262,7 +260,7 @@ std::string version() {
   return CLCA_VERSION;
 }
 
-RunSummary provenance() {
+RunSummary summary_with_provenance() {
   RunSummary summary;
   summary.version = version();
   summary.compiler = CLCA_COMPILER;
@@ -291,7 +289,7 @@ std::string to_json(const RunSummary& summary) {
   }
   add_time(object, summary.steps, summary.units);
   if (summary.begin) {
-    object["begin"] = {{"run", summary.begin->run},
+    object["begin"] = {{"run", summary.begin->run_folder},
                        {"step", summary.begin->step ? Json(*summary.begin->step) : Json("last")},
                        {"state_hash", fmt::format("{:016x}", summary.begin->state_hash)}};
   }
@@ -305,12 +303,12 @@ std::string to_json(const RunSummary& summary) {
                      {"top", summary.box->top},
                      {"periodic", summary.box->periodic}};
   }
-  if (!summary.derived.empty()) {
-    object["derived"] = to_object(summary.derived);
+  if (!summary.derived_measures.empty()) {
+    object["derived"] = to_object(summary.derived_measures);
   }
   object["wall_seconds"] = summary.wall_seconds;
   object["step_seconds"] = summary.step_seconds;
-  object[rate_key(summary.kind)] = summary.rate;
+  object[rate_key(summary.kind)] = summary.rate_per_second;
   object["state_hash"] = fmt::format("{:016x}", summary.state_hash);
   object["build"] = {{"compiler", summary.compiler}, {"type", summary.build_type}};
   object["stages"] = std::move(stages);
@@ -318,8 +316,8 @@ std::string to_json(const RunSummary& summary) {
   for (const KindSummary& kind : summary.kinds) {
     kinds.push_back({{"species", kind.species}, {"degrees", kind.degrees}});
   }
-  object["measures"] = to_list(summary.measures);
-  object["tables"] = to_object(summary.tables);
+  object["measures"] = to_json_list(summary.measure_descriptions);
+  object["tables"] = to_json_object(summary.table_descriptions);
   constexpr int kIndent = 2;
   return object.dump(kIndent) + '\n';
 }
@@ -365,7 +363,7 @@ RunSummary read_summary(const std::filesystem::path& file) {
                                  file.string(), usual.string()));
   }
   constexpr double kMaxBytes = 16 << 20;
-  const auto bytes = read_whole(file, kMaxBytes);
+  const auto bytes = read_whole_file(file, kMaxBytes);
   return parse_summary({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, file.string());
 }
 

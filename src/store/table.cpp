@@ -116,7 +116,7 @@ void Table::add_row(std::vector<Cell> cells) {
   }
 }
 
-std::string Table::header() const {
+std::string Table::csv_header() const {
   std::string line;
   for (const std::string& column : columns_) {
     line += line.empty() ? "" : ",";
@@ -126,16 +126,18 @@ std::string Table::header() const {
 }
 
 std::string Table::to_csv() const {
-  return header() + rows_;
+  return csv_header() + rows_;
 }
 
-const std::vector<std::string>* ParsedTable::find(const std::string& name) const {
-  const auto found = std::ranges::find(names, name);
-  return found == names.end() ? nullptr : &cells[static_cast<std::size_t>(found - names.begin())];
+const std::vector<std::string>* ParsedTable::find_column(const std::string& name) const {
+  const auto found = std::ranges::find(column_names, name);
+  return found == column_names.end()
+             ? nullptr
+             : &cells[static_cast<std::size_t>(found - column_names.begin())];
 }
 
-std::vector<double> ParsedTable::numbers(const std::string& name) const {
-  const std::vector<std::string>* column = find(name);
+std::vector<double> ParsedTable::column_numbers(const std::string& name) const {
+  const std::vector<std::string>* column = find_column(name);
   if (column == nullptr) {
     throw StoreError(fmt::format("cannot read {}: no column '{}'", file.string(), name));
   }
@@ -152,21 +154,22 @@ std::vector<double> ParsedTable::numbers(const std::string& name) const {
 }
 
 ParsedTable read_table(const std::filesystem::path& file, double max_bytes) {
-  const auto bytes = read_whole(file, max_bytes);
+  const auto bytes = read_whole_file(file, max_bytes);
   CellReader reader(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-  ParsedTable table = {.file = file, .names = reader.row(), .cells = {}};
+  ParsedTable table = {.file = file, .column_names = reader.row(), .cells = {}};
   std::set<std::string_view> known;
-  for (const std::string& name : table.names) {
+  for (const std::string& name : table.column_names) {
     if (name.empty() || !known.insert(name).second) {
       refuse(file, 1, fmt::format("the name '{}' of a column is empty or there twice", name));
     }
   }
-  table.cells.resize(table.names.size());
+  table.cells.resize(table.column_names.size());
   while (!reader.at_end()) {
     const std::size_t line = reader.line();
     std::vector<std::string> row = reader.row();
-    if (row.size() != table.names.size()) {
-      refuse(file, line, fmt::format("{} cells in {} columns", row.size(), table.names.size()));
+    if (row.size() != table.column_names.size()) {
+      refuse(file, line,
+             fmt::format("{} cells in {} columns", row.size(), table.column_names.size()));
     }
     for (std::size_t column = 0; column < row.size(); ++column) {
       table.cells[column].push_back(std::move(row[column]));

@@ -33,9 +33,9 @@ std::vector<std::filesystem::path> find_parts(const std::filesystem::path& run_f
 
 /// Concatenated sets of sites.
 struct SiteSets {
-  std::vector<std::uint64_t> first;  ///< by set: number of its first site
-  std::vector<std::uint32_t> size;   ///< by set
-  std::vector<std::int32_t> sites;   ///< of all sets: two numbers each
+  std::vector<std::uint64_t> first_sites;  ///< by set: number of its first site
+  std::vector<std::uint32_t> site_counts;  ///< by set
+  std::vector<std::int32_t> sites;         ///< of all sets: two numbers each
 
   void begin_set();
   void add_site(int one, int other);
@@ -59,22 +59,19 @@ struct SceneTables {
   SceneTables() = default;
   SceneTables(const scene::Scene& scene, const grains::State& state);
 
-  /// This object must outlive the list.
-  std::vector<Hdf5Dataset> datasets();
+  std::vector<Hdf5Dataset> datasets();  ///< this object must outlive the list
   /// Throws StoreError with the difference unless those read from `path` are of the same scene.
   void require_same(const SceneTables& read, const std::filesystem::path& path) const;
 };
 
-/// Optional datasets of a trajectory.
-struct Layout {
-  std::size_t walls = 0;
-  bool velocities = false;
-  bool contacts = false;
+struct OptionalDatasets {
+  std::size_t wall_count = 0;
+  bool has_velocities = false;
+  bool has_contacts = false;
 };
 
-Layout layout_of(const scene::Scene& scene);
+OptionalDatasets optional_datasets(const scene::Scene& scene);
 
-/// What the rows of a dataset are.
 enum class RowKind : std::uint8_t { frames, particles, origins, pushes, contacts };
 inline constexpr std::array kRowKindNames = {"frames", "particles", "origins", "pushes",
                                              "contacts"};
@@ -82,7 +79,6 @@ inline constexpr std::array kRowKindNames = {"frames", "particles", "origins", "
 inline constexpr std::array kKindsInFrames = {RowKind::particles, RowKind::origins, RowKind::pushes,
                                               RowKind::contacts};
 
-/// A value for each kind of rows.
 template <class T>
 class ByRowKind {
  public:
@@ -95,26 +91,24 @@ class ByRowKind {
   std::array<T, kRowKindNames.size()> values_ = {};
 };
 
-/// Numbers of rows.
 using RowCounts = ByRowKind<std::uint64_t>;
 RowCounts& operator+=(RowCounts& row_counts, const RowCounts& more);
 
-/// What a dataset is read for.
-enum class Use : std::uint8_t {
+/// When a dataset is read.
+enum class DatasetUse : std::uint8_t {
   index,   ///< with the list of frames
-  rows,    ///< with one of the frames
+  rows,    ///< with the state of a frame
   derived  ///< never; for the convenience of other readers
 };
 
 /// A dataset with the meaning of its rows, and their shape (none: one number). The numbers of a row
 /// are contiguous.
-struct Column : Hdf5Dataset {
+struct TrajectoryDataset : Hdf5Dataset {
   RowKind row_kind;
-  Use use;
-  std::vector<std::size_t> row;
+  DatasetUse use;
+  std::vector<std::size_t> row_shape;
 };
 
-/// Rows of one frame within its part.
 struct RowSpan {
   std::size_t first = 0;
   std::size_t end = 0;
@@ -122,8 +116,8 @@ struct RowSpan {
 
 /// Rows of each frame: first row, counted over all parts, and number of rows.
 struct RowRanges {
-  std::vector<std::uint64_t> first;
-  std::vector<std::uint32_t> count;
+  std::vector<std::uint64_t> first_rows;
+  std::vector<std::uint32_t> row_counts;
 
   /// Ends a frame: the part has this many rows now, and the parts before it have `before`.
   void end_frame(std::uint64_t before, std::size_t rows);
@@ -134,11 +128,10 @@ struct RowRanges {
 struct PartFrames {
   std::vector<std::uint64_t> step;
   std::vector<std::uint32_t> stage;
-  std::vector<std::uint32_t> entered;  ///< particles so far, whether still present or not
-  ByRowKind<RowRanges> rows;           ///< of kKindsInFrames; that of RowKind::frames stays empty
+  std::vector<std::uint32_t> entered_particles;  ///< particles so far, whether still present or not
+  ByRowKind<RowRanges> row_ranges;  ///< of kKindsInFrames; that of RowKind::frames stays empty
 
-  /// Rows of the part, by the counts of its frames.
-  RowCounts row_counts() const;
+  RowCounts total_rows() const;  ///< rows of the part, by the counts of its frames
 };
 
 /// Origins of particles new since the last frame; of all in the first frame of a stage.
@@ -151,7 +144,7 @@ struct PartRows {
   std::vector<std::uint32_t> id;
   std::vector<std::int32_t> site;  ///< column, row
   std::vector<std::uint16_t> kind;
-  std::vector<std::uint8_t> move;
+  std::vector<std::uint8_t> last_move;
   std::vector<std::uint32_t> pushed;
   std::vector<std::int32_t> pusher;
   std::vector<std::uint32_t> push_source;
@@ -161,12 +154,12 @@ struct PartRows {
   std::vector<double> velocity;            ///< x, y
   std::vector<double> spin;
   // Of contacts: see contact::Force.
-  std::vector<std::uint32_t> upper;
-  std::vector<std::int32_t> other;
-  std::vector<double> point;   ///< x, y
-  std::vector<double> normal;  ///< x, y
-  std::vector<double> branch;  ///< x, y
-  std::vector<double> force;   ///< along the normal, along the shear
+  std::vector<std::uint32_t> contact_upper;
+  std::vector<std::int32_t> contact_other;
+  std::vector<double> contact_point;   ///< x, y
+  std::vector<double> contact_normal;  ///< x, y
+  std::vector<double> contact_branch;  ///< x, y
+  std::vector<double> contact_force;   ///< along the normal, along the shear
   // Derived, for other readers.
   std::vector<std::uint16_t> species;
   std::vector<double> position;       ///< x, y of the centre of mass
@@ -180,18 +173,18 @@ struct TrajectoryPart {
 
   /// Adds a frame. `before`: numbers of rows of the previous parts. Stores origins of the particles
   /// with ids from `first_origin` on.
-  void add(const grains::State& state, std::size_t stage, std::size_t first_origin,
-           const RowCounts& before, const ContactFrame& contact);
+  void add_frame(const grains::State& state, std::size_t stage, std::size_t first_origin,
+                 const RowCounts& before, const ContactFrame& contact);
   /// This object must outlive the list. Earlier versions did not write what may be missing.
-  std::vector<Column> columns(const Layout& layout);
+  std::vector<TrajectoryDataset> datasets(const OptionalDatasets& layout);
 };
 
 /// The frames and origins of a file. Throws StoreError unless it is of the scene of `tables`, and
 /// has frames and the rows that they say.
 TrajectoryPart read_index(const std::filesystem::path& path, const SceneTables& tables,
-                          const Layout& layout, double max_bytes);
+                          const OptionalDatasets& layout, double max_bytes);
 /// The rows of these frames of a file. Throws StoreError, likewise.
 PartRows read_rows(const std::filesystem::path& path, const PartFrames& frames,
-                   const Layout& layout, double max_bytes);
+                   const OptionalDatasets& layout, double max_bytes);
 
 }  // namespace clca::store

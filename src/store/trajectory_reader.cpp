@@ -38,7 +38,6 @@ struct IndexedPart {
 
 namespace {
 
-/// An impossible row.
 constexpr lattice::Site kUnknown = {0, -1};
 
 lattice::Site site_at(const std::vector<std::int32_t>& sites, std::size_t row) {
@@ -71,11 +70,11 @@ void require_in_frame(bool well, const IndexedPart& part, std::uint64_t step, co
 }
 
 void check_ranges(const IndexedPart& part, RowKind row_kind) {
-  const RowRanges& ranges = part.content.frames.rows[row_kind];
+  const RowRanges& ranges = part.content.frames.row_ranges[row_kind];
   std::uint64_t first = part.before[row_kind];
-  for (std::size_t frame = 0; frame < ranges.first.size(); ++frame) {
-    require(ranges.first[frame] == first, part, "rows of frames do not follow each other");
-    first += ranges.count[frame];
+  for (std::size_t frame = 0; frame < ranges.first_rows.size(); ++frame) {
+    require(ranges.first_rows[frame] == first, part, "rows of frames do not follow each other");
+    first += ranges.row_counts[frame];
   }
 }
 
@@ -85,31 +84,31 @@ void check_ids(const IndexedPart& part, const std::vector<std::uint32_t>& ids,
   for (std::size_t frame = 0; frame < frames.step.size(); ++frame) {
     const RowSpan rows = ranges.rows_of(frame);
     for (std::size_t row = rows.first; row < rows.end; ++row) {
-      require_in_frame(
-          ids[row] < frames.entered[frame] && (row == rows.first || ids[row - 1] < ids[row]), part,
-          frames.step[frame], "ids out of order or out of range");
+      require_in_frame(ids[row] < frames.entered_particles[frame] &&
+                           (row == rows.first || ids[row - 1] < ids[row]),
+                       part, frames.step[frame], "ids out of order or out of range");
     }
   }
 }
 
 /// Reads the columns of a use, with what else there is in the file.
-std::vector<Column> read_columns(const std::filesystem::path& path, TrajectoryPart& part,
-                                 const Layout& layout, Use use, double max_bytes,
-                                 std::vector<Hdf5Dataset> datasets) {
-  std::vector<Column> columns = part.columns(layout);
-  std::erase_if(columns, [use](const Column& column) { return column.use != use; });
+std::vector<TrajectoryDataset> read_columns(const std::filesystem::path& path, TrajectoryPart& part,
+                                            const OptionalDatasets& layout, DatasetUse use,
+                                            double max_bytes, std::vector<Hdf5Dataset> datasets) {
+  std::vector<TrajectoryDataset> columns = part.datasets(layout);
+  std::erase_if(columns, [use](const TrajectoryDataset& column) { return column.use != use; });
   datasets.insert(datasets.end(), columns.begin(), columns.end());
   read_hdf5(path, kTrajectoryKind, datasets, max_bytes);
   return columns;
 }
 
 /// Throws StoreError unless the columns have as many rows as the frames say.
-void check_rows(const std::filesystem::path& path, const std::vector<Column>& columns,
+void check_rows(const std::filesystem::path& path, const std::vector<TrajectoryDataset>& columns,
                 const RowCounts& row_counts) {
-  for (const Column& column : columns) {
+  for (const TrajectoryDataset& column : columns) {
     const std::size_t numbers =
         std::visit([](const auto* list) { return list->size(); }, column.values);
-    const std::size_t rows = numbers / column.columns;
+    const std::size_t rows = numbers / column.numbers_per_row;
     const bool missing = column.may_be_missing && numbers == 0;
     if (!missing && rows != row_counts[column.row_kind]) {
       refuse_part(path, fmt::format("{} has {} rows, not {}", column.path, rows,
@@ -167,30 +166,31 @@ std::vector<std::filesystem::path> find_parts(const std::filesystem::path& run_f
   return parts;
 }
 
-void check_parts(const std::filesystem::path& run_folder) {
+void check_trajectory_parts(const std::filesystem::path& run_folder) {
   for (const std::filesystem::path& part : find_parts(run_folder)) {
     read_hdf5(part, kTrajectoryKind, {}, kNoByteLimit);
   }
 }
 
 TrajectoryPart read_index(const std::filesystem::path& path, const SceneTables& tables,
-                          const Layout& layout, double max_bytes) {
+                          const OptionalDatasets& layout, double max_bytes) {
   TrajectoryPart part;
   SceneTables read;
-  const auto columns = read_columns(path, part, layout, Use::index, max_bytes, read.datasets());
+  const auto columns =
+      read_columns(path, part, layout, DatasetUse::index, max_bytes, read.datasets());
   tables.require_same(read, path);
   if (part.frames.step.empty()) {
     refuse_part(path, "no frames");
   }
-  check_rows(path, columns, part.frames.row_counts());
+  check_rows(path, columns, part.frames.total_rows());
   return part;
 }
 
 PartRows read_rows(const std::filesystem::path& path, const PartFrames& frames,
-                   const Layout& layout, double max_bytes) {
+                   const OptionalDatasets& layout, double max_bytes) {
   TrajectoryPart part;
-  const auto columns = read_columns(path, part, layout, Use::rows, max_bytes, {});
-  check_rows(path, columns, frames.row_counts());
+  const auto columns = read_columns(path, part, layout, DatasetUse::rows, max_bytes, {});
+  check_rows(path, columns, frames.total_rows());
   return std::move(part.rows);
 }
 
@@ -199,7 +199,7 @@ class Trajectory::Impl {
   Impl(const std::filesystem::path& run_folder, const scene::Scene& scene, grains::State fixed,
        double max_bytes)
       : fixed_(std::move(fixed)),
-        layout_(layout_of(scene)),
+        layout_(optional_datasets(scene)),
         most_entered_(max_particles(fixed_, max_bytes)),
         bytes_left_(max_bytes) {
     const auto finished = finished_summary(run_folder);  // first: parts may be added meanwhile
@@ -209,7 +209,7 @@ class Trajectory::Impl {
       const IndexedPart& part = parts_.emplace_back(
           IndexedPart{path, before, read_index(path, tables, layout_, bytes_left_)});
       add_frames(part, tables.stages.size());
-      before += part.content.frames.row_counts();
+      before += part.content.frames.total_rows();
       bytes_left_ -= part.bytes();
     }
     if (finished && frames_.back().step < finished->steps) {
@@ -227,14 +227,14 @@ class Trajectory::Impl {
     state.step = frames_[frame].step;
     state.particles.assign(origins_.size(), {.present = false});
     state.origins.assign(origins_.size(), {});
-    const RowSpan particles = part->content.frames.rows[RowKind::particles].rows_of(within);
+    const RowSpan particles = part->content.frames.row_ranges[RowKind::particles].rows_of(within);
     for (std::size_t row = particles.first; row < particles.end; ++row) {
       const std::uint32_t id = rows_.id[row];
       const lattice::Site site = site_at(rows_.site, row);
       state.particles[id] = {.column = site.column,
                              .row = site.row,
                              .kind = rows_.kind[row],
-                             .previous = rows_.move[row]};
+                             .previous = rows_.last_move[row]};
       state.origins[id] = origins_[id];
       require_in_frame(origins_[id] != kUnknown, *part, state.step, "a particle without an origin");
     }
@@ -245,7 +245,7 @@ class Trajectory::Impl {
       state.walls[wall].present = rows_.wall_present[at] == 1;
       state.walls[wall].travel.offset = rows_.wall_offset[at];
     }
-    const RowSpan pushes = part->content.frames.rows[RowKind::pushes].rows_of(within);
+    const RowSpan pushes = part->content.frames.row_ranges[RowKind::pushes].rows_of(within);
     for (std::size_t row = pushes.first; row < pushes.end; ++row) {
       state.pushes.push_back(
           {.pushed = rows_.pushed[row],
@@ -265,36 +265,36 @@ class Trajectory::Impl {
   ContactFrame contact_frame(std::size_t frame) {
     const auto [part, within] = loaded(frame);
     const PartFrames& frames = part->content.frames;
-    const std::size_t entered = frames.entered[within];
+    const std::size_t entered = frames.entered_particles[within];
     ContactFrame result;
-    if (layout_.velocities) {
+    if (layout_.has_velocities) {
       result.velocities.resize(entered, Eigen::Vector2d::Zero());
       result.spins.resize(entered, 0);
-      const RowSpan rows = frames.rows[RowKind::particles].rows_of(within);
+      const RowSpan rows = frames.row_ranges[RowKind::particles].rows_of(within);
       for (std::size_t row = rows.first; row < rows.end; ++row) {
         result.velocities[rows_.id[row]] = point_at(rows_.velocity, row);
         result.spins[rows_.id[row]] =
             rows_.spin.empty() ? std::numeric_limits<double>::quiet_NaN() : rows_.spin[row];
       }
     }
-    if (layout_.contacts) {
-      const RowSpan rows = frames.rows[RowKind::contacts].rows_of(within);
+    if (layout_.has_contacts) {
+      const RowSpan rows = frames.row_ranges[RowKind::contacts].rows_of(within);
       for (std::size_t row = rows.first; row < rows.end; ++row) {
-        const grains::Owner other = rows_.other[row];
+        const grains::Owner other = rows_.contact_other[row];
         const bool is_there =
             grains::is_particle(other)
                 ? grains::particle_id(other) < entered
                 : contact::is_side(other) ||
                       (grains::is_wall(other) && grains::wall_number(other) < fixed_.walls.size());
-        require_in_frame(rows_.upper[row] < entered && is_there, *part, frames_[frame].step,
+        require_in_frame(rows_.contact_upper[row] < entered && is_there, *part, frames_[frame].step,
                          "a contact of bodies that are not there");
-        result.forces.push_back({.upper = rows_.upper[row],
+        result.forces.push_back({.upper = rows_.contact_upper[row],
                                  .other = other,
-                                 .point = point_at(rows_.point, row),
-                                 .normal = point_at(rows_.normal, row),
-                                 .branch = point_at(rows_.branch, row),
-                                 .along_normal = rows_.force[2 * row],
-                                 .along_shear = rows_.force[2 * row + 1]});
+                                 .point = point_at(rows_.contact_point, row),
+                                 .normal = point_at(rows_.contact_normal, row),
+                                 .branch = point_at(rows_.contact_branch, row),
+                                 .along_normal = rows_.contact_force[2 * row],
+                                 .along_shear = rows_.contact_force[2 * row + 1]});
       }
     }
     return result;
@@ -307,18 +307,18 @@ class Trajectory::Impl {
       const Frame last = frames_.empty() ? Frame() : frames_.back();
       const Frame next = {.step = frames.step[frame],
                           .stage = frames.stage[frame],
-                          .particles = frames.rows[RowKind::particles].count[frame]};
+                          .particles = frames.row_ranges[RowKind::particles].row_counts[frame]};
       require(next.step >= last.step && next.stage >= last.stage, part, "frames are not in order");
       require_in_frame(next.stage < stages, part, next.step,
                        "a stage that the scene does not have");
-      require_in_frame(frames.entered[frame] <= most_entered_, part, next.step,
+      require_in_frame(frames.entered_particles[frame] <= most_entered_, part, next.step,
                        "needs more memory than the limit");
       frames_.push_back(next);
     }
     for (const RowKind row_kind : kKindsInFrames) {
       check_ranges(part, row_kind);
     }
-    check_ids(part, part.content.origins.id, frames.rows[RowKind::origins]);
+    check_ids(part, part.content.origins.id, frames.row_ranges[RowKind::origins]);
   }
 
   /// The part of a frame, and the place of the frame in it.
@@ -340,7 +340,7 @@ class Trajectory::Impl {
       loaded_ = nullptr;
       rows_ = {};
       auto rows = read_rows(part.path, part.content.frames, layout_, bytes_left_);
-      check_ids(part, rows.id, part.content.frames.rows[RowKind::particles]);
+      check_ids(part, rows.id, part.content.frames.row_ranges[RowKind::particles]);
       rows_ = std::move(rows);
       loaded_ = &part;
     }
@@ -365,8 +365,8 @@ class Trajectory::Impl {
   void take_origins(std::size_t frame) {
     const auto [part, within] = found(frame);
     const TrajectoryPart& content = part->content;
-    origins_.resize(content.frames.entered[within], kUnknown);
-    const RowSpan rows = content.frames.rows[RowKind::origins].rows_of(within);
+    origins_.resize(content.frames.entered_particles[within], kUnknown);
+    const RowSpan rows = content.frames.row_ranges[RowKind::origins].rows_of(within);
     for (std::size_t row = rows.first; row < rows.end; ++row) {
       origins_[content.origins.id[row]] = site_at(content.origins.site, row);
     }
@@ -374,7 +374,7 @@ class Trajectory::Impl {
   }
 
   grains::State fixed_;
-  Layout layout_;
+  OptionalDatasets layout_;
   std::size_t most_entered_;  // particles whose state fits into memory
   double bytes_left_;         // that reading a part may take
   std::vector<IndexedPart> parts_;

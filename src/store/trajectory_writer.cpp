@@ -30,20 +30,21 @@ std::string source_file(std::size_t part) {
   return fmt::format("{}/{}", kTrajectoryFolder, part_name(part));
 }
 
-Dimensions shape_of(const Column& column, std::uint64_t rows) {
+Dimensions shape_of(const TrajectoryDataset& column, std::uint64_t rows) {
   Dimensions shape = {rows};
-  shape.insert(shape.end(), column.row.begin(), column.row.end());
+  shape.insert(shape.end(), column.row_shape.begin(), column.row_shape.end());
   return shape;
 }
 
 /// Maps the rows of all parts, in order, into one dataset.
-void add_dataset(const Handle& file, const Column& column, const std::vector<RowCounts>& parts) {
+void add_dataset(const Handle& file, const TrajectoryDataset& column,
+                 const std::vector<RowCounts>& parts) {
   std::uint64_t rows = 0;
   for (const RowCounts& part : parts) {
     rows += part[column.row_kind];
   }
-  const Handle whole = hdf5::space_of(shape_of(column, rows));
-  const Handle creation = hdf5::properties(H5P_DATASET_CREATE);
+  const Handle whole = hdf5::dataspace(shape_of(column, rows));
+  const Handle creation = hdf5::make_properties(H5P_DATASET_CREATE);
   const hid_t type = hdf5::number_type(column.values);
   std::visit(
       [&]<class T>(const T* /*values*/) {
@@ -58,7 +59,7 @@ void add_dataset(const Handle& file, const Column& column, const std::vector<Row
         }
       },
       column.values);
-  Dimensions start(1 + column.row.size(), 0);
+  Dimensions start(1 + column.row_shape.size(), 0);
   for (std::size_t part = 0; part < parts.size(); ++part) {
     const std::uint64_t of_part = parts[part][column.row_kind];
     if (of_part == 0) {
@@ -69,7 +70,7 @@ void add_dataset(const Handle& file, const Column& column, const std::vector<Row
     check(H5Sselect_hyperslab(whole.id(), H5S_SELECT_SET, start.data(), nullptr, once.data(),
                               block.data()),
           "rows of a part");
-    const Handle source = hdf5::space_of(of_part, column.columns);
+    const Handle source = hdf5::dataspace(of_part, column.numbers_per_row);
     check(H5Pset_virtual(creation.id(), whole.id(), source_file(part).c_str(), column.path.c_str(),
                          source.id()),
           "virtual dataset");
@@ -81,16 +82,16 @@ void add_dataset(const Handle& file, const Column& column, const std::vector<Row
 /// Writes `trajectory.h5`: virtual datasets over parts with so many rows, and a link to group
 /// `scene` of the first part. At least one part. Throws StoreError.
 void write_index(const OutputFolder& run_folder, const std::vector<RowCounts>& parts,
-                 const std::vector<Column>& columns) {
+                 const std::vector<TrajectoryDataset>& columns) {
   const auto add_all = [&](const Handle& file) {
-    for (const Column& column : columns) {
+    for (const TrajectoryDataset& column : columns) {
       add_dataset(file, column, parts);
     }
     check(H5Lcreate_external(source_file(0).c_str(), "/scene", file.id(), "scene", H5P_DEFAULT,
                              H5P_DEFAULT),
           "link");
   };
-  run_folder.write(kTrajectoryIndex, hdf5::image(run_folder.path(kTrajectoryIndex), add_all));
+  run_folder.write(kTrajectoryIndex, hdf5::file_bytes(run_folder.path(kTrajectoryIndex), add_all));
 }
 
 /// Removes the parts written by clca from number `kept` on, last first; also the index if no part
@@ -110,11 +111,12 @@ void remove_parts(const OutputFolder& run_folder, std::uint64_t kept) {
 
 class TrajectoryWriter::Impl {
  public:
-  Impl(OutputFolder run_folder, SceneTables tables, const Layout& layout, const Written& kept)
+  Impl(OutputFolder run_folder, SceneTables tables, const OptionalDatasets& layout,
+       const Written& kept)
       : run_folder_(std::move(run_folder)),
         tables_(std::move(tables)),
         layout_(layout),
-        columns_(unwritten_part_.columns(layout)) {
+        columns_(unwritten_part_.datasets(layout)) {
     run_folder_.make_folder(kTrajectoryFolder);
     if (kept.parts > 0) {
       take_up(kept);
@@ -125,15 +127,15 @@ class TrajectoryWriter::Impl {
 
   void add(const grains::State& state, std::size_t stage, bool stage_begins,
            const ContactFrame& contact) {
-    const std::size_t velocities = layout_.velocities ? state.particles.size() : 0;
-    if (state.walls.size() != layout_.walls || contact.velocities.size() != velocities ||
+    const std::size_t velocities = layout_.has_velocities ? state.particles.size() : 0;
+    if (state.walls.size() != layout_.wall_count || contact.velocities.size() != velocities ||
         contact.spins.size() != velocities) {
       throw std::invalid_argument("a trajectory of another scene");
     }
-    unwritten_part_.add(state, stage, stage_begins ? 0 : entered_, written_, contact);
+    unwritten_part_.add_frame(state, stage, stage_begins ? 0 : entered_, written_, contact);
     entered_ = state.particles.size();
     std::size_t bytes = 0;
-    for (const Column& column : columns_) {
+    for (const TrajectoryDataset& column : columns_) {
       bytes += std::visit([](const auto* list) { return list->size() * sizeof(list->front()); },
                           column.values);
     }
@@ -150,14 +152,14 @@ class TrajectoryWriter::Impl {
     const std::string name = part_name(parts_.size());
     const auto add_all = [this](const Handle& file) {
       for (const Hdf5Dataset& dataset : tables_.datasets()) {
-        hdf5::add(file, dataset);
+        hdf5::add_dataset(file, dataset);
       }
-      for (const Column& column : columns_) {
-        hdf5::add(file, column);
+      for (const TrajectoryDataset& column : columns_) {
+        hdf5::add_dataset(file, column);
       }
     };
-    folder.write(name, with_header(kTrajectoryKind, hdf5::image(folder.path(name), add_all)));
-    count(unwritten_part_.frames.row_counts());
+    folder.write(name, with_header(kTrajectoryKind, hdf5::file_bytes(folder.path(name), add_all)));
+    count(unwritten_part_.frames.total_rows());
     unwritten_part_ = {};
     write_index(run_folder_, parts_, columns_);
   }
@@ -179,8 +181,8 @@ class TrajectoryWriter::Impl {
     }
     for (std::size_t part = 0; part < kept.parts; ++part) {
       const PartFrames frames = read_index(parts[part], tables_, layout_, kNoByteLimit).frames;
-      count(frames.row_counts());
-      entered_ = frames.entered.back();
+      count(frames.total_rows());
+      entered_ = frames.entered_particles.back();
     }
     if (const std::uint64_t frames = written_[RowKind::frames]; frames != kept.frames) {
       throw StoreError(fmt::format("cannot go on with {}: {} frames where the run had written {}",
@@ -191,37 +193,37 @@ class TrajectoryWriter::Impl {
 
   OutputFolder run_folder_;
   SceneTables tables_;
-  Layout layout_;
+  OptionalDatasets layout_;
   std::vector<RowCounts> parts_;
   RowCounts written_;
   std::size_t entered_ = 0;  // particles that had entered in the last frame
   TrajectoryPart unwritten_part_;
-  std::vector<Column> columns_;  // of it
+  std::vector<TrajectoryDataset> columns_;  // of it
 };
 
 TrajectoryWriter::TrajectoryWriter(const OutputFolder& run_folder, const scene::Scene& scene,
                                    const grains::State& state, const Written& kept)
-    : impl_(std::make_shared<Impl>(run_folder, SceneTables(scene, state), layout_of(scene), kept)) {
-}
+    : impl_(std::make_shared<Impl>(run_folder, SceneTables(scene, state), optional_datasets(scene),
+                                   kept)) {}
 
 double TrajectoryWriter::bytes_for(const scene::Scene& scene, double particles) {
   constexpr double kCopies = 3;  // as it is gathered, in HDF5, as a file
   double frame = 0;
   TrajectoryPart part;
-  for (const Column& column : part.columns(layout_of(scene))) {
+  for (const TrajectoryDataset& column : part.datasets(optional_datasets(scene))) {
     const double rows = column.row_kind == RowKind::frames ? 1
                         : column.row_kind == RowKind::contacts
                             ? contact::kContactsPerGrain * particles
                             : particles;
     const std::size_t number_bytes =
         std::visit([](const auto* list) { return sizeof(list->front()); }, column.values);
-    frame += rows * static_cast<double>(column.columns * number_bytes);
+    frame += rows * static_cast<double>(column.numbers_per_row * number_bytes);
   }
   return kCopies * (kPartBytes + frame);  // a part is written once it is large enough
 }
 
-void TrajectoryWriter::add(const grains::State& state, std::size_t stage, bool stage_begins,
-                           const ContactFrame& contact) {
+void TrajectoryWriter::add_frame(const grains::State& state, std::size_t stage, bool stage_begins,
+                                 const ContactFrame& contact) {
   impl_->add(state, stage, stage_begins, contact);
 }
 void TrajectoryWriter::flush() {

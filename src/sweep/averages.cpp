@@ -55,7 +55,6 @@ using Position = std::vector<double>;
 /// The rows of one group in the table, by position. Of steps: those since the stage began.
 using Curve = std::map<Position, std::size_t>;
 
-/// A table of one run.
 struct RunCurves {
   std::map<std::string, std::vector<double>> columns = {};  ///< with means
   std::vector<Names> groups = {};                           ///< in their order
@@ -81,20 +80,20 @@ RunCurves read_curves(const AveragedTable& what, const fs::path& file,
                       const store::RunSummary& summary, Names& columns) {
   const store::ParsedTable table = store::read_table(file);
   RunCurves result;
-  for (const std::string& name : table.names) {
+  for (const std::string& name : table.column_names) {
     if (!has_name(what.groups, name) && !has_name(what.positions, name) &&
         !has_name(what.others, name) && !name.ends_with(record::kErrorEnding)) {
-      result.columns[name] = table.numbers(name);
+      result.columns[name] = table.column_numbers(name);
     }
   }
   std::vector<std::vector<double>> at;
   std::ranges::transform(what.positions, std::back_inserter(at),
-                         [&](const std::string& name) { return table.numbers(name); });
+                         [&](const std::string& name) { return table.column_numbers(name); });
   const auto starts = stage_starts(summary);
-  for (std::size_t row = 0; row < table.rows(); ++row) {
+  for (std::size_t row = 0; row < table.row_count(); ++row) {
     Names group;
     for (const std::string& name : what.groups) {
-      const std::vector<std::string>* cells = table.find(name);
+      const std::vector<std::string>* cells = table.find_column(name);
       group.push_back(cells != nullptr ? (*cells)[row] : "");
     }
     Position position;
@@ -117,7 +116,7 @@ RunCurves read_curves(const AveragedTable& what, const fs::path& file,
     }
     curve.emplace_hint(curve.end(), std::move(position), row);
   }
-  for (const std::string& name : table.names) {
+  for (const std::string& name : table.column_names) {
     if (result.columns.contains(name) && !has_name(columns, name)) {
       columns.push_back(name);
     }
@@ -154,7 +153,6 @@ std::vector<Position> common_steps(const std::vector<const Curve*>& curves, doub
   return steps;
 }
 
-/// The positions that all of the curves have.
 std::vector<Position> common_positions(const std::vector<const Curve*>& curves) {
   std::vector<Position> common;
   for (const auto& row : *curves.front()) {
@@ -172,7 +170,6 @@ struct MeanRow {
   std::vector<double> means;  ///< of each column the mean and its standard error
 };
 
-/// Means over seeds, with rows for each combination.
 struct Means {
   Names columns = {};
   bool has_time = false;
@@ -247,12 +244,12 @@ std::optional<store::Table> mean_table(const AveragedTable& what, const Names& k
 }
 
 /// `series`, or `profile-flow` for each stage of some run.
-std::set<std::string> tables_of(const AveragedTable& what, const std::vector<Result>& results) {
+std::set<std::string> tables_of(const AveragedTable& what, const std::vector<RunResult>& results) {
   if (!what.begin.ends_with('-')) {
     return {what.begin};
   }
   std::set<std::string> names;
-  for (const Result& result : results) {
+  for (const RunResult& result : results) {
     for (const store::StageSummary& stage : result.summary.stages) {
       names.insert(what.begin + stage.name);
     }
@@ -263,7 +260,7 @@ std::set<std::string> tables_of(const AveragedTable& what, const std::vector<Res
 }  // namespace
 
 std::vector<NamedTable> mean_tables(
-    const Plan& plan, const std::vector<Result>& results,
+    const Plan& plan, const std::vector<RunResult>& results,
     const std::function<std::filesystem::path(std::size_t run)>& folder_of,
     const std::function<void(const std::string& line)>& warning) {
   std::vector<NamedTable> tables;
@@ -299,7 +296,7 @@ std::vector<NamedTable> mean_tables(
       for (std::size_t variant = 0; variant < plan.variants.size(); ++variant) {
         add_means(means, what, file, variant);
       }
-      if (auto table = mean_table(what, plan.keys(), std::move(means))) {
+      if (auto table = mean_table(what, plan.varied_keys(), std::move(means))) {
         tables.push_back({"mean-" + file, *std::move(table)});
       }
     }

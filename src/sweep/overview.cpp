@@ -20,7 +20,7 @@ constexpr std::size_t kMaxColumns = 8;
 constexpr std::size_t kMaxPictures = 64;
 
 /// What the run has noted of its picture; all of it where it has not.
-render::PictureView view_of(const image::DecodedPng& png) {
+render::PictureView picture_view(const image::DecodedPng& png) {
   const auto [width, height] = std::pair(png.image.width, png.image.height);
   const auto text = [&](const char* name) {
     const auto found = png.text.find(name);
@@ -43,12 +43,12 @@ render::PictureView view_of(const image::DecodedPng& png) {
 render::Tile final_picture(const std::filesystem::path& folder, const scene::Scene& scene,
                            std::uint64_t step, int width) {
   try {
-    const image::DecodedPng png = image::decode_png(
-        store::read_whole(store::frame_path(folder, scene.name, step, scene::step_digits(scene)),
-                          store::kMaxPictureBytes));
-    render::Tile tile = render::tile(png.image, view_of(png), width);
+    const image::DecodedPng png = image::decode_png(store::read_whole_file(
+        store::frame_path(folder, scene.name, step, scene::step_digits(scene)),
+        store::kMaxPictureBytes));
+    render::Tile tile = render::tile(png.image, picture_view(png), width);
     if (const auto legend = png.text.find("Legend"); legend != png.text.end()) {
-      tile.legend = render::legend_of(legend->second);
+      tile.legend = render::parse_legend(legend->second);
     }
     return tile;
   } catch (const std::runtime_error&) {
@@ -66,8 +66,8 @@ std::string short_key(const std::vector<std::string>& keys, const std::string& k
   return same == 1 ? last_part(key) : key;
 }
 
-std::string label(const Plan& plan, std::size_t run, Status status) {
-  const std::vector<std::string> keys = plan.keys();
+std::string tile_label(const Plan& plan, std::size_t run, Status status) {
+  const std::vector<std::string> keys = plan.varied_keys();
   std::string text;
   for (std::size_t i = 0; i < keys.size(); ++i) {
     text += fmt::format("{}={}, ", short_key(keys, keys[i]), plan.variant(run).values[i]);
@@ -80,13 +80,13 @@ std::string label(const Plan& plan, std::size_t run, Status status) {
 
 }  // namespace
 
-Selection selection(const Plan& plan) {
+OverviewRuns overview_runs(const Plan& plan) {
   const std::size_t seeds = plan.request.seeds.size();
   const std::size_t columns = std::min(seeds == 1 ? plan.variants.size() : seeds, kMaxColumns);
   const std::size_t shown_seeds =
       std::min(seeds, plan.variants.size() == 1 ? kMaxPictures : kMaxColumns);
   const std::size_t shown_variants = std::min(plan.variants.size(), kMaxPictures / shown_seeds);
-  Selection result = {{}, static_cast<int>(columns)};
+  OverviewRuns result = {{}, static_cast<int>(columns)};
   for (std::size_t variant = 0; variant < shown_variants; ++variant) {
     for (std::size_t seed = 0; seed < shown_seeds; ++seed) {
       result.runs.push_back(variant * seeds + seed);
@@ -95,9 +95,9 @@ Selection selection(const Plan& plan) {
   return result;
 }
 
-std::optional<render::Image> overview(const Plan& plan, const std::vector<Result>& results,
-                                      const std::filesystem::path& folder) {
-  const Selection shown = selection(plan);
+std::optional<render::Image> overview_image(const Plan& plan, const std::vector<RunResult>& results,
+                                            const std::filesystem::path& folder) {
+  const OverviewRuns shown = overview_runs(plan);
   const bool any = std::ranges::any_of(shown.runs, [&](std::size_t run) {
     return plan.variant(run).scene.output.frames.has_value();
   });
@@ -107,13 +107,13 @@ std::optional<render::Image> overview(const Plan& plan, const std::vector<Result
   const int width = render::cell_width(shown.columns);
   std::vector<render::Tile> tiles;
   for (const std::size_t run : shown.runs) {
-    const Result& result = results[run];
+    const RunResult& result = results[run];
     const scene::Scene& scene = plan.variant(run).scene;
     const bool drawn = result.status == Status::done && scene.output.frames;
-    tiles.push_back(drawn ? final_picture(run_folder(folder, plan.name(run)), scene,
+    tiles.push_back(drawn ? final_picture(run_folder(folder, plan.run_name(run)), scene,
                                           result.summary.steps, width)
                           : render::Tile());
-    tiles.back().label = label(plan, run, result.status);
+    tiles.back().label = tile_label(plan, run, result.status);
   }
   return render::contact_sheet(tiles, shown.columns, width, plan.title());
 }

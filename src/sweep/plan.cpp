@@ -18,10 +18,9 @@ namespace clca::sweep {
 
 namespace {
 
-/// The option of a variation, with its first values.
-std::string shown(const Variation& variation) {
+std::string option_text(const Variation& variation) {
   return "--vary " + text::shortened(fmt::format("{}={}", fmt::join(variation.keys, ","),
-                                                 fmt::join(variation.rows.front(), ",")));
+                                                 fmt::join(variation.value_rows.front(), ",")));
 }
 
 /// The seed is no key of a sweep.
@@ -31,7 +30,7 @@ void check_keys(const Request& request) {
   };
   for (const Variation& variation : request.variations) {
     if (std::ranges::count(variation.keys, "seed") > 0) {
-      refuse_seed(shown(variation));
+      refuse_seed(option_text(variation));
     }
   }
   for (const scene::Override& text : request.overrides) {
@@ -41,24 +40,24 @@ void check_keys(const Request& request) {
   }
 }
 
-/// How many combinations there are.
 std::size_t combination_count(const Request& request) {
   std::size_t count = 1;
   for (const Variation& variation : request.variations) {
-    count *= variation.rows.size();
+    count *= variation.value_rows.size();
     if (const std::size_t runs = count * request.seeds.size(); runs > kMaxRuns) {
       throw scene::SceneError(fmt::format("{},...: error: {} runs and more; a sweep has at most {}",
-                                          shown(variation), runs, kMaxRuns));
+                                          option_text(variation), runs, kMaxRuns));
     }
   }
   return count;
 }
 
 /// The values of combination `number`, the last variation changing fastest.
-std::vector<std::string> combination(const std::vector<Variation>& variations, std::size_t number) {
+std::vector<std::string> combination_values(const std::vector<Variation>& variations,
+                                            std::size_t number) {
   std::vector<std::string> values;
   for (std::size_t i = variations.size(); i > 0; --i) {
-    const auto& rows = variations[i - 1].rows;
+    const auto& rows = variations[i - 1].value_rows;
     const std::vector<std::string>& row = rows[number % rows.size()];
     values.insert(values.begin(), row.begin(), row.end());
     number /= rows.size();
@@ -76,15 +75,15 @@ bool is_part_of_range(std::string_view value) {
          is_number(value.substr(colon + 1));
 }
 
-Variant parsed(const Request& request, std::string_view text, const std::vector<std::string>& keys,
-               std::vector<std::string> values) {
+Variant parsed_variant(const Request& request, std::string_view text,
+                       const std::vector<std::string>& keys, std::vector<std::string> values) {
   std::vector<scene::Override> varied;
   for (std::size_t i = 0; i < values.size(); ++i) {
     varied.push_back(fmt::format("{}={}", keys[i], values[i]));
   }
   scene::AnyScene any;
   try {
-    any = scene::parse_any(text, request.scene.string(), request.overrides, varied);
+    any = scene::parse_any(text, request.scene_file.string(), request.overrides, varied);
   } catch (const scene::SceneError& error) {
     if (std::ranges::any_of(values, is_part_of_range)) {
       throw scene::SceneError(std::string(error.what()) + "; a range is FIRST:LAST:STEP");
@@ -112,7 +111,7 @@ void find_begins(std::vector<Variant>& variants, double max_bytes) {
       begin->state = last->state;
       begin->particles = last->particles;
     } else {
-      run::find_begin(variant.scene, max_bytes);
+      run::resolve_begin(variant.scene, max_bytes);
     }
     last = begin ? &*begin : nullptr;
   }
@@ -141,13 +140,14 @@ std::string file_name(const std::string& text) {
 Plan plan(Request request, double max_bytes, const std::function<void()>& interrupt) {
   check_keys(request);
   const std::size_t count = combination_count(request);
-  const std::string text = request.text ? *request.text : scene::scene_text(request.scene);
+  const std::string text =
+      request.scene_text ? *request.scene_text : scene::scene_text(request.scene_file);
   Plan result = {std::move(request), {}};
-  const std::vector<std::string> keys = result.keys();
+  const std::vector<std::string> keys = result.varied_keys();
   for (std::size_t number = 0; number < count; ++number) {
     interrupt();
-    result.variants.push_back(
-        parsed(result.request, text, keys, combination(result.request.variations, number)));
+    result.variants.push_back(parsed_variant(
+        result.request, text, keys, combination_values(result.request.variations, number)));
   }
   find_begins(result.variants, max_bytes);
   return result;
@@ -161,7 +161,7 @@ int fitting_jobs(const Plan& plan, int jobs, double max_bytes,
     run::check_memory(variant.scene, max_bytes);
     scene::check_walls(variant.scene);
     scene::check_room(variant.scene);
-    largest = std::max(largest, run::memory_of(variant.scene));
+    largest = std::max(largest, run::estimated_run_bytes(variant.scene));
   }
   return static_cast<int>(std::min<double>(jobs, max_bytes / largest));
 }
@@ -174,7 +174,7 @@ std::uint64_t hash_of(const Plan& plan, std::string_view more) {
   return hash(all);
 }
 
-std::vector<std::string> Plan::keys() const {
+std::vector<std::string> Plan::varied_keys() const {
   std::vector<std::string> keys;
   for (const Variation& variation : request.variations) {
     keys.insert(keys.end(), variation.keys.begin(), variation.keys.end());
@@ -195,8 +195,8 @@ scene::Scene Plan::scene(std::size_t run) const {
   return result;
 }
 
-std::string Plan::name(std::size_t run) const {
-  const std::vector<std::string> all_keys = keys();
+std::string Plan::run_name(std::size_t run) const {
+  const std::vector<std::string> all_keys = varied_keys();
   std::string values;
   for (std::size_t i = 0; i < all_keys.size(); ++i) {
     values += fmt::format("{}={},", all_keys[i], variant(run).values[i]);

@@ -84,7 +84,6 @@ std::vector<std::string> split(std::string_view text, char separator) {
   return values;
 }
 
-/// Decimals of the number.
 int decimals(double number) {
   std::array<char, 32> buffer = {};  // as 1.25e-03
   const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number,
@@ -157,7 +156,7 @@ std::vector<std::string> range_values(std::string_view text, std::string_view va
 /// Checks that each row has a value per key, and that no two rows are the same.
 void check_rows(std::string_view text, const Variation& variation) {
   std::set<std::vector<std::string>> known;
-  for (const std::vector<std::string>& row : variation.rows) {
+  for (const std::vector<std::string>& row : variation.value_rows) {
     if (std::ranges::count(row, std::string()) > 0) {
       fail("--vary", text, "a value is missing; write null for an empty value");
     }
@@ -167,7 +166,7 @@ void check_rows(std::string_view text, const Variation& variation) {
                        variation.keys.size(), fmt::join(row, ",")));
     }
   }
-  for (const std::vector<std::string>& row : variation.rows) {
+  for (const std::vector<std::string>& row : variation.value_rows) {
     std::vector<std::string> values;
     std::ranges::transform(row, std::back_inserter(values), document::canonical_value);
     if (!known.insert(values).second) {
@@ -224,10 +223,10 @@ Variation parse_variation(std::string_view text) {
   for (const std::string& part : split(text.substr(equals + 1), has_one_key ? ',' : ';')) {
     const auto numbers = has_one_key ? range_values(text, part) : std::vector<std::string>();
     for (const std::string& number : numbers) {
-      variation.rows.push_back({number});
+      variation.value_rows.push_back({number});
     }
     if (numbers.empty()) {
-      variation.rows.push_back(has_one_key ? std::vector{part} : split(part, ','));
+      variation.value_rows.push_back(has_one_key ? std::vector{part} : split(part, ','));
     }
   }
   check_rows(text, variation);

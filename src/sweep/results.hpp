@@ -21,37 +21,33 @@ namespace clca::sweep {
 
 enum class Status : std::uint8_t { waiting, done, failed, interrupted };
 
-struct Result {
+struct RunResult {
   Status status = Status::waiting;
   store::RunSummary summary;  ///< of a run that is done
   std::string error;          ///< why it failed
 
-  /// All but the summary, which has a form of its own.
-  CLCA_FIELDS(status, error);
+  CLCA_FIELDS(status, error);  ///< all but the summary, which has a form of its own
 };
 
 inline constexpr const char* kRunsFolder = "runs";
 
-/// The folder of a run in the folder of a sweep.
 inline std::filesystem::path run_folder(const std::filesystem::path& sweep,
                                         const std::string& name) {
   return sweep / kRunsFolder / name;
 }
 
-/// A run that was once done.
 struct EarlierRun {
   store::RunSummary summary;
   /// It is of exactly this scene and program version, and has the pictures that are wanted.
-  bool is_whole = false;
+  bool is_reusable = false;
 };
 
 /// The run in `folder`, if one was done there.
 std::optional<EarlierRun> earlier_run(const std::filesystem::path& folder,
                                       const scene::Scene& scene, run::WantedPictures pictures);
 
-/// How a run has ended.
 struct RunOutcome {
-  Result result;
+  RunResult result;
   std::vector<std::string> warnings;
   std::string store_error;  ///< something could not be written; empty: all was
   bool is_in_use = false;   ///< another process is at work on it
@@ -66,7 +62,7 @@ RunOutcome execute_run(const scene::Scene& scene, const std::filesystem::path& f
                        const std::atomic<int>* stop,
                        std::function<void(const run::Progress&)> progress);
 
-/// From one process to another.
+/// Messages between processes.
 tasks::Bytes to_bytes(const RunOutcome& run);
 RunOutcome run_outcome(const tasks::Bytes& bytes);
 
@@ -80,33 +76,32 @@ struct NamedTable {
 };
 
 /// A row for each run of the plan; `results` in the order of the plan.
-NamedTable runs_table(const Plan& plan, const std::vector<Result>& results);
+NamedTable runs_table(const Plan& plan, const std::vector<RunResult>& results);
 
 /// Statistics over the completed runs for each combination, stage and measure.
-NamedTable measures_table(const Plan& plan, const std::vector<Result>& results);
+NamedTable measures_table(const Plan& plan, const std::vector<RunResult>& results);
 
 /// mean-series, mean-probes and so on: each column with its mean and its standard error
 /// over the completed runs, `results` in the order of the plan. Tables of time begin with each
-/// stage and go as far as all runs of a combination do. `folder_of` a run of the plan. What cannot
+/// stage and go as far as all runs of a combination do. `folder_of`: folder of a run. What cannot
 /// be read is left out, with a line to `warning`.
 std::vector<NamedTable> mean_tables(
-    const Plan& plan, const std::vector<Result>& results,
+    const Plan& plan, const std::vector<RunResult>& results,
     const std::function<std::filesystem::path(std::size_t run)>& folder_of,
     const std::function<void(const std::string& line)>& warning);
 
-/// The runs that the overview shows, row by row.
-struct Selection {
+struct OverviewRuns {
   std::vector<std::size_t> runs;
   int columns = 1;
 };
 
 /// A row per combination and a column per seed (the first ones). If nothing varies, the seeds fill
 /// the rows; with one seed, the combinations.
-Selection selection(const Plan& plan);
+OverviewRuns overview_runs(const Plan& plan);
 
 /// Reads the pictures from the run folders of the sweep in `folder`; missing ones are empty boxes.
 /// None if the scenes request no pictures.
-std::optional<render::Image> overview(const Plan& plan, const std::vector<Result>& results,
-                                      const std::filesystem::path& folder);
+std::optional<render::Image> overview_image(const Plan& plan, const std::vector<RunResult>& results,
+                                            const std::filesystem::path& folder);
 
 }  // namespace clca::sweep

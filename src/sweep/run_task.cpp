@@ -43,7 +43,7 @@ std::optional<store::RunSummary> summary_in(const fs::path& folder) {
 /// Whether a run is of this scene and program version.
 bool is_same(const fs::path& folder, const store::RunSummary& summary, const scene::Scene& scene) {
   try {
-    const auto text = store::read_whole(folder / store::kSceneFile, document::kMaxBytes);
+    const auto text = store::read_whole_file(folder / store::kSceneFile, document::kMaxBytes);
     return summary.version == store::version() &&
            std::string(text.begin(), text.end()) == scene::to_yaml(scene);
   } catch (const store::StoreError&) {
@@ -66,7 +66,8 @@ std::optional<run::SavedRun> saved_run(const scene::Scene& scene, const fs::path
   }
   try {
     run::SavedRun saved = run::load_run(folder, max_bytes);
-    return run::saved_pictures(saved) <= wanted ? std::optional(std::move(saved)) : std::nullopt;
+    return run::wanted_pictures_of(saved) <= wanted ? std::optional(std::move(saved))
+                                                    : std::nullopt;
   } catch (const store::FolderInUseError&) {
     throw;
   } catch (const std::runtime_error& error) {
@@ -99,8 +100,8 @@ std::optional<EarlierRun> earlier_run(const fs::path& folder, const scene::Scene
   }
   EarlierRun earlier = {*std::move(summary)};
   try {
-    earlier.is_whole = is_same(folder, earlier.summary, scene) &&
-                       has_pictures(folder, scene, earlier.summary.steps, pictures);
+    earlier.is_reusable = is_same(folder, earlier.summary, scene) &&
+                          has_pictures(folder, scene, earlier.summary.steps, pictures);
   } catch (const fs::filesystem_error&) {  // not to be read: the run is done anew
   }
   return earlier;
@@ -121,8 +122,11 @@ RunOutcome execute_run(const scene::Scene& scene, const std::filesystem::path& f
     run::RunEvents events;
     events.progress = std::move(progress);
     events.warning = [&finished](const std::string& text) { finished.warnings.push_back(text); };
-    const run::RunOptions run = {
-        .folder = folder, .threads = 1, .stop = stop, .pictures = pictures, .overwrite = true};
+    const run::RunOptions run = {.folder = folder,
+                                 .threads = 1,
+                                 .stop_signal = stop,
+                                 .pictures = pictures,
+                                 .replace_interrupted = true};
     finished.result.summary = executed(scene, folder, options.max_bytes, run, events);
     finished.result.status =
         finished.result.summary.status == "done" ? Status::done : Status::interrupted;
@@ -143,8 +147,8 @@ RunOutcome execute_run(const scene::Scene& scene, const std::filesystem::path& f
 tasks::Bytes to_bytes(const RunOutcome& run) {
   return store::checkpoint_bytes({.kind = "finished run",
                                   .scene_name = "",
-                                  .scene = "",
-                                  .summary = store::to_json(run.result.summary),
+                                  .scene_text = "",
+                                  .summary_json = store::to_json(run.result.summary),
                                   .fields = reflection::encode(run)});
 }
 
@@ -154,7 +158,7 @@ RunOutcome run_outcome(const tasks::Bytes& bytes) {
   RunOutcome run;
   reflection::decode(content.fields, kAnySize, run);
   if (run.result.status == Status::done) {
-    run.result.summary = store::parse_summary(content.summary, "a run of another rank");
+    run.result.summary = store::parse_summary(content.summary_json, "a run of another rank");
   }
   return run;
 }

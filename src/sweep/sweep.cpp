@@ -41,7 +41,7 @@ void prepare_drawing(const Plan& plan) {
     return;
   }
   try {
-    render::prepare_polygons();
+    render::prepare_opengl();
   } catch (const render::RenderError& error) {
     throw scene::SceneError(
         fmt::format("{}: error: {}", drawn->scene.output.frames->location, error.what()));
@@ -49,16 +49,16 @@ void prepare_drawing(const Plan& plan) {
 }
 
 /// For Ranks::begin(): the same for all ranks that do the same runs in the same way.
-std::string command(const Plan& plan, const Options& options) {
+std::string work_description(const Plan& plan, const Options& options) {
   const Part part = options.part.value_or(Part());
   return fmt::format("sweep {}",
                      hash_of(plan, fmt::format("{} {} {} {}", options.folder.string(), part.number,
-                                               part.of, options.all_pictures)));
+                                               part.count, options.all_pictures)));
 }
 
 /// Which pictures a run draws: those that the overview does not show are not asked for.
 run::WantedPictures pictures_of(const Plan& plan, const Options& options, std::size_t run) {
-  const std::vector<std::size_t> shown = selection(plan).runs;
+  const std::vector<std::size_t> shown = overview_runs(plan).runs;
   return options.all_pictures                           ? run::WantedPictures::all
          : std::ranges::find(shown, run) != shown.end() ? run::WantedPictures::last
                                                         : run::WantedPictures::none;
@@ -72,17 +72,17 @@ std::string to_json(const Plan& plan, const std::vector<store::TableSummary>& ta
                     const std::vector<store::ColumnSummary>& measures) {
   Json variations = Json::array();
   for (const Variation& variation : plan.request.variations) {
-    variations.push_back({{"keys", variation.keys}, {"rows", variation.rows}});
+    variations.push_back({{"keys", variation.keys}, {"rows", variation.value_rows}});
   }
   const Json object = {{"clca", store::version()},
-                       {"scene", plan.request.scene.string()},
+                       {"scene", plan.request.scene_file.string()},
                        {"title", plan.title()},
                        {"set", plan.request.overrides},
                        {"vary", std::move(variations)},
                        {"seeds", to_text(plan.request.seeds)},
                        {"runs", plan.run_count()},
-                       {"measures", store::to_list(measures)},
-                       {"tables", store::to_object(tables)}};
+                       {"measures", store::to_json_list(measures)},
+                       {"tables", store::to_json_object(tables)}};
   constexpr int kIndent = 2;
   // Names of files need not be UTF-8.
   return object.dump(kIndent, ' ', false, Json::error_handler_t::replace) + '\n';
@@ -106,11 +106,11 @@ class Sweep {
       }
     }
     const Part part = options.part.value_or(Part());
-    for (std::size_t run = part.number - 1; run < plan.run_count(); run += part.of) {
+    for (std::size_t run = part.number - 1; run < plan.run_count(); run += part.count) {
       runs_.push_back(run);
     }
-    progress_.runs = runs_.size();
-    files_.make_own(kRunsFolder);  // of parts of it, brought together from other machines
+    progress_.total_runs = runs_.size();
+    files_.make_clca_folder(kRunsFolder);  // of parts of it, brought together from other machines
     if (!options.part) {
       lock_.emplace(options.folder);
       files_.write(kRequestFile, to_json(plan, {}, {}));
@@ -121,12 +121,12 @@ class Sweep {
 
   Progress execute() {
     if (ranks_.size() > 1 && !options_.collect_only) {
-      ranks_.begin(command(plan_, options_));
+      ranks_.begin(work_description(plan_, options_));
     }
     const std::vector<std::size_t> runs = remaining_runs();
-    if (progress_.reused > 0) {
-      events_.message(
-          fmt::format("{} of {} runs are there from before", progress_.reused, progress_.runs));
+    if (progress_.reused_runs > 0) {
+      events_.message(fmt::format("{} of {} runs are there from before", progress_.reused_runs,
+                                  progress_.total_runs));
     }
     if (replaced_runs_ > 0 && !options_.collect_only) {
       events_.message(
@@ -156,16 +156,18 @@ class Sweep {
   using Pool = tasks::Pool<RunOutcome>;
 
   std::filesystem::path folder_of(std::size_t run) const {
-    return run_folder(files_.path(), plan_.name(run));
+    return run_folder(files_.path(), plan_.run_name(run));
   }
-  bool stop_asked() const { return options_.stop != nullptr && options_.stop->load() != 0; }
+  bool stop_asked() const {
+    return options_.stop_signal != nullptr && options_.stop_signal->load() != 0;
+  }
 
   /// The run that was once done; takes over its result if it is whole.
   std::optional<EarlierRun> take_earlier(std::size_t run) {
     auto earlier = earlier_run(folder_of(run), plan_.scene(run), pictures_of(plan_, options_, run));
-    if (earlier && earlier->is_whole) {
+    if (earlier && earlier->is_reusable) {
       results_[run] = {Status::done, earlier->summary, {}};
-      ++progress_.done;
+      ++progress_.done_runs;
     }
     return earlier;
   }
@@ -183,12 +185,12 @@ class Sweep {
         seconds[run] = earlier->summary.wall_seconds;
         seconds_of_variants[variant(run)].push_back(seconds[run]);
       }
-      if (!earlier || !earlier->is_whole) {
+      if (!earlier || !earlier->is_reusable) {
         remaining.push_back(run);
         replaced_runs_ += earlier ? 1 : 0;
       }
     }
-    progress_.reused = progress_.done;
+    progress_.reused_runs = progress_.done_runs;
     std::vector<double> means;
     for (const std::vector<double>& known : seconds_of_variants) {
       means.push_back(statistics::sample(known).mean);
@@ -223,7 +225,7 @@ class Sweep {
         {.carry_out = [this](std::size_t run, const auto& stop) { return carry_out(run, stop); },
          .result = [](std::size_t /*run*/,
                       const tasks::Bytes& answer) { return run_outcome(answer); }},
-        options_.stop);
+        options_.stop_signal);
     if (pool.tasks_at_a_time() < wanted) {
       events_.warning(fmt::format("only {} of {} runs at a time, as no more threads can be started",
                                   pool.tasks_at_a_time(), wanted));
@@ -247,7 +249,7 @@ class Sweep {
   }
 
   void take_outcome(std::size_t run, RunOutcome finished) {
-    const std::string name = plan_.name(run);
+    const std::string name = plan_.run_name(run);
     for (const std::string& warning : finished.warnings) {
       events_.warning(fmt::format("{}: {}", name, warning));
     }
@@ -255,13 +257,13 @@ class Sweep {
       // What one run cannot write the next cannot either: this is an end, not a failed run.
       store_error_ = store_error_.empty() ? finished.store_error : store_error_;
     } else if (finished.result.status == Status::failed) {
-      ++progress_.failed;
+      ++progress_.failed_runs;
       events_.warning(fmt::format("{} failed: {}", name, finished.result.error));
     } else if (finished.result.status == Status::done) {
-      ++progress_.done;
+      ++progress_.done_runs;
     } else if (finished.is_in_use) {
       (retries_in_use_ ? elsewhere_ : in_use_).push_back(run);
-      progress_.elsewhere = elsewhere_.size();
+      progress_.runs_elsewhere = elsewhere_.size();
     }
     results_[run] = std::move(finished.result);
     tables_stale_ = true;
@@ -271,9 +273,9 @@ class Sweep {
   void look_elsewhere() {
     std::erase_if(elsewhere_, [this](std::size_t run) {
       const auto earlier = take_earlier(run);
-      return earlier && earlier->is_whole;
+      return earlier && earlier->is_reusable;
     });
-    progress_.elsewhere = elsewhere_.size();
+    progress_.runs_elsewhere = elsewhere_.size();
   }
 
   void tell_shares(const std::vector<std::size_t>& runs) const {
@@ -284,19 +286,20 @@ class Sweep {
   }
 
   void show_progress() {
-    const std::size_t ended = progress_.done + progress_.failed + progress_.elsewhere;
-    const auto executed = static_cast<double>(ended - progress_.reused);
+    const std::size_t ended =
+        progress_.done_runs + progress_.failed_runs + progress_.runs_elsewhere;
+    const auto executed = static_cast<double>(ended - progress_.reused_runs);
     if (executed > 0) {
       progress_.runs_per_second = executed / seconds_since(start_);
       progress_.seconds_left =
-          static_cast<double>(progress_.runs - ended) / progress_.runs_per_second;
+          static_cast<double>(progress_.total_runs - ended) / progress_.runs_per_second;
     }
     if (events_.progress) {
-      progress_.under_way.clear();
+      progress_.running.clear();
       {
         const std::lock_guard lock(mutex_);
         for (const auto& [run, progress] : under_way_) {
-          progress_.under_way.push_back({plan_.name(run), progress});
+          progress_.running.push_back({plan_.run_name(run), progress});
         }
       }
       events_.progress(progress_);
@@ -304,7 +307,7 @@ class Sweep {
   }
 
   void remove_means_but(const std::vector<NamedTable>& means) const {
-    for (const std::string& name : files_.files()) {
+    for (const std::string& name : files_.listed_files()) {
       const auto file_of = [](const NamedTable& table) { return store::table_name(table.name); };
       if (name.starts_with("mean-") && std::ranges::count(means, name, file_of) == 0) {
         files_.remove(name);
@@ -315,7 +318,7 @@ class Sweep {
   /// Of a finished run: of one with units, if there is one, since not all models have them.
   store::RunSummary described_run() const {
     store::RunSummary found;
-    for (const Result& result : results_) {
+    for (const RunResult& result : results_) {
       if (result.status == Status::done && !found.units) {
         found = result.summary;
       }
@@ -332,7 +335,7 @@ class Sweep {
     for (const auto* list : {&tables, &means}) {
       for (const auto& [name, table] : *list) {
         files_.write(store::table_name(name), table.to_csv());
-        summaries.emplace_back(name, record::sweep_summary(name, table.columns(), known));
+        summaries.emplace_back(name, record::sweep_summary(name, table.column_names(), known));
       }
     }
     files_.write(kRequestFile, to_json(plan_, summaries,
@@ -354,16 +357,16 @@ class Sweep {
   }
 
   void write_overview() {
-    const auto image = overview(plan_, results_, files_.path());
+    const auto image = overview_image(plan_, results_, files_.path());
     if (!image) {
       return;
     }
     files_.write(kOverview, image::encode_png(
                                 *image, {{"Title", plan_.title()},
                                          {"Software", fmt::format("clca {}", store::version())}}));
-    const std::size_t shown = selection(plan_).runs.size();
-    if (shown < progress_.runs) {
-      events_.message(fmt::format("the overview shows {} of {} runs", shown, progress_.runs));
+    const std::size_t shown = overview_runs(plan_).runs.size();
+    if (shown < progress_.total_runs) {
+      events_.message(fmt::format("the overview shows {} of {} runs", shown, progress_.total_runs));
     }
   }
 
@@ -376,7 +379,7 @@ class Sweep {
   std::optional<store::FolderLock> lock_;
   std::vector<std::size_t> runs_;       // to be done, of the plan
   std::size_t replaced_runs_ = 0;       // of these, finished ones of other settings
-  std::vector<Result> results_;         // in the order of the plan
+  std::vector<RunResult> results_;      // in the order of the plan
   std::vector<std::size_t> in_use_;     // by other processes, to be tried again
   bool retries_in_use_ = false;         // those have been queued again
   std::vector<std::size_t> elsewhere_;  // under way in other processes
@@ -396,18 +399,18 @@ Progress execute(const Plan& plan, const Options& options, const Events& events)
   return Sweep(plan, options, events).execute();
 }
 
-void serve(const Plan& plan, const Options& options) {
+void work_for_rank_0(const Plan& plan, const Options& options) {
   prepare_drawing(plan);
-  options.ranks->begin(command(plan, options));
-  while (const auto work = options.ranks->wait_for_work(options.stop)) {
+  options.ranks->begin(work_description(plan, options));
+  while (const auto work = options.ranks->wait_for_work(options.stop_signal)) {
     const auto runs = Json::from_cbor(*work).get<std::vector<std::size_t>>();
     const std::size_t jobs = std::min(runs.size(), static_cast<std::size_t>(options.jobs));
     const auto execute_one = [&](std::size_t run, const std::atomic<int>& stop) {
-      return to_bytes(execute_run(plan.scene(run), run_folder(options.folder, plan.name(run)),
+      return to_bytes(execute_run(plan.scene(run), run_folder(options.folder, plan.run_name(run)),
                                   options, pictures_of(plan, options, run), &stop, {}));
     };
     tasks::Pool<tasks::Bytes> pool(jobs, *options.ranks, runs, {.carry_out = execute_one},
-                                   options.stop);
+                                   options.stop_signal);
     tasks::serve(pool, *options.ranks);
   }
 }

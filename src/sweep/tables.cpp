@@ -23,9 +23,8 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-/// Stage and name of a measure.
-using Key = std::pair<std::string, std::string>;
-using Measures = std::map<Key, store::MeasureValue>;
+using StageMeasure = std::pair<std::string, std::string>;
+using Measures = std::map<StageMeasure, store::MeasureValue>;
 
 /// Yes is 1, no is 0; NaN where there is no number.
 double number(const store::MeasureValue& value) {
@@ -38,31 +37,31 @@ double number(const store::MeasureValue& value) {
 
 /// The measures of each run, with the steps of each stage; empty for a run that is not done.
 struct MeasuresByRun {
-  explicit MeasuresByRun(std::span<const Result> results) : of_runs(results.size()) {
-    std::set<Key> known;
+  explicit MeasuresByRun(std::span<const RunResult> results) : of_runs(results.size()) {
+    std::set<StageMeasure> known;
     for (std::size_t run = 0; run < results.size(); ++run) {
       if (results[run].status != Status::done) {
         continue;
       }
-      const auto add = [&](const Key& key, const store::MeasureValue& value) {
+      const auto add = [&](const StageMeasure& key, const store::MeasureValue& value) {
         of_runs[run][key] = value;
         if (known.insert(key).second) {
           keys.push_back(key);
         }
       };
       for (const store::StageSummary& stage : results[run].summary.stages) {
-        add(Key(stage.name, "steps"), static_cast<double>(stage.steps));
+        add(StageMeasure(stage.name, "steps"), static_cast<double>(stage.steps));
         if (const auto& units = results[run].summary.units) {
-          add(Key(stage.name, "time"), units->time(stage.steps));
+          add(StageMeasure(stage.name, "time"), units->time(stage.steps));
         }
         for (const auto& [name, value] : stage.measures) {
-          add(Key(stage.name, name), value);
+          add(StageMeasure(stage.name, name), value);
         }
       }
     }
   }
 
-  std::vector<Key> keys;  ///< in the order in which they first occur
+  std::vector<StageMeasure> keys;  ///< in the order in which they first occur
   std::vector<Measures> of_runs;
 };
 
@@ -71,8 +70,7 @@ const char* to_text(Status status) {
   return kNames.at(static_cast<std::size_t>(status));
 }
 
-/// A measure over the completed runs of a combination.
-struct Column {
+struct MeasureValues {
   std::vector<double> values;
   bool answers = false;  ///< of yes and no
 };
@@ -82,7 +80,7 @@ struct Column {
 /// 71, 051303: avalanches have an exponential distribution), so the estimate of greatest likelihood
 /// is all that left over the number of clogs, and its relative error is 1/sqrt(clogs).
 void add_until_clog(store::Table& table, std::vector<store::Cell> row, const std::string& name,
-                    const Column& clogged, const Column& discharged) {
+                    const MeasureValues& clogged, const MeasureValues& discharged) {
   const double clogs = std::reduce(clogged.values.begin(), clogged.values.end());
   const double left = std::reduce(discharged.values.begin(), discharged.values.end());
   if (clogs > 0) {
@@ -95,19 +93,19 @@ void add_until_clog(store::Table& table, std::vector<store::Cell> row, const std
 }
 
 void add_statistics(store::Table& table, const std::vector<std::string>& values,
-                    std::span<const Result> results) {
+                    std::span<const RunResult> results) {
   const MeasuresByRun measures(results);
-  std::map<Key, Column> columns;
+  std::map<StageMeasure, MeasureValues> columns;
   for (const Measures& of_run : measures.of_runs) {
     for (const auto& [key, value] : of_run) {
-      Column& column = columns[key];
+      MeasureValues& column = columns[key];
       column.values.push_back(number(value));
       column.answers = column.answers || std::holds_alternative<bool>(value);
     }
   }
   constexpr std::string_view kClogged = "clogged";
   for (const auto& [stage, measure] : measures.keys) {
-    const Column& column = columns[{stage, measure}];
+    const MeasureValues& column = columns[{stage, measure}];
     const statistics::SampleStatistics found = statistics::sample(column.values);
     const auto [low, high] = column.answers ? statistics::share_interval(found.mean, found.count)
                                             : std::pair(found.mean - found.standard_error,
@@ -139,14 +137,14 @@ std::vector<store::Cell> value_cells(const std::vector<std::string>& values) {
   return cells;
 }
 
-NamedTable runs_table(const Plan& plan, const std::vector<Result>& results) {
+NamedTable runs_table(const Plan& plan, const std::vector<RunResult>& results) {
   const MeasuresByRun measures(results);
   std::vector<std::string> names;
   for (const auto& [stage, measure] : measures.keys) {
     names.push_back(fmt::format("{}.{}", stage, measure));
   }
   store::Table table(
-      record::sweep_columns("runs", {{"KEY", plan.keys()}, {"STAGE.MEASURE", names}}));
+      record::sweep_columns("runs", {{"KEY", plan.varied_keys()}, {"STAGE.MEASURE", names}}));
   for (std::size_t run = 0; run < results.size(); ++run) {
     const auto& [status, summary, error] = results[run];
     const bool done = status == Status::done;
@@ -155,18 +153,18 @@ NamedTable runs_table(const Plan& plan, const std::vector<Result>& results) {
                            done ? store::Cell(summary.steps) : store::Cell(kNone),
                            done ? fmt::format("{:016x}", summary.state_hash) : std::string()});
     const Measures& of_run = measures.of_runs[run];
-    for (const Key& key : measures.keys) {
+    for (const StageMeasure& key : measures.keys) {
       const auto found = of_run.find(key);
       row.emplace_back(found != of_run.end() ? number(found->second) : kNone);
     }
-    row.insert(row.end(), {"runs/" + plan.name(run), error});
+    row.insert(row.end(), {"runs/" + plan.run_name(run), error});
     table.add_row(std::move(row));
   }
   return {"runs", std::move(table)};
 }
 
-NamedTable measures_table(const Plan& plan, const std::vector<Result>& results) {
-  store::Table table(record::sweep_columns("measures", {{"KEY", plan.keys()}}));
+NamedTable measures_table(const Plan& plan, const std::vector<RunResult>& results) {
+  store::Table table(record::sweep_columns("measures", {{"KEY", plan.varied_keys()}}));
   const std::size_t seeds = plan.request.seeds.size();
   for (std::size_t i = 0; i < plan.variants.size(); ++i) {
     add_statistics(table, plan.variants[i].values, std::span(results).subspan(i * seeds, seeds));

@@ -40,14 +40,14 @@ TEST_F(SuiteTest, EveryCaseIsMeasuredForAllThreadsAndTiesAndWithoutSleeping) {
   const auto result = suite({"--sizes", "540", "--threads", "2"});
   ASSERT_EQ(result.code, 0) << result.err;
   const store::ParsedTable rows = table("automaton");
-  ASSERT_THAT(*rows.find("case"), SizeIs(4 * 2 * 3));
-  EXPECT_THAT(rows.numbers("step_s_best"), Each(Gt(0)));
-  EXPECT_THAT(rows.numbers("effective_per_s"), Each(Gt(0)));
+  ASSERT_THAT(*rows.find_column("case"), SizeIs(4 * 2 * 3));
+  EXPECT_THAT(rows.column_numbers("step_s_best"), Each(Gt(0)));
+  EXPECT_THAT(rows.column_numbers("effective_per_s"), Each(Gt(0)));
   std::map<std::string, double> share;
   std::map<std::string, double> at_rest;
-  for (std::size_t row = 0; row < rows.rows(); ++row) {
-    share[(*rows.find("case"))[row]] = rows.numbers("moving_share")[row];
-    at_rest[(*rows.find("case"))[row]] = rows.numbers("at_rest")[row];
+  for (std::size_t row = 0; row < rows.row_count(); ++row) {
+    share[(*rows.find_column("case"))[row]] = rows.column_numbers("moving_share")[row];
+    at_rest[(*rows.find_column("case"))[row]] = rows.column_numbers("at_rest")[row];
   }
   EXPECT_EQ(share["falling"], 1);
   EXPECT_THAT(share["settling"], AllOf(Gt(share["collapse"]), Le(1)));
@@ -64,9 +64,9 @@ TEST_F(SuiteTest, TheStepsOfAllSharesTogetherMoveAsManyAsTheRun) {
   const auto moved = [&](const char* name) {
     const store::ParsedTable rows = table(name);
     std::map<Key, double> sums;
-    for (std::size_t row = 0; row < rows.rows(); ++row) {
-      sums[{(*rows.find("case"))[row], (*rows.find("ties"))[row], (*rows.find("sleeping"))[row]}] +=
-          rows.numbers("moved")[row];
+    for (std::size_t row = 0; row < rows.row_count(); ++row) {
+      sums[{(*rows.find_column("case"))[row], (*rows.find_column("ties"))[row],
+            (*rows.find_column("sleeping"))[row]}] += rows.column_numbers("moved")[row];
     }
     return sums;
   };
@@ -77,8 +77,8 @@ TEST_F(SuiteTest, TheStepsOfAllSharesTogetherMoveAsManyAsTheRun) {
 TEST_F(SuiteTest, AFallingStepTouchesNoLessThanItsParticles) {
   ASSERT_EQ(suite({"--sizes", "2000", "--threads", "1", "--cases", "falling"}).code, 0);
   const store::ParsedTable rows = table("limits");
-  ASSERT_THAT(*rows.find("case"), SizeIs(4));
-  for (const double bytes : rows.numbers("run_bytes")) {
+  ASSERT_THAT(*rows.find_column("case"), SizeIs(4));
+  for (const double bytes : rows.column_numbers("run_bytes")) {
     EXPECT_GT(bytes, 2 * 12 * 2000.0 * 32);  // read and written, 12 bytes each, 32 steps
     EXPECT_LT(bytes, 2 * 64 * (1 + 2 * 2 * 19) * 2000.0 * 32);  // no line shared at all
   }
@@ -87,9 +87,9 @@ TEST_F(SuiteTest, AFallingStepTouchesNoLessThanItsParticles) {
 TEST_F(SuiteTest, LimitsOfTheMachineAreMeasuredUpToTheWorkingSetThatIsAskedFor) {
   ASSERT_EQ(suite({"--sizes", "100", "--threads", "2", "--cases", "idle"}).code, 0);
   const store::ParsedTable rows = table("machine");
-  EXPECT_THAT(*rows.find("quantity"), SizeIs(4 + 4 + 4));  // 16, 64, 256, 1024 KiB
-  EXPECT_THAT(rows.numbers("working_set_bytes"), Each(Le(1 << 20)));
-  EXPECT_THAT(rows.numbers("value"), Each(Gt(0)));
+  EXPECT_THAT(*rows.find_column("quantity"), SizeIs(4 + 4 + 4));  // 16, 64, 256, 1024 KiB
+  EXPECT_THAT(rows.column_numbers("working_set_bytes"), Each(Le(1 << 20)));
+  EXPECT_THAT(rows.column_numbers("value"), Each(Gt(0)));
 }
 
 TEST_F(SuiteTest, WhatItDoesNotKnowIsRefused) {

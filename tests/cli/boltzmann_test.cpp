@@ -67,10 +67,10 @@ stages:
 class GasCommand : public ::testing::Test {
  protected:
   GasCommand() {
-    store::write_whole(folder_.path() / "gas.yaml", kGas);
-    store::write_whole(folder_.path() / "printed.yaml", kPrinted);
-    store::write_whole(folder_.path() / "endless.yaml", kEndless);
-    store::write_whole(folder_.path() / "automaton.yaml", kAutomaton);
+    store::write_whole_file(folder_.path() / "gas.yaml", kGas);
+    store::write_whole_file(folder_.path() / "printed.yaml", kPrinted);
+    store::write_whole_file(folder_.path() / "endless.yaml", kEndless);
+    store::write_whole_file(folder_.path() / "automaton.yaml", kAutomaton);
   }
   testing::ProgramResult run(const std::vector<std::string>& arguments,
                              testing::ProgramSetting setting = {}) const {
@@ -147,7 +147,7 @@ TEST_F(GasCommand, CheckPrintsAGasThatRunsToTheSameState) {
                                HasSubstr("# 1 x 2 runs of 500 particles, about "),
                                HasSubstr("MiB of memory on ")));
   EXPECT_FALSE(fs::exists(folder_.path() / "renders"));
-  store::write_whole(folder_.path() / "resolved.yaml", check.out);
+  store::write_whole_file(folder_.path() / "resolved.yaml", check.out);
   run({"run", "gas.yaml", "-o", "a"});
   run({"run", "resolved.yaml", "-o", "b"});
   EXPECT_EQ(summary("a")["state_hash"], summary("b")["state_hash"]);
@@ -174,8 +174,8 @@ TEST_F(GasCommand, InterruptedItEndsCleanlyWithWholeTables) {
     const auto& last = json["stages"].back();
     EXPECT_EQ(last["ended"], "interrupted");
     const auto series = store::read_table(folder_.path() / out / "series.csv");
-    EXPECT_EQ(series.numbers("time").back(), last["measures"]["time"].get<double>());
-    EXPECT_EQ(store::read_table(folder_.path() / out / "histogram-0.csv").rows() % 40, 0U);
+    EXPECT_EQ(series.column_numbers("time").back(), last["measures"]["time"].get<double>());
+    EXPECT_EQ(store::read_table(folder_.path() / out / "histogram-0.csv").row_count() % 40, 0U);
   }
 }
 

@@ -531,10 +531,10 @@ TEST_F(CliTest, InterruptedRunsEndCleanlyWithWhatWasDone) {
 
 TEST_F(CliTest, DiffTellsAlikeFromDifferentAndWritesWhere) {
   image::Image image(20, 10, {200, 100, 50});
-  store::write_whole(folder_.path() / "a.png", image::encode_png(image, {}));
+  store::write_whole_file(folder_.path() / "a.png", image::encode_png(image, {}));
   image.at(3, 4) = {190, 100, 50};
-  store::write_whole(folder_.path() / "b.png", image::encode_png(image, {}));
-  store::write_whole(folder_.path() / "c.png", image::encode_png(image::Image(5, 5, {}), {}));
+  store::write_whole_file(folder_.path() / "b.png", image::encode_png(image, {}));
+  store::write_whole_file(folder_.path() / "c.png", image::encode_png(image::Image(5, 5, {}), {}));
   write("d.png", "no picture");
   EXPECT_EQ(run({"diff", "a.png", "a.png"}).code, 0);
   const auto different = run({"diff", "a.png", "b.png", "-o", "where.png"});

@@ -136,7 +136,7 @@ TEST_F(InputTest, SoAreThoseInTheFolderOfARun) {
   store::RunSummary summary;
   summary.kind = "boltzmann";
   summary.scene = "gas";
-  store::write_whole(path("out/run.json"), store::to_json(summary));
+  store::write_whole_file(path("out/run.json"), store::to_json(summary));
   ASSERT_EQ(::mkfifo(path("out/series.csv").c_str(), 0600), 0);
   expect_refused({"plot", "out"}, HasSubstr("series.csv: it is not a regular file"));
   fs::remove(path("out/run.json"));

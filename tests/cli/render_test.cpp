@@ -153,7 +153,7 @@ TEST_F(RenderCommandTest, DrawsSeveralRunsSideBySide) {
                  HasSubstr("--output goes with one run"));
   expect_refused(render({"run", "none"}), 2, HasSubstr("none"));
   expect_refused(render({"run", "./run/"}), 2, HasSubstr("./run/: is given twice"));
-  const double one = run::memory_of(scene::parse(kScene, "small.yaml"));
+  const double one = run::estimated_run_bytes(scene::parse(kScene, "small.yaml"));
   const std::string enough_for_one = std::to_string(static_cast<std::uint64_t>(1.5 * one));
   expect_refused(render({"run", "second", "--memory-limit", enough_for_one}), 2,
                  HasSubstr("2 runs need about "));
@@ -242,7 +242,7 @@ TEST_F(RenderCommandTest, WhatCannotBeDrawnIsOneLineAndExitCodeTwo) {
   store::RunSummary gas;
   gas.kind = "boltzmann";
   gas.scene = "gas";
-  store::write_whole(path("gas/run.json"), store::to_json(gas));
+  store::write_whole_file(path("gas/run.json"), store::to_json(gas));
   expect_refused(render({"gas"}), 2, HasSubstr("a run of the Boltzmann equation"));
   fs::copy(path("run"), path("bare"), fs::copy_options::recursive);
   fs::remove_all(path("bare/trajectory"));
@@ -250,7 +250,7 @@ TEST_F(RenderCommandTest, WhatCannotBeDrawnIsOneLineAndExitCodeTwo) {
   fs::copy(path("run"), path("cut"), fs::copy_options::recursive);
   store::RunSummary longer = store::read_summary(path("cut/run.json"));
   ++longer.steps;
-  store::write_whole(path("cut/run.json"), store::to_json(longer));
+  store::write_whole_file(path("cut/run.json"), store::to_json(longer));
   expect_refused(render({"cut"}), 2, HasSubstr("part-000001.h5: missing, though the run had"));
   expect_refused(render({"run", "--from", "100000"}), 2, HasSubstr("no picture in that range"));
   expect_refused(render({"run", "--movie", "a.avi"}), 2,
@@ -349,7 +349,7 @@ TEST_F(RenderCommandTest, PlacesThatCannotBeWrittenAreFoundBeforeAnythingIsDrawn
 TEST_F(RenderCommandTest, ANameThatLeavesTheFolderIsRefused) {
   store::RunSummary summary = store::read_summary(path("run/run.json"));
   summary.scene = "../../away";
-  store::write_whole(path("run/run.json"), store::to_json(summary));
+  store::write_whole_file(path("run/run.json"), store::to_json(summary));
   expect_refused(render({"run"}), 2, HasSubstr("cannot name a file"));
 }
 

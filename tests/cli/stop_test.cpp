@@ -78,8 +78,8 @@ TEST_F(StopTest, TheFirstSignalEndsAPythonThatHangs) {
   store::RunSummary summary;
   summary.kind = "boltzmann";
   summary.scene = "gas";
-  store::write_whole(folder_.path() / "run.json", store::to_json(summary));
-  store::write_whole(folder_.path() / "series.csv", "time,collisions\n0,0\n1,2\n");
+  store::write_whole_file(folder_.path() / "run.json", store::to_json(summary));
+  store::write_whole_file(folder_.path() / "series.csv", "time,collisions\n0,0\n1,2\n");
   hang("python3");
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     expect_ended(stopped({"plot", ".", "-o", "plots"}, signal), signal);

@@ -57,8 +57,8 @@ std::string hash_of(const Scene& scene, int threads) {
 
 std::string reference_hash_of(const scene::Scene& scene) {
   const testing::ScratchFolder folder;
-  return fmt::format("{:016x}",
-                     run::run(scene, {.folder = folder.path(), .reference = true}).state_hash);
+  return fmt::format(
+      "{:016x}", run::run(scene, {.folder = folder.path(), .use_reference_step = true}).state_hash);
 }
 
 /// A scene of either kind; that of the automaton without pictures and series, which change nothing.
@@ -144,10 +144,11 @@ TEST_P(ContactDeterminism, BothEnginesAnyThreadsAndAResumedRunEndInTheSameState)
   const run::RunEvents events = {
       .progress = [&](const run::Progress& at) { stop = at.step >= until ? 2 : 0; },
       .progress_interval = {}};
-  EXPECT_EQ(run::run(scene, {.folder = broken, .stop = &stop}, events).status, "interrupted");
+  EXPECT_EQ(run::run(scene, {.folder = broken, .stop_signal = &stop}, events).status,
+            "interrupted");
   until = 1700;
   stop = 0;
-  run::resume(run::load_run(broken, 1e9), {.stop = &stop}, events);
+  run::resume(run::load_run(broken, 1e9), {.stop_signal = &stop}, events);
   const auto resumed = run::resume(run::load_run(broken, 1e9), {});
   EXPECT_EQ(fmt::format("{:016x}", resumed.state_hash), expected) << "resumed";
 }

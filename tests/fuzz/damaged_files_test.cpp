@@ -84,7 +84,7 @@ class DamagedTrajectory : public ::testing::Test {
                                    {});
     std::size_t frames = 0;
     for (const fuzz::SmallFrame& frame : fuzz::small_run()) {
-      writer.add(frame.state, frame.stage, frame.stage_begins);
+      writer.add_frame(frame.state, frame.stage, frame.stage_begins);
       if (++frames == 4) {
         writer.flush();
       }
@@ -112,7 +112,9 @@ class DamagedTrajectory : public ::testing::Test {
   store::TrajectoryWriter::Written written_;
 
  private:
-  void write(std::size_t part, const Bytes& bytes) const { store::write_whole(path(part), bytes); }
+  void write(std::size_t part, const Bytes& bytes) const {
+    store::write_whole_file(path(part), bytes);
+  }
 
   std::array<Bytes, 2> parts_;
 };
@@ -187,11 +189,11 @@ class DamagedCheckpoint : public ::testing::Test {
         change_columns(changed, damage);
         bytes = store::checkpoint_bytes(changed);
       }
-      store::write_whole(broken / "checkpoint.clca", bytes);
+      store::write_whole_file(broken / "checkpoint.clca", bytes);
       std::atomic<int> stop = 0;
       int looks = 0;
       const auto look = [&](const auto& /*at*/) { stop = ++looks < 3 ? 0 : 2; };
-      run::resume(run::load_run(broken, kLimit), {.threads = 1, .stop = &stop},
+      run::resume(run::load_run(broken, kLimit), {.threads = 1, .stop_signal = &stop},
                   {.progress = look, .gas_progress = look, .progress_interval = {}});
     });
     expect_memory_below(4 * kLimit);
@@ -217,7 +219,7 @@ stages:
 output: {frames: {every: 5, width: 96, height: 64}, series: {every: 1}, trajectory: {every: 4}}
 )",
                         "small.yaml"),
-           {.folder = saved(), .stop = &stop},
+           {.folder = saved(), .stop_signal = &stop},
            {.progress = [&](const run::Progress& at) { stop = at.step >= 20 ? 2 : 0; },
             .progress_interval = {}});
   try_all("checkpoints of an automaton");
@@ -240,7 +242,7 @@ output: {frames: {every: 50, width: 96, height: 64}, series: {every: 1}, traject
 
 TEST_F(DamagedCheckpoint, OfTheContactModelIsGoneOnWithOrRefused) {
   std::atomic<int> stop = 0;
-  run::run(scene::parse(kContactScene, "small.yaml"), {.folder = saved(), .stop = &stop},
+  run::run(scene::parse(kContactScene, "small.yaml"), {.folder = saved(), .stop_signal = &stop},
            {.progress = [&](const run::Progress& at) { stop = at.step >= 400 ? 2 : 0; },
             .progress_interval = {}});
   try_all("checkpoints of the contact model");
@@ -251,7 +253,7 @@ TEST_F(DamagedCheckpoint, OfAGasIsGoneOnWithOrRefused) {
   run::run(std::get<scene::BoltzmannScene>(
                scene::parse_any_file(CLCA_SOURCE_DIR "/scenes/boltzmann-case1.yaml",
                                      {"boltzmann.particles=50", "boltzmann.ensemble=2"})),
-           {.folder = saved(), .stop = &stop},
+           {.folder = saved(), .stop_signal = &stop},
            {.gas_progress = [&](const run::GasProgress& at) { stop = at.time > 0 ? 2 : 0; },
             .progress_interval = {}});
   try_all("checkpoints of a gas");

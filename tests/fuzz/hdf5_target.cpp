@@ -102,15 +102,15 @@ Bytes file_of(const std::vector<Item>& items) {
       std::visit(
           [&]<class Some>(Some content) {
             if constexpr (std::same_as<Some, Texts>) {
-              store::hdf5::add(file, {item.path, &content});
+              store::hdf5::add_dataset(file, {item.path, &content});
             } else {
-              store::hdf5::add(file, {item.path, &content.values, content.columns});
+              store::hdf5::add_dataset(file, {item.path, &content.values, content.columns});
             }
           },
           item.content);
     }
   };
-  return store::with_header(kKind, store::hdf5::image("file", add_all));
+  return store::with_header(kKind, store::hdf5::file_bytes("file", add_all));
 }
 
 /// Bit for bit: NaN is itself.
@@ -134,7 +134,7 @@ std::vector<store::Hdf5Dataset> datasets_of(std::vector<Item>& items) {
             datasets.push_back({.path = item.path, .values = &content});
           } else {
             datasets.push_back(
-                {.path = item.path, .values = &content.values, .columns = content.columns});
+                {.path = item.path, .values = &content.values, .numbers_per_row = content.columns});
           }
         },
         item.content);
@@ -183,7 +183,7 @@ void require_nothing_else(const std::vector<Item>& items, fuzz::Choices& choices
       wanted.path += "/a";
       break;
     case 1:
-      ++wanted.columns;
+      ++wanted.numbers_per_row;
       break;
     default:
       if (std::holds_alternative<Numbers<double>>(some.front().content)) {

@@ -39,7 +39,7 @@ struct SmallFrame {
 inline std::vector<SmallFrame> small_run() {
   constexpr std::uint64_t kEvery = 4;
   const scene::Scene& scene = small_scene();
-  model::SceneModel model(scene, run::first_state(scene), {});
+  model::SceneModel model(scene, run::state_at_start(scene), {});
   std::vector<SmallFrame> frames;
   for (std::size_t stage = 0; stage < scene.stages.size(); ++stage) {
     run::prepare_stage(model, scene, stage);

@@ -12,8 +12,8 @@ namespace fuzz = clca::fuzz;
 namespace store = clca::store;
 
 std::string written(const store::ParsedTable& read) {
-  store::Table table(read.names);
-  for (std::size_t row = 0; row < read.rows(); ++row) {
+  store::Table table(read.column_names);
+  for (std::size_t row = 0; row < read.row_count(); ++row) {
     std::vector<store::Cell> cells;
     for (const auto& column : read.cells) {
       cells.emplace_back(column[row]);
@@ -24,9 +24,10 @@ std::string written(const store::ParsedTable& read) {
 }
 
 void read_numbers(const store::ParsedTable& table) {
-  for (const std::string& name : table.names) {
+  for (const std::string& name : table.column_names) {
     try {
-      fuzz::require(table.numbers(name).size() == table.rows(), "not a number for each row");
+      fuzz::require(table.column_numbers(name).size() == table.row_count(),
+                    "not a number for each row");
     } catch (const store::StoreError&) {
       continue;
     }
@@ -37,7 +38,8 @@ void require_same_again(const store::ParsedTable& table, const fuzz::ScratchFile
   try {
     file.hold(written(table));
     const store::ParsedTable again = store::read_table(file.path());
-    fuzz::require(again.names == table.names && again.cells == table.cells, "another table");
+    fuzz::require(again.column_names == table.column_names && again.cells == table.cells,
+                  "another table");
   } catch (const store::StoreError& error) {
     fuzz::found(error.what());
   }

@@ -63,7 +63,7 @@ image::Image last_picture(const scene::Scene& scene, const fs::path& folder) {
 void compare_or_bless(const std::string& name, const image::Image& image, bool exact) {
   const fs::path expected_file = fs::path(CLCA_SOURCE_DIR) / "renders" / "golden" / (name + ".png");
   if (std::getenv("CLCA_BLESS") != nullptr) {
-    store::write_whole(expected_file, image::encode_png(image, {{"Title", name}}));
+    store::write_whole_file(expected_file, image::encode_png(image, {{"Title", name}}));
     return;
   }
   const image::Image expected = image::decode_png(testing::bytes_of(expected_file)).image;
@@ -71,17 +71,19 @@ void compare_or_bless(const std::string& name, const image::Image& image, bool e
   ASSERT_EQ(image.height, expected.height);
   const render::Difference difference =
       render::difference_of(expected, image, exact ? 0 : kTolerance);
-  if (difference.pixels <= (exact ? 0 : kPixels)) {
+  if (difference.differing_pixels <= (exact ? 0 : kPixels)) {
     return;
   }
   const fs::path folder(CLCA_FAILURES_DIR);
   fs::create_directories(folder);
-  store::write_whole(folder / (name + ".png"), image::encode_png(image, {}));
-  store::write_whole(folder / (name + "-difference.png"),
-                     image::encode_png(difference.picture, {}));
-  ADD_FAILURE() << difference.pixels << " pixels differ by up to " << difference.largest << " in x "
-                << difference.box.min().x() << " to " << difference.box.max().x() << ", y "
-                << difference.box.min().y() << " to " << difference.box.max().y() << "; see "
+  store::write_whole_file(folder / (name + ".png"), image::encode_png(image, {}));
+  store::write_whole_file(folder / (name + "-difference.png"),
+                          image::encode_png(difference.picture, {}));
+  ADD_FAILURE() << difference.differing_pixels << " pixels differ by up to "
+                << difference.largest_difference << " in x " << difference.differing_box.min().x()
+                << " to " << difference.differing_box.max().x() << ", y "
+                << difference.differing_box.min().y() << " to "
+                << difference.differing_box.max().y() << "; see "
                 << (folder / (name + "-difference.png")).string();
 }
 
@@ -174,9 +176,9 @@ image::Image space_time(std::optional<double> column) {
   run::run(scene, {.folder = folder.path() / "run", .pictures = run::WantedPictures::last});
   drawing::Redraw redraw({{scene, folder.path() / "run"}},
                          {.space_time = drawing::SpaceTimeOptions{
-                              .file = folder.path() / "over-time.png", .column = column}});
+                              .file = folder.path() / "over-time.png", .column_x = column}});
   redraw.draw();
-  return redraw.space_time().content;
+  return redraw.space_time_picture().plot_image;
 }
 
 TEST(GoldenOverTime, AColumnAndTheSurfaceAreAsBlessed) {
@@ -208,7 +210,8 @@ TEST(GoldenComparison, NoticesOneParticleInAnotherPlace) {
   while (!automaton.step().settled) {
   }
   const grains::State changed = with_one_lifted(automaton.state());
-  for (const render::Drawing drawing : {render::Drawing::polygons, render::Drawing::lookup}) {
+  for (const render::DrawingMethod drawing :
+       {render::DrawingMethod::polygons, render::DrawingMethod::lookup}) {
     const render::Style style = {.width = 640,
                                  .height = 360,
                                  .supersampling = 2,
@@ -220,7 +223,7 @@ TEST(GoldenComparison, NoticesOneParticleInAnotherPlace) {
     const image::Image before =
         painter.draw(automaton.state(), automaton.occupancy(), coloring, {});
     const image::Image after = painter.draw(changed, grains::Occupancy(changed), coloring, {});
-    EXPECT_GT(render::difference_of(before, after, kTolerance).pixels, 2 * kPixels);
+    EXPECT_GT(render::difference_of(before, after, kTolerance).differing_pixels, 2 * kPixels);
   }
 }
 

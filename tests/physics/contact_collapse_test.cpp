@@ -47,7 +47,7 @@ Collapse collapse(const std::vector<scene::Override>& overrides) {
         result.slope += mean("flow", "repose_angle_deg");
         result.runout += mean("flow", "runout_99") / kWidth;
         result.moved += mean("flow", "moved_share");
-        result.settled += summary.stages.back().ended == "settled" ? 1 : 0;
+        result.settled += summary.stages.back().end_reason == "settled" ? 1 : 0;
         result.x = testing::csv_column(folder / "profile-flow.csv", "x");
         const auto profile = testing::csv_column(folder / "profile-flow.csv", "height_end");
         result.profile.resize(profile.size(), 0);

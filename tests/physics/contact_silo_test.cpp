@@ -37,7 +37,7 @@ double outflow(double orifice) {
       "stages.filling.until={steps: 4000}"};
   std::vector<double> values;
   testing::for_seeds(kSeeds, "silo-beverloo", silo, [&](const auto& summary, const auto&) {
-    EXPECT_EQ(summary.stages.back().ended, "discharged");
+    EXPECT_EQ(summary.stages.back().end_reason, "discharged");
     values.push_back(testing::measure_of(summary, "discharge", "outflow_sites_per_step") / kMass /
                      std::sqrt(kGravity / kDiameter));
   });

@@ -11,7 +11,7 @@ namespace {
 TEST(Hopper, NothingStaysOnTheSlantedWalls) {
   std::vector<double> outflows;
   testing::for_seeds(8, "hopper", {}, [&](const auto& summary, const auto&) {
-    EXPECT_EQ(summary.stages.back().ended, "discharged");
+    EXPECT_EQ(summary.stages.back().end_reason, "discharged");
     EXPECT_GE(testing::measure_of(summary, "discharge", "discharged_share"), 0.98);
     outflows.push_back(testing::measure_of(summary, "discharge", "outflow_sites_per_step"));
   });

@@ -13,7 +13,7 @@ constexpr int kSeeds = 16;
 
 void expect_a_stall(const store::RunSummary& summary) {
   const std::string& stage = summary.stages.back().name;
-  EXPECT_EQ(summary.stages.back().ended, "stalled");
+  EXPECT_EQ(summary.stages.back().end_reason, "stalled");
   EXPECT_TRUE(std::isfinite(testing::measure_of(summary, stage, "stalled_since")));
   EXPECT_EQ(testing::measure_of(summary, stage, "overlap_depth_max"), 1);
 }

@@ -78,7 +78,7 @@ struct Run {
   store::RunSummary summary;
   store::ParsedTable series;
 
-  std::vector<double> column(const std::string& name) const { return series.numbers(name); }
+  std::vector<double> column(const std::string& name) const { return series.column_numbers(name); }
   double last(const std::string& name) const { return column(name).back(); }
   double sum_over_stages(const std::string& name) const {
     double sum = 0;
@@ -142,7 +142,7 @@ RC_GTEST_PROP(BalanceProperty, GrainsSitesAndEnergyOfTheContactModelAddUp, ()) {
   const auto outlet = run.column("outlet_energy");
   const auto walls = run.column("wall_work");
   const auto vessel = run.column("vessel_work");
-  const auto stages = *run.series.find("stage");
+  const auto stages = *run.series.find_column("stage");
   std::size_t first = 0;
   double scale = 0;
   for (std::size_t row = 0; row < kinetic.size(); ++row) {

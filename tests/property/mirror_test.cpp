@@ -80,13 +80,13 @@ Beds any_beds() {
   for (int step = within(0, 10); step > 0 && !simulation.is_over(); --step) {
     simulation.step();
   }
-  const State before = simulation.grains();
+  const State before = simulation.state();
   for (int step = within(1, 10); step > 0 && !simulation.is_over(); --step) {
     simulation.step();
   }
-  RC_PRE(grains::present_count(before) > 0 && simulation.grains().step > before.step);
-  RC_ASSERT(simulation.grains().lattice.columns() == columns);
-  return {before, simulation.grains()};
+  RC_PRE(grains::present_count(before) > 0 && simulation.state().step > before.step);
+  RC_ASSERT(simulation.state().lattice.columns() == columns);
+  return {before, simulation.state()};
 }
 
 bool is_near(double one, double other) {

@@ -85,12 +85,13 @@ void look_at_tables(const fs::path& folder, Places& places) {
       continue;
     }
     const store::ParsedTable table = store::read_table(file.path());
-    if (table.find("x") == nullptr) {
+    if (table.find_column("x") == nullptr) {
       continue;
     }
-    const std::vector<double> x = table.numbers("x");
-    const std::vector<double> y =
-        table.find("y") != nullptr ? table.numbers("y") : std::vector<double>(x.size(), 0.0);
+    const std::vector<double> x = table.column_numbers("x");
+    const std::vector<double> y = table.find_column("y") != nullptr
+                                      ? table.column_numbers("y")
+                                      : std::vector<double>(x.size(), 0.0);
     for (std::size_t row = 0; row < x.size(); ++row) {
       if (!std::isnan(x[row])) {  // a contact that is gone
         places.require(x[row], y[row], file.path().filename());
@@ -146,7 +147,7 @@ void look_at_a_run(bool contact) {
   } catch (const scene::SceneError&) {
     RC_DISCARD("the fill does not fit");
   }
-  const grains::State fixed = model::grains_of(run::first_state(scene));
+  const grains::State fixed = model::grains_of(run::state_at_start(scene));
   Places places(fixed.lattice);
   look_at_tables(run, places);
   look_at_parts(run, contact, places);

@@ -56,7 +56,7 @@ TEST_P(MemoryEstimate, IsAboveWhatARunTakesAndNotMuch) {
   };
   const double taken = bytes(1200, 2000) - bytes(40, 100);
   const double estimate =
-      run::memory_of(scene::parse(text_of(GetParam(), 1200, 2000), "scene.yaml"));
+      run::estimated_run_bytes(scene::parse(text_of(GetParam(), 1200, 2000), "scene.yaml"));
   EXPECT_GE(estimate, taken);
   EXPECT_LE(estimate, 3 * taken);
 }

@@ -50,7 +50,7 @@ ScratchFolder::~ScratchFolder() {
 }
 
 std::vector<std::uint8_t> bytes_of(const std::filesystem::path& file) {
-  return store::read_whole(file, 1e9);
+  return store::read_whole_file(file, 1e9);
 }
 
 scene::Scene bare_scene(const std::string& name, const std::vector<scene::Override>& overrides) {

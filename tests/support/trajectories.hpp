@@ -65,7 +65,7 @@ inline grains::State kept_of(const grains::State& state, const grains::State& fi
 /// their begin and end. `take(state, stage, begins)` gets each.
 inline void play(const scene::Scene& scene, std::uint64_t every,
                  const std::function<void(const grains::State&, std::size_t, bool)>& take) {
-  model::SceneModel model(scene, run::first_state(scene), {});
+  model::SceneModel model(scene, run::state_at_start(scene), {});
   for (std::size_t stage = 0; stage < scene.stages.size(); ++stage) {
     run::prepare_stage(model, scene, stage);
     take(model.state(), stage, true);

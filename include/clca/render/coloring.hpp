@@ -20,13 +20,13 @@ namespace clca::render {
 Rgb palette_color(std::size_t number);
 
 /// The perceptually uniform colour map viridis at `share` in [0, 1], clamped.
-Rgb map_color(double share);
+Rgb viridis_color(double share);
 
 /// The colour of `value`, clamped to [-1, 1], in a map pale at 0, blue below and red above.
 Rgb diverging_color(double value);
 
 /// The colour of a colour bar, at a share of the way from its lower to its higher end.
-Rgb bar_color(const Legend::Bar& bar, double share);
+Rgb bar_color(const Legend::ColorBar& bar, double share);
 
 struct NamedColor {
   std::string name;
@@ -46,7 +46,7 @@ LayerRange layer_range(const grains::State& state, std::span<const std::size_t> 
 
 /// The colour of each particle, one of a palette.
 struct Coloring {
-  std::vector<std::uint16_t> shades;  ///< by id: index into the palette; 0 of absent ones
+  std::vector<std::uint16_t> palette_indices;  ///< by id: index into the palette; 0 of absent ones
   std::vector<Rgb> palette = {};
   Legend legend = {};
 };
@@ -56,7 +56,7 @@ Coloring color_by_species(const grains::State& state, std::span<const NamedColor
 /// the lowest or highest layer.
 Coloring color_by_layer(const grains::State& state, int layers, const LayerRange& range);
 
-// By a number; a range has the values at the ends of the colour bar, low < high.
+// Colours by a number. `range`: the values at the ends of the colour bar, low < high.
 
 /// By distance from the origin, in lattice spacings.
 Coloring color_by_displacement(const grains::State& state, const statistics::Range& range);

@@ -11,8 +11,8 @@ namespace clca::render {
 
 /// A picture of a contact sheet: the pixels of its view alone. One of width 0 is missing.
 struct Tile {
-  Image view = {};
-  double scale = 1;  ///< pixels a lattice spacing
+  Image view_image = {};
+  double pixels_per_spacing = 1;
   Legend legend = {};
   std::string label = {};
 };

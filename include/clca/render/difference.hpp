@@ -8,10 +8,10 @@
 namespace clca::render {
 
 struct Difference {
-  std::size_t pixels = 0;   ///< that differ by more than the tolerance in some channel
-  int largest = 0;          ///< channel difference, 0 to 255
-  Eigen::AlignedBox2i box;  ///< the smallest around those pixels, both corners in it; empty if none
-  Image picture;            ///< the first picture pale, differing pixels strong
+  std::size_t differing_pixels = 0;   ///< number of those above the tolerance in some channel
+  int largest_difference = 0;         ///< channel difference, 0 to 255
+  Eigen::AlignedBox2i differing_box;  ///< around those pixels, corners included; empty if none
+  Image picture;                      ///< the first picture pale, differing pixels strong
 };
 
 /// Throws std::invalid_argument when the sizes differ. `tolerance`: channel difference, 0 to 255,

@@ -1,5 +1,5 @@
 #pragma once
-// The picture that is drawn, and where it has what.
+// The picture that is drawn, and the position of its parts.
 
 #include "clca/image/image.hpp"
 
@@ -12,7 +12,7 @@ using image::Rgb;
 /// Where a picture shows the particles, and how large.
 struct PictureView {
   PixelBox box;
-  double scale = 1;  ///< pixels a lattice spacing
+  double pixels_per_spacing = 1;
 };
 
 }  // namespace clca::render

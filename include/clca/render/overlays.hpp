@@ -19,7 +19,7 @@ struct Stroke {
   Eigen::Vector2d to;
   double width = 0.5;
   Rgb color = {};
-  bool arrow = false;
+  bool is_arrow = false;
 };
 
 struct Overlay {
@@ -41,7 +41,7 @@ Overlay force_network(std::span<const ForceLine> lines, double strongest, std::s
 
 /// A vector at the centre of a cell (lattice spacings), in any unit.
 struct FieldArrow {
-  Eigen::Vector2d at;
+  Eigen::Vector2d center;
   Eigen::Vector2d vector;
 };
 
@@ -49,10 +49,10 @@ struct FieldArrow {
 /// weighted by length. 0 where there is none.
 double typical_length(std::span<const FieldArrow> arrows);
 
-/// What a number of a unit is followed by: `spacing` and `spacings`.
+/// Name of a unit after a number: `spacing` and `spacings`.
 struct UnitName {
-  std::string one;
-  std::string several;
+  std::string singular;
+  std::string plural;
 };
 
 /// Arrows centred in cells `cell` spacings wide; one of length `scale` spans 0.9 cells. Those that

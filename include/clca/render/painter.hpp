@@ -25,7 +25,7 @@ class RenderError : public std::runtime_error {
 /// gives the same bytes everywhere, or as polygons by OpenGL.
 /// Both give the same picture except for rounding at edges and for overlaps: polygons lie over
 /// walls, the lookup shows the first owner of a site.
-enum class Drawing : std::uint8_t { lookup, polygons };
+enum class DrawingMethod : std::uint8_t { lookup, polygons };
 
 /// What stands around the view: nothing, a legend with a scale bar, or these and captions.
 enum class Annotations : std::uint8_t { none, legend, all };
@@ -34,18 +34,17 @@ struct Style {
   int width = 1280;  ///< pixels of the finished picture; 0: follows the aspect of the view
   int height = 720;
   int supersampling = 2;  ///< samples a pixel along each axis, 1 to 4
-  Drawing drawing = Drawing::lookup;
-  /// Part of the plane to show, lattice spacings; empty: the whole box.
-  lattice::Rectangle view;
+  DrawingMethod drawing = DrawingMethod::lookup;
+  lattice::Rectangle view;  ///< part of the plane to show, lattice spacings; empty: the whole box
   Annotations annotations = Annotations::all;  ///< none without a font
-  int threads = 1;      ///< of Painter::capture(); pictures do not depend on it
-  bool vector = false;  ///< captures serve Painter::pdf()
+  int threads = 1;       ///< of Painter::capture(); pictures do not depend on it
+  bool for_pdf = false;  ///< captures serve Painter::pdf()
 };
 
 struct Caption {
   std::string title;
-  std::string detail;  ///< such as "flow, step 120"
-  double spacing = 0;  ///< of the lattice in metres, for the scale bar; 0: it counts spacings
+  std::string detail;             ///< such as "flow, step 120"
+  double metres_per_spacing = 0;  ///< for the scale bar; 0: it counts spacings
 };
 
 /// What a picture needs of a state. Copies share it.
@@ -104,9 +103,9 @@ lattice::Rectangle box_with_frame(const lattice::Lattice& lattice);
 /// LP_NUM_THREADS is set, and loads the driver. Throws RenderError.
 /// Each Painter of polygons calls this. Programs that draw from several threads call it before they
 /// start them.
-void prepare_polygons();
+void prepare_opengl();
 
 /// A warning if annotations cannot be drawn because no font was found; else empty.
-std::string font_problem();
+std::string font_warning();
 
 }  // namespace clca::render

@@ -18,54 +18,49 @@
 
 namespace clca::run {
 
-/// Progress of a run.
 struct Progress {
   std::string stage;
   std::size_t stage_number = 0;  ///< from 1
   std::size_t stage_count = 0;
   std::uint64_t step = 0;
-  std::string time;  ///< with its unit; empty where steps have no length
+  std::string time_text;  ///< with its unit; empty where steps have no length
   std::size_t particles = 0;
-  double moving_share = 0;        ///< of the particles, in the last step
-  double updates_per_second = 0;  ///< particles x steps / time in steps
-  bool until_rest = false;        ///< the stage ends at rest: nobody knows when
-  /// Estimated seconds to the end of the stage, if known.
-  std::optional<double> seconds_left;
+  double moving_share = 0;                 ///< of the particles, in the last step
+  double particle_updates_per_second = 0;  ///< particles x steps / time in steps
+  bool ends_at_rest = false;               ///< the stage ends at rest: nobody knows when
+  std::optional<double> seconds_left;      ///< estimated seconds to the end of the stage, if known
 };
 
-/// Progress of a Boltzmann run.
 struct GasProgress {
   std::string stage;
   std::size_t stage_number = 0;  ///< from 1
   std::size_t stage_count = 0;
   double time = 0;  ///< of one gas of the ensemble
-  double until = 0;
+  double end_time = 0;
   std::uint64_t gases_done = 0;  ///< of this stage
-  std::uint64_t gases = 0;
+  std::uint64_t gas_count = 0;
   double collisions_per_second = 0;  ///< of pairs
   std::optional<double> seconds_left;
 };
 
-/// All pictures of a scene, that of the final state or none.
+/// All pictures of a scene, only that of the final state, or none.
 enum class WantedPictures : std::uint8_t { all, last, none };
 
 struct RunOptions {
   std::filesystem::path folder = {};
   int threads = 1;
   /// Uses the reference step of the model instead of the fast engine.
-  bool reference = false;
-  /// Particles from which a step is divided among threads; none: where that pays. For tests.
+  bool use_reference_step = false;
+  /// Least number of particles for a step by several threads; none: chosen by speed. For tests.
   std::optional<std::size_t> parallel_from = {};
   /// Checked once per step: if not zero, the run saves a checkpoint and ends with complete files.
-  const std::atomic<int>* stop = nullptr;
+  const std::atomic<int>* stop_signal = nullptr;
   /// Wall-clock seconds after which the run stops in the same way.
-  std::optional<double> time_limit = {};
-  /// Which of the pictures that the scene asks for.
+  std::optional<double> wall_seconds_limit = {};
   WantedPictures pictures = WantedPictures::all;
-  /// Also replaces an interrupted run in the folder.
-  bool overwrite = false;
+  bool replace_interrupted = false;
   /// Keeps an existing folder: uses the first of FOLDER, FOLDER-2, ... that does not exist.
-  bool keep = false;
+  bool keep_earlier_run = false;
   /// Processes among which the gases of an ensemble are divided; the caller is rank 0 and has to
   /// dismiss the others afterwards. A run of grains is the work of one process.
   tasks::Ranks* ranks = nullptr;
@@ -83,10 +78,9 @@ struct RunEvents {
   std::function<void(const GasProgress&)> gas_progress = {};
   /// Shortest time between two progress calls, which come after a step.
   std::chrono::milliseconds progress_interval{100};
-  /// Called with the folder of the run once it is known.
-  std::function<void(const std::filesystem::path&)> folder = {};
+  std::function<void(const std::filesystem::path&)> folder_known = {};
   std::function<void(const std::string&)> message = {};
-  /// What the run does in between: stages that begin and, of grains, checkpoints.
+  /// Other news: stages that begin and, in runs of grains, checkpoints.
   std::function<void(const std::string&)> detail = {};
   std::function<void(const std::string&)> warning = {};
 };
@@ -101,24 +95,23 @@ struct RunEvents {
 store::RunSummary run(const scene::Scene& scene, const RunOptions& options,
                       const RunEvents& events = {});
 
-/// As the other run(), for the Boltzmann equation: an ensemble for each restitution.
+/// Runs a scene of the Boltzmann equation, an ensemble for each restitution; else as run() above.
 store::RunSummary run(const scene::BoltzmannScene& scene, const RunOptions& options,
                       const RunEvents& events = {});
 
-/// What the other ranks call in place of run() or resume() of a scene of the Boltzmann equation:
-/// advances a share of the gases. Throws tasks::StartError if they cannot begin together, as run()
-/// and resume() do, too.
-void serve(const RunOptions& options);
+/// Advances a share of the gases of a Boltzmann run. The ranks other than 0 call it in place of
+/// run() or resume(). Like these, throws tasks::StartError if the ranks cannot begin together.
+void work_for_rank_0(const RunOptions& options);
 
-/// A run as of its last checkpoint: stopped, killed or finished. Locks its folder while it exists.
+/// A stopped, killed or finished run at its last checkpoint. This object locks the folder.
 struct SavedRun {
   store::RunFolder folder;
   scene::AnyScene scene = {};
   store::Checkpoint checkpoint = {};
-  std::optional<store::RunSummary> finished = {};  ///< summary of a run that needs no continuing
-  double max_bytes = 0;                            ///< memory limit for loading it
-  std::optional<std::string> until = {};           ///< requested end in place of the scene's
-  std::string warning = {};  ///< one line if the newest checkpoint could not be used
+  std::optional<store::RunSummary> finished_summary = {};  ///< of a run that is done
+  double max_bytes = 0;                                    ///< memory limit for loading it
+  std::optional<std::string> new_end = {};  ///< requested end in place of the scene's
+  std::string warning = {};                 ///< one line if the newest checkpoint could not be used
 };
 
 /// Loads the checkpoint in `folder`. Changes nothing there.
@@ -131,7 +124,7 @@ SavedRun load_run(const std::filesystem::path& folder, double max_bytes,
 
 /// Which pictures a saved run draws; `all` if it begins with its first step. Throws
 /// reflection::Mismatch.
-WantedPictures saved_pictures(const SavedRun& saved);
+WantedPictures wanted_pictures_of(const SavedRun& saved);
 
 /// Continues a run to its end, with the same bits as an uninterrupted run. Ignores the folder of
 /// the options.

@@ -16,7 +16,7 @@
 
 namespace clca::run {
 
-/// Stages follow each other as in a run, with the same bits. After step() or next_stage() has
+/// Stages follow each other as in a run, with the same bits. After step() or begin_next_stage() has
 /// failed, all but scene() throws the same exception.
 class Simulation {
  public:
@@ -30,37 +30,33 @@ class Simulation {
 
   /// The scene, with the hash and the number of particles of the state that it begins with.
   const scene::Scene& scene() const;
-  /// Number of the stage, from 0.
-  std::size_t stage() const;
+  std::size_t stage_index() const;  ///< number of the stage, from 0
   /// How the stage has ended, as in run.json; empty while it goes on.
-  std::string ended() const;
-  /// The last stage has ended.
+  std::string stage_end_text() const;
   bool is_over() const;
 
   /// Takes a step, and before that begins the next stage where one has ended. Throws
   /// std::logic_error if is_over(), else as run().
   grains::StepReport step();
   /// Begins the next stage now. Throws std::logic_error in the last one, else as run().
-  void next_stage();
+  void begin_next_stage();
 
-  const grains::State& grains() const;
-  /// grains(), which stay in their place while held: then the next stage works on a copy.
-  /// While a source is open, a copy.
-  std::shared_ptr<const grains::State> held_grains() const;
+  const grains::State& state() const;
+  /// state(), which keeps its memory while held: the next stage then works on a copy.
+  /// While a source is open, it is a copy.
+  std::shared_ptr<const grains::State> shared_state() const;
   /// Velocities, spins and forces of the contact model in the last step.
   store::ContactFrame contact_frame() const;
-  /// As RunSummary::state_hash.
-  std::uint64_t hash() const;
+  std::uint64_t state_hash() const;  ///< as RunSummary::state_hash
 
-  /// What run.json has of the stage, as of now; `wanted`: one of Scene::measures alone.
+  /// The measures of the stage in run.json, as of now; `wanted`: only this one of Scene::measures.
   std::vector<store::NamedMeasure> measures(std::optional<scene::Measure> wanted = {}) const;
   /// Throws scene::SceneError if the driver cannot draw it.
   image::Image picture(const scene::Frames& frames);
 
  private:
   struct Impl;
-  /// Throws what has failed before.
-  Impl& live() const;
+  Impl& checked_impl() const;  ///< throws the exception of an earlier failure
 
   std::unique_ptr<Impl> impl_;
 };

@@ -56,7 +56,7 @@ struct Size {
   int columns = 0;
   int rows = 0;
   std::uint64_t particles = 0;  ///< filled and emitted at the most
-  double bytes = 0;             ///< estimated from above; run::memory_of() is that of a run
+  double bytes = 0;  ///< estimated from above; run::estimated_run_bytes() is that of a run
 };
 
 Size size_of(const Scene& scene);

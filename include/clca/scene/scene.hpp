@@ -239,7 +239,7 @@ struct Begin {
   std::string run;                     ///< its folder, as an absolute path
   std::optional<std::uint64_t> step;   ///< of its trajectory; none: its end
   std::optional<std::uint64_t> state;  ///< hash; another state is refused
-  std::uint64_t particles = 0;         ///< in that state; 0 until run::find_begin()
+  std::uint64_t particles = 0;         ///< in that state; 0 until run::resolve_begin()
   std::string location;
 };
 

@@ -15,31 +15,30 @@
 
 namespace clca::store {
 
-/// A checkpoint, or a file that it counts on, that is not as the run left it.
+/// A checkpoint, or a file that it refers to, has changed since the run wrote it.
 class UnusableCheckpointError : public store::StoreError {
  public:
   using StoreError::StoreError;
 };
 
 struct Checkpoint {
-  std::string kind;        ///< as RunSummary::kind
-  std::string scene_name;  ///< as RunSummary::scene
-  std::string scene;       ///< resolved, as in scene.yaml
-  std::string summary;     ///< run.json as it was then
-  /// All that the run has changed; before its first step only what is wanted of it beside its
-  /// scene, if anything: columns `wanted/...`.
+  std::string kind;          ///< as RunSummary::kind
+  std::string scene_name;    ///< as RunSummary::scene
+  std::string scene_text;    ///< resolved, as in scene.yaml
+  std::string summary_json;  ///< run.json as it was then
+  /// All that the run has changed; before its first step only options beside its scene, if any:
+  /// columns `wanted/...`.
   reflection::Columns fields;
 
-  static constexpr const char* kWanted = "wanted";
-  /// Whether the run has not taken a step yet.
-  bool is_start() const {
+  static constexpr const char* kRequestPrefix = "wanted";
+  bool is_before_first_step() const {
     return std::ranges::all_of(fields, [](const auto& column) {
-      return column.first.starts_with(std::string(kWanted) + "/");
+      return column.first.starts_with(std::string(kRequestPrefix) + "/");
     });
   }
 };
 
-/// The bytes of a file, which also go from one process to another.
+/// The content of a file; also sent between processes.
 std::vector<std::uint8_t> checkpoint_bytes(const Checkpoint& checkpoint);
 
 /// Throws std::runtime_error with the reason for data that checkpoint_bytes() does not produce, or

@@ -32,19 +32,16 @@ class AtomicFile {
 
   /// Another program may write to this path instead of write().
   std::filesystem::path temporary_path() const;
-  /// Appends.
-  void write(std::span<const std::uint8_t> bytes);
+  void write(std::span<const std::uint8_t> bytes);  ///< appends
   void write(std::string_view text) { write(as_bytes(text)); }
   std::uint64_t size() const;  ///< bytes written at the end
-  /// To the disk, now.
-  void flush();
-  /// Flushes, unless its folder delays that, and renames.
-  void finish();
+  void flush();                ///< to the disk, now
+  void finish();               ///< flushes, unless its folder delays that, and renames
 
  private:
   friend class OutputFolder;
   struct State;
-  /// `flush_later`: called once it has its name, if it is not flushed yet; none: it is before.
+  /// `flush_later`: called after the renaming of an unflushed file; none: it is flushed before.
   AtomicFile(const std::filesystem::path& path, std::function<void()> flush_later);
 
   std::shared_ptr<State> state_;
@@ -55,29 +52,28 @@ void remove_abandoned_files(const std::filesystem::path& folder);
 
 /// Writes a file named by the user, replacing any regular file. It appears complete; on StoreError
 /// `path` is unchanged.
-void write_whole(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
-inline void write_whole(const std::filesystem::path& path, std::string_view text) {
-  write_whole(path, as_bytes(text));
+void write_whole_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
+inline void write_whole_file(const std::filesystem::path& path, std::string_view text) {
+  write_whole_file(path, as_bytes(text));
 }
 
 /// Makes a folder and its parents, if needed. Throws StoreError.
 void make_folder(const std::filesystem::path& folder);
 
-/// Lets files be found that other machines have just made in a folder, or with it. NFS may say for
-/// a minute that there is nothing where this machine has looked before.
+/// Makes files visible that other machines have just made in a folder, or with it: NFS may hide
+/// them for a minute where this machine has looked before.
 void refresh_folder(const std::filesystem::path& folder);
 
 /// All bytes of a regular file. Throws StoreError, also for other kinds of files and more than
 /// `max_bytes`.
-std::vector<std::uint8_t> read_whole(const std::filesystem::path& path, double max_bytes);
+std::vector<std::uint8_t> read_whole_file(const std::filesystem::path& path, double max_bytes);
 
-/// A folder in which nothing can be written.
+/// A folder cannot be locked, since nothing can be written in it.
 class FolderLockError : public StoreError {
  public:
   using StoreError::StoreError;
 };
 
-/// Another process is at work in a folder.
 class FolderInUseError : public FolderLockError {
  public:
   using FolderLockError::FolderLockError;
@@ -95,7 +91,6 @@ class FolderLock {
   std::shared_ptr<void> held_;  // unlocks it at the end
 };
 
-/// Maximum size of a picture file.
 inline constexpr double kMaxPictureBytes = 256 << 20;
 
 }  // namespace clca::store

@@ -31,28 +31,25 @@ class OutputFolder {
 
   /// Throws if clca did not make the folder and there are files in it. One of the name `beside` may
   /// be there.
-  void require_own(const std::string& beside = "") const;
-  /// As require_own(), then makes the folder, if needed, and the manifest.
-  void make_own(const std::string& beside = "") const;
+  void require_clca_folder(const std::string& beside = "") const;
+  /// As require_clca_folder(), then makes the folder, if needed, and the manifest.
+  void make_clca_folder(const std::string& beside = "") const;
   /// Whether the manifest lists the file, and it is there.
   bool owns(const std::string& name) const;
   /// All existing files of the manifest in this folder.
-  std::vector<std::string> files() const;
+  std::vector<std::string> listed_files() const;
 
   void make_folder(const std::string& name) const;
-  /// A file that appears when it is finished.
-  AtomicFile create(const std::string& name) const;
+  AtomicFile create(const std::string& name) const;  ///< a file that appears when it is finished
   void write(const std::string& name, std::span<const std::uint8_t> bytes) const;
   void write(const std::string& name, std::string_view text) const { write(name, as_bytes(text)); }
-  /// From now on files get their names before they are on the disk, which flush() sees to.
+  /// From now on files are renamed before they are flushed to the disk; flush() flushes them.
   void delay_flushing() const;
-  /// Flushes all that was written since the last call to the disk.
-  void flush() const;
+  void flush() const;  ///< flushes all that was written since the last call to the disk
 
   /// Renames a file, if it exists, replacing `to`.
   void rename(const std::string& from, const std::string& to) const;
-  /// Removes a file of the manifest, if it exists.
-  void remove(const std::string& name) const;
+  void remove(const std::string& name) const;  ///< removes a file of the manifest, if it exists
   /// Removes all files of the manifest except `kept`, with `first` first, then empty folders.
   void clear(const std::string& first, const std::string& kept) const;
 
@@ -60,7 +57,7 @@ class OutputFolder {
   friend class GrowingFile;
   struct State;
   /// Lists a file in the manifest and makes its folders; returns its path.
-  std::filesystem::path prepared(const std::string& name) const;
+  std::filesystem::path prepare_file(const std::string& name) const;
   /// Truncates the file to `bytes`, unless it has fewer.
   void truncate(const std::string& name, std::uint64_t bytes) const;
   /// Flushes this file, if it exists, with the next flush().
@@ -80,15 +77,16 @@ OutputFolder named_folder(const std::filesystem::path& named, const std::filesys
 class GrowingFile {
  public:
   /// Keeps the first `kept` bytes of the file, whoever has put it there; it is made with the first
-  /// append. Throws as check().
+  /// append. Throws as check_kept_bytes().
   GrowingFile(OutputFolder folder, std::string name, std::uint64_t kept);
   /// Throws UnusableCheckpointError unless the first `kept` bytes of the file are there and end a
   /// line.
-  static void check(const OutputFolder& folder, const std::string& name, std::uint64_t kept);
+  static void check_kept_bytes(const OutputFolder& folder, const std::string& name,
+                               std::uint64_t kept);
 
   /// Is on the disk after OutputFolder::flush(). Throws StoreError.
   void append(std::string_view text);
-  std::uint64_t bytes() const { return bytes_; }
+  std::uint64_t size_in_bytes() const { return bytes_; }
 
  private:
   OutputFolder folder_;

@@ -33,15 +33,13 @@ inline constexpr const char* kExportFolder = "export";
 /// A table of the whole run, `series.csv`, or of one stage, `profile-STAGE.csv`.
 std::string table_name(std::string_view kind, const std::string& stage = "");
 
-/// The summary of a run that is done; none of others, and where it cannot be read, as after a power
-/// failure.
+/// The summary of a run that is done; none if it is not done, or the summary cannot be read.
 std::optional<RunSummary> finished_summary(const std::filesystem::path& run_folder);
 
-/// An earlier run found in a folder.
 struct EarlierRun {
   RunSummary summary;
-  std::string when;         ///< local time at which run.json was written; empty where it was not
-  bool unfinished = false;  ///< it is not done and may go on from a checkpoint
+  std::string written_at;     ///< local time at which run.json was written; empty where it was not
+  bool is_resumable = false;  ///< it is not done and may go on from a checkpoint
 };
 
 /// A run folder, locked for other runs while this object exists.
@@ -54,7 +52,7 @@ class RunFolder {
   static RunFolder for_resumed_run(const std::filesystem::path& path);
 
   std::filesystem::path path() const { return folder_.path(); }
-  const OutputFolder& files() const { return folder_; }
+  const OutputFolder& output_folder() const { return folder_; }
 
   /// None if clca has written nothing there. Throws StoreError if neither run.json nor a checkpoint
   /// can be read.

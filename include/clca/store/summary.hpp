@@ -19,7 +19,6 @@ namespace clca::store {
 /// A number, a truth value, or none (written as null).
 using MeasureValue = std::variant<std::monostate, double, bool>;
 
-/// null if there is none.
 inline MeasureValue value_or_null(const std::optional<double>& value) {
   return value ? MeasureValue(*value) : MeasureValue();
 }
@@ -28,15 +27,15 @@ using NamedMeasure = std::pair<std::string, MeasureValue>;
 struct StageSummary {
   std::string name;
   std::uint64_t steps = 0;
-  std::string ended;  ///< settled, stalled, steps, discharged, cycles, bound or interrupted
+  std::string end_reason;  ///< settled, stalled, steps, discharged, cycles, bound or interrupted
   std::vector<NamedMeasure> measures;
   std::vector<std::string> notes = {};  ///< why a measure has no value or says little
-  bool fills = false;                   ///< particles are filled in
+  bool fills_particles = false;         ///< particles are filled in
 };
 
 /// The state of another run that a run began with.
 struct BeginSummary {
-  std::string run;                    ///< its folder
+  std::string run_folder;             ///< its folder
   std::optional<std::uint64_t> step;  ///< of its trajectory; none: its end
   std::uint64_t state_hash = 0;
 };
@@ -50,14 +49,14 @@ struct BoxSummary {
   bool periodic = false;
 };
 
-/// What a measure of run.json or a column of a table is.
+/// Describes a measure of run.json or a column of a table.
 struct ColumnSummary {
-  std::string key;      ///< in run.json, or the name of the column
-  std::string name;     ///< in words; as the key where nothing is known of it
-  std::string of = {};  ///< the outlet or wall that it is of, or x, y of a vector; empty: the whole
-  std::string unit = {};     ///< as the run has it; of a pure number empty
-  std::string meaning = {};  ///< may be empty
-  bool of_floor = false;  ///< along or above the floor of the vessel: says little if it is turned
+  std::string key;                 ///< in run.json, or the name of the column
+  std::string name;                ///< in words; the key where it is unknown
+  std::string part = {};           ///< outlet, wall, or x, y of a vector; empty: the whole
+  std::string unit = {};           ///< as the run has it; of a pure number empty
+  std::string meaning = {};        ///< may be empty
+  bool relative_to_floor = false;  ///< along or above the floor of the vessel
 };
 /// The columns of NAME.csv, or of NAME-STAGE.csv.
 using TableSummary = std::pair<std::string, std::vector<ColumnSummary>>;
@@ -80,10 +79,10 @@ struct RunSummary {
   std::uint64_t particles = 0;
   std::uint64_t steps = 0;
   std::optional<scene::Conversion> units = {};  ///< of the contact model
-  std::vector<scene::DerivedMeasure> derived = {};
-  double wall_seconds = 0;  ///< of the run, by the clock
-  double step_seconds = 0;  ///< of wall_seconds, in steps of the model
-  double rate = 0;          ///< see rate_key
+  std::vector<scene::DerivedMeasure> derived_measures = {};
+  double wall_seconds = 0;     ///< of the run, by the clock
+  double step_seconds = 0;     ///< of wall_seconds, in steps of the model
+  double rate_per_second = 0;  ///< see rate_key
   std::uint64_t state_hash = 0;
   std::string compiler;
   std::string build_type;
@@ -92,23 +91,23 @@ struct RunSummary {
   std::optional<BeginSummary> begin = {};
   std::optional<BoxSummary> box = {};  ///< of a run of grains
   std::vector<KindSummary> kinds = {};
-  std::vector<ColumnSummary> measures = {};
-  std::vector<TableSummary> tables = {};
+  std::vector<ColumnSummary> measure_descriptions = {};
+  std::vector<TableSummary> table_descriptions = {};
 };
 
 /// Version of this program, as in CMakeLists.txt.
 std::string version();
 /// A summary with version, compiler and build type filled in.
-RunSummary provenance();
+RunSummary summary_with_provenance();
 
 /// Key of the rate in run.json: collisions (pairs) per second for the Boltzmann equation, particle
 /// updates per second otherwise.
 const char* rate_key(std::string_view kind);
 
 std::string to_json(const RunSummary& summary);
-/// The parts of run.json and of sweep.json that say what measures and columns are.
-nlohmann::ordered_json to_list(const std::vector<ColumnSummary>& measures);
-nlohmann::ordered_json to_object(const std::vector<TableSummary>& tables);
+/// The parts of run.json and of sweep.json that describe measures and columns.
+nlohmann::ordered_json to_json_list(const std::vector<ColumnSummary>& measures);
+nlohmann::ordered_json to_json_object(const std::vector<TableSummary>& tables);
 
 /// Parses a run.json; `name` is used in messages. Throws StoreError if it is not complete and
 /// valid.

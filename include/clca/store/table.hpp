@@ -20,15 +20,14 @@ class Table {
   /// Throws std::invalid_argument unless there is one cell per column.
   void add_row(std::vector<Cell> cells);
 
-  /// RFC 4180 with a header line; lines end with a line feed.
-  std::string to_csv() const;
+  std::string to_csv() const;  ///< rFC 4180 with a header line; lines end with a line feed
 
-  /// Bytes that take() would return.
-  std::size_t waiting_bytes() const { return rows_.size(); }
+  /// Bytes that take_csv_rows() would return.
+  std::size_t pending_bytes() const { return rows_.size(); }
   /// Returns the rows added since the last call.
-  std::string take() { return std::exchange(rows_, {}); }
-  std::string header() const;
-  const std::vector<std::string>& columns() const { return columns_; }
+  std::string take_csv_rows() { return std::exchange(rows_, {}); }
+  std::string csv_header() const;
+  const std::vector<std::string>& column_names() const { return columns_; }
 
  private:
   std::vector<std::string> columns_;
@@ -38,15 +37,15 @@ class Table {
 /// A table that was read. Cells are text; empty if there is no value.
 struct ParsedTable {
   std::filesystem::path file;
-  std::vector<std::string> names;               ///< of the columns, all different
+  std::vector<std::string> column_names;        ///< of the columns, all different
   std::vector<std::vector<std::string>> cells;  ///< by column, then row
 
-  std::size_t rows() const { return cells.front().size(); }
+  std::size_t row_count() const { return cells.front().size(); }
   /// The cells of a column; null if there is no such column.
-  const std::vector<std::string>* find(const std::string& name) const;
+  const std::vector<std::string>* find_column(const std::string& name) const;
   /// A column of numbers; NaN for empty cells. Throws StoreError if there is no such column or a
   /// cell is no number.
-  std::vector<double> numbers(const std::string& name) const;
+  std::vector<double> column_numbers(const std::string& name) const;
 };
 
 inline constexpr double kMaxTableBytes = 1 << 30;

@@ -32,19 +32,19 @@ struct ContactFrame {
 };
 
 /// The datasets of a trajectory as a table in Markdown: dataset, rows, type, unit, what.
-std::string datasets_table();
+std::string datasets_markdown_table();
 
 /// A dataset of docs/trajectory.md, in memory.
 struct Dataset {
   std::string path;
-  std::size_t columns = 1;  ///< numbers in a row
+  std::size_t numbers_per_row = 1;  ///< numbers in a row
   std::variant<std::vector<std::uint8_t>, std::vector<std::uint16_t>, std::vector<std::uint32_t>,
                std::vector<std::uint64_t>, std::vector<std::int32_t>, std::vector<double>,
                std::vector<std::string>>
       values;
 };
 
-/// Of a trajectory that has this frame alone, with contacts; but for `scene/name` and
+/// The datasets of a trajectory with this frame alone, with contacts; without `scene/name` and
 /// `scene/units`.
 std::vector<Dataset> datasets(const scene::Scene& scene, const grains::State& state,
                               std::size_t stage, const ContactFrame& contact);
@@ -64,19 +64,17 @@ class TrajectoryWriter {
   /// so that a run resumes at its checkpoint. Throws StoreError.
   TrajectoryWriter(const OutputFolder& run_folder, const scene::Scene& scene,
                    const grains::State& state, const Written& kept);
-  /// Bytes that it takes at most for so many particles.
+  /// Most bytes of memory for so many particles.
   static double bytes_for(const scene::Scene& scene, double particles);
 
   /// Adds a frame of the stage `stage` (from 0) in memory; writes a part when enough has
   /// accumulated.
   /// `stage_begins`: first frame of a stage, where all origins are marked anew. Forces are between
   /// present grains, or grains and other bodies.
-  void add(const grains::State& state, std::size_t stage, bool stage_begins,
-           const ContactFrame& contact = {});
-  /// Writes the frames in memory as a part, and the index.
-  void flush();
-  /// After flush().
-  Written written() const;
+  void add_frame(const grains::State& state, std::size_t stage, bool stage_begins,
+                 const ContactFrame& contact = {});
+  void flush();             ///< writes the frames in memory as a part, and the index
+  Written written() const;  ///< after flush()
 
  private:
   class Impl;
@@ -114,10 +112,10 @@ class Trajectory {
 };
 
 /// Throws StoreError unless all parts of a trajectory are there and have their checksums.
-void check_parts(const std::filesystem::path& run_folder);
+void check_trajectory_parts(const std::filesystem::path& run_folder);
 
-/// Lets the HDF5 library end with the process without writing what is left of files that could not
-/// be written: it would crash. For a program that owns its process, before it uses the library.
+/// Keeps the HDF5 library from writing the rest of failed files at the end of the process, where it
+/// would crash. For a program that owns its process, before it uses the library.
 void disable_hdf5_exit();
 
 }  // namespace clca::store

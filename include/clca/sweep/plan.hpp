@@ -1,6 +1,6 @@
 #pragma once
-// What a sweep is asked for: a scene, varied values, seeds. What follows: every scene parsed, the
-// runs, their order and names.
+// The request of a sweep (a scene, varied values, seeds) and the plan made from it: the parsed
+// scenes, the runs, their order and names.
 
 #include <cstdint>
 #include <filesystem>
@@ -20,15 +20,15 @@ inline constexpr std::size_t kMaxRuns = 100'000;
 /// Keys of the scene, as for scene::Override, that vary together, and their values (YAML).
 struct Variation {
   std::vector<std::string> keys;
-  std::vector<std::vector<std::string>> rows;  ///< each with a value per key
+  std::vector<std::vector<std::string>> value_rows;  ///< each with a value per key
 };
 
 struct Request {
-  std::filesystem::path scene;
+  std::filesystem::path scene_file;
   std::vector<scene::Override> overrides;  ///< for all runs
   std::vector<Variation> variations;
-  std::vector<std::uint64_t> seeds;      ///< ascending
-  std::optional<std::string> text = {};  ///< in place of that of the file
+  std::vector<std::uint64_t> seeds;            ///< ascending
+  std::optional<std::string> scene_text = {};  ///< replaces the text of the file
 };
 
 /// Seeds from `1..16`, `3` or `1,4,9..12`, ascending. Throws scene::SceneError that names
@@ -46,7 +46,7 @@ std::string to_text(const std::vector<std::uint64_t>& seeds);
 
 /// One combination of the varied values.
 struct Variant {
-  std::vector<std::string> values;  ///< one per key of Plan::keys()
+  std::vector<std::string> values;  ///< one per key of Plan::varied_keys()
   scene::Scene scene;               ///< with the first seed
 };
 
@@ -55,18 +55,16 @@ struct Plan {
   Request request;
   std::vector<Variant> variants;
 
-  /// All that vary, in the order of the variations.
-  std::vector<std::string> keys() const;
-  /// Title of the scenes; empty where it varies.
-  std::string title() const;
+  /// All varied keys, in the order of the variations.
+  std::vector<std::string> varied_keys() const;
+  std::string title() const;  ///< title of the scenes; empty where it varies
   std::size_t run_count() const { return variants.size() * request.seeds.size(); }
   const Variant& variant(std::size_t run) const { return variants[run / request.seeds.size()]; }
   std::uint64_t seed(std::size_t run) const { return request.seeds[run % request.seeds.size()]; }
-  /// The scene of a run.
   scene::Scene scene(std::size_t run) const;
   /// Folder name of a run, `rules.inertia=0,seed=3`: the same in every sweep for the same values
   /// and seed. Values that cannot be in a file name are replaced by a hash.
-  std::string name(std::size_t run) const;
+  std::string run_name(std::size_t run) const;
 };
 
 /// A hash of all scenes of a plan, the version of clca and `more`: the same in every process.

@@ -25,10 +25,10 @@
 
 namespace clca::sweep {
 
-/// Every `of`-th run of a plan, from the run `number` (from 1) on.
+/// Every `count`-th run of a plan, from the run `number` (from 1) on.
 struct Part {
   std::size_t number = 1;
-  std::size_t of = 1;
+  std::size_t count = 1;
 };
 
 struct Options {
@@ -40,10 +40,10 @@ struct Options {
   bool all_pictures = false;
   /// Memory for what is read of a run that goes on, in bytes.
   double max_bytes = std::numeric_limits<double>::infinity();
-  /// That share the runs. Who calls execute() has to dismiss the others afterwards.
+  /// Processes that share the runs; the caller of execute() has to dismiss the others afterwards.
   tasks::Ranks* ranks = nullptr;
   /// If not zero, the sweep stops with complete files.
-  const std::atomic<int>* stop = nullptr;
+  const std::atomic<int>* stop_signal = nullptr;
 };
 
 struct RunUnderWay {
@@ -53,14 +53,14 @@ struct RunUnderWay {
 
 /// Progress of a sweep, in numbers of runs.
 struct Progress {
-  std::size_t runs = 0;    ///< of the part, if there is one
-  std::size_t done = 0;    ///< with those of an earlier sweep
-  std::size_t reused = 0;  ///< of those done, by an earlier sweep
-  std::size_t failed = 0;
-  std::size_t elsewhere = 0;   ///< under way in another process that is no rank of this sweep
-  double runs_per_second = 0;  ///< over the runs of this sweep
+  std::size_t total_runs = 0;   ///< of the part, if there is one
+  std::size_t done_runs = 0;    ///< with the reused ones
+  std::size_t reused_runs = 0;  ///< done by an earlier sweep
+  std::size_t failed_runs = 0;
+  std::size_t runs_elsewhere = 0;  ///< under way in processes that are no ranks of this sweep
+  double runs_per_second = 0;      ///< over the runs of this sweep
   std::optional<double> seconds_left;
-  std::vector<RunUnderWay> under_way;  ///< in this process, in the order of the plan
+  std::vector<RunUnderWay> running;  ///< in this process, in the order of the plan
 };
 
 /// Called from the thread that called execute(). `progress` may be empty; the others must not be:
@@ -78,8 +78,8 @@ struct Events {
 /// can be drawn here.
 Progress execute(const Plan& plan, const Options& options, const Events& events = {});
 
-/// What the other ranks call in place of execute(), with the same plan: executes a share of the
-/// runs. Throws tasks::StartError if they cannot begin together, as execute() does, too.
-void serve(const Plan& plan, const Options& options);
+/// Executes a share of the runs. The ranks other than 0 call it in place of execute(), with the
+/// same plan. Like that, throws tasks::StartError if the ranks cannot begin together.
+void work_for_rank_0(const Plan& plan, const Options& options);
 
 }  // namespace clca::sweep

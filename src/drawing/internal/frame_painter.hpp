@@ -25,21 +25,18 @@
 
 namespace clca::drawing {
 
-/// Everything that a picture shows.
 struct PictureContent {
   const grains::State& state;
   grains::Occupancy occupancy;
   const record::CycleRecord* cycles = nullptr;      ///< none where the run is over: then no arrows
   std::optional<store::ContactFrame> contact = {};  ///< of the contact model: what is shown
-  contact::Angle angle = 0;                         ///< of the vessel
+  contact::Angle vessel_angle = 0;                  ///< of the vessel
 };
 
-/// What a picture of the scene shows of a run that is under way.
-PictureContent present_content(const scene::Scene& scene, const model::SceneModel& model,
+PictureContent current_content(const scene::Scene& scene, const model::SceneModel& model,
                                const record::Observers& observers);
 
-/// The part of the plane that pictures show.
-lattice::Rectangle view_of(const scene::Frames& frames, const lattice::Lattice& lattice);
+lattice::Rectangle view_rectangle(const scene::Frames& frames, const lattice::Lattice& lattice);
 
 /// What later pictures need to know of earlier ones; part of a checkpoint.
 struct PictureHistory {
@@ -58,33 +55,29 @@ struct PictureHistory {
 /// marked.
 void begin_stage(PictureHistory& history, const scene::Scene& scene, const scene::Stage& stage,
                  const grains::State& state);
-/// Begins the window before the next picture.
 void begin_window(PictureHistory& history, const scene::Scene& scene, const grains::State& state);
 
-/// Of overlays and colours: the same in all pictures of a run.
+/// Scales of overlays and colours, the same in all pictures of a run.
 struct OverlayScales {
   std::optional<scene::Conversion> conversion = {};
-  /// Drawn as the widest line, in unit_of(scene::kContactForceUnit).
+  /// Drawn as the widest line, in picture_unit(scene::kContactForceUnit).
   double strongest_force = 1;
-  /// Contact model: end of the colours by pressure, in unit_of(scene::kStressUnit).
+  /// Contact model: end of the colours by pressure, in picture_unit(scene::kStressUnit).
   double highest_pressure = 1;
-  /// Side of the cells of velocities, lattice spacings.
-  double velocity_cell = 1;
-  /// Half of the end of the colours by speed, in `velocity_unit`.
-  double highest_velocity = 1;
+  double velocity_cell_size = 1;  ///< side of the cells of velocities, lattice spacings
+  double middle_speed = 1;        ///< speed in the middle of its colour bar, in `velocity_unit`
   /// Drawn as an arrow of 0.9 cells, in `velocity_unit`. None: by the arrows of each picture.
   std::optional<double> arrow_velocity = {};
-  /// Contact model: of a grain of mean diameter that rolls at the highest velocity, radians per
+  /// Contact model: of a grain of mean diameter that rolls at the middle speed, radians per
   /// unit of time.
   double highest_spin = 1;
-  /// A lattice spacing per step, in `velocity_unit`.
-  double step_velocity = 1;
+  double step_velocity = 1;  ///< a lattice spacing per step, in `velocity_unit`
   render::UnitName velocity_unit;
 
-  /// The unit of pictures in place of one of the contact model: in SI where there is a density.
-  std::string unit_of(std::string_view unit) const;
-  /// One `unit` of the contact model, in unit_of(unit). `state` gives the mean mass of grains.
-  double value_of(std::string_view unit, const grains::State& state) const;
+  /// The unit in pictures for a unit of the contact model: in SI where there is a density.
+  std::string picture_unit(std::string_view unit) const;
+  /// One `unit` of the contact model, in picture_unit(unit). `state` gives the mean mass of grains.
+  double unit_factor(std::string_view unit, const grains::State& state) const;
 };
 
 /// From the keys of `output.frames`. Their defaults:
@@ -92,7 +85,7 @@ struct OverlayScales {
 ///   as many of each species, rounded to 1, 2 or 5 times a power of ten; few forces exceed it;
 /// - the highest pressure is that force over the mean diameter;
 /// - a cell is 3 mean diameters of the species wide, and at least a 30th of the view;
-/// - the highest velocity is half a spacing per step, or with the contact model half of that after
+/// - the middle speed is half a spacing per step, or with the contact model half of that after
 ///   a fall from the fall height, rounded down in the same way.
 OverlayScales overlay_scales(const scene::Scene& scene);
 
@@ -107,18 +100,17 @@ double typical_velocity(const PictureContent& content, const PictureHistory& his
 render::Overlay overlay_of(scene::Overlay overlay, const PictureContent& content,
                            const PictureHistory& history, const OverlayScales& scales);
 
-/// A captured picture with its annotations, not yet rasterized.
 struct CapturedFrame {
   render::Capture capture;
   render::Caption caption;
   render::Overlay overlay;
-  double turn = 0;  ///< degrees anticlockwise
+  double turn_degrees = 0;  ///< degrees anticlockwise
   image::PngText text;
 };
 
 struct Picture {
   render::Image image;
-  std::string moment;  ///< stage and step, or time
+  std::string moment_text;  ///< stage and step, or time
   render::Legend legend;
   image::PngText text;
 };
@@ -126,11 +118,10 @@ struct Picture {
 /// Provenance of a picture, without stage and step.
 image::PngText scene_metadata(const scene::Scene& scene);
 
-/// What pictures are drawn for.
 struct PictureUse {
-  int threads = 1;      ///< of captures
-  bool vector = false;  ///< captures serve FramePainter::pdf()
-  int tile_width = 0;   ///< pixels; not 0: tiles of a contact sheet alone, nothing around the view
+  int threads = 1;       ///< of captures
+  bool for_pdf = false;  ///< captures serve FramePainter::pdf()
+  int tile_width = 0;    ///< pixels; not 0: tiles of a contact sheet alone, nothing around the view
 };
 
 /// One thread may capture the next picture while another rasterizes.
@@ -140,8 +131,8 @@ class FramePainter {
   /// draw it.
   FramePainter(const scene::Scene& scene, const grains::State& state, const PictureUse& use);
 
-  /// Memory for pictures of so many particles, of which so many are captured at a time.
-  static double bytes(const scene::Scene& scene, double particles, int captures);
+  /// Bytes for pictures of so many particles, with so many captures at a time.
+  static double bytes_for(const scene::Scene& scene, double particles, int captures);
 
   /// The scales of all pictures; set arrow_velocity before the first one, so that all share it.
   OverlayScales& scales() { return scales_; }
@@ -153,13 +144,12 @@ class FramePainter {
 
   /// The tile of a contact sheet, without label.
   render::Tile tile(const Picture& picture, int width) const;
-  render::PixelBox view() const { return painter_.view().box; }  ///< where the particles are
+  render::PixelBox view_box() const { return painter_.view().box; }  ///< where the particles are
 
   int width() const { return painter_.width(); }  ///< pixels of a picture
   int height() const { return painter_.height(); }
 
  private:
-  /// The colours of the particles.
   render::Coloring coloring(const PictureContent& content, const PictureHistory& history) const;
 
   const scene::Scene& scene_;
@@ -174,8 +164,7 @@ std::unique_ptr<record::Observer> pictures_observer(const scene::Scene& scene,
                                                     const grains::State& state, int threads,
                                                     bool only_last);
 
-/// Memory that the pictures_observer() takes at most, with its share of a checkpoint; 0 for a scene
-/// without frames.
-double picture_bytes(const scene::Scene& scene, double particles);
+/// Most bytes of a pictures_observer(), with its part of a checkpoint; 0 without frames.
+double picture_memory_bytes(const scene::Scene& scene, double particles);
 
 }  // namespace clca::drawing

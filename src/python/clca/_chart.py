@@ -302,8 +302,8 @@ def page_figure(chart: Chart, look: FileFormat, width: float, height: float | No
     tall = max(total - above * line, 4 * line) / rows - 3 * line
     for number, (those, panel) in enumerate(zip(axes, panels)):
         set_labels(those, panel, max(wide, 3 * line), max(tall, 3 * line), letter)
-        title = wrapped(plain_for_matplotlib(panel.title), width / columns - 3 * line, letter) if len(panels) > 1 else ""
-        those[0].set_title(title, loc="left")
+        panel_title = wrapped(plain_for_matplotlib(panel.title), width / columns - 3 * line, letter) if len(panels) > 1 else ""
+        those[0].set_title(panel_title, loc="left")
         if len(panels) > 1:
             x_label = those[0].get_xlabel()
             those[0].label_outer()

@@ -166,7 +166,7 @@ class RunTable {
   /// the table is not open.
   void write_rows(std::size_t least);
   /// Whether there is no row to write.
-  bool is_empty() const { return table_.waiting_bytes() == 0; }
+  bool is_empty() const { return table_.pending_bytes() == 0; }
   /// Of others: writes the rows since the last call, or forgets them without a folder.
   void write(const store::OutputFolder* folder, const std::string& part = "");
 

@@ -31,21 +31,21 @@ struct Library {
   std::function<void*()> create;
   std::function<void(void* context)> destroy;
   std::function<bool(void* context)> use;  ///< null: none
-  std::function<Context::Function(const char* name)> address;
+  std::function<GlContext::Function(const char* name)> address;
 };
 
-void* found(void* place) {
+void* checked_pointer(void* place) {
   return place != nullptr ? place : throw RenderError(::dlerror());
 }
 
 void* shared_library(const char* name) {
   require_memory(std::size_t{384} << 20U);
-  return found(::dlopen(name, RTLD_NOW | RTLD_LOCAL));
+  return checked_pointer(::dlopen(name, RTLD_NOW | RTLD_LOCAL));
 }
 
 template <class Function>
 Function* function_of(void* library, const char* name) {
-  return reinterpret_cast<Function*>(found(::dlsym(library, name)));
+  return reinterpret_cast<Function*>(checked_pointer(::dlsym(library, name)));
 }
 
 #ifdef CLCA_OSMESA
@@ -96,8 +96,7 @@ Library egl() {
 }
 #endif
 
-/// The first library that there is. Throws RenderError.
-Library loaded() {
+Library first_library() {
   std::string problems;
   for (Library (*const load)() : {
 #ifdef CLCA_OSMESA
@@ -117,12 +116,12 @@ Library loaded() {
 }
 
 const Library& library() {
-  static const Library kLibrary = loaded();
+  static const Library kLibrary = first_library();
   return kLibrary;
 }
 
 void* new_context() {
-  prepare_polygons();
+  prepare_opengl();
   require_memory();
   void* context = library().create();
   if (context == nullptr) {
@@ -133,18 +132,18 @@ void* new_context() {
 
 }  // namespace
 
-Context::Context() : handle_(new_context()) {}
+GlContext::GlContext() : handle_(new_context()) {}
 
-Context::~Context() {
+GlContext::~GlContext() {
   library().destroy(handle_);
 }
 
-Context::Function Context::function(const char* name) {
+GlContext::Function GlContext::function(const char* name) {
   const Function found = library().address(name);
   return found != nullptr ? found : throw RenderError(fmt::format("OpenGL has no {}", name));
 }
 
-std::shared_ptr<void> Context::current() const {
+std::shared_ptr<void> GlContext::make_current() const {
   require_memory();
   if (!library().use(handle_)) {
     throw RenderError("the OpenGL context cannot be used");
@@ -165,7 +164,7 @@ std::string environment_problem(const char* driver, const char* vector_width) {
   return {};
 }
 
-void prepare_polygons() {
+void prepare_opengl() {
   static std::mutex mutex;  // setenv races with itself
   const std::lock_guard lock(mutex);
   const std::string problem =

@@ -7,21 +7,20 @@
 
 namespace clca::render {
 
-class Context {
+class GlContext {
  public:
   using Function = void (*)();
 
-  /// Throws RenderError, std::bad_alloc.
-  Context();
-  ~Context();
-  Context(const Context&) = delete;
-  Context& operator=(const Context&) = delete;
+  GlContext();  ///< throws RenderError, std::bad_alloc
+  ~GlContext();
+  GlContext(const GlContext&) = delete;
+  GlContext& operator=(const GlContext&) = delete;
 
   /// An OpenGL function. Throws RenderError when there is none of that name.
   static Function function(const char* name);
 
-  /// Makes it current for this thread, as long as there is what is returned.
-  [[nodiscard]] std::shared_ptr<void> current() const;
+  /// Makes it current for this thread, until the returned guard is destroyed.
+  [[nodiscard]] std::shared_ptr<void> make_current() const;
 
  private:
   void* handle_ = nullptr;

@@ -7,11 +7,11 @@ namespace clca::render {
 
 PolygonPainter polygon_painter(const Projection& /*projection*/, int /*samples*/,
                                const PixelBox& /*box*/, std::span<const grains::Kind> /*kinds*/) {
-  prepare_polygons();
+  prepare_opengl();
   return {};
 }
 
-void prepare_polygons() {
+void prepare_opengl() {
   throw RenderError("this build draws no polygons: it was made without OSMesa and EGL");
 }
 

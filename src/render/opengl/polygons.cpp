@@ -32,7 +32,7 @@ using lattice::Axial;
 struct Gl {
 // NOLINTBEGIN(bugprone-macro-parentheses): a name that is declared has none
 #define CLCA_GL(name) \
-  decltype(&gl##name) name = reinterpret_cast<decltype(name)>(Context::function("gl" #name));
+  decltype(&gl##name) name = reinterpret_cast<decltype(name)>(GlContext::function("gl" #name));
   // NOLINTEND(bugprone-macro-parentheses)
   CLCA_GL_FUNCTIONS(CLCA_GL)
 #undef CLCA_GL
@@ -44,7 +44,6 @@ struct Vertex {
   std::uint8_t red = 0, green = 0, blue = 0, alpha = 255;
 };
 
-/// A corner of a triangle.
 struct Corner {
   Axial point;                                      ///< from the reference site
   Eigen::Vector2d inward{Eigen::Vector2d::Zero()};  ///< in widths of the outline
@@ -93,7 +92,7 @@ class Canvas {
         add_line(triangles_[kind], outline(kinds[kind].shape));
       }
     }
-    const auto current = context_.current();
+    const auto current = context_.make_current();
     gl_.emplace();
     add_framebuffer();
     gl_->Viewport(0, 0, projection.width, projection.height);
@@ -105,7 +104,7 @@ class Canvas {
 
   std::vector<Sample> drawn(std::span<const Body> bodies) const {
     constexpr std::size_t kMaxVertices = std::size_t{3} << 16U;  // at a time: 2.4 MB
-    const auto current = context_.current();
+    const auto current = context_.make_current();
     gl_->Disable(GL_SCISSOR_TEST);
     gl_->Clear(GL_COLOR_BUFFER_BIT);
     gl_->Enable(GL_SCISSOR_TEST);
@@ -166,7 +165,8 @@ class Canvas {
       // Exact whole numbers, so bodies that share a corner agree on it to the last bit.
       const Eigen::Vector2d place = position_from_halves(body.place + corner.point) +
                                     projection_.outline_width * corner.inward;
-      const Eigen::Array2d sample = projection_.scale * (place - projection_.corner).array();
+      const Eigen::Array2d sample =
+          projection_.samples_per_spacing * (place - projection_.corner).array();
       const Eigen::Array2f clip = (2 * sample / size - 1).cast<float>();
       const Rgb color = corner.outlined ? outline : body.fill;
       vertices.push_back({clip.x(), clip.y(), color.red, color.green, color.blue});
@@ -176,7 +176,7 @@ class Canvas {
   Projection projection_;
   int samples_;
   std::vector<Triangles> triangles_;  // by kind
-  Context context_;
+  GlContext context_;
   std::optional<Gl> gl_;
 };
 

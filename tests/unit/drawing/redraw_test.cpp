@@ -70,7 +70,7 @@ class RedrawTest : public ::testing::Test {
       testing::run_and_store(scene, run, 5);
     }
     Redraw redraw({{scene, run, store::OutputFolder(again)}}, {});
-    EXPECT_EQ(redraw.draw(), redraw.moments());
+    EXPECT_EQ(redraw.draw(), redraw.moment_count());
     ASSERT_EQ(names(again), names(run / "frames"));
     ASSERT_GT(names(again).size(), 5U);
     expect_pictures_of(run, again);
@@ -110,7 +110,7 @@ TEST_F(RedrawTest, VelocitiesAreThoseSinceThePictureBeforeEvenIfItIsNotDrawn) {
   const fs::path run = at("run");
   const fs::path some = at("some");
   const std::uint64_t steps = testing::run_and_store(scene, run, 5).steps;
-  Redraw({{scene, run, store::OutputFolder(some)}}, {.from = steps - 15}).draw();
+  Redraw({{scene, run, store::OutputFolder(some)}}, {.first_step = steps - 15}).draw();
   ASSERT_EQ(names(some).size(), 2U);
   expect_pictures_of(run, some);
 }
@@ -120,17 +120,17 @@ TEST_F(RedrawTest, ArrowsOfAMovieHaveOneScale) {
   const fs::path run = at("run");
   testing::run_and_store(scene, run, 5);
   RunDrawing drawing({scene, run}, {}, 1e9);
-  drawing.prepare();
+  drawing.prepare_painter();
   const auto keys = [&] {
     std::set<std::string> result;
-    for (std::size_t number = 0; number < drawing.pictures(); ++number) {
+    for (std::size_t number = 0; number < drawing.picture_count(); ++number) {
       const Picture picture = drawing.painter().rasterize(drawing.capture(number));
       result.insert(picture.legend.lines.front().label);
     }
     return result;
   };
   EXPECT_GT(keys().size(), 1U) << "each picture has its own";
-  drawing.share_arrow_scale();
+  drawing.unify_arrow_scale();
   EXPECT_EQ(keys().size(), 1U);
 }
 
@@ -193,18 +193,18 @@ TEST_F(RedrawTest, DrawsStepsOfARangeOnlyOrTheNearestOneAndSaysSo) {
   const scene::Scene scene = parse(kDrained);
   testing::run_and_store(scene, at("run"), 10);
   const std::vector<RunToDraw> runs = {{scene, at("run"), store::OutputFolder(at("some"))}};
-  RedrawOptions options = {.from = 10, .to = 20};
+  RedrawOptions options = {.first_step = 10, .last_step = 20};
   Redraw(runs, options).draw();
   EXPECT_THAT(names(at("some")), ElementsAre("tried-000010.png", "tried-000020.png"));
-  options.from = 16;
-  options.to = 19;
+  options.first_step = 16;
+  options.last_step = 19;
   std::string warning;
   Redraw(runs, options).draw({.warning = [&](const std::string& text) { warning = text; }});
   EXPECT_THAT(warning,
               HasSubstr("no picture of the steps 16 to 19; step 20 of the trajectory is drawn"));
-  EXPECT_THROW(picture(runs.front(), 16, 1e9), RedrawError);
-  EXPECT_GT(picture(runs.front(), 20, 1e9).width, 0);
-  options.from = 20;
+  EXPECT_THROW(picture_of_step(runs.front(), 16, 1e9), RedrawError);
+  EXPECT_GT(picture_of_step(runs.front(), 20, 1e9).width, 0);
+  options.first_step = 20;
   EXPECT_THROW(Redraw(runs, options), RedrawError) << "a range that ends before it begins";
 }
 
@@ -212,25 +212,25 @@ TEST_F(RedrawTest, DrawsAStageAloneFromItsFirstFrame) {
   const scene::Scene scene = parse(kFalling, {"output.frames.every=1000"});
   testing::run_and_store(scene, at("run"), 7);
   const std::vector<RunToDraw> runs = {{scene, at("run"), store::OutputFolder(at("some"))}};
-  RedrawOptions options = {.stage = "again"};
+  RedrawOptions options = {.only_stage = "again"};
   Redraw(runs, options).draw();
   EXPECT_THAT(names(at("some")), ElementsAre("tried-000060.png", "tried-000100.png"));
-  options.to = 50;
+  options.last_step = 50;
   EXPECT_THROW(Redraw(runs, options), RedrawError) << "a range before the stage";
-  EXPECT_THROW(Redraw(runs, {.stage = "agian"}), RedrawError);
+  EXPECT_THROW(Redraw(runs, {.only_stage = "agian"}), RedrawError);
 }
 
 TEST_F(RedrawTest, AMovieOfAGivenLengthHasPicturesEvenlyChosen) {
   const scene::Scene scene = parse(kDrained, {"output.frames.every=1"});
   testing::run_and_store(scene, at("run"), 1);
   const std::vector<RunToDraw> runs = {{scene, at("run")}};
-  RedrawOptions options = {.movie = at("a.png"), .frames_per_second = 10};
-  const std::size_t all = Redraw(runs, options).moments();
+  RedrawOptions options = {.movie_file = at("a.png"), .frames_per_second = 10};
+  const std::size_t all = Redraw(runs, options).moment_count();
   ASSERT_GT(all, 24U);
-  options.duration = 1.2;
-  EXPECT_EQ(Redraw(runs, options).moments(), 12U);
-  options.duration = 1e3;
-  EXPECT_EQ(Redraw(runs, options).moments(), all);
+  options.movie_seconds = 1.2;
+  EXPECT_EQ(Redraw(runs, options).moment_count(), 12U);
+  options.movie_seconds = 1e3;
+  EXPECT_EQ(Redraw(runs, options).moment_count(), all);
 }
 
 TEST_F(RedrawTest, AContactSheetLeavesOutPicturesThatLookLikeTheOneBefore) {
@@ -239,7 +239,9 @@ TEST_F(RedrawTest, AContactSheetLeavesOutPicturesThatLookLikeTheOneBefore) {
   run::run(scene, {.folder = run});
   const auto height_of_sheet = [&](std::uint64_t from, std::uint64_t to) {
     const fs::path sheet = at("sheet.png");
-    Redraw({{scene, run}}, {.sheet = sheet, .columns = 1, .from = from, .to = to}).draw();
+    Redraw({{scene, run}},
+           {.sheet_file = sheet, .sheet_columns = 1, .first_step = from, .last_step = to})
+        .draw();
     return image::decode_png(testing::bytes_of(sheet)).image.height;
   };
   // They lie on the table from step 49 on.
@@ -251,7 +253,7 @@ TEST_F(RedrawTest, AContactSheetShowsPicturesEvenlyChosenWithoutWritingThem) {
   const scene::Scene scene = parse(kDrained, {"output.frames.every=1"});
   testing::run_and_store(scene, at("run"), 2);
   const fs::path sheet = at("sheet.png");
-  Redraw redraw({{scene, at("run")}}, {.sheet = sheet, .columns = 4});
+  Redraw redraw({{scene, at("run")}}, {.sheet_file = sheet, .sheet_columns = 4});
   EXPECT_GT(redraw.draw(), 24U);
   const image::DecodedPng png = image::decode_png(testing::bytes_of(sheet));
   EXPECT_EQ(png.text.at("Title"), "Drained");
@@ -269,14 +271,15 @@ TEST_F(RedrawTest, TilesOfASheetLookAsThePicturesMadeSmaller) {
   testing::run_and_store(scene, run_folder, 2);
   const auto sheet = [&](const char* name, const std::optional<store::OutputFolder>& pictures) {
     const fs::path file = folder_.path() / name;
-    Redraw({{scene, run_folder, pictures}}, {.sheet = file, .columns = 3}).draw();
+    Redraw({{scene, run_folder, pictures}}, {.sheet_file = file, .sheet_columns = 3}).draw();
     return image::decode_png(testing::bytes_of(file)).image;
   };
   const image::Image small = sheet("small.png", std::nullopt);
   const image::Image made_smaller = sheet("smaller.png", store::OutputFolder(at("pictures")));
   ASSERT_EQ(small.width, made_smaller.width);
   ASSERT_EQ(small.height, made_smaller.height);
-  EXPECT_LT(render::difference_of(small, made_smaller, 64).pixels, small.pixels.size() / 1000);
+  EXPECT_LT(render::difference_of(small, made_smaller, 64).differing_pixels,
+            small.pixels.size() / 1000);
 }
 
 TEST_F(RedrawTest, AskedToStopItLeavesWhatIsDrawnWhole) {
@@ -284,16 +287,18 @@ TEST_F(RedrawTest, AskedToStopItLeavesWhatIsDrawnWhole) {
   testing::run_and_store(scene, at("run"), 1);
   std::atomic<int> stop = 0;
   Redraw redraw({{scene, at("run"), store::OutputFolder(at("some"))}},
-                {.sheet = at("sheet.png"), .stop = &stop});
+                {.sheet_file = at("sheet.png"), .stop_signal = &stop});
   const std::size_t drawn =
       redraw.draw({.progress = [&](const RedrawProgress&) { stop = 2; }, .progress_interval = {}});
   EXPECT_GT(drawn, 0U);
-  EXPECT_LT(drawn, redraw.moments());
+  EXPECT_LT(drawn, redraw.moment_count());
   EXPECT_EQ(names(at("some")).size(), drawn);
   image::decode_png(testing::bytes_of(at("sheet.png")));
 
   stop = 2;
-  EXPECT_EQ(Redraw({{scene, at("run")}}, {.sheet = at("none.png"), .stop = &stop}).draw(), 0U);
+  EXPECT_EQ(
+      Redraw({{scene, at("run")}}, {.sheet_file = at("none.png"), .stop_signal = &stop}).draw(),
+      0U);
   EXPECT_FALSE(fs::exists(at("none.png")));
 }
 
@@ -307,8 +312,8 @@ TEST_F(RedrawTest, SeveralRunsShareTheEndsOfTheirColourBars) {
   testing::run_and_store(high, at("high"), 10);
   testing::run_and_store(lower, at("lower"), 10);
   const auto last_picture = [&](const std::vector<RunToDraw>& runs) {
-    Redraw(runs, {.to = 20}).draw();
-    const fs::path folder = runs.back().pictures->path();
+    Redraw(runs, {.last_step = 20}).draw();
+    const fs::path folder = runs.back().picture_folder->path();
     return image::decode_png(testing::bytes_of(folder / *names(folder).rbegin())).image;
   };
   const auto together =
@@ -332,10 +337,11 @@ TEST_F(RedrawTest, SeveralRunsStandSideBySideAtEqualSteps) {
   const fs::path sheet = at("sheet.png");
   const fs::path movie = at("movie.png");
   Redraw redraw({{often, at("often")}, {rarely, at("rarely")}},
-                {.movie = movie, .sheet = sheet, .columns = 9});
-  EXPECT_EQ(redraw.draw(), redraw.moments());
+                {.movie_file = movie, .sheet_file = sheet, .sheet_columns = 9});
+  EXPECT_EQ(redraw.draw(), redraw.moment_count());
   const Redraw alone({{often, at("often")}}, {});
-  EXPECT_GE(redraw.moments(), alone.moments());  // all of its moments and some of the other
+  EXPECT_GE(redraw.moment_count(),
+            alone.moment_count());  // all of its moments and some of the other
   const image::Image picture = image::decode_png(testing::bytes_of(movie)).image;
   EXPECT_EQ(picture.width, 200 + 120);
   EXPECT_EQ(picture.height, 160);
@@ -368,7 +374,7 @@ TEST_F(RedrawTest, APdfShowsWhatThePictureShows) {
     const fs::path run = folder_.path() / (std::string("run-") + drawing);
     testing::run_and_store(scene, run, 5);
     const fs::path pdf = folder_.path() / (std::string("pdf-") + drawing);
-    Redraw({{scene, run, store::OutputFolder(pdf)}}, {.pdf = true, .to = 30}).draw();
+    Redraw({{scene, run, store::OutputFolder(pdf)}}, {.as_pdf = true, .last_step = 30}).draw();
     for (const char* name : {"tried-000000", "tried-000030"}) {
       const image::Image page = shown(pdf / (std::string(name) + ".pdf"));
       const image::Image picture =
@@ -377,12 +383,15 @@ TEST_F(RedrawTest, APdfShowsWhatThePictureShows) {
       ASSERT_EQ(page.height, picture.height);
       // Each program draws edges in its own way, and shifts pictures by up to a pixel.
       const auto means = [](const image::Image& image) {
-        return render::scaled(image, image.width / 16, image.height / 16);
+        return render::resized(image, image.width / 16, image.height / 16);
       };
-      EXPECT_LE(render::difference_of(means(page), means(picture), 0).largest, 32) << name;
+      EXPECT_LE(render::difference_of(means(page), means(picture), 0).largest_difference, 32)
+          << name;
     }
     const std::vector<std::uint8_t> once = testing::bytes_of(pdf / "tried-000030.pdf");
-    Redraw({{scene, run, store::OutputFolder(pdf)}}, {.pdf = true, .from = 30, .to = 30}).draw();
+    Redraw({{scene, run, store::OutputFolder(pdf)}},
+           {.as_pdf = true, .first_step = 30, .last_step = 30})
+        .draw();
     EXPECT_EQ(testing::bytes_of(pdf / "tried-000030.pdf"), once);
   }
 }
@@ -392,12 +401,12 @@ using Frames = std::vector<store::Trajectory::Frame>;
 TEST(FrameChoiceTest, StagesBeginAndEndWithAPictureAndNoStepIsDrawnTwice) {
   const Frames frames = {{0, 0, 1},  {4, 0, 1},  {8, 0, 1},  {10, 0, 1}, {10, 1, 1},
                          {14, 1, 1}, {18, 1, 1}, {22, 1, 1}, {26, 1, 1}, {27, 1, 1}};
-  EXPECT_THAT(frame_choice(frames, 1), ElementsAre(0, 1, 2, 3, 5, 6, 7, 8, 9));
-  EXPECT_THAT(frame_choice(frames, 8), ElementsAre(0, 2, 3, 6, 8, 9));
-  EXPECT_THAT(frame_choice(frames, 10), ElementsAre(0, 3, 7, 9));
-  EXPECT_THAT(frame_choice(frames, 1000), ElementsAre(0, 3, 9));
-  EXPECT_THAT(frame_choice({{3, 0, 0}}, 5), ElementsAre(0));
-  EXPECT_TRUE(frame_choice({}, 5).empty());
+  EXPECT_THAT(chosen_frames(frames, 1), ElementsAre(0, 1, 2, 3, 5, 6, 7, 8, 9));
+  EXPECT_THAT(chosen_frames(frames, 8), ElementsAre(0, 2, 3, 6, 8, 9));
+  EXPECT_THAT(chosen_frames(frames, 10), ElementsAre(0, 3, 7, 9));
+  EXPECT_THAT(chosen_frames(frames, 1000), ElementsAre(0, 3, 9));
+  EXPECT_THAT(chosen_frames({{3, 0, 0}}, 5), ElementsAre(0));
+  EXPECT_TRUE(chosen_frames({}, 5).empty());
 }
 
 TEST(FrameChoiceTest, SomeOfManyLieEvenlyWithBothEnds) {
@@ -405,7 +414,7 @@ TEST(FrameChoiceTest, SomeOfManyLieEvenlyWithBothEnds) {
     for (const std::size_t count : {1U, 2U, 5U, 24U, 25U, 47U, 48U, 49U, 1000U}) {
       std::vector<std::size_t> chosen;
       for (std::size_t i = 0; i < count; ++i) {
-        if (is_among(i, count, most)) {
+        if (is_evenly_chosen(i, count, most)) {
           chosen.push_back(i);
         }
       }

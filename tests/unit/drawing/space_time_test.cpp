@@ -60,7 +60,7 @@ scene::Scene falling(const std::vector<std::string>& settings) {
 
 class SpaceTimeTest : public ::testing::Test {
  protected:
-  SpaceTimeTest() { run::run(run_.scene, {.folder = run_.folder}); }
+  SpaceTimeTest() { run::run(run_.scene, {.folder = run_.run_folder}); }
 
   testing::ScratchFolder folder_;
   RunToDraw run_ = {falling({"output.frames.every=7"}), folder_.path() / "run"};
@@ -68,9 +68,9 @@ class SpaceTimeTest : public ::testing::Test {
 
 TEST_F(SpaceTimeTest, AColumnOverTimeHoldsEachFrameUntilTheNext) {
   Redraw redraw({run_}, {.space_time = SpaceTimeOptions{
-                             .file = folder_.path() / "a.png", .column = 10, .slit = 20}});
+                             .file = folder_.path() / "a.png", .column_x = 10, .slit_width = 20}});
   EXPECT_GT(redraw.draw(), 10U);
-  const image::Image image = redraw.space_time().content;
+  const image::Image image = redraw.space_time_picture().plot_image;
   ASSERT_EQ(image.width, 100);  // a pixel a step
   const auto same = [&](int one, int other) {
     for (int y = 0; y < image.height; ++y) {
@@ -93,13 +93,14 @@ TEST_F(SpaceTimeTest, AColumnOverTimeHoldsEachFrameUntilTheNext) {
 
 TEST_F(SpaceTimeTest, APictureOverTimeHasAllPicturesWhateverAMovieBesideItShows) {
   const auto space_time = [&](const fs::path& movie, std::optional<double> duration) {
-    Redraw redraw({run_}, {.movie = movie,
-                           .frames_per_second = 10,
-                           .duration = duration,
-                           .space_time = SpaceTimeOptions{
-                               .file = folder_.path() / "column.png", .column = 10, .slit = 20}});
+    Redraw redraw({run_},
+                  {.movie_file = movie,
+                   .frames_per_second = 10,
+                   .movie_seconds = duration,
+                   .space_time = SpaceTimeOptions{
+                       .file = folder_.path() / "column.png", .column_x = 10, .slit_width = 20}});
     redraw.draw();
-    return redraw.space_time().content;
+    return redraw.space_time_picture().plot_image;
   };
   EXPECT_EQ(space_time(folder_.path() / "movie.png", 0.5), space_time("", {}));
 }
@@ -107,37 +108,41 @@ TEST_F(SpaceTimeTest, APictureOverTimeHasAllPicturesWhateverAMovieBesideItShows)
 TEST_F(SpaceTimeTest, TheSurfaceOverTimeIsWhiteWhereThereAreNoGrains) {
   Redraw redraw({run_}, {.space_time = SpaceTimeOptions{.file = folder_.path() / "surface.png"}});
   redraw.draw();
-  const image::Image image = redraw.space_time().content;
+  const image::Image image = redraw.space_time_picture().plot_image;
   const image::Rgb white = {255, 255, 255};
   EXPECT_EQ(image.at(0, 0), white);
   EXPECT_EQ(image.at(0, image.height - 1), white);
-  EXPECT_GT(std::count(image.pixels.begin(), image.pixels.end(), render::map_color(1)), 0);
+  EXPECT_GT(std::count(image.pixels.begin(), image.pixels.end(), render::viridis_color(1)), 0);
 }
 
 TEST_F(SpaceTimeTest, WhatCannotBeShownOverTimeIsRefused) {
   const auto refusal = [&](const SpaceTimeOptions& options, const std::vector<std::string>& keys,
                            std::uint64_t to = 100) {
     try {
-      const Redraw none({{falling(keys), run_.folder}}, {.space_time = options, .to = to});
+      const Redraw none({{falling(keys), run_.run_folder}},
+                        {.space_time = options, .last_step = to});
     } catch (const RedrawError& error) {
       return std::string(error.what());
     }
     return std::string();
   };
   const fs::path file = folder_.path() / "a.png";
-  EXPECT_EQ(refusal({.file = file, .column = 10}, {}), "");
-  EXPECT_THAT(refusal({.file = folder_.path() / "a.pdf", .column = 10}, {}),
+  EXPECT_EQ(refusal({.file = file, .column_x = 10}, {}), "");
+  EXPECT_THAT(refusal({.file = folder_.path() / "a.pdf", .column_x = 10}, {}),
               HasSubstr("a.pdf: a picture over time ends in .png"));
-  EXPECT_THAT(refusal({.file = file, .column = 21}, {}),
+  EXPECT_THAT(refusal({.file = file, .column_x = 21}, {}),
               HasSubstr("the column at x = 21 reaches beyond the box in view"));
-  EXPECT_THAT(refusal({.file = file, .column = 10, .slit = 30}, {}),
+  EXPECT_THAT(refusal({.file = file, .column_x = 10, .slit_width = 30}, {}),
               HasSubstr("expected a slit above 0 and up to"));
-  EXPECT_THAT(refusal({.file = file, .column = 1, .slit = 10}, {}), HasSubstr("beyond the box"));
-  EXPECT_THAT(refusal({.file = file, .column = 10}, {}, 0), HasSubstr("needs frames of two steps"));
-  EXPECT_THAT(refusal({.file = file, .column = 10}, {"output.frames.color_by=displacement"}),
+  EXPECT_THAT(refusal({.file = file, .column_x = 1, .slit_width = 10}, {}),
+              HasSubstr("beyond the box"));
+  EXPECT_THAT(refusal({.file = file, .column_x = 10}, {}, 0),
+              HasSubstr("needs frames of two steps"));
+  EXPECT_THAT(refusal({.file = file, .column_x = 10}, {"output.frames.color_by=displacement"}),
               HasSubstr("another colour bar in each stage"));
   EXPECT_EQ(refusal({.file = file}, {"output.frames.color_by=displacement"}), "");
-  EXPECT_EQ(refusal({.file = file, .column = 10}, {"output.frames.color_by=displacement"}, 50), "");
+  EXPECT_EQ(refusal({.file = file, .column_x = 10}, {"output.frames.color_by=displacement"}, 50),
+            "");
   EXPECT_FALSE(fs::exists(file));
 }
 

@@ -61,7 +61,7 @@ class SeriesForces : public ::testing::Test {
  protected:
   fs::path path(const char* name = "run") const { return folder.path() / name; }
   std::vector<double> column(const std::string& name, const char* run = "run") const {
-    return store::read_table(path(run) / "series.csv").numbers(name);
+    return store::read_table(path(run) / "series.csv").column_numbers(name);
   }
   void run_of(const char* text, const std::vector<scene::Override>& overrides = {},
               const char* name = "run") const {
@@ -132,8 +132,8 @@ TEST_F(SeriesForces, TheTorqueOfAGrainIsItsWeightTimesTheLever) {
   const auto force = column("force_y.plate");
   const auto torque = column("torque.plate");
   const auto rest = static_cast<std::size_t>(
-      std::find(stage.find("stage")->begin(), stage.find("stage")->end(), "turn") -
-      stage.find("stage")->begin() - 1);
+      std::find(stage.find_column("stage")->begin(), stage.find_column("stage")->end(), "turn") -
+      stage.find_column("stage")->begin() - 1);
   EXPECT_NEAR(force[rest], -kSites, 1e-3 * kSites);
   // Where the grain lies: from 39 to 45 in the fill.
   const double lever = torque[rest] / force[rest];
@@ -161,11 +161,12 @@ TEST_F(SeriesForces, OfARunThatWasStoppedAreTheSameBytes) {
   const run::RunEvents events = {
       .progress = [&](const run::Progress& at) { stop = at.step >= until ? 15 : 0; },
       .progress_interval = {}};
-  run::run(scene, {.folder = path(), .stop = &stop}, events);
+  run::run(scene, {.folder = path(), .stop_signal = &stop}, events);
   for (const std::uint64_t next : {100U, 101U, 333U, 500U, 501U, 657U}) {
     until = next;
     stop = 0;
-    run::resume(run::load_run(path(), kMuch), {.reference = next == 333U, .stop = &stop}, events);
+    run::resume(run::load_run(path(), kMuch),
+                {.use_reference_step = next == 333U, .stop_signal = &stop}, events);
   }
   EXPECT_EQ(run::resume(run::load_run(path(), kMuch), {}).status, "done");
   EXPECT_EQ(testing::bytes_of(path() / "series.csv"),
@@ -195,9 +196,9 @@ TEST_F(SeriesForces, AreNewtonsWithADensity) {
   EXPECT_NEAR(column("force_y.plate").at(60), -1.1894e-4, 1e-7);  // 7 sites
   const KnownQuantities known = known_quantities(store::read_summary(path() / "run.json"));
   EXPECT_EQ(known.find("force_y.plate")->name, "Force on the wall, y");
-  EXPECT_EQ(known.find("force_y.plate")->of, "plate");
+  EXPECT_EQ(known.find("force_y.plate")->part, "plate");
   EXPECT_EQ(known.find("force_y.plate")->unit, "N");
-  EXPECT_EQ(known.find("torque.box.floor")->of, "box.floor");
+  EXPECT_EQ(known.find("torque.box.floor")->part, "box.floor");
   EXPECT_EQ(known.find("torque.box.floor")->unit, "N m");
   EXPECT_EQ(known.find("kinetic_energy")->unit, "J");
   EXPECT_EQ(
@@ -239,7 +240,7 @@ TEST_F(SeriesForces, WhatLeavesIsCountedInKilogramsAndParticlesASecond) {
 
 TEST_F(SeriesForces, AreOnlyThereWhereTheSceneWantsThem) {
   run_of(kPlate, {"output.series.forces=false", "outlets={drain: {region: [0, 0, 60, 10]}}"});
-  const auto names = store::read_table(path() / "series.csv").names;
+  const auto names = store::read_table(path() / "series.csv").column_names;
   EXPECT_THAT(names, ::testing::Not(::testing::Contains("force_x.plate")));
   EXPECT_THAT(names, ::testing::Not(::testing::Contains("mass_flow_rate")));
   EXPECT_FALSE(store::read_summary(path() / "run.json").units->site);

@@ -67,8 +67,8 @@ TEST_F(Si, ForcesLoadsAndStressAreNewtonsWithADensity) {
   run_of("si", {kDensity});
   run_of("plain", {});
   const auto expect_scaled = [&](const char* file, const char* column, double factor) {
-    const auto plain = table("plain", file).numbers(column);
-    const auto real = table("si", file).numbers(column);
+    const auto plain = table("plain", file).column_numbers(column);
+    const auto real = table("si", file).column_numbers(column);
     ASSERT_EQ(real.size(), plain.size()) << file;
     for (std::size_t row = 0; row < real.size(); ++row) {
       EXPECT_NEAR(real[row], factor * plain[row], 1e-12 * std::abs(real[row])) << column;
@@ -83,7 +83,7 @@ TEST_F(Si, ForcesLoadsAndStressAreNewtonsWithADensity) {
   expect_scaled("walls-rest.csv", "force_y", kGrain);
   expect_scaled("forces-rest.csv", "high", kGrain);
   expect_scaled("stress-rest.csv", "yy", kGrain / 0.002);
-  const auto down = table("si", "walls-rest.csv").numbers("force_y");
+  const auto down = table("si", "walls-rest.csv").column_numbers("force_y");
   EXPECT_NEAR(std::accumulate(down.begin(), down.end(), 0.0), -120 * kGrain, 1e-3 * 120 * kGrain);
 
   EXPECT_EQ(unit("si", "walls", "force_x"), "N");
@@ -99,8 +99,8 @@ TEST_F(Si, FlowsThroughProbesAndLinesAreKilogramsPerSecondToo) {
   const double per_step = kSiteMass / summary.at("units").at("time_step").get<double>();
   const auto expect_scaled = [&](const char* file, const char* column, const char* plain,
                                  double factor) {
-    const auto real = table("si", file).numbers(column);
-    const auto sites = table("si", file).numbers(plain);
+    const auto real = table("si", file).column_numbers(column);
+    const auto sites = table("si", file).column_numbers(plain);
     double most = 0;
     for (std::size_t row = 0; row < real.size(); ++row) {
       if (std::isfinite(sites[row])) {  // the first row of a probe has none
@@ -135,10 +135,10 @@ TEST_F(Si, LegendsOfPicturesAreInNewtons) {
 TEST_F(Si, ForceOnAStraightWallIsAcrossAndAlongIt) {
   run_of("si", {kDensity});
   const auto walls = table("si", "walls-rest.csv");
-  const std::vector<std::string> names = *walls.find("wall");
+  const std::vector<std::string> names = *walls.find_column("wall");
   const auto value = [&](const char* wall, const char* column) {
     const auto row = std::find(names.begin(), names.end(), wall) - names.begin();
-    return walls.numbers(column).at(static_cast<std::size_t>(row));
+    return walls.column_numbers(column).at(static_cast<std::size_t>(row));
   };
   const double length = std::hypot(25, 26);
   for (const auto& [wall, to_middle] : {std::pair("left", 1.0), {"right", -1.0}}) {

@@ -15,7 +15,7 @@ namespace {
 class Annotations : public ::testing::Test {
  protected:
   void SetUp() override {
-    if (const std::string problem = font_problem(); !problem.empty()) {
+    if (const std::string problem = font_warning(); !problem.empty()) {
       CLCA_SKIP_AS_MISSING(problem);
     }
   }
@@ -33,11 +33,11 @@ bool blank(const Image& image, int top, int bottom) {
 }
 
 TEST(RoundLength, IsOneTwoOrFiveTimesAPowerOfTen) {
-  EXPECT_DOUBLE_EQ(round_number_up_to(1), 1);
-  EXPECT_DOUBLE_EQ(round_number_up_to(1.99), 1);
-  EXPECT_DOUBLE_EQ(round_number_up_to(4.9), 2);
-  EXPECT_DOUBLE_EQ(round_number_up_to(73), 50);
-  EXPECT_DOUBLE_EQ(round_number_up_to(0.3), 0.2);
+  EXPECT_DOUBLE_EQ(largest_round_number_up_to(1), 1);
+  EXPECT_DOUBLE_EQ(largest_round_number_up_to(1.99), 1);
+  EXPECT_DOUBLE_EQ(largest_round_number_up_to(4.9), 2);
+  EXPECT_DOUBLE_EQ(largest_round_number_up_to(73), 50);
+  EXPECT_DOUBLE_EQ(largest_round_number_up_to(0.3), 0.2);
 }
 
 TEST(LengthUnit, MakesTheNumberOneOrMore) {
@@ -45,15 +45,15 @@ TEST(LengthUnit, MakesTheNumberOneOrMore) {
   EXPECT_STREQ(length_unit(0.5).name, "mm");
   EXPECT_STREQ(length_unit(0.001).name, "mm");
   EXPECT_STREQ(length_unit(0.0002).name, "µm");
-  EXPECT_EQ(0.0002 * length_unit(0.0002).in_metre, 200);
+  EXPECT_EQ(0.0002 * length_unit(0.0002).per_metre, 200);
 }
 
 TEST(Ticks, AreFewAndRound) {
-  EXPECT_EQ(ticks(0, 40, 6), (std::vector<double>{0, 10, 20, 30, 40}));
-  EXPECT_EQ(ticks(3, 3, 6), (std::vector<double>{3}));
-  EXPECT_LE(ticks(1e17, 1e17 + 32, 6).size(), 6U);
+  EXPECT_EQ(tick_values(0, 40, 6), (std::vector<double>{0, 10, 20, 30, 40}));
+  EXPECT_EQ(tick_values(3, 3, 6), (std::vector<double>{3}));
+  EXPECT_LE(tick_values(1e17, 1e17 + 32, 6).size(), 6U);
   for (const double high : {0.07, 1.0, 3.3, 9.0, 11.0, 99.0, 12345.0}) {
-    const std::vector<double> values = ticks(0, high, 6);
+    const std::vector<double> values = tick_values(0, high, 6);
     EXPECT_GE(values.size(), 2U) << high;
     EXPECT_LE(values.size(), 6U) << high;
     EXPECT_LE(values.back(), high * (1 + 1e-6));
@@ -64,7 +64,7 @@ TEST(Layout, GivesTheWholePictureToTheViewWithoutAnnotations) {
   const Layout layout = layout_of(400, 300, {0, 0, 40, 30}, render::Annotations::none);
   EXPECT_EQ(layout.panel.width, 400);
   EXPECT_EQ(layout.panel.height, 300);
-  EXPECT_DOUBLE_EQ(layout.scale, 10);
+  EXPECT_DOUBLE_EQ(layout.pixels_per_spacing, 10);
   EXPECT_EQ(layout.text_size, 0);
 }
 
@@ -206,7 +206,7 @@ TEST_F(Annotations, MarkTheEndsOfABarBeyondWhichValuesLie) {
     legend.bars = {{.label = "load", .low = 1, .high = 2, .below = below, .above = above}};
     annotate(graphics, layout, {}, legend);
     const Image image = graphics.image();
-    return std::pair(count(image, map_color(0)), count(image, map_color(1)));
+    return std::pair(count(image, viridis_color(0)), count(image, viridis_color(1)));
   };
   const auto neither = ends(false, false);
   const auto both = ends(true, true);
@@ -266,9 +266,9 @@ TEST(LegendText, IsReadAsItWasWritten) {
   legend.bars = {{"load (grain weights)", -1.5, 0.1, true, false, true}};
   legend.lines = {{"0.5 spacings per step", 0.3, 12, {4, 5, 6}, true}};
   legend.fade = 0.6;
-  EXPECT_EQ(legend_of(to_text(legend)), legend);
-  EXPECT_EQ(legend_of("12 650 900 49"), Legend()) << "of an earlier version";
-  EXPECT_EQ(legend_of("[]"), Legend());
+  EXPECT_EQ(parse_legend(to_text(legend)), legend);
+  EXPECT_EQ(parse_legend("12 650 900 49"), Legend()) << "of an earlier version";
+  EXPECT_EQ(parse_legend("[]"), Legend());
 }
 
 }  // namespace

@@ -39,17 +39,17 @@ TEST(Palette, RepeatsAfterEightDistinctColors) {
 }
 
 TEST(ColorMap, RunsFromPurpleToYellowAndStaysThere) {
-  EXPECT_EQ(map_color(0), (Rgb{68, 1, 84}));
-  EXPECT_EQ(map_color(1), (Rgb{253, 231, 37}));
-  EXPECT_EQ(map_color(-3), map_color(0));
-  EXPECT_EQ(map_color(INFINITY), map_color(1));
-  EXPECT_EQ(map_color(NAN), map_color(0));
+  EXPECT_EQ(viridis_color(0), (Rgb{68, 1, 84}));
+  EXPECT_EQ(viridis_color(1), (Rgb{253, 231, 37}));
+  EXPECT_EQ(viridis_color(-3), viridis_color(0));
+  EXPECT_EQ(viridis_color(INFINITY), viridis_color(1));
+  EXPECT_EQ(viridis_color(NAN), viridis_color(0));
 }
 
 TEST(ColorMap, GrowsLighterAllTheWay) {
   double before = -1;
   for (int i = 0; i <= 100; ++i) {
-    const Rgb color = map_color(i / 100.0);
+    const Rgb color = viridis_color(i / 100.0);
     const double lightness = 0.299 * color.red + 0.587 * color.green + 0.114 * color.blue;
     EXPECT_GT(lightness, before - 0.5);
     before = lightness;
@@ -58,7 +58,7 @@ TEST(ColorMap, GrowsLighterAllTheWay) {
 
 std::vector<Rgb> colors_of(const Coloring& coloring) {
   std::vector<Rgb> colors;
-  for (const std::uint16_t shade : coloring.shades) {
+  for (const std::uint16_t shade : coloring.palette_indices) {
     colors.push_back(coloring.palette[shade]);
   }
   return colors;
@@ -132,9 +132,9 @@ TEST(Coloring, ByDisplacementEndsAtTheTopOfTheBar) {
   state.particles[2].row += 13;
   const Coloring coloring = color_by_displacement(state, {0, 10});
   const std::vector<Rgb> colors = colors_of(coloring);
-  EXPECT_EQ(colors[0], map_color(0));
-  EXPECT_EQ(colors[1], map_color(0.5));
-  EXPECT_EQ(colors[2], map_color(1));
+  EXPECT_EQ(colors[0], viridis_color(0));
+  EXPECT_EQ(colors[1], viridis_color(0.5));
+  EXPECT_EQ(colors[2], viridis_color(1));
   ASSERT_EQ(coloring.legend.bars.size(), 1U);
   EXPECT_EQ(coloring.legend.bars[0].high, 10);
   EXPECT_THROW(color_by_displacement(state, {0, 0}), std::invalid_argument);
@@ -145,7 +145,7 @@ TEST(Coloring, MarksTheEndsOfTheBarBeyondWhichValuesLie) {
   state.particles[1].row += 5;
   state.particles[2].row += 13;
   const auto marks = [&](const statistics::Range& range) {
-    const Legend::Bar bar = color_by_displacement(state, range).legend.bars[0];
+    const Legend::ColorBar bar = color_by_displacement(state, range).legend.bars[0];
     return std::pair(bar.below, bar.above);
   };
   EXPECT_EQ(marks({0, 13}), std::pair(false, false));
@@ -182,7 +182,7 @@ TEST(Coloring, ByDisplacementHasTheColorsOfTheMapToOneStepOfAChannel) {
   }
   const std::vector<Rgb> colors = colors_of(color_by_displacement(state, {0, 333}));
   for (int row = 0; row < 350; ++row) {
-    EXPECT_LE(distance(colors[static_cast<std::size_t>(row)], map_color(row / 333.0)), 3);
+    EXPECT_LE(distance(colors[static_cast<std::size_t>(row)], viridis_color(row / 333.0)), 3);
   }
 }
 
@@ -215,10 +215,10 @@ TEST(Coloring, ByForceCountsTheSitesThatAParticleShares) {
   const std::vector<Rgb> colors = colors_of(coloring);
   ASSERT_EQ(colors.size(), 5U);
   for (const std::size_t id : {0U, 1U, 4U}) {
-    EXPECT_LE(distance(colors[id], map_color(2 / 3.0)), 2) << id;
+    EXPECT_LE(distance(colors[id], viridis_color(2 / 3.0)), 2) << id;
   }
-  EXPECT_EQ(colors[2], map_color(1));
-  EXPECT_EQ(colors[3], map_color(1));
+  EXPECT_EQ(colors[2], viridis_color(1));
+  EXPECT_EQ(colors[3], viridis_color(1));
 }
 
 TEST(Coloring, ByForceLeavesParticlesWithoutForcePale) {
@@ -229,7 +229,7 @@ TEST(Coloring, ByForceLeavesParticlesWithoutForcePale) {
     EXPECT_EQ(color, coloring.legend.patches[0].color);
   }
   for (int i = 0; i <= 100; ++i) {
-    EXPECT_GT(distance(coloring.palette[0], map_color(i / 100.0)), 100);
+    EXPECT_GT(distance(coloring.palette[0], viridis_color(i / 100.0)), 100);
   }
   ASSERT_EQ(coloring.legend.bars.size(), 1U);
   EXPECT_EQ(coloring.legend.bars[0].label, "overlapped sites");
@@ -242,9 +242,9 @@ TEST(Coloring, ByValueHasTheColoursOfItsBar) {
   const grains::State state = tower(3);
   const Coloring coloring = color_by_value(state, {-1, 5, 10}, "speed (m/s)", {0, 10});
   const std::vector<Rgb> colors = colors_of(coloring);
-  EXPECT_EQ(colors[0], map_color(0));
-  EXPECT_EQ(colors[1], map_color(0.5));
-  EXPECT_EQ(colors[2], map_color(1));
+  EXPECT_EQ(colors[0], viridis_color(0));
+  EXPECT_EQ(colors[1], viridis_color(0.5));
+  EXPECT_EQ(colors[2], viridis_color(1));
   EXPECT_EQ(coloring.legend.bars[0].label, "speed (m/s)");
 }
 

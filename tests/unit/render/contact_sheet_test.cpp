@@ -42,7 +42,7 @@ TEST(ContactSheet, SetsPicturesInRowsAndColumns) {
   const Image sheet = contact_sheet(tiles, 3, 160, "");
   std::vector<Box> boxes;
   for (const Tile& item : tiles) {
-    boxes.push_back(around(sheet, item.view.at(0, 0)));
+    boxes.push_back(around(sheet, item.view_image.at(0, 0)));
     EXPECT_EQ(boxes.back().width(), 160);
     EXPECT_EQ(boxes.back().height(), 90);
   }
@@ -86,11 +86,11 @@ TEST(ContactSheet, TakesPicturesOfSeveralSizes) {
 }
 
 TEST(ContactSheet, WritesLabelsUnderPicturesAndATitleAbove) {
-  if (const std::string problem = font_problem(); !problem.empty()) {
+  if (const std::string problem = font_warning(); !problem.empty()) {
     CLCA_SKIP_AS_MISSING(problem);
   }
   const auto sheet = [](const std::string& label, const std::string& title) {
-    return contact_sheet({{.view = Image(200, 100, kBlue), .label = label}}, 1, 200, title);
+    return contact_sheet({{.view_image = Image(200, 100, kBlue), .label = label}}, 1, 200, title);
   };
   const auto ink = [](const Image& image, int top, int bottom) {
     int count = 0;
@@ -120,14 +120,14 @@ Tile tile_with(Rgb patch, double high) {
     std::fill(&image.at(10, y), &image.at(90, y), kBlue);
   }
   Tile result = tile(image, {{10, 10, 80, 40}, 4}, 200);
-  EXPECT_EQ(result.scale, 10);
+  EXPECT_EQ(result.pixels_per_spacing, 10);
   result.legend.patches = {{.label = "grains", .color = patch}};
   result.legend.bars = {{.label = "load", .high = high}};
   return result;
 }
 
 TEST(ContactSheet, HasALegendOnceWhereThatOfAllIsOne) {
-  if (const std::string problem = font_problem(); !problem.empty()) {
+  if (const std::string problem = font_warning(); !problem.empty()) {
     CLCA_SKIP_AS_MISSING(problem);
   }
   constexpr Rgb kGreen = {0, 150, 0};

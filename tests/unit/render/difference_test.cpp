@@ -10,9 +10,9 @@ namespace {
 TEST(Compare, FindsNothingBetweenEqualPictures) {
   const Image image(5, 4, {10, 20, 30});
   const Difference difference = difference_of(image, image, 0);
-  EXPECT_EQ(difference.pixels, 0U);
-  EXPECT_EQ(difference.largest, 0);
-  EXPECT_TRUE(difference.box.isEmpty());
+  EXPECT_EQ(difference.differing_pixels, 0U);
+  EXPECT_EQ(difference.largest_difference, 0);
+  EXPECT_TRUE(difference.differing_box.isEmpty());
 }
 
 TEST(Compare, BoundsThePixelsThatDiffer) {
@@ -21,10 +21,10 @@ TEST(Compare, BoundsThePixelsThatDiffer) {
   second.at(2, 3).green = 25;
   second.at(6, 5).blue = 130;
   const Difference difference = difference_of(first, second, 0);
-  EXPECT_EQ(difference.pixels, 2U);
-  EXPECT_EQ(difference.largest, 100);
-  EXPECT_EQ(difference.box.min(), Eigen::Vector2i(2, 3));
-  EXPECT_EQ(difference.box.max(), Eigen::Vector2i(6, 5));
+  EXPECT_EQ(difference.differing_pixels, 2U);
+  EXPECT_EQ(difference.largest_difference, 100);
+  EXPECT_EQ(difference.differing_box.min(), Eigen::Vector2i(2, 3));
+  EXPECT_EQ(difference.differing_box.max(), Eigen::Vector2i(6, 5));
   EXPECT_NE(difference.picture.at(2, 3), difference.picture.at(0, 0));
 }
 
@@ -32,9 +32,9 @@ TEST(Compare, LetsPassWhatIsWithinTheTolerance) {
   const Image first(3, 3, {10, 20, 30});
   Image second = first;
   second.at(1, 1).red = 14;
-  EXPECT_EQ(difference_of(first, second, 4).pixels, 0U);
-  EXPECT_EQ(difference_of(first, second, 4).largest, 4);
-  EXPECT_EQ(difference_of(first, second, 3).pixels, 1U);
+  EXPECT_EQ(difference_of(first, second, 4).differing_pixels, 0U);
+  EXPECT_EQ(difference_of(first, second, 4).largest_difference, 4);
+  EXPECT_EQ(difference_of(first, second, 3).differing_pixels, 1U);
 }
 
 TEST(Compare, RefusesPicturesOfOtherSizes) {

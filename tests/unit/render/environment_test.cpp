@@ -28,7 +28,7 @@ TEST(Environment, IsNotLookedAtForTheLookup) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
   const auto draw = [] {
     setenv("GALLIUM_DRIVER", "zink", 1);
-    picture(empty_state(4, 4, false), Drawing::lookup, 16, 16, 1);
+    picture(empty_state(4, 4, false), DrawingMethod::lookup, 16, 16, 1);
     std::exit(0);
   };
   EXPECT_EXIT(draw(), testing::ExitedWithCode(0), "");
@@ -39,7 +39,7 @@ TEST(EnvironmentDeathTest, AnUnknownDriverIsAnErrorAndNoCrash) {
   const auto draw = [] {
     setenv("GALLIUM_DRIVER", "zink", 1);
     try {
-      picture(empty_state(4, 4, false), Drawing::polygons, 16, 16, 1);
+      picture(empty_state(4, 4, false), DrawingMethod::polygons, 16, 16, 1);
     } catch (const RenderError&) {
       std::exit(3);
     }

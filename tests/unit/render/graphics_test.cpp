@@ -69,8 +69,9 @@ TEST(Stroke, HasRoundEndsAndItsArea) {
 
 TEST(Stroke, LooksTheSameFromBothEnds) {
   const Image image = drawn({{12.5, 7.25}, {47.5, 32.75}, 3.3, kRed, false});
-  EXPECT_LE(difference_of(image, half_turned(image), 0).largest, 20);
-  EXPECT_LE(difference_of(image, drawn({{47.5, 32.75}, {12.5, 7.25}, 3.3, kRed, false}), 0).largest,
+  EXPECT_LE(difference_of(image, half_turned(image), 0).largest_difference, 20);
+  EXPECT_LE(difference_of(image, drawn({{47.5, 32.75}, {12.5, 7.25}, 3.3, kRed, false}), 0)
+                .largest_difference,
             4);
 }
 
@@ -102,7 +103,7 @@ TEST(Stroke, OfAnArrowHasAHeadAtItsEnd) {
 TEST(Stroke, OfAShortArrowIsADot) {
   for (const double length : {0.0, 0.2, 4.5}) {
     const Image image = drawn({{30 - length / 2, 20}, {30 + length / 2, 20}, 5, kRed, true});
-    EXPECT_LE(difference_of(image, half_turned(image), 0).largest, 20) << length;
+    EXPECT_LE(difference_of(image, half_turned(image), 0).largest_difference, 20) << length;
     EXPECT_EQ(image.at(30, 20), kRed);
     EXPECT_NEAR(area(image), 10, 1) << length;
   }
@@ -149,11 +150,11 @@ TEST(Graphics, ResizesPicturesByMeans) {
   Image image(4, 2, {0, 0, 0});
   image.at(0, 0) = {100, 0, 8};
   image.at(1, 1) = {100, 0, 0};
-  const Image half = scaled(image, 2, 1);
+  const Image half = resized(image, 2, 1);
   EXPECT_NEAR(half.at(0, 0).red, 50, 1);
   EXPECT_EQ(half.at(1, 0), (Rgb{0, 0, 0}));
-  EXPECT_EQ(scaled(image, 4, 2), image);
-  const Image large = scaled(Image(7, 5, kRed), 13, 11);
+  EXPECT_EQ(resized(image, 4, 2), image);
+  const Image large = resized(Image(7, 5, kRed), 13, 11);
   EXPECT_EQ(large, Image(13, 11, kRed));
 }
 
@@ -178,7 +179,7 @@ TEST(Graphics, RefusesPicturesThatCairoCannotDraw) {
 }
 
 TEST(Graphics, DrawsTextThatFits) {
-  if (const std::string problem = font_problem(); !problem.empty()) {
+  if (const std::string problem = font_warning(); !problem.empty()) {
     CLCA_SKIP_AS_MISSING(problem);
   }
   Graphics graphics(400, 50);
@@ -220,7 +221,8 @@ Image overlaid(const grains::State& state, const Overlay& overlay,
 
 TEST(Overlay, ThatIsEmptyChangesNothing) {
   const grains::State state = one_grain();
-  EXPECT_EQ(overlaid(state, {}), picture(state, Drawing::lookup, 400, 300, 2, {0, 5, 40, 35}));
+  EXPECT_EQ(overlaid(state, {}),
+            picture(state, DrawingMethod::lookup, 400, 300, 2, {0, 5, 40, 35}));
 }
 
 TEST(Overlay, StandsWhereTheParticlesStand) {
@@ -250,7 +252,7 @@ TEST(Overlay, StaysInsideThePanel) {
   const Image image =
       overlaid(state, {{{{-1000, 20}, {1000, 20}, 300, kRed, false}}, 0}, Annotations::all);
   const Layout layout = layout_of(400, 300, {0, 5, 40, 35},
-                                  font_problem().empty() ? Annotations::all : Annotations::none);
+                                  font_warning().empty() ? Annotations::all : Annotations::none);
   for (int y = 0; y < image.height; ++y) {
     for (int x = 0; x < image.width; ++x) {
       const bool inside = x >= layout.panel.x && x < layout.panel.x + layout.panel.width &&

@@ -11,7 +11,7 @@
 namespace clca::render::moving_wall_test {
 namespace {
 
-constexpr auto kBothWays = {Drawing::polygons, Drawing::lookup};
+constexpr auto kBothWays = {DrawingMethod::polygons, DrawingMethod::lookup};
 
 std::size_t count_of(const Image& image, Rgb color) {
   return static_cast<std::size_t>(std::count(image.pixels.begin(), image.pixels.end(), color));
@@ -44,7 +44,7 @@ grains::State at_rest(grains::State state) {
 constexpr lattice::Rectangle kView = {-2, -2, 38, 42};
 
 /// Ten pixels a spacing.
-Image seen(const grains::State& state, Drawing drawing) {
+Image seen(const grains::State& state, DrawingMethod drawing) {
   return picture(state, drawing, 400, 440, 1, kView);
 }
 
@@ -58,7 +58,7 @@ TEST(MovingWall, HasAColorOfItsOwnWhereItStandsNow) {
     grains::State state = with_moving_wall(periodic);
     for (const int offset : {0, 7}) {
       state.walls[1].travel.offset = offset;
-      for (const Drawing drawing : kBothWays) {
+      for (const DrawingMethod drawing : kBothWays) {
         const Image image = seen(state, drawing);
         EXPECT_EQ(at(image, 5, 13.5 + offset), kMovingWallColor);
         EXPECT_EQ(at(image, 5, 13.5 + 7 - offset), kPaper);
@@ -74,10 +74,10 @@ TEST(MovingWall, HasTheFormOfAWallThatStands) {
   for (const bool periodic : {false, true}) {
     grains::State state = with_moving_wall(periodic);
     state.walls[1].travel.offset = 5;
-    for (const Drawing drawing : kBothWays) {
+    for (const DrawingMethod drawing : kBothWays) {
       Image image = seen(state, drawing);
       std::replace(image.pixels.begin(), image.pixels.end(), kMovingWallColor, kWallColor);
-      EXPECT_LE(difference_of(image, seen(at_rest(state), drawing), 0).pixels, 50U);
+      EXPECT_LE(difference_of(image, seen(at_rest(state), drawing), 0).differing_pixels, 50U);
     }
   }
 }
@@ -86,7 +86,7 @@ TEST(MovingWall, IsDrawnInsideTheBoxOnly) {
   grains::State state = with_moving_wall(false);
   for (const int offset : {-14, 26, 500}) {
     state.walls[1].travel.offset = offset;
-    for (const Drawing drawing : kBothWays) {
+    for (const DrawingMethod drawing : kBothWays) {
       const Image image = picture(state, drawing, 300, 300, 1);
       const std::size_t green = count_of(image, kMovingWallColor);
       EXPECT_EQ(green > 0, offset != 500);
@@ -102,7 +102,7 @@ TEST(MovingWall, CrossesThePeriodicSeamInOneColor) {
   }
   const double left = -lattice::kColumnPitch / 2;
   const double right = left + 40 * lattice::kColumnPitch;
-  for (const Drawing drawing : kBothWays) {
+  for (const DrawingMethod drawing : kBothWays) {
     const Image image = seen(state, drawing);
     for (const double x : {left + 0.1, right - 0.1}) {
       EXPECT_EQ(at(image, x, 14.5), kMovingWallColor);
@@ -116,7 +116,7 @@ TEST(MovingWall, CrossesThePeriodicSeamInOneColor) {
 TEST(MovingWall, IsNotThereWhenItIsTakenAway) {
   grains::State state = with_moving_wall(false);
   state.walls[1].present = false;
-  for (const Drawing drawing : kBothWays) {
+  for (const DrawingMethod drawing : kBothWays) {
     EXPECT_EQ(count_of(picture(state, drawing, 300, 300, 1), kMovingWallColor), 0U);
   }
 }
@@ -125,7 +125,7 @@ TEST(MovingWall, IsFollowedByTheBackdrop) {
   Style style;
   style.width = 300;
   style.height = 300;
-  style.drawing = Drawing::polygons;
+  style.drawing = DrawingMethod::polygons;
   style.annotations = Annotations::none;
   grains::State state = with_moving_wall(false);
   Painter painter(style, state.lattice, state.kinds);
@@ -133,7 +133,7 @@ TEST(MovingWall, IsFollowedByTheBackdrop) {
     ++state.walls[1].travel.clock;
     state.walls[1].travel.offset = step / 2;
     EXPECT_EQ(painter.draw(state, grains::Occupancy(state), {}, {}),
-              picture(state, Drawing::polygons, 300, 300, 2));
+              picture(state, DrawingMethod::polygons, 300, 300, 2));
   }
 }
 
@@ -175,10 +175,10 @@ TEST(Painter, DrawsOverlappingParticlesTheLowerIdOnTop) {
   // Inside the lower particle, where it has sites of the other one.
   const lattice::Rectangle view = {middle.x() - 1.9, middle.y() - 1.3, middle.x() + 1.9,
                                    middle.y() + 1.3};
-  for (const Drawing drawing : kBothWays) {
+  for (const DrawingMethod drawing : kBothWays) {
     EXPECT_LE(difference_of(picture(state, drawing, 190, 130, 1, view),
                             picture(alone, drawing, 190, 130, 1, view), 2)
-                  .pixels,
+                  .differing_pixels,
               20U);
   }
 }
@@ -188,15 +188,16 @@ TEST(Painter, DrawsOverlapsAlmostTheSameBothWays) {
   state.particles.resize(2);
   state.origins.resize(2);
   state.pushes.resize(1);
-  const Difference difference = difference_of(picture(state, Drawing::polygons, 480, 440, 1),
-                                              picture(state, Drawing::lookup, 480, 440, 1), 2);
-  EXPECT_LE(difference.pixels, 480U * 440 / 200);  // outlines beside the overlap
+  const Difference difference =
+      difference_of(picture(state, DrawingMethod::polygons, 480, 440, 1),
+                    picture(state, DrawingMethod::lookup, 480, 440, 1), 2);
+  EXPECT_LE(difference.differing_pixels, 480U * 440 / 200);  // outlines beside the overlap
 }
 
 TEST(Painter, DrawsAWallInAParticleBothWays) {
   const grains::State state = overlapping();
   const Rgb grain = color_by_id(state).palette[2];
-  for (const Drawing drawing : kBothWays) {
+  for (const DrawingMethod drawing : kBothWays) {
     const Image image = picture(state, drawing, 480, 440, 1);
     EXPECT_GT(count_of(image, grain), 1000U);
     EXPECT_GT(count_of(image, kMovingWallColor), 500U);

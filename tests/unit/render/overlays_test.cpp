@@ -54,7 +54,7 @@ TEST(ArrowField, CentresArrowsOnTheirCells) {
   ASSERT_EQ(overlay.strokes.size(), 2U);
   const Stroke& weak = overlay.strokes[0];
   const Stroke& strong = overlay.strokes[1];
-  EXPECT_TRUE(strong.arrow);
+  EXPECT_TRUE(strong.is_arrow);
   EXPECT_NEAR((strong.to - strong.from).norm(), 0.9 * 5, 1e-12);
   EXPECT_NEAR(((strong.to + strong.from) / 2 - Eigen::Vector2d(10, 20)).norm(), 0, 1e-12);
   EXPECT_NEAR((strong.to - strong.from).x(), 0.9 * 5 * 0.6, 1e-12);
@@ -99,7 +99,7 @@ TEST(ArrowField, TypicalLengthIsThatOfTheArrowsThatMove) {
 class LegendLine : public ::testing::Test {
  protected:
   void SetUp() override {
-    if (const std::string problem = font_problem(); !problem.empty()) {
+    if (const std::string problem = font_warning(); !problem.empty()) {
       CLCA_SKIP_AS_MISSING(problem);
     }
   }
@@ -134,8 +134,8 @@ TEST_F(LegendLine, IsAsThickAndLongAsInThePicture) {
   Legend legend;
   legend.lines = {{"0.5 spacings per cycle", 0.8, 6, {0, 0, 200}, false}};
   const Box box = around(with_legend(layout, legend), layout, {0, 0, 200});
-  EXPECT_NEAR(box.right - box.left + 1, 6 * layout.scale, 2);
-  EXPECT_NEAR(box.bottom - box.top + 1, 0.8 * layout.scale, 2);
+  EXPECT_NEAR(box.right - box.left + 1, 6 * layout.pixels_per_spacing, 2);
+  EXPECT_NEAR(box.bottom - box.top + 1, 0.8 * layout.pixels_per_spacing, 2);
 }
 
 TEST_F(LegendLine, IsNoThickerThanText) {

@@ -10,7 +10,7 @@ grains::State empty_state(int columns, int rows, bool periodic) {
   return {.lattice = lattice::Lattice(columns, rows, periodic), .seed = 2001};
 }
 
-automaton::Automaton packed(int columns, int rows, bool periodic) {
+automaton::Automaton to_sample(int columns, int rows, bool periodic) {
   constexpr std::array<lattice::Axial, 3> kTriangle = {{{0, 0}, {3, 0}, {0, 3}}};
   grains::State state = empty_state(columns, rows, periodic);
   state.kinds = {{lattice::Shape::hexagon(1), 0},
@@ -33,7 +33,7 @@ automaton::Automaton packed(int columns, int rows, bool periodic) {
   return automaton;
 }
 
-Image picture(const grains::State& state, Drawing drawing, int width, int height, int samples,
+Image picture(const grains::State& state, DrawingMethod drawing, int width, int height, int samples,
               const lattice::Rectangle& view) {
   Style style;
   style.width = width;

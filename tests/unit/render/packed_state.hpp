@@ -10,10 +10,10 @@ grains::State empty_state(int columns, int rows, bool periodic);
 
 /// Hexagons, rods, triangles and hooks, tumbled for some steps; with an upright wall unless the box
 /// is periodic, where particles lie across the seam.
-automaton::Automaton packed(int columns, int rows, bool periodic);
+automaton::Automaton to_sample(int columns, int rows, bool periodic);
 
 /// A picture of `state` without annotations. `samples`: a pixel along each axis.
-Image picture(const grains::State& state, Drawing drawing, int width, int height, int samples,
+Image picture(const grains::State& state, DrawingMethod drawing, int width, int height, int samples,
               const lattice::Rectangle& view = {});
 
 }  // namespace clca::render

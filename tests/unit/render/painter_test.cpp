@@ -18,7 +18,7 @@ using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
 
 constexpr Rgb kWhite = {255, 255, 255};
-constexpr auto kBothWays = {Drawing::polygons, Drawing::lookup};
+constexpr auto kBothWays = {DrawingMethod::polygons, DrawingMethod::lookup};
 
 std::size_t count_of(const Image& image, Rgb color) {
   return static_cast<std::size_t>(std::count(image.pixels.begin(), image.pixels.end(), color));
@@ -36,7 +36,7 @@ grains::State one_hexagon(int radius) {
 }
 
 TEST(Painter, DrawsAHexagonWithTheAreaOfItsBody) {
-  for (const Drawing drawing : kBothWays) {
+  for (const DrawingMethod drawing : kBothWays) {
     const double left = lattice::kColumnPitch * 20 - 5;
     const Image image = picture(one_hexagon(2), drawing, 400, 400, 1, {left, 15, left + 10, 25});
     const double spacing = 40;
@@ -48,8 +48,8 @@ TEST(Painter, DrawsAHexagonWithTheAreaOfItsBody) {
 }
 
 TEST(Painter, MovesThePictureWithTheView) {
-  const grains::State state = packed(60, 40, false).state();
-  for (const Drawing drawing : kBothWays) {
+  const grains::State state = to_sample(60, 40, false).state();
+  for (const DrawingMethod drawing : kBothWays) {
     const Image low = picture(state, drawing, 400, 300, 1, {5, 2, 25, 17});
     const Image high = picture(state, drawing, 400, 300, 1, {5, 5, 25, 20});  // 60 pixels up
     std::size_t differing = 0;
@@ -64,7 +64,7 @@ TEST(Painter, MovesThePictureWithTheView) {
 
 TEST(Painter, DrawsAMirroredStateAsAMirroredPicture) {
   // Hexagons in a box with an odd number of columns, where mirrored columns stand equally high.
-  grains::State state = packed(61, 40, false).state();
+  grains::State state = to_sample(61, 40, false).state();
   std::erase_if(state.particles, [](const auto& particle) { return particle.kind > 1; });
   state.walls.clear();
   state.origins.resize(state.particles.size());
@@ -72,19 +72,19 @@ TEST(Painter, DrawsAMirroredStateAsAMirroredPicture) {
   for (grains::Particle& particle : mirrored.particles) {
     particle.column = 60 - particle.column;
   }
-  for (const Drawing drawing : kBothWays) {
+  for (const DrawingMethod drawing : kBothWays) {
     Image image = picture(mirrored, drawing, 500, 400, 1);
     for (int y = 0; y < image.height; ++y) {
       const auto row = image.pixels.begin() + static_cast<std::ptrdiff_t>(y) * image.width;
       std::reverse(row, row + image.width);
     }
     const Difference difference = difference_of(image, picture(state, drawing, 500, 400, 1), 2);
-    EXPECT_LE(difference.pixels, 500U * 400 / 400);
+    EXPECT_LE(difference.differing_pixels, 500U * 400 / 400);
   }
 }
 
 TEST(Painter, LeavesTheLidOffAndDrawsFloorAndSideWalls) {
-  for (const Drawing drawing : kBothWays) {
+  for (const DrawingMethod drawing : kBothWays) {
     const Image image = picture(one_hexagon(1), drawing, 300, 340, 1);
     const Rgb floor = image.at(150, 336);
     EXPECT_NE(floor, kWhite);
@@ -100,18 +100,18 @@ TEST(Painter, DrawsWallBlocksWithoutInnerSeams) {
   grains::State two = one;
   two.walls = {{lattice::sites_in(one.lattice, {5, 5, 12, 20}), true},
                {lattice::sites_in(one.lattice, {12, 5, 20, 20}), true}};
-  for (const Drawing drawing : kBothWays) {
+  for (const DrawingMethod drawing : kBothWays) {
     EXPECT_EQ(picture(one, drawing, 200, 200, 2), picture(two, drawing, 200, 200, 2));
   }
 }
 
 TEST(Painter, ForgetsAWallThatIsTakenAway) {
-  automaton::Automaton automaton = packed(60, 40, false);
+  automaton::Automaton automaton = to_sample(60, 40, false);
   Style style;
   style.width = 200;
   style.height = 150;
   style.annotations = Annotations::none;
-  for (const Drawing drawing : kBothWays) {
+  for (const DrawingMethod drawing : kBothWays) {
     style.drawing = drawing;
     grains::State state = automaton.state();
     Painter painter(style, state.lattice, state.kinds);
@@ -126,8 +126,8 @@ TEST(Painter, ForgetsAWallThatIsTakenAway) {
 }
 
 TEST(Painter, DevelopsWhatItHasExposedWhileTheStateGoesOn) {
-  for (const Drawing drawing : kBothWays) {
-    automaton::Automaton automaton = packed(60, 40, true);
+  for (const DrawingMethod drawing : kBothWays) {
+    automaton::Automaton automaton = to_sample(60, 40, true);
     Style style;
     style.drawing = drawing;
     Painter painter(style, automaton.state().lattice, automaton.state().kinds);
@@ -150,7 +150,7 @@ TEST(Painter, DevelopsWhatItHasExposedWhileTheStateGoesOn) {
 }
 
 TEST(Painter, DrawsTinyPictures) {
-  const grains::State state = packed(60, 40, false).state();
+  const grains::State state = to_sample(60, 40, false).state();
   for (const auto& [width, height] :
        {std::pair{1, 1}, {64, 64}, {3, 200}, {200, 3}, {90, 110}, {160, 120}}) {
     Style style;
@@ -169,28 +169,29 @@ TEST(Painter, RefusesAPictureThatIsTooLarge) {
   const grains::State state = one_hexagon(1);
   EXPECT_THAT(
       [&] {
-        picture(state, Drawing::polygons, 10000, 100, 2, {0, 0, 400, 4});
+        picture(state, DrawingMethod::polygons, 10000, 100, 2, {0, 0, 400, 4});
       },
       ThrowsMessage<RenderError>(
           AllOf(HasSubstr("10000 x 100"), HasSubstr("16384"), HasSubstr("2"))));
-  EXPECT_EQ(picture(state, Drawing::lookup, 10000, 100, 2, {0, 0, 400, 4}).width, 10000);
-  EXPECT_THAT([&] { picture(state, Drawing::lookup, 100, 2000000000, 4); },
+  EXPECT_EQ(picture(state, DrawingMethod::lookup, 10000, 100, 2, {0, 0, 400, 4}).width, 10000);
+  EXPECT_THAT([&] { picture(state, DrawingMethod::lookup, 100, 2000000000, 4); },
               ThrowsMessage<RenderError>(HasSubstr("100 x 2000000000 pixels is too large")));
 }
 
 TEST(Painter, RefusesSizesAndViewsThatMakeNoSense) {
   const grains::State state = one_hexagon(1);
-  EXPECT_THROW(picture(state, Drawing::lookup, -1, 100, 1), RenderError);
-  EXPECT_THROW(picture(state, Drawing::lookup, 100, -1, 1), RenderError);
-  EXPECT_THROW(picture(state, Drawing::lookup, 100, 100, 0), RenderError);
-  EXPECT_THROW(picture(state, Drawing::lookup, 100, 100, 5), RenderError);
-  EXPECT_THROW(picture(state, Drawing::lookup, 100, 100, 1, {3, 0, 2, 1}), RenderError);
-  EXPECT_THROW(picture(state, Drawing::lookup, 100, 100, 1, {0, 0, INFINITY, 1}), RenderError);
+  EXPECT_THROW(picture(state, DrawingMethod::lookup, -1, 100, 1), RenderError);
+  EXPECT_THROW(picture(state, DrawingMethod::lookup, 100, -1, 1), RenderError);
+  EXPECT_THROW(picture(state, DrawingMethod::lookup, 100, 100, 0), RenderError);
+  EXPECT_THROW(picture(state, DrawingMethod::lookup, 100, 100, 5), RenderError);
+  EXPECT_THROW(picture(state, DrawingMethod::lookup, 100, 100, 1, {3, 0, 2, 1}), RenderError);
+  EXPECT_THROW(picture(state, DrawingMethod::lookup, 100, 100, 1, {0, 0, INFINITY, 1}),
+               RenderError);
 }
 
 TEST(Painter, DrawsAnyViewHoweverFarOrLarge) {
-  const grains::State state = packed(60, 40, true).state();
-  for (const Drawing drawing : kBothWays) {
+  const grains::State state = to_sample(60, 40, true).state();
+  for (const DrawingMethod drawing : kBothWays) {
     const Image outside = picture(state, drawing, 50, 50, 2, {1e12, 1e12, 2e12, 2e12});
     EXPECT_EQ(count_of(outside, kWhite), outside.pixels.size());
     picture(state, drawing, 50, 50, 1, {-1e15, -1e15, 1e15, 1e15});
@@ -204,24 +205,24 @@ TEST(Painter, RefusesAnotherLatticeAndColorsOfAnotherState) {
   Painter painter({}, state.lattice, state.kinds);
   const grains::Occupancy occupancy(state);
   EXPECT_THROW(painter.draw(state, occupancy, {}, {}), std::invalid_argument);
-  EXPECT_THROW(painter.draw(state, occupancy, {.shades = {0}}, {}), std::invalid_argument);
-  EXPECT_THROW(painter.draw(state, occupancy, {.shades = {1}, .palette = {{1, 2, 3}}}, {}),
+  EXPECT_THROW(painter.draw(state, occupancy, {.palette_indices = {0}}, {}), std::invalid_argument);
+  EXPECT_THROW(painter.draw(state, occupancy, {.palette_indices = {1}, .palette = {{1, 2, 3}}}, {}),
                std::invalid_argument);
-  const grains::State other = packed(60, 40, false).state();
+  const grains::State other = to_sample(60, 40, false).state();
   EXPECT_THROW(painter.draw(other, grains::Occupancy(other), color_by_id(other), {}),
                std::invalid_argument);
 }
 
 TEST(Painter, DrawsAnEmptyBox) {
-  for (const Drawing drawing : kBothWays) {
+  for (const DrawingMethod drawing : kBothWays) {
     const Image image = picture(empty_state(30, 20, false), drawing, 120, 80, 2);
     EXPECT_GT(count_of(image, kWhite), image.pixels.size() / 2);
   }
 }
 
 TEST(Painter, WorksBesideAnotherOneAndAfterAMove) {
-  const grains::State first = packed(60, 40, false).state();
-  const grains::State second = packed(50, 50, true).state();
+  const grains::State first = to_sample(60, 40, false).state();
+  const grains::State second = to_sample(50, 50, true).state();
   Style style;
   style.width = 320;
   style.height = 200;

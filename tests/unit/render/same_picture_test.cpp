@@ -15,29 +15,29 @@ constexpr int kTolerance = 2;
 constexpr std::size_t kMaxPixels = kWidth * kHeight / 1000;
 
 void expect_same(const grains::State& state, int samples, const lattice::Rectangle& view = {}) {
-  const Image polygons = picture(state, Drawing::polygons, kWidth, kHeight, samples, view);
-  const Image lookup = picture(state, Drawing::lookup, kWidth, kHeight, samples, view);
+  const Image polygons = picture(state, DrawingMethod::polygons, kWidth, kHeight, samples, view);
+  const Image lookup = picture(state, DrawingMethod::lookup, kWidth, kHeight, samples, view);
   const Difference difference = difference_of(polygons, lookup, kTolerance);
-  EXPECT_LE(difference.pixels, kMaxPixels);
-  ::testing::Test::RecordProperty("pixels", static_cast<int>(difference.pixels));
+  EXPECT_LE(difference.differing_pixels, kMaxPixels);
+  ::testing::Test::RecordProperty("pixels", static_cast<int>(difference.differing_pixels));
 }
 
 TEST(Painter, DrawsTheSamePictureBothWays) {
-  expect_same(packed(121, 90, false).state(), 1);
-  expect_same(packed(120, 90, false).state(), 2);
+  expect_same(to_sample(121, 90, false).state(), 1);
+  expect_same(to_sample(120, 90, false).state(), 2);
 }
 
 TEST(Painter, DrawsTheSamePictureBothWaysAcrossAPeriodicSeam) {
-  expect_same(packed(120, 90, true).state(), 1);
-  expect_same(packed(60, 40, true).state(), 2);
+  expect_same(to_sample(120, 90, true).state(), 1);
+  expect_same(to_sample(60, 40, true).state(), 2);
 }
 
 TEST(Painter, DrawsTheSamePictureBothWaysFromNear) {
-  expect_same(packed(120, 90, false).state(), 1, {40.2, 10.1, 60.7, 25.3});
+  expect_same(to_sample(120, 90, false).state(), 1, {40.2, 10.1, 60.7, 25.3});
 }
 
 TEST(Painter, DrawsTheSamePictureBothWaysFromFar) {
-  expect_same(packed(500, 400, false).state(), 2);
+  expect_same(to_sample(500, 400, false).state(), 2);
 }
 
 TEST(Painter, DrawsTheSamePictureBothWaysFarFromTheOrigin) {
@@ -62,7 +62,7 @@ TEST(Painter, ShowsACrossingParticleAtBothEndsOfAPeriodicBox) {
     particle.row = 8;
     state.particles = {particle};
     state.origins = {particle.site()};
-    for (const Drawing drawing : {Drawing::polygons, Drawing::lookup}) {
+    for (const DrawingMethod drawing : {DrawingMethod::polygons, DrawingMethod::lookup}) {
       const Image image = picture(state, drawing, 400, 400, 1);
       const int middle = 200;
       const Rgb left = image.at(16, middle);

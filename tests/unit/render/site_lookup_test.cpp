@@ -42,7 +42,7 @@ Owner whole_owner(const grains::State& state, const grains::Occupancy& occupancy
   if (!grains::is_wall(owner)) {
     return owner;
   }
-  return moves(state.walls[grains::wall_number(owner)]) ? kMovingWall : kSomeWall;
+  return is_moving_wall(state.walls[grains::wall_number(owner)]) ? kMovingWall : kSomeWall;
 }
 
 struct Expected {
@@ -54,7 +54,7 @@ Expected expected_at(const grains::State& state, const grains::Occupancy& occupa
                      const Coloring& coloring, const Projection& projection, int x, int y) {
   constexpr double kRounding = 1e-7;
   const Eigen::Vector2d place =
-      projection.corner + Eigen::Vector2d(x + 0.5, y + 0.5) / projection.scale;
+      projection.corner + Eigen::Vector2d(x + 0.5, y + 0.5) / projection.samples_per_spacing;
   std::map<Owner, double> weights;
   const lattice::Site near = lattice::nearest_site(place);
   for (int column = near.column - 2; column <= near.column + 2; ++column) {
@@ -74,7 +74,7 @@ Expected expected_at(const grains::State& state, const grains::Occupancy& occupa
     if (inside >= 0 && owner != grains::kFree) {
       const bool outlined = projection.outline_strength > 0 && inside < edge;
       if (grains::is_particle(owner)) {
-        const Rgb fill = coloring.palette[coloring.shades[grains::particle_id(owner)]];
+        const Rgb fill = coloring.palette[coloring.palette_indices[grains::particle_id(owner)]];
         result.color = outlined ? outline_color(fill, projection.outline_strength) : fill;
       } else {
         result.color = owner == kMovingWall ? kMovingWallColor : kWallColor;
@@ -88,7 +88,7 @@ Projection shown(const grains::State& state, int width, int height, int samples,
                  const lattice::Rectangle& view) {
   const Style style = {
       .width = width, .height = height, .view = view, .annotations = Annotations::none};
-  const lattice::Rectangle box = completed(style, state.lattice).view;
+  const lattice::Rectangle box = with_view_and_size(style, state.lattice).view;
   return projection_of(box, layout_of(width, height, box, Annotations::none), samples, height);
 }
 
@@ -96,7 +96,7 @@ Projection shown(const grains::State& state, int width, int height, int samples,
 Coloring distinct(const grains::State& state) {
   Coloring coloring;
   for (std::size_t id = 0; id < state.particles.size(); ++id) {
-    coloring.shades.push_back(static_cast<std::uint16_t>(id));
+    coloring.palette_indices.push_back(static_cast<std::uint16_t>(id));
     coloring.palette.push_back(
         {static_cast<std::uint8_t>(id / 256), static_cast<std::uint8_t>(id % 256), 0});
   }
@@ -133,7 +133,7 @@ void expect_as_defined(const grains::State& state, const Coloring& coloring,
 
 TEST(SiteLookup, GivesEverySampleTheOwnerOfHalfOfItsWeight) {
   for (const bool periodic : {false, true}) {
-    const grains::State state = packed(60, 40, periodic).state();
+    const grains::State state = to_sample(60, 40, periodic).state();
     const Coloring coloring = distinct(state);
     expect_as_defined(state, coloring, shown(state, 300, 200, 1, {}));
     expect_as_defined(state, coloring, shown(state, 60, 50, 2, {-4, -3, 20, 17}));
@@ -163,7 +163,7 @@ TEST(SiteLookup, ShowsMovingWallsAndTheFirstOwnerWhereTwoOverlap) {
 }
 
 TEST(SiteLookup, IsTheSameForAnyNumberOfThreads) {
-  const grains::State state = packed(120, 90, false).state();
+  const grains::State state = to_sample(120, 90, false).state();
   const Projection projection = shown(state, 320, 240, 2, {});
   const Image one = looked_up(state, distinct(state), projection, 2, 1);
   for (const int threads : {8, 3, 2}) {  // LLVM's OpenMP loses memory of a team that grows
@@ -172,7 +172,7 @@ TEST(SiteLookup, IsTheSameForAnyNumberOfThreads) {
 }
 
 TEST(SiteLookup, TakesTheMeanOfTheSamplesOfAPixel) {
-  const grains::State state = packed(60, 40, false).state();
+  const grains::State state = to_sample(60, 40, false).state();
   const Coloring coloring = distinct(state);
   for (const int samples : {2, 3, 4}) {
     const Projection projection = shown(state, 101, 67, samples, {});

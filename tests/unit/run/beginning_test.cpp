@@ -30,7 +30,7 @@ std::string refusal(const scene::Scene& scene) {
   }
   EXPECT_EQ(std::filesystem::exists(folder.path() / "out"), by_run.empty());
   try {
-    check_start(scene);
+    try_start(scene);
   } catch (const std::runtime_error& error) {
     by_check = error.what();
   }

@@ -47,9 +47,9 @@ stages:
     max_steps: 6000
 )",
                          "locked.yaml", {fmt::format("seed={}", seed)}),
-            {.folder = path(), .overwrite = true});
+            {.folder = path(), .replace_interrupted = true});
     EXPECT_LT(testing::measure_of(summary, "bed", "energy_growth"), 0.002) << seed;
-    EXPECT_EQ(summary.stages.front().ended, "settled") << seed;
+    EXPECT_EQ(summary.stages.front().end_reason, "settled") << seed;
   }
 }
 
@@ -124,11 +124,12 @@ output: {series: {every: 1}}
     const std::vector<scene::Override> overrides =
         is_default ? std::vector<scene::Override>()
                    : std::vector<scene::Override>{"contact.fall_height=10"};
-    run(scene::parse(kTall, "tall.yaml", overrides), {.folder = path(), .overwrite = true}, events);
+    run(scene::parse(kTall, "tall.yaml", overrides),
+        {.folder = path(), .replace_interrupted = true}, events);
     const store::ParsedTable series = store::read_table(path() / "series.csv");
     const double whole =
-        series.numbers("kinetic_energy")[0] + series.numbers("potential_energy")[0];
-    const std::vector<double> dissipated = series.numbers("dissipated_energy");
+        series.column_numbers("kinetic_energy")[0] + series.column_numbers("potential_energy")[0];
+    const std::vector<double> dissipated = series.column_numbers("dissipated_energy");
     EXPECT_GT(*std::min_element(dissipated.begin(), dissipated.end()), -0.002 * whole);
     if (is_default) {
       EXPECT_EQ(warnings, "");
@@ -140,7 +141,7 @@ output: {series: {every: 1}}
 
 TEST_F(ContactEnergyTest, EnergyThatFallsWithoutEndIsMeasuredByItsFall) {
   const auto scene = small();
-  model::SceneModel model(scene, first_state(scene), {});
+  model::SceneModel model(scene, state_at_start(scene), {});
   prepare_stage(model, scene, 0);
   record::EnergyRecord record(scene);
   record.begin(scene.stages.front(), model);
@@ -153,7 +154,7 @@ TEST_F(ContactEnergyTest, EnergyThatFallsWithoutEndIsMeasuredByItsFall) {
 
 TEST_F(ContactEnergyTest, EnergyThatGrowsIsToldOnce) {
   const auto scene = small();
-  model::SceneModel model(scene, first_state(scene), {});
+  model::SceneModel model(scene, state_at_start(scene), {});
   prepare_stage(model, scene, 0);
   record::EnergyRecord record(scene);
   record.begin(scene.stages.front(), model);

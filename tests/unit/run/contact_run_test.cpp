@@ -51,19 +51,20 @@ stages:
                    "sides.yaml"),
       {.folder = path()});
   const store::ParsedTable walls = store::read_table(path() / "walls-rest.csv");
-  EXPECT_THAT(*walls.find("wall"),
+  EXPECT_THAT(*walls.find_column("wall"),
               ::testing::UnorderedElementsAre("left", "right", "floor", "top", "ceiling",
                                               "box.left", "box.right", "box.floor", "box.top"));
   const store::ParsedTable contacts = store::read_table(path() / "contacts-rest.csv");
   std::map<std::string, double> sums;  // of what carries weight
-  for (std::size_t row = 0; row < contacts.rows(); ++row) {
-    const std::string& second = (*contacts.find("second"))[row];
-    sums[second] += contacts.numbers("normal_force")[row] * contacts.numbers("normal_y")[row] +
-                    contacts.numbers("shear_force")[row] * contacts.numbers("normal_x")[row];
+  for (std::size_t row = 0; row < contacts.row_count(); ++row) {
+    const std::string& second = (*contacts.find_column("second"))[row];
+    sums[second] +=
+        contacts.column_numbers("normal_force")[row] * contacts.column_numbers("normal_y")[row] +
+        contacts.column_numbers("shear_force")[row] * contacts.column_numbers("normal_x")[row];
   }
-  for (std::size_t row = 0; row < walls.rows(); ++row) {
-    const std::string& wall = (*walls.find("wall"))[row];
-    EXPECT_NEAR(-walls.numbers("force_y")[row], sums[wall], 1e-9) << wall;
+  for (std::size_t row = 0; row < walls.row_count(); ++row) {
+    const std::string& wall = (*walls.find_column("wall"))[row];
+    EXPECT_NEAR(-walls.column_numbers("force_y")[row], sums[wall], 1e-9) << wall;
   }
   EXPECT_GT(sums["floor"], 1);
   EXPECT_GT(sums["box.floor"], 1);
@@ -219,9 +220,9 @@ measure: [force]
                                         {.folder = path()});
   EXPECT_NEAR(testing::measure_of(summary, "rest", "load_floor"), 1, 1e-3);
   const store::ParsedTable walls = store::read_table(path() / "walls-rest.csv");
-  for (std::size_t row = 0; row < walls.rows(); ++row) {
-    if ((*walls.find("wall"))[row] == "floor") {
-      EXPECT_NEAR(walls.numbers("force_y")[row], -1, 1e-3);
+  for (std::size_t row = 0; row < walls.row_count(); ++row) {
+    if ((*walls.find_column("wall"))[row] == "floor") {
+      EXPECT_NEAR(walls.column_numbers("force_y")[row], -1, 1e-3);
     }
   }
 }
@@ -239,14 +240,14 @@ stages:
   - {name: rest, max_steps: 3000}
 )",
                          "coarse.yaml", {"seed=" + std::to_string(seed)}),
-            {.folder = path(), .overwrite = true});
+            {.folder = path(), .replace_interrupted = true});
     EXPECT_GE(summary.stages[1].steps, 60U) << seed;
   }
 }
 
 TEST_F(ContactRunTest, TheReferenceEngineLeavesTheSameRun) {
   const auto fast = run(small(), {.folder = path("fast"), .threads = 2});
-  const auto reference = run(small(), {.folder = path("reference"), .reference = true});
+  const auto reference = run(small(), {.folder = path("reference"), .use_reference_step = true});
   EXPECT_EQ(reference.state_hash, fast.state_hash);
   EXPECT_EQ(testing::difference_of_runs(path("fast"), path("reference")), "");
 }
@@ -255,7 +256,7 @@ TEST_F(ContactRunTest, TheReferenceEngineOfTheAutomatonLeavesTheSameRun) {
   const auto scene = small({"model=automaton", "walls.gate={box: [20, 0, 21, 60]}",
                             "output.frames.color_by=species", "output.frames.overlay=none"});
   const auto fast = run(scene, {.folder = path("fast"), .threads = 2});
-  const auto reference = run(scene, {.folder = path("reference"), .reference = true});
+  const auto reference = run(scene, {.folder = path("reference"), .use_reference_step = true});
   EXPECT_EQ(reference.state_hash, fast.state_hash);
   EXPECT_EQ(testing::difference_of_runs(path("fast"), path("reference")), "");
 }
@@ -267,15 +268,16 @@ TEST_F(ContactRunTest, StoppedTimeAndAgainARunIsTheSameAsInOneGo) {
   const RunEvents events = {
       .progress = [&](const Progress& at) { stop = at.step >= until ? 15 : 0; },
       .progress_interval = {}};
-  run(small(), {.folder = path(), .stop = &stop}, events);
+  run(small(), {.folder = path(), .stop_signal = &stop}, events);
   for (const std::uint64_t next : {7U, 133U, 257U, 300U, 301U, 444U}) {
     until = next;
     stop = 0;
-    EXPECT_EQ(
-        resume(load_run(path(), kMuch), {.reference = next == 133U, .stop = &stop}, events).status,
-        "interrupted");
+    EXPECT_EQ(resume(load_run(path(), kMuch),
+                     {.use_reference_step = next == 133U, .stop_signal = &stop}, events)
+                  .status,
+              "interrupted");
   }
-  EXPECT_EQ(resume(load_run(path(), kMuch), {.time_limit = 0.0}).status, "interrupted");
+  EXPECT_EQ(resume(load_run(path(), kMuch), {.wall_seconds_limit = 0.0}).status, "interrupted");
   EXPECT_EQ(resume(load_run(path(), kMuch), {}).state_hash, expected.state_hash);
   EXPECT_EQ(testing::difference_of_runs(path("unbroken"), path()), "");
 }
@@ -283,7 +285,7 @@ TEST_F(ContactRunTest, StoppedTimeAndAgainARunIsTheSameAsInOneGo) {
 // Contents that no run has saved, under a right checksum.
 TEST_F(ContactRunTest, AHostileCheckpointIsRefused) {
   std::atomic<int> stop = 0;
-  run(small(), {.folder = path(), .stop = &stop},
+  run(small(), {.folder = path(), .stop_signal = &stop},
       {.progress = [&](const Progress& at) { stop = at.step >= 400 ? 2 : 0; },
        .progress_interval = {}});
   const auto original = store::read_checkpoint(path(), kMuch)->checkpoint;
@@ -294,7 +296,7 @@ TEST_F(ContactRunTest, AHostileCheckpointIsRefused) {
     store::write_checkpoint(store::OutputFolder(path()), checkpoint);
     const std::atomic<int> at_once = 2;
     try {
-      resume(load_run(path(), kMuch), {.stop = &at_once});
+      resume(load_run(path(), kMuch), {.stop_signal = &at_once});
     } catch (const store::StoreError& error) {
       return std::string(error.what());
     }

@@ -122,7 +122,7 @@ TEST_F(ContactTimeTest, AStageUntilATimeTakesItsStepsAndGoesOnToALaterOne) {
     return small({"units={spacing: 1 mm}", "stages.flow.until={time: " + time + "}"});
   };
   const auto first = run(timed("0.1"), {.folder = path()});
-  EXPECT_EQ(first.stages[1].ended, "time");
+  EXPECT_EQ(first.stages[1].end_reason, "time");
   EXPECT_EQ(first.stages[1].steps, *scene::steps_of(timed("0.1").stages[1].until));
   EXPECT_THAT([&] { resume(load_run(path(), kMuch, "{time: 0.05}"), {}); },
               ::testing::ThrowsMessage<scene::SceneError>(HasSubstr("has passed this end")));
@@ -133,7 +133,7 @@ TEST_F(ContactTimeTest, AStageUntilATimeTakesItsStepsAndGoesOnToALaterOne) {
 
 TEST_F(ContactTimeTest, PicturesAndProgressSayTheTime) {
   std::string last;
-  const RunEvents events = {.progress = [&](const Progress& at) { last = at.time; },
+  const RunEvents events = {.progress = [&](const Progress& at) { last = at.time_text; },
                             .progress_interval = {}};
   const auto summary = run(small({"units={spacing: 1 mm}"}), {.folder = path()}, events);
   EXPECT_EQ(last, summary.units->time_text(600));

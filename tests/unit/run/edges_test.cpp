@@ -38,7 +38,7 @@ class Edges : public ::testing::Test {
   }
   std::vector<double> column(const std::string& key,
                              const std::string& table = "series.csv") const {
-    return store::read_table(path() / table).numbers(key);
+    return store::read_table(path() / table).column_numbers(key);
   }
 
  private:
@@ -146,7 +146,7 @@ TEST_F(Edges, ASourceEmitsItsGrainsAtTheStepsOfItsRate) {
                        "scene.yaml"));
       for (std::uint64_t step = 1; step <= 100; ++step) {
         simulation.step();
-        ASSERT_EQ(simulation.grains().particles.size(), step * grains / steps)
+        ASSERT_EQ(simulation.state().particles.size(), step * grains / steps)
             << text << " " << model << " " << step;
       }
     }

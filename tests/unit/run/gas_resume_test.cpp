@@ -136,14 +136,14 @@ class GasResumeTest : public ::testing::Test {
                               const std::function<bool(const GasProgress&)>& enough) {
     std::atomic<int> stop = 0;
     const RunEvents events = stopping(stop, enough);
-    return run(scene, {.folder = folder_.path(), .threads = threads, .stop = &stop}, events);
+    return run(scene, {.folder = folder_.path(), .threads = threads, .stop_signal = &stop}, events);
   }
   store::RunSummary resume_until(int threads,
                                  const std::function<bool(const GasProgress&)>& enough) {
     std::atomic<int> stop = 0;
     const RunEvents events = stopping(stop, enough);
     return resume(load_run(folder_.path(), kMaxBytes),
-                  {.folder = {}, .threads = threads, .stop = &stop}, events);
+                  {.folder = {}, .threads = threads, .stop_signal = &stop}, events);
   }
   store::RunSummary resume_to(const std::optional<std::string>& until = {}) {
     return resume(load_run(folder_.path(), kMaxBytes, until), {.folder = {}, .threads = 1});
@@ -191,10 +191,10 @@ TEST_F(GasResumeTest, StoppedInAnyEnsembleItEndsAsAnUnbrokenRun) {
             "interrupted");
   const auto interrupted = content(folder_.path());
   // Stopped before the first step of this process: all as it was.
-  ASSERT_EQ(
-      resume(load_run(folder_.path(), kMaxBytes), {.folder = {}, .threads = 2, .time_limit = 0})
-          .status,
-      "interrupted");
+  ASSERT_EQ(resume(load_run(folder_.path(), kMaxBytes),
+                   {.folder = {}, .threads = 2, .wall_seconds_limit = 0})
+                .status,
+            "interrupted");
   EXPECT_EQ(content(folder_.path()), interrupted);
   EXPECT_EQ(resume_to().status, "done");
   expect_as_unbroken(scene);
@@ -211,7 +211,7 @@ TEST_F(GasResumeTest, StoppedAndResumedBySeveralRanksItEndsAsARunOfOneProcess) {
     for (const int number : {1, 2}) {
       others.emplace_back([&, number] {
         const auto mine = all.seen_from(number);
-        serve({.threads = 1, .ranks = mine.get()});
+        work_for_rank_0({.threads = 1, .ranks = mine.get()});
       });
     }
     const auto first = all.seen_from(0);
@@ -227,7 +227,7 @@ TEST_F(GasResumeTest, StoppedAndResumedBySeveralRanksItEndsAsARunOfOneProcess) {
       .gas_progress = [&](const GasProgress& at) { stop = at.stage_number == 2 ? 2 : 0; },
       .progress_interval = {}};
   const auto first = with_others([&](tasks::Ranks& ranks) {
-    return run(scene, {.folder = folder_.path(), .stop = &stop, .ranks = &ranks}, stopping);
+    return run(scene, {.folder = folder_.path(), .stop_signal = &stop, .ranks = &ranks}, stopping);
   });
   ASSERT_EQ(first.status, "interrupted");
   const auto second = with_others([&](tasks::Ranks& ranks) {
@@ -345,14 +345,14 @@ TEST_F(GasResumeTest, AnEndThatWasPassedIsRefused) {
 TEST_F(GasResumeTest, GasesThatWereNotKeptAreNotProlonged) {
   run_until(gas(kLong), 1, [](const GasProgress& at) { return at.stage_number == 2; });
   store::Checkpoint checkpoint = store::read_checkpoint(folder_.path(), kMaxBytes)->checkpoint;
-  GasCourse course;
-  reflection::decode(kSavedGases, checkpoint.fields, kMaxBytes, course);
+  SavedGasRun course;
+  reflection::decode(kGasesPath, checkpoint.fields, kMaxBytes, course);
   for (record::GasCase& one : course.cases) {
     for (model::GasMember& member : one.members) {
       member.lasting.reset();
     }
   }
-  reflection::encode(kSavedGases, course, checkpoint.fields);
+  reflection::encode(kGasesPath, course, checkpoint.fields);
   store::write_checkpoint(store::OutputFolder(folder_.path()), checkpoint);
   EXPECT_THAT(problem("500"), HasSubstr("has not kept its gases as they were before the end"));
 }
@@ -361,11 +361,11 @@ TEST_F(GasResumeTest, GasesThatWereNotKeptAreNotProlonged) {
 
 /// What somebody has changed in the course of a run that was stopped.
 struct Forgery {
-  std::function<void(GasCourse&)> change;
+  std::function<void(SavedGasRun&)> change;
   const char* reason;
 };
 
-model::GasMember& under_way(GasCourse& course) {
+model::GasMember& under_way(SavedGasRun& course) {
   for (model::GasMember& member : course.cases.back().members) {
     if (member.gas) {
       return member;
@@ -373,7 +373,7 @@ model::GasMember& under_way(GasCourse& course) {
   }
   throw std::logic_error("no gas is under way");
 }
-model::GasMember& ended(GasCourse& course) {
+model::GasMember& ended(SavedGasRun& course) {
   return course.cases.front().members.front();
 }
 
@@ -383,36 +383,38 @@ TEST_F(GasResumeTest, ACheckpointOfNoRunIsRefusedInOneLine) {
   const store::Checkpoint sound = store::read_checkpoint(folder_.path(), kMaxBytes)->checkpoint;
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const std::vector<Forgery> forgeries = {
-      {[](GasCourse& all) { all.cases.emplace_back(); }, "restitutions are others"},
-      {[](GasCourse& all) { all.cases.front().restitution = 0.3; }, "restitutions are others"},
-      {[](GasCourse& all) { all.cases_ended = 3; }, "restitutions are others"},
-      {[&](GasCourse& all) { all.wall_seconds = nan; }, "its time is not a number of 0 or more"},
-      {[](GasCourse& all) { all.cases.front().members.pop_back(); }, "ensemble is another"},
-      {[](GasCourse& all) { ended(all).observations.push_back({}); }, "more observations"},
-      {[](GasCourse& all) { ended(all).observations.pop_back(); }, "a gas is missing"},
-      {[](GasCourse& all) { ended(all).observations[0].shares.rotational.pop_back(); },
+      {[](SavedGasRun& all) { all.cases.emplace_back(); }, "restitutions are others"},
+      {[](SavedGasRun& all) { all.cases.front().restitution = 0.3; }, "restitutions are others"},
+      {[](SavedGasRun& all) { all.cases_ended = 3; }, "restitutions are others"},
+      {[&](SavedGasRun& all) { all.wall_seconds = nan; }, "its time is not a number of 0 or more"},
+      {[](SavedGasRun& all) { all.cases.front().members.pop_back(); }, "ensemble is another"},
+      {[](SavedGasRun& all) { ended(all).observations.push_back({}); }, "more observations"},
+      {[](SavedGasRun& all) { ended(all).observations.pop_back(); }, "a gas is missing"},
+      {[](SavedGasRun& all) { ended(all).observations[0].shares.rotational.pop_back(); },
        "bins are others"},
-      {[](GasCourse& all) { ended(all).observations[1].shares.translational = {1}; },
+      {[](SavedGasRun& all) { ended(all).observations[1].shares.translational = {1}; },
        "bins are others"},
-      {[](GasCourse& all) { ended(all).gas = ended(all).lasting; }, "beyond the end"},
-      {[](GasCourse& all) { ended(all).lasting->time = 3; }, "at another time"},
-      {[](GasCourse& all) { under_way(all).lasting = under_way(all).gas; },
+      {[](SavedGasRun& all) { ended(all).gas = ended(all).lasting; }, "beyond the end"},
+      {[](SavedGasRun& all) { ended(all).lasting->time = 3; }, "at another time"},
+      {[](SavedGasRun& all) { under_way(all).lasting = under_way(all).gas; },
        "kept for an end that it has not reached"},
-      {[](GasCourse& all) { under_way(all).observations.clear(); }, "at another time"},
-      {[&](GasCourse& all) { under_way(all).gas->time = nan; }, "at another time"},
-      {[](GasCourse& all) { under_way(all).gas->motions.resize(6, 0); }, "number of particles"},
-      {[](GasCourse& all) { under_way(all).gas->motions.resize(6, 8001); }, "number of particles"},
-      {[&](GasCourse& all) { under_way(all).gas->motions(5, 77) = nan; },
+      {[](SavedGasRun& all) { under_way(all).observations.clear(); }, "at another time"},
+      {[&](SavedGasRun& all) { under_way(all).gas->time = nan; }, "at another time"},
+      {[](SavedGasRun& all) { under_way(all).gas->motions.resize(6, 0); }, "number of particles"},
+      {[](SavedGasRun& all) { under_way(all).gas->motions.resize(6, 8001); },
+       "number of particles"},
+      {[&](SavedGasRun& all) { under_way(all).gas->motions(5, 77) = nan; },
        "not finite or too large"},
-      {[](GasCourse& all) { under_way(all).gas->motions(0, 0) = 1e300; },
+      {[](SavedGasRun& all) { under_way(all).gas->motions(0, 0) = 1e300; },
        "not finite or too large"},
-      {[](GasCourse& all) { under_way(all).gas->thermal_speed = -1; }, "not finite or too large"}};
+      {[](SavedGasRun& all) { under_way(all).gas->thermal_speed = -1; },
+       "not finite or too large"}};
   for (const Forgery& forgery : forgeries) {
-    GasCourse course;
-    reflection::decode(kSavedGases, sound.fields, kMaxBytes, course);
+    SavedGasRun course;
+    reflection::decode(kGasesPath, sound.fields, kMaxBytes, course);
     forgery.change(course);
     store::Checkpoint forged = sound;
-    reflection::encode(kSavedGases, course, forged.fields);
+    reflection::encode(kGasesPath, course, forged.fields);
     fs::remove(folder_.path() / "run.json");
     store::write_checkpoint(store::OutputFolder(folder_.path()), forged);
     EXPECT_THAT(problem(), ::testing::AllOf(HasSubstr("its checkpoint is not of this run"),

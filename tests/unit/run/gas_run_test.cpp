@@ -45,7 +45,8 @@ class GasRunTest : public ::testing::Test {
   store::RunSummary run_gas(const std::vector<scene::Override>& overrides = {},
                             const RunEvents& events = {},
                             const std::atomic<int>* stop = nullptr) const {
-    return run(gas(overrides), {.folder = folder_.path(), .threads = 1, .stop = stop}, events);
+    return run(gas(overrides), {.folder = folder_.path(), .threads = 1, .stop_signal = stop},
+               events);
   }
   store::ParsedTable table(const std::string& name) const {
     return store::read_table(folder_.path() / (name + ".csv"));
@@ -64,19 +65,19 @@ const std::vector<std::string> kSeries = {"time",   "t_tr",  "t_rot",  "collisio
 TEST_F(GasRunTest, ASeriesHasARowForEachTimeAndTheEnd) {
   run_gas({"boltzmann.until=1.8", "output.histograms=[0, 1.2]"});
   const auto series = table("series");
-  EXPECT_EQ(series.names, kSeries);
-  EXPECT_THAT(series.numbers("time"), ElementsAre(0, 0.5, 1, 1.5, 1.8));
-  EXPECT_EQ(series.numbers("t_tr").front(), 1);
-  EXPECT_EQ(series.numbers("t_rot").front(), 1);
-  EXPECT_EQ(series.numbers("collisions").front(), 0);
-  EXPECT_LT(series.numbers("t_tr").back(), 0.5);
-  EXPECT_GT(series.numbers("collisions").back(), 2);
+  EXPECT_EQ(series.column_names, kSeries);
+  EXPECT_THAT(series.column_numbers("time"), ElementsAre(0, 0.5, 1, 1.5, 1.8));
+  EXPECT_EQ(series.column_numbers("t_tr").front(), 1);
+  EXPECT_EQ(series.column_numbers("t_rot").front(), 1);
+  EXPECT_EQ(series.column_numbers("collisions").front(), 0);
+  EXPECT_LT(series.column_numbers("t_tr").back(), 0.5);
+  EXPECT_GT(series.column_numbers("collisions").back(), 2);
 }
 
 TEST_F(GasRunTest, MultiplesThatMissATimeOfTheSceneByRoundingAreThatTime) {
   // 17 * 0.1 is beyond 1.7, and 3 * 0.1 beyond 0.3.
   run_gas({"boltzmann.until=1.7", "output.series.every=0.1", "output.histograms=[0.3, 1.7]"});
-  const std::vector<double> times = table("series").numbers("time");
+  const std::vector<double> times = table("series").column_numbers("time");
   ASSERT_EQ(times.size(), 18U);
   EXPECT_EQ(times[3], 0.3);
   EXPECT_EQ(times.back(), 1.7);
@@ -84,67 +85,69 @@ TEST_F(GasRunTest, MultiplesThatMissATimeOfTheSceneByRoundingAreThatTime) {
 
 TEST_F(GasRunTest, AListOfRestitutionsHasAColumnOfItsOwnEvenWithOneEntry) {
   run_gas({"boltzmann.restitution=[0.5, 1]", "boltzmann.until=0.5", "output.histograms=[0.5]"});
-  EXPECT_THAT(table("series").numbers("restitution"), ElementsAre(0.5, 0.5, 1, 1));
-  EXPECT_THAT(table("closure").numbers("restitution"), ElementsAre(0.5, 0.5, 1, 1));
-  EXPECT_EQ(table("histogram-0.5").names.front(), "restitution");
-  EXPECT_EQ(table("histogram-0.5").rows(), 2U * 2U * 10U);
+  EXPECT_THAT(table("series").column_numbers("restitution"), ElementsAre(0.5, 0.5, 1, 1));
+  EXPECT_THAT(table("closure").column_numbers("restitution"), ElementsAre(0.5, 0.5, 1, 1));
+  EXPECT_EQ(table("histogram-0.5").column_names.front(), "restitution");
+  EXPECT_EQ(table("histogram-0.5").row_count(), 2U * 2U * 10U);
   run_gas({"boltzmann.restitution=[0.5]", "boltzmann.until=0.5", "output.histograms=[0.5]"});
-  EXPECT_THAT(table("series").numbers("restitution"), ElementsAre(0.5, 0.5));
+  EXPECT_THAT(table("series").column_numbers("restitution"), ElementsAre(0.5, 0.5));
 }
 
 TEST_F(GasRunTest, AHistogramHasARowForEachBinOfEitherEnergy) {
   run_gas();
   for (const std::string name : {"histogram-0", "histogram-1.2", "histogram-2"}) {
     const auto histogram = table(name);
-    EXPECT_THAT(histogram.names, ElementsAre("energy", "lower", "upper", "share", "reference"));
-    ASSERT_EQ(histogram.rows(), 20U);
-    const auto& energies = *histogram.find("energy");
+    EXPECT_THAT(histogram.column_names,
+                ElementsAre("energy", "lower", "upper", "share", "reference"));
+    ASSERT_EQ(histogram.row_count(), 20U);
+    const auto& energies = *histogram.find_column("energy");
     EXPECT_EQ(energies[9], "translational");
     EXPECT_EQ(energies[10], "rotational");
-    const auto shares = histogram.numbers("share");
+    const auto shares = histogram.column_numbers("share");
     EXPECT_NEAR(std::accumulate(shares.begin(), shares.begin() + 10, 0.0), 1, 1e-12);
     EXPECT_NEAR(std::accumulate(shares.begin() + 10, shares.end(), 0.0), 1, 1e-12);
-    EXPECT_NEAR(histogram.numbers("reference")[3], 0.1, 1e-9);
-    EXPECT_EQ(histogram.numbers("lower")[0], 0);
-    EXPECT_EQ(histogram.find("upper")->at(9), "") << "no end";
-    EXPECT_EQ(histogram.find("upper")->at(8), histogram.find("lower")->at(9));
+    EXPECT_NEAR(histogram.column_numbers("reference")[3], 0.1, 1e-9);
+    EXPECT_EQ(histogram.column_numbers("lower")[0], 0);
+    EXPECT_EQ(histogram.find_column("upper")->at(9), "") << "no end";
+    EXPECT_EQ(histogram.find_column("upper")->at(8), histogram.find_column("lower")->at(9));
   }
   EXPECT_FALSE(leaves("histogram-1.csv"));
 }
 
 TEST_F(GasRunTest, ATimeOfAHistogramAloneGivesNoRowOfTheSeries) {
   run_gas();
-  EXPECT_THAT(table("series").numbers("time"), ElementsAre(0, 0.5, 1, 1.5, 2));
+  EXPECT_THAT(table("series").column_numbers("time"), ElementsAre(0, 0.5, 1, 1.5, 2));
 }
 
 TEST_F(GasRunTest, TheClosureStandsBesideTheSeries) {
   run_gas();
   const auto closure = table("closure");
-  EXPECT_THAT(closure.names, ElementsAre("time", "t_tr", "t_rot"));
-  EXPECT_EQ(closure.numbers("time"), table("series").numbers("time"));
+  EXPECT_THAT(closure.column_names, ElementsAre("time", "t_tr", "t_rot"));
+  EXPECT_EQ(closure.column_numbers("time"), table("series").column_numbers("time"));
   const auto expected = boltzmann::closure({.restitution = 0.5, .friction = 0.3, .roughness = 0},
                                            {.translational = 1, .rotational = 2.5}, 2);
-  EXPECT_NEAR(closure.numbers("t_tr").back(), expected.translational, 1e-9);
-  EXPECT_NEAR(closure.numbers("t_rot").back(), expected.rotational / 2.5, 1e-9);
+  EXPECT_NEAR(closure.column_numbers("t_tr").back(), expected.translational, 1e-9);
+  EXPECT_NEAR(closure.column_numbers("t_rot").back(), expected.rotational / 2.5, 1e-9);
 }
 
 TEST_F(GasRunTest, ShearAddsTheStressesAndTheSteadyStateOfSmoothSpheres) {
   run_gas({"boltzmann.friction=0", "boltzmann.shear_rate=0.5"});
   auto columns = kSeries;
   columns.insert(columns.end(), {"p_xx", "p_yy", "p_xy"});
-  EXPECT_EQ(table("series").names, columns);
-  EXPECT_LT(table("series").numbers("p_xy").back(), 0);
+  EXPECT_EQ(table("series").column_names, columns);
+  EXPECT_LT(table("series").column_numbers("p_xy").back(), 0);
   const auto closure = table("closure");
-  EXPECT_THAT(closure.names, ElementsAre("time", "t_tr", "p_xx", "p_yy", "p_xy"));
-  EXPECT_THAT(closure.numbers("time"), ElementsAre(0, 2));
-  EXPECT_EQ(closure.numbers("t_tr")[1], boltzmann::shear_flow(0.5, 0.5).temperature);
+  EXPECT_THAT(closure.column_names, ElementsAre("time", "t_tr", "p_xx", "p_yy", "p_xy"));
+  EXPECT_THAT(closure.column_numbers("time"), ElementsAre(0, 2));
+  EXPECT_EQ(closure.column_numbers("t_tr")[1], boltzmann::shear_flow(0.5, 0.5).temperature);
 }
 
 TEST_F(GasRunTest, ShearWithFrictionHasNoClosure) {
   run_gas({"boltzmann.shear_rate=0.5"});
   EXPECT_FALSE(leaves("closure.csv"));
   run_gas({"boltzmann.shear_rate=0.5", "boltzmann.roughness=-1"});  // smooth, whatever the friction
-  EXPECT_EQ(table("closure").numbers("t_tr")[1], boltzmann::shear_flow(0.5, 0.5).temperature);
+  EXPECT_EQ(table("closure").column_numbers("t_tr")[1],
+            boltzmann::shear_flow(0.5, 0.5).temperature);
 }
 
 TEST_F(GasRunTest, WithoutSpinsAtFirstTheirTemperatureIsRelativeToTheTranslationalOne) {
@@ -153,8 +156,8 @@ TEST_F(GasRunTest, WithoutSpinsAtFirstTheirTemperatureIsRelativeToTheTranslation
         "boltzmann.energy_ratio=0", "boltzmann.friction=" + friction, "boltzmann.ensemble=2",
         "boltzmann.particles=20000"};
     run_gas(overrides);
-    const auto rotational = table("series").numbers("t_rot");
-    const auto closed_form = table("closure").numbers("t_rot");
+    const auto rotational = table("series").column_numbers("t_rot");
+    const auto closed_form = table("closure").column_numbers("t_rot");
     EXPECT_EQ(rotational.front(), 0);
     EXPECT_EQ(closed_form.front(), 0);
     EXPECT_EQ(rotational.back() > 0, friction != "0");
@@ -171,19 +174,19 @@ TEST_F(GasRunTest, AnEnsembleGivesTheMeanOfItsMembersAndItsError) {
   for (std::uint64_t member = 0; member < kMembers; ++member) {
     const auto seed = boltzmann::member_seed(5, member);
     steps += run_gas({fmt::format("seed={}", seed)}).steps;
-    members.push_back(table("series").numbers("t_tr").back());
-    EXPECT_EQ(table("series").find("t_tr_se"), nullptr);
+    members.push_back(table("series").column_numbers("t_tr").back());
+    EXPECT_EQ(table("series").find_column("t_tr_se"), nullptr);
   }
   const auto summary = run_gas({"boltzmann.ensemble=3"});
   EXPECT_EQ(summary.steps, steps);
   EXPECT_EQ(summary.particles, 1500U);
   const auto expected = testing::sample(members);
   const auto series = table("series");
-  ASSERT_EQ(series.names.size(), 1 + 2 * (kSeries.size() - 1));
-  EXPECT_EQ(series.names[2], "t_tr_se");
-  EXPECT_NEAR(series.numbers("t_tr").back(), expected.mean, 1e-14);
-  EXPECT_NEAR(series.numbers("t_tr_se").back(), expected.standard_error, 1e-14);
-  EXPECT_THAT(table("histogram-2").names,
+  ASSERT_EQ(series.column_names.size(), 1 + 2 * (kSeries.size() - 1));
+  EXPECT_EQ(series.column_names[2], "t_tr_se");
+  EXPECT_NEAR(series.column_numbers("t_tr").back(), expected.mean, 1e-14);
+  EXPECT_NEAR(series.column_numbers("t_tr_se").back(), expected.standard_error, 1e-14);
+  EXPECT_THAT(table("histogram-2").column_names,
               ElementsAre("energy", "lower", "upper", "share", "share_se", "reference"));
 }
 
@@ -206,7 +209,7 @@ TEST_F(GasRunTest, TheSummarySaysWhatWasRunAndHowItEnded) {
   EXPECT_DOUBLE_EQ(measures["hellinger_floor"].get<double>(), 8.0 / (8 * 500));
   const auto series = table("series");
   for (const std::string column : {"t_tr", "t_tr_se", "collisions", "dh_rot", "alignment_se"}) {
-    EXPECT_EQ(measures[column].get<double>(), series.numbers(column).back()) << column;
+    EXPECT_EQ(measures[column].get<double>(), series.column_numbers(column).back()) << column;
   }
 }
 
@@ -223,8 +226,8 @@ TEST_F(GasRunTest, StoppedBeforeTheFirstStepItLeavesTablesWithoutRowsBeyondTheBe
   EXPECT_EQ(run_gas({}, {}, &stop).status, "interrupted");
   EXPECT_EQ(json()["status"], "interrupted");
   EXPECT_EQ(json()["stages"][0]["ended"], "interrupted");
-  EXPECT_EQ(table("series").names, kSeries);
-  EXPECT_EQ(table("series").rows(), 0U);
+  EXPECT_EQ(table("series").column_names, kSeries);
+  EXPECT_EQ(table("series").row_count(), 0U);
   EXPECT_FALSE(leaves("histogram-0.csv"));
 }
 
@@ -238,7 +241,7 @@ TEST_F(GasRunTest, StopsBetweenRowsThatAreOneStepApart) {
   const auto summary = run_gas(
       {"boltzmann.until=1000000", "output.series.every=10", "output.histograms=[]"}, events, &stop);
   EXPECT_EQ(summary.status, "interrupted");
-  EXPECT_LT(table("series").rows(), 100'000U);
+  EXPECT_LT(table("series").row_count(), 100'000U);
 }
 
 TEST_F(GasRunTest, StoppedOnItsWayItLeavesWholeTablesOfWhatWasDone) {
@@ -247,7 +250,7 @@ TEST_F(GasRunTest, StoppedOnItsWayItLeavesWholeTablesOfWhatWasDone) {
                                 [&](const GasProgress& progress) {
                                   EXPECT_EQ(progress.stage_count, 3U);
                                   EXPECT_GE(progress.time, 0);
-                                  EXPECT_LE(progress.time, progress.until);
+                                  EXPECT_LE(progress.time, progress.end_time);
                                   stop = progress.stage_number == 2 && progress.time > 1 ? 15 : 0;
                                 },
                             .progress_interval = {}};
@@ -260,13 +263,13 @@ TEST_F(GasRunTest, StoppedOnItsWayItLeavesWholeTablesOfWhatWasDone) {
   EXPECT_EQ(read["stages"][0]["ended"], "time");
   EXPECT_EQ(read["stages"][1]["ended"], "interrupted");
   const auto series = table("series");
-  const auto restitutions = series.numbers("restitution");
+  const auto restitutions = series.column_numbers("restitution");
   EXPECT_EQ(std::count(restitutions.begin(), restitutions.end(), 0.5), 201);
   EXPECT_GT(std::count(restitutions.begin(), restitutions.end(), 1), 0);
-  EXPECT_LT(series.numbers("time").back(), 200);
-  EXPECT_EQ(read["stages"][1]["measures"]["time"], series.numbers("time").back());
-  EXPECT_EQ(table("histogram-0").rows(), 2U * 20U);
-  EXPECT_EQ(table("histogram-200").rows(), 20U) << "of the first alone";
+  EXPECT_LT(series.column_numbers("time").back(), 200);
+  EXPECT_EQ(read["stages"][1]["measures"]["time"], series.column_numbers("time").back());
+  EXPECT_EQ(table("histogram-0").row_count(), 2U * 20U);
+  EXPECT_EQ(table("histogram-200").row_count(), 20U) << "of the first alone";
 }
 
 TEST_F(GasRunTest, AnEnsembleThatIsStoppedLeavesWhatItsMembersHaveComeTo) {
@@ -283,10 +286,10 @@ TEST_F(GasRunTest, AnEnsembleThatIsStoppedLeavesWhatItsMembersHaveComeTo) {
   EXPECT_EQ(json()["stages"][0]["measures"]["time"], 200);
   EXPECT_EQ(json()["stages"][0]["measures"]["gases"], 1);
   const store::ParsedTable series = table("series");
-  EXPECT_GT(series.numbers("t_tr").front(), 0.9);
-  EXPECT_EQ(series.numbers("time").back(), 200);
-  EXPECT_FALSE(std::isnan(series.numbers("t_tr_se").front()));
-  EXPECT_TRUE(std::isnan(series.numbers("t_tr_se").back())) << "of one gas nothing is known";
+  EXPECT_GT(series.column_numbers("t_tr").front(), 0.9);
+  EXPECT_EQ(series.column_numbers("time").back(), 200);
+  EXPECT_FALSE(std::isnan(series.column_numbers("t_tr_se").front()));
+  EXPECT_TRUE(std::isnan(series.column_numbers("t_tr_se").back())) << "of one gas nothing is known";
 }
 
 TEST_F(GasRunTest, RunAgainIntoItsFolderItClearsTheHistogramsOfTheFirst) {

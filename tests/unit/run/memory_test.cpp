@@ -20,7 +20,7 @@ output: {}
 )";
 
 double memory_with(const std::vector<scene::Override>& overrides) {
-  return memory_of(scene::parse(kScene, "scene.yaml", overrides));
+  return estimated_run_bytes(scene::parse(kScene, "scene.yaml", overrides));
 }
 
 TEST(MemoryOf, GrowsWithWhatIsWritten) {

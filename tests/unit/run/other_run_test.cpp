@@ -56,14 +56,14 @@ class OtherRunTest : public ::testing::Test {
   fs::path path(const std::string& name) const { return folder_.path() / name; }
   store::RunSummary pack(const std::vector<scene::Override>& overrides = {}) const {
     return run(scene::parse(kPacking, "packing.yaml", overrides),
-               {.folder = path("packing"), .overwrite = true});
+               {.folder = path("packing"), .replace_interrupted = true});
   }
   scene::Scene flow(const std::vector<scene::Override>& overrides = {}) const {
     return scene::parse(kFlow, path("flow.yaml").string(), overrides);
   }
   std::string refusal(const std::vector<scene::Override>& overrides = {}) const {
     try {
-      check_start(flow(overrides));
+      try_start(flow(overrides));
     } catch (const scene::SceneError& error) {
       return error.what();
     }
@@ -90,7 +90,7 @@ class OtherRunTest : public ::testing::Test {
 
 TEST_F(OtherRunTest, BeginsWithTheLastStateOfTheOtherRun) {
   pack();
-  EXPECT_EQ(places(first_state(flow()), flow()),
+  EXPECT_EQ(places(state_at_start(flow()), flow()),
             places(end("packing"), scene::parse(kPacking, "packing.yaml")));
 }
 
@@ -98,7 +98,7 @@ TEST_F(OtherRunTest, GoesOnAsAnyRunAndSaysWhereItBegan) {
   const auto packing = pack();
   const auto summary = run(flow(), {.folder = path("flow")});
   EXPECT_EQ(summary.particles, 50U);
-  EXPECT_EQ(summary.stages.front().ended, "settled");
+  EXPECT_EQ(summary.stages.front().end_reason, "settled");
   EXPECT_GT(summary.steps, 10U);
   const auto begin = nlohmann::json::parse(testing::bytes_of(path("flow/run.json")))["begin"];
   EXPECT_EQ(begin["run"], path("packing").string());
@@ -117,7 +117,7 @@ TEST_F(OtherRunTest, WhatLiesInAnOutletLeavesAtOnce) {
     pack(there);
     std::vector<scene::Override> here = one;
     here.emplace_back("outlets={drain: {region: [0, 0, 20, 8]}}");
-    const auto summary = run(flow(here), {.folder = path("flow"), .overwrite = true});
+    const auto summary = run(flow(here), {.folder = path("flow"), .replace_interrupted = true});
     const auto left = testing::csv_column(path("flow/series.csv"), "discharged_particles");
     const auto inside = testing::csv_column(path("flow/series.csv"), "particles");
     EXPECT_GT(left.front(), 0) << model;
@@ -132,7 +132,7 @@ TEST_F(OtherRunTest, ItsResolvedSceneGivesTheSameRunAgainAndNoOther) {
   const scene::Scene again = scene::parse_file(path("flow/scene.yaml"));
   EXPECT_EQ(run(again, {.folder = path("again")}).state_hash, first.state_hash);
   pack({"seed=4"});
-  EXPECT_THAT([&] { check_start(again); },
+  EXPECT_THAT([&] { try_start(again); },
               ::testing::ThrowsMessage<scene::SceneError>(
                   HasSubstr("begin: the state in " + path("packing").string() + " has changed")));
 }
@@ -154,8 +154,8 @@ TEST_F(OtherRunTest, BeginsWithAStepOfTheTrajectory) {
   pack();
   const auto early = flow({"begin.step=10"});
   const auto late = flow();
-  EXPECT_NE(places(first_state(early), early), places(first_state(late), late));
-  EXPECT_EQ(model::grains_of(first_state(early)).particles.size(), 50U);
+  EXPECT_NE(places(state_at_start(early), early), places(state_at_start(late), late));
+  EXPECT_EQ(model::grains_of(state_at_start(early)).particles.size(), 50U);
   EXPECT_THAT(refusal({"begin.step=11"}), EndsWith("the trajectory in " + path("packing").string() +
                                                    " has no frame of step 11"));
 }
@@ -164,7 +164,7 @@ TEST_F(OtherRunTest, LeavesOutWhatHasLeftTheOtherRun) {
   pack({"outlets={drain: {region: [0, 0, 8, 6]}}"});
   const std::size_t left = grains::present_count(model::grains_of(end("packing")));
   ASSERT_LT(left, 50U);
-  const auto state = first_state(flow());
+  const auto state = state_at_start(flow());
   EXPECT_EQ(model::grains_of(state).particles.size(), left);
   EXPECT_EQ(grains::present_count(model::grains_of(state)), left);
 }
@@ -173,14 +173,15 @@ TEST_F(OtherRunTest, GoesFromEitherModelToTheOther) {
   const std::vector<scene::Override> contact = {"model=contact", "contact={rolling: none}"};
   pack();
   const scene::Scene by_contact = flow(contact);
-  const model::ModelState still = first_state(by_contact);
-  EXPECT_EQ(places(still, by_contact), places(first_state(flow()), flow()));
+  const model::ModelState still = state_at_start(by_contact);
+  EXPECT_EQ(places(still, by_contact), places(state_at_start(flow()), flow()));
   EXPECT_EQ(std::get<contact::State>(still).velocities,
             std::vector<contact::Velocity<std::int32_t>>(50));
-  EXPECT_EQ(run(by_contact, {.folder = path("flow")}).stages.front().ended, "settled");
+  EXPECT_EQ(run(by_contact, {.folder = path("flow")}).stages.front().end_reason, "settled");
   pack({"model=contact", "contact={rolling: none}"});
-  EXPECT_EQ(run(flow(), {.folder = path("back"), .overwrite = true}).stages.front().ended,
-            "settled");
+  EXPECT_EQ(
+      run(flow(), {.folder = path("back"), .replace_interrupted = true}).stages.front().end_reason,
+      "settled");
 }
 
 TEST_F(OtherRunTest, GrainsWithAnAxisKeepItAndThoseWithoutGetOne) {
@@ -194,9 +195,9 @@ TEST_F(OtherRunTest, GrainsWithAnAxisKeepItAndThoseWithoutGetOne) {
   };
   const std::vector<scene::Override> baxter = {"model=baxter", one_site};
   pack({"model=baxter", one_site, "stages.packing.fill.counts={small: 40}"});
-  EXPECT_EQ(axes(first_state(flow(baxter))), axes(end("packing")));
+  EXPECT_EQ(axes(state_at_start(flow(baxter))), axes(end("packing")));
   pack({one_site, "stages.packing.fill.counts={small: 40}"});
-  const std::vector<std::uint16_t> drawn = axes(first_state(flow(baxter)));
+  const std::vector<std::uint16_t> drawn = axes(state_at_start(flow(baxter)));
   EXPECT_EQ(std::set(drawn.begin(), drawn.end()), (std::set<std::uint16_t>{0, 1, 2}));
 }
 
@@ -205,12 +206,12 @@ TEST_F(OtherRunTest, GrainsOfTheContactModelKeepTheirVelocities) {
         "stages.packing.until={steps: 30}"});
   const auto there = std::get<contact::State>(end("packing"));
   const auto same = std::get<contact::State>(
-      first_state(flow({"model=contact", "contact={rolling: none, fall_height: 40}"})));
+      state_at_start(flow({"model=contact", "contact={rolling: none, fall_height: 40}"})));
   EXPECT_EQ(same.velocities, there.velocities);
   EXPECT_EQ(same.remainders, there.remainders);
   // Steps of half the length.
   const auto slow = std::get<contact::State>(
-      first_state(flow({"model=contact", "contact={rolling: none, fall_height: 160}"})));
+      state_at_start(flow({"model=contact", "contact={rolling: none, fall_height: 160}"})));
   for (std::size_t id = 0; id < there.velocities.size(); ++id) {
     EXPECT_NEAR(slow.velocities[id].y, there.velocities[id].y / 2.0, 1e-3 * contact::kSpacing);
   }
@@ -223,7 +224,7 @@ TEST_F(OtherRunTest, ABedOfTheContactModelAtRestStaysAtRest) {
                                              "walls={post: {box: [20, 0, 21, 60]}}"};
   const auto summary = run(flow(rest), {.folder = path("rest")});
   EXPECT_EQ(testing::measure_of(summary, "rest", "moved_share"), 0);
-  EXPECT_GT(std::get<contact::State>(first_state(flow(rest))).contacts.size(), 50U);
+  EXPECT_GT(std::get<contact::State>(state_at_start(flow(rest))).contacts.size(), 50U);
 }
 
 TEST_F(OtherRunTest, BeginsInTheMiddleOfImpactsWithAnotherTimeStep) {
@@ -235,11 +236,11 @@ TEST_F(OtherRunTest, BeginsInTheMiddleOfImpactsWithAnotherTimeStep) {
     run(scene::parse(grains + "stages: [{name: fall, until: {steps: " + std::to_string(steps) +
                          "}, fill: {region: [0, 0, 20, 40], counts: {a: 8}}}]\n",
                      "packing.yaml"),
-        {.folder = path("packing"), .overwrite = true});
+        {.folder = path("packing"), .replace_interrupted = true});
     const auto next = run(scene::parse(grains + "begin: {run: packing}\n"
                                                 "stages: [{name: on, until: {steps: 10}}]\n",
                                        path("next.yaml").string()),
-                          {.folder = path("next"), .overwrite = true});
+                          {.folder = path("next"), .replace_interrupted = true});
     EXPECT_EQ(next.steps, 10);
   }
 }

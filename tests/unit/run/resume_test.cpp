@@ -149,8 +149,8 @@ TEST_F(ResumeTest, StoppedAtOnceOrByTimeItSavesItselfAndGoesOn) {
   const fs::path unbroken = folder_.path() / "unbroken";
   run(small(), {.folder = unbroken});
   std::atomic<int> stop = 15;
-  EXPECT_EQ(run(small(), {.folder = path(), .stop = &stop}).status, "interrupted");
-  EXPECT_EQ(resume(load_run(path(), kMuch), {.time_limit = 0.0}).status, "interrupted");
+  EXPECT_EQ(run(small(), {.folder = path(), .stop_signal = &stop}).status, "interrupted");
+  EXPECT_EQ(resume(load_run(path(), kMuch), {.wall_seconds_limit = 0.0}).status, "interrupted");
   EXPECT_EQ(resume(load_run(path(), kMuch), {}).status, "done");
   EXPECT_EQ(testing::difference_of_runs(unbroken, path()), "");
 }
@@ -161,7 +161,7 @@ TEST_F(ResumeTest, ItGoesOnWithTheFrictionOfItsStage) {
   const fs::path unbroken = folder_.path() / "unbroken";
   run(scene, {.folder = unbroken});
   std::atomic<int> stop = 0;
-  run(scene, {.folder = path(), .stop = &stop},
+  run(scene, {.folder = path(), .stop_signal = &stop},
       {.progress = [&](const Progress& now) { stop = now.step >= 40 ? 2 : 0; },
        .progress_interval = {}});
   EXPECT_EQ(resume(load_run(path(), kMuch), {}).status, "done");
@@ -174,7 +174,7 @@ TEST_F(ResumeTest, VelocitiesInPicturesAreMeansFromBeforeTheStop) {
     const fs::path unbroken = folder_.path() / model;
     run(scene, {.folder = unbroken});
     std::atomic<int> stop = 0;
-    run(scene, {.folder = path(), .stop = &stop},
+    run(scene, {.folder = path(), .stop_signal = &stop},
         {.progress = [&](const Progress& now) { stop = now.step >= 16 ? 2 : 0; },
          .progress_interval = {}});
     EXPECT_EQ(resume(load_run(path(), kMuch), {}).status, "done");
@@ -184,7 +184,7 @@ TEST_F(ResumeTest, VelocitiesInPicturesAreMeansFromBeforeTheStop) {
 
 TEST_F(ResumeTest, WithoutPeriodicCheckpointsItSavesItselfWhenStopped) {
   const std::atomic<int> stop = 2;
-  run(small({"output.checkpoint=none"}), {.folder = path(), .stop = &stop});
+  run(small({"output.checkpoint=none"}), {.folder = path(), .stop_signal = &stop});
   EXPECT_TRUE(fs::exists(path() / "checkpoint.clca"));
   EXPECT_EQ(resume(load_run(path(), kMuch), {}).status, "done");
   run(small({"output.checkpoint=none"}), {.folder = path()});
@@ -193,7 +193,7 @@ TEST_F(ResumeTest, WithoutPeriodicCheckpointsItSavesItselfWhenStopped) {
 
 TEST_F(ResumeTest, ARunThatIsDoneHasNothingToGoOnWith) {
   run(small(), {.folder = path()});
-  EXPECT_EQ(load_run(path(), kMuch).finished->status, "done");
+  EXPECT_EQ(load_run(path(), kMuch).finished_summary->status, "done");
   const auto before = testing::bytes_of(path() / "series.csv");
   resume(load_run(path(), kMuch), {});
   resume(load_run(path(), kMuch), {});
@@ -225,7 +225,7 @@ TEST_F(ResumeTest, ADamagedCheckpointIsPassedOverForTheOneBefore) {
   run(small(), {.folder = unbroken});
   auto bytes = testing::bytes_of(path() / "checkpoint.clca");
   bytes[bytes.size() / 2] ^= 1U;
-  store::write_whole(path() / "checkpoint.clca", bytes);
+  store::write_whole_file(path() / "checkpoint.clca", bytes);
   std::vector<std::string> warnings;
   resume(load_run(path(), kMuch), {},
          {.warning = [&](const std::string& line) { warnings.push_back(line); }});
@@ -241,8 +241,8 @@ TEST_F(ResumeTest, WithoutASoundCheckpointItIsRefused) {
   fs::create_directories(path());
   EXPECT_THAT(why_not(), EndsWith("run: no run has begun there"));
   leave_killed();
-  store::write_whole(path() / "checkpoint.clca", "clca");
-  store::write_whole(path() / "checkpoint-previous.clca", "");
+  store::write_whole_file(path() / "checkpoint.clca", "clca");
+  store::write_whole_file(path() / "checkpoint-previous.clca", "");
   EXPECT_THAT(why_not(), EndsWith("checkpoint.clca: it is no checkpoint of clca"));
 }
 
@@ -281,7 +281,7 @@ TEST_F(ResumeTest, AFileThatDoesNotFitIsRefusedAndNothingIsChanged) {
   };
   for (const char* lost : {"series.csv", "trajectory/part-000000.h5"}) {
     run(small({"output.trajectory.every=5", "output.fields={}"}),
-        {.folder = path(), .overwrite = true});
+        {.folder = path(), .replace_interrupted = true});
     fs::remove(path() / lost);
     const auto before = files();
     EXPECT_THROW(resume(load_run(path(), kMuch, "5000"), {}), store::StoreError) << lost;
@@ -291,10 +291,10 @@ TEST_F(ResumeTest, AFileThatDoesNotFitIsRefusedAndNothingIsChanged) {
 
 TEST_F(ResumeTest, AnInterruptedRunIsReplacedOnlyWhereThatIsAskedFor) {
   const std::atomic<int> stop = 2;
-  run(small(), {.folder = path(), .stop = &stop});
-  run(small(), {.folder = path(), .stop = &stop, .overwrite = true});
+  run(small(), {.folder = path(), .stop_signal = &stop});
+  run(small(), {.folder = path(), .stop_signal = &stop, .replace_interrupted = true});
   std::atomic<int> later = 0;
-  run(small(), {.folder = path(), .stop = &later, .overwrite = true},
+  run(small(), {.folder = path(), .stop_signal = &later, .replace_interrupted = true},
       {.progress = [&](const Progress&) { later = 2; }, .progress_interval = {}});
   EXPECT_THAT([&] { run(small(), {.folder = path()}); },
               ::testing::ThrowsMessage<UnfinishedRunError>(
@@ -379,12 +379,13 @@ TEST_F(ResumeTest, AHostileCheckpointIsRefused) {
               EndsWith("is too long or too short"));
   EXPECT_THAT(refusal(column("state/walls/travel/offset", std::int32_t{5})),
               EndsWith("a wall without motion has moved"));
-  EXPECT_THAT(refusal(column("course/stage", std::uint64_t{2})), EndsWith("its stages are others"));
+  EXPECT_THAT(refusal(column("course/stage", std::uint64_t{2})),
+              EndsWith("its stages differ from those of the scene"));
   EXPECT_THAT(refusal(column("outputs/series_bytes", std::uint64_t{1} << 40U)),
               EndsWith("it is shorter than when the checkpoint was made"));
-  EXPECT_THAT(refusal([](store::Checkpoint& checkpoint) { checkpoint.scene = "clca: 1\n"; }),
+  EXPECT_THAT(refusal([](store::Checkpoint& checkpoint) { checkpoint.scene_text = "clca: 1\n"; }),
               HasSubstr("scene.yaml:1:1: error:"));
-  EXPECT_THAT(refusal([](store::Checkpoint& checkpoint) { checkpoint.summary = "{}"; }),
+  EXPECT_THAT(refusal([](store::Checkpoint& checkpoint) { checkpoint.summary_json = "{}"; }),
               HasSubstr("its summary"));
   EXPECT_THAT(refusal([](store::Checkpoint& checkpoint) { checkpoint.scene_name = "../../evil"; }),
               EndsWith("'../../evil' cannot name a file"));

@@ -146,8 +146,8 @@ TEST(Run, DerivesMeasuresFromOthersAndSaysWhatTheyAre) {
   EXPECT_EQ(value("rate"), value("ratio") / static_cast<double>(summary.stages[1].steps));
   EXPECT_EQ(measures.back(), store::NamedMeasure("none", {})) << "the heap has no left flank";
   const auto read = store::read_summary(folder.path() / "out" / "run.json");
-  EXPECT_TRUE(std::ranges::equal(read.derived, summary.derived, {}, &scene::DerivedMeasure::value,
-                                 &scene::DerivedMeasure::value));
+  EXPECT_TRUE(std::ranges::equal(read.derived_measures, summary.derived_measures, {},
+                                 &scene::DerivedMeasure::value, &scene::DerivedMeasure::value));
   EXPECT_EQ(read.stages[1].measures, measures);
   const record::KnownQuantities known = record::known_quantities(read);
   EXPECT_EQ(known.find("ratio")->name, "Reach");
@@ -218,7 +218,7 @@ TEST(Run, AFillThatDoesNotFitSaysHowManyFittedAndMakesNoFolder) {
 TEST(Run, StopsWhenAskedWithEverythingWritten) {
   const testing::ScratchFolder folder;
   std::atomic<int> stop = 2;
-  const auto summary = run(small_scene(), {.folder = folder.path(), .stop = &stop});
+  const auto summary = run(small_scene(), {.folder = folder.path(), .stop_signal = &stop});
   EXPECT_EQ(summary.status, "interrupted");
   EXPECT_EQ(json_of(folder.path() / "run.json")["status"], "interrupted");
 }
@@ -229,7 +229,7 @@ TEST(Run, EndsAStageAtItsBoundWithAWarning) {
   const auto summary = run(small_scene({"stages.packing.max_steps=7"}), {.folder = folder.path()},
                            {.warning = [&](const std::string& text) { warnings.push_back(text); }});
   EXPECT_EQ(summary.stages[0].steps, 7U);
-  EXPECT_EQ(summary.stages[0].ended, "bound");
+  EXPECT_EQ(summary.stages[0].end_reason, "bound");
   EXPECT_THAT(warnings, ::testing::Contains(::testing::HasSubstr("stage packing")));
 }
 
@@ -238,7 +238,7 @@ TEST(Run, RunsAStageForAGivenNumberOfSteps) {
   const auto summary =
       run(small_scene({"stages.packing.until={steps: 33}"}), {.folder = folder.path()});
   EXPECT_EQ(summary.stages[0].steps, 33U);
-  EXPECT_EQ(summary.stages[0].ended, "steps");
+  EXPECT_EQ(summary.stages[0].end_reason, "steps");
 }
 
 const std::vector<scene::Override> kTwoDrains = {
@@ -250,7 +250,7 @@ TEST(Run, SaysHowMuchHasLeftIfAStageComesToRestBefore) {
   std::vector<scene::Override> overrides = kTwoDrains;
   overrides.emplace_back("stages.flow.until={discharged: 1}");
   const auto summary = run(small_scene(overrides), {.folder = folder.path()});
-  ASSERT_EQ(summary.stages.back().ended, "settled");
+  ASSERT_EQ(summary.stages.back().end_reason, "settled");
   const double share = testing::measure_of(summary, "flow", "discharged_share");
   const auto log = testing::bytes_of(folder.path() / "log.txt");
   EXPECT_THAT(
@@ -295,7 +295,7 @@ TEST(Run, OneOutletAndOneSpeciesAreNotCountedApart) {
   one.emplace_back("stages.packing.fill.counts={small: 30}");
   run(small_scene(one), {.folder = folder.path()});
   const store::ParsedTable table = store::read_table(folder.path() / "series.csv");
-  EXPECT_EQ(table.names.back(), "discharged_sites");
+  EXPECT_EQ(table.column_names.back(), "discharged_sites");
 }
 
 TEST(Run, AProbeAcrossTheBoxCountsWhatTheOutletBelowItCounts) {
@@ -307,16 +307,17 @@ TEST(Run, AProbeAcrossTheBoxCountsWhatTheOutletBelowItCounts) {
                    "20}}}]"}),
       {.folder = folder.path()});
   const store::ParsedTable table = store::read_table(folder.path() / "probes.csv");
-  EXPECT_EQ(table.names, (std::vector<std::string>{"step", "stage", "probe", "filling", "particles",
-                                                   "vx", "vy", "fluctuation", "flow"}));
-  EXPECT_EQ(table.find("vy")->at(0), "");  // nothing came before
-  EXPECT_EQ(table.find("flow")->at(0), "");
-  EXPECT_LT(std::stod(table.find("vy")->at(4)), -0.9);  // of the line: all rain down
+  EXPECT_EQ(table.column_names,
+            (std::vector<std::string>{"step", "stage", "probe", "filling", "particles", "vx", "vy",
+                                      "fluctuation", "flow"}));
+  EXPECT_EQ(table.find_column("vy")->at(0), "");  // nothing came before
+  EXPECT_EQ(table.find_column("flow")->at(0), "");
+  EXPECT_LT(std::stod(table.find_column("vy")->at(4)), -0.9);  // of the line: all rain down
   const std::vector<double> steps = testing::csv_column(folder.path() / "probes.csv", "step");
   double passed = 0;
   for (std::size_t row = 2; row < steps.size(); row += 2) {
-    EXPECT_EQ(table.find("probe")->at(row), "line");
-    passed += std::stod(table.find("flow")->at(row)) * (steps[row] - steps[row - 2]);
+    EXPECT_EQ(table.find_column("probe")->at(row), "line");
+    passed += std::stod(table.find_column("flow")->at(row)) * (steps[row] - steps[row - 2]);
   }
   EXPECT_NEAR(passed, 20 * 7 + 20 * 3, 1e-9);
   EXPECT_EQ(testing::csv_column(folder.path() / "series.csv", "discharged_sites").back(), 200);
@@ -335,18 +336,19 @@ TEST(Run, ALineAcrossTheBoxCountsWhatTheOutletBelowItCounts) {
         {.folder = folder.path()});
     const fs::path file = folder.path() / "lines-fall.csv";
     const store::ParsedTable table = store::read_table(file);
-    EXPECT_EQ(table.names, (std::vector<std::string>{
-                               "line", "position", "x", "y", "flux", "flux_se", "v_across",
-                               "v_across_se", "v_along", "v_along_se", "filling", "particles"}));
-    ASSERT_EQ(table.rows(), 7U + 20U);
-    EXPECT_EQ(table.find("line")->at(6), "line");
-    EXPECT_EQ(table.find("line")->at(7), "side");
-    const std::vector<double> flux = table.numbers("flux");
+    EXPECT_EQ(
+        table.column_names,
+        (std::vector<std::string>{"line", "position", "x", "y", "flux", "flux_se", "v_across",
+                                  "v_across_se", "v_along", "v_along_se", "filling", "particles"}));
+    ASSERT_EQ(table.row_count(), 7U + 20U);
+    EXPECT_EQ(table.find_column("line")->at(6), "line");
+    EXPECT_EQ(table.find_column("line")->at(7), "side");
+    const std::vector<double> flux = table.column_numbers("flux");
     const double passed = std::accumulate(flux.begin(), flux.begin() + 7, 0.0) * 2000 * 60 / 7;
     EXPECT_NEAR(passed,
                 testing::csv_column(folder.path() / "series.csv", "discharged_sites").back(), 1e-9)
         << kind;
-    EXPECT_GT(table.numbers("v_across")[0], 0);
+    EXPECT_GT(table.column_numbers("v_across")[0], 0);
   }
 }
 

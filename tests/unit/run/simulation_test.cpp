@@ -37,16 +37,16 @@ TEST(Simulation, HasTheBitsAndTheMeasuresOfARun) {
     run::Simulation simulation(scene);
     while (!simulation.is_over()) {
       simulation.step();
-      if (!simulation.ended().empty()) {
-        const store::StageSummary& stage = summary.stages.at(simulation.stage());
-        EXPECT_EQ(simulation.ended(), stage.ended);
+      if (!simulation.stage_end_text().empty()) {
+        const store::StageSummary& stage = summary.stages.at(simulation.stage_index());
+        EXPECT_EQ(simulation.stage_end_text(), stage.end_reason);
         EXPECT_EQ(simulation.measures(), stage.measures) << model;
       }
     }
-    EXPECT_EQ(simulation.grains().step, summary.steps);
-    EXPECT_EQ(simulation.hash(), summary.state_hash) << model;
+    EXPECT_EQ(simulation.state().step, summary.steps);
+    EXPECT_EQ(simulation.state_hash(), summary.state_hash) << model;
     EXPECT_THROW(simulation.step(), std::logic_error);
-    EXPECT_THROW(simulation.next_stage(), std::logic_error);
+    EXPECT_THROW(simulation.begin_next_stage(), std::logic_error);
   }
 }
 
@@ -62,15 +62,15 @@ TEST(Simulation, GivesOneMeasureAlone) {
 TEST(Simulation, AHeldStateStaysAsItsStageLeftIt) {
   for (const char* model : {"automaton", "contact"}) {
     run::Simulation simulation(scene_of(model));
-    const auto held = simulation.held_grains();
-    EXPECT_EQ(held.get(), &simulation.grains());
-    while (simulation.ended().empty()) {
+    const auto held = simulation.shared_state();
+    EXPECT_EQ(held.get(), &simulation.state());
+    while (simulation.stage_end_text().empty()) {
       simulation.step();
     }
     const grains::State end = *held;
     simulation.step();
-    EXPECT_EQ(simulation.stage(), 1);
-    EXPECT_NE(held.get(), &simulation.grains());
+    EXPECT_EQ(simulation.stage_index(), 1);
+    EXPECT_NE(held.get(), &simulation.state());
     EXPECT_EQ(*held, end) << model;
   }
 }

@@ -71,7 +71,7 @@ TEST(WallsInRuns, APlateThatStallsEndsItsStageAndTheLogSaysSinceWhenAndHowDeep) 
   std::vector<std::string> lines;
   const auto summary = run(plate(), {.folder = folder.path()},
                            {.message = [&](const std::string& text) { lines.push_back(text); }});
-  ASSERT_EQ(summary.stages[1].ended, "stalled");
+  ASSERT_EQ(summary.stages[1].end_reason, "stalled");
   const double since = testing::measure_of(summary, "push", "stalled_since");
   EXPECT_GT(since, static_cast<double>(summary.stages[0].steps));
   EXPECT_LT(since, static_cast<double>(summary.steps));
@@ -141,7 +141,7 @@ TEST(WallsInRuns, AWallIsNotInsertedInsideParticles) {
 TEST(WallsInRuns, AShakenStageEndsAfterItsCyclesWithARowForEach) {
   const testing::ScratchFolder folder;
   const auto summary = run(scene::parse(kShaken, "shaken.yaml"), {.folder = folder.path()});
-  EXPECT_EQ(summary.stages[1].ended, "cycles");
+  EXPECT_EQ(summary.stages[1].end_reason, "cycles");
   const fs::path cycles = folder.path() / "cycles.csv";
   EXPECT_EQ(testing::csv_column(cycles, "cycle"), (std::vector<double>{0, 1, 2, 3, 4, 5}));
   EXPECT_EQ(testing::csv_column(cycles, "step").back(), static_cast<double>(summary.steps));

@@ -33,8 +33,8 @@ std::vector<T> numbers(std::size_t count) {
 Checkpoint example() {
   return {.kind = "automaton",
           .scene_name = "silo",
-          .scene = "clca: 1\n",
-          .summary = std::string("{\0}", 3),
+          .scene_text = "clca: 1\n",
+          .summary_json = std::string("{\0}", 3),
           .fields = {
               {"a/u8", numbers<std::uint8_t>(15)},
               {"a/u16", std::vector<std::uint16_t>{0, 1, 0xFFFF}},
@@ -92,8 +92,8 @@ TEST(Checkpoint, WhatIsWrittenIsReadAsItWas) {
   const Checkpoint read = parse_checkpoint(checkpoint_bytes(example()), kMuch);
   EXPECT_EQ(read.kind, "automaton");
   EXPECT_EQ(read.scene_name, "silo");
-  EXPECT_EQ(read.scene, "clca: 1\n");
-  EXPECT_EQ(read.summary, std::string("{\0}", 3));
+  EXPECT_EQ(read.scene_text, "clca: 1\n");
+  EXPECT_EQ(read.summary_json, std::string("{\0}", 3));
   EXPECT_EQ(read.fields, example().fields);
 }
 
@@ -151,8 +151,8 @@ TEST(Checkpoint, AnEntryThatLiesIsRefused) {
 }
 
 TEST(Checkpoint, DataOfAnotherLengthIsRefused) {
-  const Bytes whole =
-      checkpoint_bytes({.kind = "k", .scene_name = "", .scene = "", .summary = "", .fields = {}});
+  const Bytes whole = checkpoint_bytes(
+      {.kind = "k", .scene_name = "", .scene_text = "", .summary_json = "", .fields = {}});
   const auto with_count = [&](std::uint8_t count) {
     Bytes content(whole.begin() + kHeaderBytes, whole.end());
     content[3] = count;  // of the first text

@@ -23,12 +23,12 @@ constexpr double kMuch = 1e8;
 
 template <class Values>
 void add(const hdf5::Handle& file, const char* path, Values values, std::size_t columns = 1) {
-  hdf5::add(file, {path, &values, columns});
+  hdf5::add_dataset(file, {path, &values, columns});
 }
 
 Bytes example(const FileKind& kind = kKind) {
   return with_header(
-      kind, hdf5::image("file.h5", [](const hdf5::Handle& file) {
+      kind, hdf5::file_bytes("file.h5", [](const hdf5::Handle& file) {
         add(file, "group/inner/numbers", std::vector<std::int32_t>{1, -2, 3, 4, 5, -6}, 3);
         add(file, "reals", std::vector<double>(5000, 0.1));
         add(file, "nothing", Bytes());
@@ -42,7 +42,7 @@ class Hdf5FileTest : public ::testing::Test {
  protected:
   std::filesystem::path put(const Bytes& bytes) const {
     const auto path = folder_.path() / "file.h5";
-    write_whole(path, bytes);
+    write_whole_file(path, bytes);
     return path;
   }
   /// Of the file that was put last.
@@ -148,13 +148,13 @@ TEST_F(Hdf5FileTest, WhatIsAskedForInVainIsNamed) {
 
 /// A file with the numbers `rows`, which fill it adds.
 Bytes file_with_rows(hsize_t rows, const std::function<void(const hdf5::Handle& rows)>& fill) {
-  return with_header(kKind, hdf5::image("file.h5", [&](const hdf5::Handle& file) {
-                       const hdf5::Handle creation = hdf5::properties(H5P_DATASET_CREATE);
+  return with_header(kKind, hdf5::file_bytes("file.h5", [&](const hdf5::Handle& file) {
+                       const hdf5::Handle creation = hdf5::make_properties(H5P_DATASET_CREATE);
                        const hsize_t chunk = 1000;
                        hdf5::check(H5Pset_chunk(creation.id(), 1, &chunk), "chunk");
                        hdf5::check(H5Pset_deflate(creation.id(), 1), "compression");
                        fill(hdf5::make_dataset(file, {"rows", {}}, H5T_NATIVE_UINT8,
-                                               hdf5::space_of({rows}), creation));
+                                               hdf5::dataspace({rows}), creation));
                      }));
 }
 
@@ -189,7 +189,7 @@ TEST_F(Hdf5FileTest, WhatTheLibraryCannotReadIsOneLineAndNothingOnTheTerminal) {
 TEST_F(Hdf5FileTest, WhatGoesWrongWhileItIsMadeIsOneLine) {
   const auto why = [](const std::function<void(const hdf5::Handle& file)>& add) {
     try {
-      hdf5::image("file.h5", add);
+      hdf5::file_bytes("file.h5", add);
     } catch (const StoreError& error) {
       return std::string(error.what());
     }

@@ -21,7 +21,7 @@ namespace {
 using ::testing::EndsWith;
 
 constexpr double kMuch = 1e8;
-constexpr Layout kLayout = {.walls = 1};
+constexpr OptionalDatasets kLayout = {.wall_count = 1};
 
 struct Hostile {
   const char* name;
@@ -41,31 +41,32 @@ void write_plate(const std::filesystem::path& run) {
   TrajectoryWriter writer(OutputFolder(run), scene, model::initial_state(scene), {});
   testing::play(scene, 10, [&](const grains::State& state, std::size_t stage, bool begins) {
     if (stage == 1) {
-      writer.add(state, stage, begins);
+      writer.add_frame(state, stage, begins);
     }
   });
   writer.flush();
 }
 
 void rewrite(const std::filesystem::path& path, const std::function<void(TrajectoryPart&)>& change,
-             const Layout& layout = kLayout) {
+             const OptionalDatasets& layout = kLayout) {
   TrajectoryPart part;
   SceneTables tables;
   std::vector<Hdf5Dataset> datasets = tables.datasets();
-  const std::vector<Column> columns = part.columns(layout);
+  const std::vector<TrajectoryDataset> columns = part.datasets(layout);
   datasets.insert(datasets.end(), columns.begin(), columns.end());
   read_hdf5(path, kTrajectoryKind, datasets, kMuch);
   change(part);
-  write_whole(path, with_header(kTrajectoryKind, hdf5::image(path, [&](const hdf5::Handle& file) {
-                                  for (const Hdf5Dataset& dataset : tables.datasets()) {
-                                    hdf5::add(file, dataset);
-                                  }
-                                  for (const Column& column : columns) {
-                                    if (!column.may_be_missing || !part.rows.spin.empty()) {
-                                      hdf5::add(file, column);
-                                    }
-                                  }
-                                })));
+  write_whole_file(
+      path, with_header(kTrajectoryKind, hdf5::file_bytes(path, [&](const hdf5::Handle& file) {
+                          for (const Hdf5Dataset& dataset : tables.datasets()) {
+                            hdf5::add_dataset(file, dataset);
+                          }
+                          for (const TrajectoryDataset& column : columns) {
+                            if (!column.may_be_missing || !part.rows.spin.empty()) {
+                              hdf5::add_dataset(file, column);
+                            }
+                          }
+                        })));
 }
 
 std::string reason(const std::filesystem::path& run,
@@ -92,8 +93,8 @@ void write_contacts(const std::filesystem::path& run, const scene::Scene& scene)
   contact::Force on_floor = force;
   on_floor.other = contact::kFloor;
   TrajectoryWriter writer(OutputFolder(run), scene, state, {});
-  writer.add(state, 0, true,
-             {.velocities = {{0, 1}, {2, 3}}, .spins = {4, 5}, .forces = {force, on_floor}});
+  writer.add_frame(state, 0, true,
+                   {.velocities = {{0, 1}, {2, 3}}, .spins = {4, 5}, .forces = {force, on_floor}});
   writer.flush();
 }
 
@@ -118,7 +119,7 @@ TEST(HostileTrajectory, FilesOfEarlierVersionsAreReadWithoutSpins) {
   };
   EXPECT_EQ(spins(), std::vector<double>({4, 5}));
   rewrite(only_part(folder.path()), [](TrajectoryPart& part) { part.rows.spin.clear(); },
-          {.velocities = true, .contacts = true});
+          {.has_velocities = true, .has_contacts = true});
   EXPECT_THAT(spins(), ::testing::ElementsAre(::testing::IsNan(), ::testing::IsNan()));
 }
 
@@ -127,28 +128,30 @@ TEST(HostileTrajectory, ContactsOfBodiesThatAreNotThereAreRefused) {
   const auto reason_of = [&](const std::function<void(TrajectoryPart&)>& change) {
     const testing::ScratchFolder folder;
     write_contacts(folder.path(), scene);
-    rewrite(only_part(folder.path()), change, {.velocities = true, .contacts = true});
+    rewrite(only_part(folder.path()), change, {.has_velocities = true, .has_contacts = true});
     return reason(folder.path(), scene);
   };
   constexpr const char* kNotThere = "frame of step 0: a contact of bodies that are not there";
   EXPECT_EQ(reason_of([](TrajectoryPart&) {}), "");
-  EXPECT_THAT(reason_of([](auto& part) { part.rows.upper[0] = 2; }), EndsWith(kNotThere));
-  EXPECT_THAT(reason_of([](auto& part) { part.rows.other[0] = 2; }), EndsWith(kNotThere));
-  EXPECT_THAT(reason_of([](auto& part) { part.rows.other[0] = -2; }), EndsWith(kNotThere));
-  EXPECT_THAT(reason_of([](auto& part) { part.rows.other[1] += 4; }), EndsWith(kNotThere));
+  EXPECT_THAT(reason_of([](auto& part) { part.rows.contact_upper[0] = 2; }), EndsWith(kNotThere));
+  EXPECT_THAT(reason_of([](auto& part) { part.rows.contact_other[0] = 2; }), EndsWith(kNotThere));
+  EXPECT_THAT(reason_of([](auto& part) { part.rows.contact_other[0] = -2; }), EndsWith(kNotThere));
+  EXPECT_THAT(reason_of([](auto& part) { part.rows.contact_other[1] += 4; }), EndsWith(kNotThere));
   EXPECT_THAT(reason_of([](auto& part) { part.rows.spin.resize(1); }),
               EndsWith("particles/spin has 1 rows, not 2"));
-  EXPECT_THAT(reason_of([](auto& part) { part.rows.normal.resize(2); }),
+  EXPECT_THAT(reason_of([](auto& part) { part.rows.contact_normal.resize(2); }),
               EndsWith("contacts/normal has 1 rows, not 2"));
-  EXPECT_THAT(reason_of([](auto& part) { part.frames.rows[RowKind::contacts].count[0] = 1; }),
-              EndsWith("contacts/upper has 2 rows, not 1"));
+  EXPECT_THAT(
+      reason_of([](auto& part) { part.frames.row_ranges[RowKind::contacts].row_counts[0] = 1; }),
+      EndsWith("contacts/upper has 2 rows, not 1"));
 }
 
 TEST(HostileTrajectory, ThePartThatIsChangedIsReadAsLongAsItIsNot) {
   const testing::ScratchFolder folder;
   write_plate(folder.path());
   rewrite(only_part(folder.path()), [](TrajectoryPart& part) {
-    EXPECT_GT(part.frames.rows[RowKind::pushes].count.back(), 1U) << "there is something to change";
+    EXPECT_GT(part.frames.row_ranges[RowKind::pushes].row_counts.back(), 1U)
+        << "there is something to change";
     EXPECT_EQ(part.frames.step.size(), 8U);
   });
   EXPECT_EQ(reason(folder.path()), "");
@@ -173,39 +176,39 @@ INSTANTIATE_TEST_SUITE_P(
         Hostile{"lists_of_frames", [](TrajectoryPart& part) { part.frames.stage.pop_back(); },
                 "frames/stage has 7 rows, not 8"},
         Hostile{"counts_of_pushes",
-                [](TrajectoryPart& part) { part.frames.rows[RowKind::pushes].count.pop_back(); },
+                [](TrajectoryPart& part) { part.frames.row_ranges[RowKind::pushes].row_counts.pop_back(); },
                 "frames/pushes has 7 rows, not 8"},
         Hostile{"steps", [](TrajectoryPart& part) { std::swap(part.frames.step[0], part.frames.step[5]); },
                 "frames are not in order"},
         Hostile{"stage", [](TrajectoryPart& part) { part.frames.stage.back() = 2; },
                 "frame of step 130: a stage that the scene does not have"},
-        Hostile{"entered", [](TrajectoryPart& part) { part.frames.entered.back() = 4'000'000'000; },
+        Hostile{"entered", [](TrajectoryPart& part) { part.frames.entered_particles.back() = 4'000'000'000; },
                 "frame of step 130: needs more memory than the limit"},
-        Hostile{"fewer_entered", [](TrajectoryPart& part) { part.frames.entered.back() = 79; },
+        Hostile{"fewer_entered", [](TrajectoryPart& part) { part.frames.entered_particles.back() = 79; },
                 "frame of step 130: ids out of order or out of range"},
         Hostile{"more_particles",
-                [](TrajectoryPart& part) { part.frames.rows[RowKind::particles].count.back() = 4'000'000'000; },
+                [](TrajectoryPart& part) { part.frames.row_ranges[RowKind::particles].row_counts.back() = 4'000'000'000; },
                 "particles/id has 640 rows, not 4000000560"},
-        Hostile{"fewer_rows", [](TrajectoryPart& part) { part.frames.rows[RowKind::particles].count.back() = 70; },
+        Hostile{"fewer_rows", [](TrajectoryPart& part) { part.frames.row_ranges[RowKind::particles].row_counts.back() = 70; },
                 "particles/id has 640 rows, not 630"},
         Hostile{"more_origins",
-                [](TrajectoryPart& part) { part.frames.rows[RowKind::origins].count.back() = 81; },
+                [](TrajectoryPart& part) { part.frames.row_ranges[RowKind::origins].row_counts.back() = 81; },
                 "origins/id has 80 rows, not 161"},
         Hostile{"origins_without_rows",
-                [](TrajectoryPart& part) { part.frames.rows[RowKind::origins].count.back() = 80; },
+                [](TrajectoryPart& part) { part.frames.row_ranges[RowKind::origins].row_counts.back() = 80; },
                 "origins/id has 80 rows, not 160"},
         Hostile{"first_rows",
-                [](TrajectoryPart& part) { part.frames.rows[RowKind::particles].first[3] = ~std::uint64_t{0}; },
+                [](TrajectoryPart& part) { part.frames.row_ranges[RowKind::particles].first_rows[3] = ~std::uint64_t{0}; },
                 "rows of frames do not follow each other"},
         Hostile{"first_of_all",
                 [](TrajectoryPart& part) {
-                  for (std::uint64_t& first : part.frames.rows[RowKind::pushes].first) {
+                  for (std::uint64_t& first : part.frames.row_ranges[RowKind::pushes].first_rows) {
                     first += 1;
                   }
                 },
                 "rows of frames do not follow each other"},
         Hostile{"pushes_without_rows",
-                [](TrajectoryPart& part) { part.frames.rows[RowKind::pushes].count.back() = 4'000'000'000; },
+                [](TrajectoryPart& part) { part.frames.row_ranges[RowKind::pushes].row_counts.back() = 4'000'000'000; },
                 "pushes/pushed has 97 rows, not 4000000069"},
         Hostile{"origin_column", [](TrajectoryPart& part) { part.origins.site[0] = kLeast; },
                 "frame of step 60: an origin is too far away"},
@@ -214,15 +217,15 @@ INSTANTIATE_TEST_SUITE_P(
         Hostile{"no_origins",
                 [](TrajectoryPart& part) {
                   part.origins = {};
-                  part.frames.rows[RowKind::origins].first.assign(8, 0);
-                  part.frames.rows[RowKind::origins].count.assign(8, 0);
+                  part.frames.row_ranges[RowKind::origins].first_rows.assign(8, 0);
+                  part.frames.row_ranges[RowKind::origins].row_counts.assign(8, 0);
                 },
                 "frame of step 60: a particle without an origin"},
         Hostile{"odd_sites", [](TrajectoryPart& part) { part.rows.site.resize(part.rows.site.size() - 2); },
                 "particles/site has 639 rows, not 640"},
         Hostile{"kind", [](TrajectoryPart& part) { part.rows.kind[81] = 2; },
                 "frame of step 70: a particle is of no kind"},
-        Hostile{"move", [](TrajectoryPart& part) { part.rows.move[81] = 7; }, "frame of step 70: the last move of a particle is out of range"},
+        Hostile{"move", [](TrajectoryPart& part) { part.rows.last_move[81] = 7; }, "frame of step 70: the last move of a particle is out of range"},
         Hostile{"column_right", [](TrajectoryPart& part) { part.rows.site[0] = kMost; },
                 "frame of step 60: a particle is too far away"},
         Hostile{"column_left", [](TrajectoryPart& part) { part.rows.site[0] = kLeast; },

@@ -75,17 +75,17 @@ TEST_F(OutputFolderTest, ItsOwnFileIsReplacedAlsoByAnotherProcess) {
   folder().write("a.txt", "first");
   folder().write("a.txt", "second");
   EXPECT_EQ(text("out/a.txt"), "second");
-  EXPECT_THAT(folder().files(), ElementsAre("a.txt"));
+  EXPECT_THAT(folder().listed_files(), ElementsAre("a.txt"));
 }
 
 TEST_F(OutputFolderTest, AFolderIsItsOwnIfItMadeItOrItIsEmpty) {
-  EXPECT_NO_THROW(folder().require_own()) << "there is none";
+  EXPECT_NO_THROW(folder().require_clca_folder()) << "there is none";
   fs::create_directories(path("out"));
-  EXPECT_NO_THROW(folder().require_own());
+  EXPECT_NO_THROW(folder().require_clca_folder());
   put("out/.clca.lock", "");
-  EXPECT_NO_THROW(folder().require_own());
+  EXPECT_NO_THROW(folder().require_clca_folder());
   put("out/mine.txt", "mine");
-  EXPECT_THAT([&] { folder().require_own(); },
+  EXPECT_THAT([&] { folder().require_clca_folder(); },
               ThrowsMessage<StoreError>(
                   EndsWith("out: clca did not make the folder, and there are files in it "
                            "(mine.txt); write elsewhere")));
@@ -93,12 +93,12 @@ TEST_F(OutputFolderTest, AFolderIsItsOwnIfItMadeItOrItIsEmpty) {
   fs::remove(path("out/mine.txt"));
   folder().write("a.txt", "x");
   put("out/mine.txt", "mine");
-  EXPECT_NO_THROW(folder().require_own());
+  EXPECT_NO_THROW(folder().require_clca_folder());
   EXPECT_NO_THROW(named_folder(path("out"), "", ""));
-  folder().make_own();
+  folder().make_clca_folder();
   EXPECT_EQ(text("out/.clca.manifest"), "clca manifest 1\n\nfile \"a.txt\"\n");
   put("file", "mine");
-  EXPECT_THROW(OutputFolder(path("file")).require_own(), StoreError);
+  EXPECT_THROW(OutputFolder(path("file")).require_clca_folder(), StoreError);
 }
 
 TEST_F(OutputFolderTest, ClearRemovesWhatTheManifestListsAndNothingElse) {
@@ -113,7 +113,7 @@ TEST_F(OutputFolderTest, ClearRemovesWhatTheManifestListsAndNothingElse) {
   out.clear("run.json", "kept");
   EXPECT_THAT(names("out"), ElementsAre("frames", "kept", "notes.txt", "plots"));
   EXPECT_THAT(names("out/frames"), ElementsAre("mine.png"));
-  EXPECT_THAT(folder().files(), ElementsAre("kept"));
+  EXPECT_THAT(folder().listed_files(), ElementsAre("kept"));
 }
 
 TEST_F(OutputFolderTest, SymbolicLinksAreNeverFollowed) {
@@ -186,9 +186,9 @@ TEST_F(OutputFolderTest, AManifestThatNamesFilesElsewhereOrIsNoneIsRefused) {
 TEST_F(OutputFolderTest, ALineOfTheManifestThatWasNotWrittenWholeIsPassedOver) {
   folder().write("a.txt", "x");
   std::ofstream(path("out/.clca.manifest"), std::ios::app) << "file \"b.t";
-  EXPECT_THAT(folder().files(), ElementsAre("a.txt"));
+  EXPECT_THAT(folder().listed_files(), ElementsAre("a.txt"));
   folder().write("c.txt", "x");
-  EXPECT_THAT(folder().files(), ElementsAre("a.txt", "c.txt"));
+  EXPECT_THAT(folder().listed_files(), ElementsAre("a.txt", "c.txt"));
 }
 
 TEST_F(OutputFolderTest, NamesThatLeaveTheFolderAreRefused) {
@@ -218,13 +218,13 @@ TEST_F(OutputFolderTest, TemporaryFilesOfAKilledProcessAreRemovedAndNoOthers) {
 
 TEST_F(OutputFolderTest, AFileThatTheUserNamedReplacesARegularFileAndIsNotListed) {
   put("out/a.txt", "mine");
-  write_whole(path("out/a.txt"), "asked for");
+  write_whole_file(path("out/a.txt"), "asked for");
   EXPECT_EQ(text("out/a.txt"), "asked for");
   EXPECT_FALSE(fs::exists(path("out/.clca.manifest")));
   folder().clear("", "");
   EXPECT_EQ(text("out/a.txt"), "asked for");
   ASSERT_EQ(::mkfifo(path("out/pipe").c_str(), 0600), 0);
-  EXPECT_THROW(write_whole(path("out/pipe"), "x"), StoreError);
+  EXPECT_THROW(write_whole_file(path("out/pipe"), "x"), StoreError);
   EXPECT_TRUE(fs::is_fifo(path("out/pipe")));
 }
 
@@ -235,7 +235,7 @@ TEST_F(OutputFolderTest, AGrowingFileKeepsWhatItIsToldAndCutsOffTheRest) {
   file.append("a,b\n");
   file.append("");
   file.append("1,2\n");
-  EXPECT_EQ(file.bytes(), 8U);
+  EXPECT_EQ(file.size_in_bytes(), 8U);
   GrowingFile again(out, "table.csv", 4);
   again.append("3,4\n");
   out.flush();
@@ -273,7 +273,7 @@ TEST_F(OutputFolderTest, SeveralThatWriteAtOnceKeepTheTemporaryFilesOfEachOther)
   std::thread other([&] { write('b'); });
   write('a');
   other.join();
-  EXPECT_EQ(folder().files().size(), 2 * kFiles);
+  EXPECT_EQ(folder().listed_files().size(), 2 * kFiles);
 }
 
 TEST_F(OutputFolderTest, SeveralThatBeginAFileAtOnceLeaveItListed) {

@@ -17,7 +17,7 @@ using ::testing::HasSubstr;
 class ReadTableTest : public ::testing::Test {
  protected:
   ParsedTable read(std::string_view text) const {
-    write_whole(file_, text);
+    write_whole_file(file_, text);
     return read_table(file_);
   }
   void expect_refused(std::string_view text, const std::string& reason) const {
@@ -35,17 +35,17 @@ TEST_F(ReadTableTest, GivesBackWhatWasWritten) {
   table.add_row({std::uint64_t{3}, std::string("\"x\", \n\"\"y"), 0.1 + 0.2});
   table.add_row({std::uint64_t{4}, std::string("\""), std::nan("")});
   const ParsedTable back = read(table.to_csv());
-  EXPECT_THAT(back.names, ElementsAre("step", "a,\"b\"", "value"));
-  EXPECT_THAT(*back.find("a,\"b\""), ElementsAre("\"x\", \n\"\"y", "\""));
-  EXPECT_THAT(back.numbers("step"), ElementsAre(3, 4));
-  EXPECT_EQ(back.numbers("value")[0], 0.1 + 0.2);
-  EXPECT_TRUE(std::isnan(back.numbers("value")[1]));
+  EXPECT_THAT(back.column_names, ElementsAre("step", "a,\"b\"", "value"));
+  EXPECT_THAT(*back.find_column("a,\"b\""), ElementsAre("\"x\", \n\"\"y", "\""));
+  EXPECT_THAT(back.column_numbers("step"), ElementsAre(3, 4));
+  EXPECT_EQ(back.column_numbers("value")[0], 0.1 + 0.2);
+  EXPECT_TRUE(std::isnan(back.column_numbers("value")[1]));
 }
 
 TEST_F(ReadTableTest, ATableMayHaveNoRows) {
   const ParsedTable table = read("a,b\n");
-  EXPECT_EQ(table.rows(), 0U);
-  EXPECT_THAT(table.numbers("b"), ElementsAre());
+  EXPECT_EQ(table.row_count(), 0U);
+  EXPECT_THAT(table.column_numbers("b"), ElementsAre());
 }
 
 TEST_F(ReadTableTest, WhatTableDoesNotWriteIsAnErrorWithItsLine) {
@@ -65,9 +65,9 @@ TEST_F(ReadTableTest, WhatTableDoesNotWriteIsAnErrorWithItsLine) {
 TEST_F(ReadTableTest, TextWhereANumberShouldStandIsAnErrorWithItsLine) {
   const ParsedTable table = read("a,b\n1,2\n3,4x\n");
   EXPECT_THAT(
-      [&] { table.numbers("b"); },
+      [&] { table.column_numbers("b"); },
       ::testing::ThrowsMessage<StoreError>(HasSubstr("line 3: '4x' in column 'b' is no number")));
-  EXPECT_THAT([&] { table.numbers("c"); },
+  EXPECT_THAT([&] { table.column_numbers("c"); },
               ::testing::ThrowsMessage<StoreError>(HasSubstr("no column 'c'")));
 }
 

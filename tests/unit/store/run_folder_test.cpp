@@ -32,8 +32,8 @@ class RunFolderTest : public ::testing::Test {
     summary.status = "running";
     return {.kind = "automaton",
             .scene_name = "new",
-            .scene = "clca: 1\n",
-            .summary = to_json(summary),
+            .scene_text = "clca: 1\n",
+            .summary_json = to_json(summary),
             .fields = {}};
   }
   /// A run that has saved itself once.
@@ -42,12 +42,12 @@ class RunFolderTest : public ::testing::Test {
     folder.start_over(start());
     Checkpoint saved = start();
     saved.fields["state/step"] = std::vector<std::uint64_t>{5};
-    write_checkpoint(folder.files(), saved);
+    write_checkpoint(folder.output_folder(), saved);
     RunSummary summary;
     summary.scene = "old";
     summary.seed = 7;
     summary.status = status;
-    folder.files().write(kSummaryFile, to_json(summary));
+    folder.output_folder().write(kSummaryFile, to_json(summary));
   }
 
   testing::ScratchFolder scratch_;
@@ -68,7 +68,7 @@ TEST_F(RunFolderTest, StartingOverRemovesWhatTheEarlierRunLeftAndNothingElse) {
   }
   const RunFolder folder = RunFolder::for_new_run(run());
   EXPECT_EQ(folder.earlier_run()->summary.seed, 7U);
-  EXPECT_FALSE(folder.earlier_run()->unfinished);
+  EXPECT_FALSE(folder.earlier_run()->is_resumable);
   folder.start_over(start());
   for (const char* name : {"run.json", "series.csv", "profile-flow.csv", "frames/old-000120.png",
                            "plots/series.png", "export", "report.html", kPreviousCheckpointFile}) {
@@ -78,14 +78,14 @@ TEST_F(RunFolderTest, StartingOverRemovesWhatTheEarlierRunLeftAndNothingElse) {
                            "book.part-2", "notes.txt", kCheckpointFile}) {
     EXPECT_TRUE(fs::exists(run() / name)) << name;
   }
-  EXPECT_TRUE(read_checkpoint(run(), 1e9)->checkpoint.is_start());
+  EXPECT_TRUE(read_checkpoint(run(), 1e9)->checkpoint.is_before_first_step());
 }
 
 TEST_F(RunFolderTest, KnowsARunThatCanGoOn) {
   leave_run("interrupted");
-  EXPECT_TRUE(RunFolder::for_new_run(run()).earlier_run()->unfinished);
+  EXPECT_TRUE(RunFolder::for_new_run(run()).earlier_run()->is_resumable);
   RunFolder::for_new_run(run()).start_over(start());
-  EXPECT_FALSE(RunFolder::for_new_run(run()).earlier_run()->unfinished);
+  EXPECT_FALSE(RunFolder::for_new_run(run()).earlier_run()->is_resumable);
   EXPECT_EQ(RunFolder::for_new_run(run()).earlier_run()->summary.scene, "new");
 }
 
@@ -117,7 +117,7 @@ TEST_F(RunFolderTest, KeepsFramesUpToAStepWhenARunGoesOn) {
     return std::string(kFramesFolder) + "/" + frame_name("scene", step, 6);
   };
   for (const std::uint64_t step : {10U, 20U, 1'000'000U}) {
-    folder.files().write(frame(step), "x");
+    folder.output_folder().write(frame(step), "x");
   }
   put("frames/scene-000030.png", "mine");
   folder.remove_frames_after(10);
@@ -148,7 +148,7 @@ TEST_F(RunFolderTest, TheLockIsNeitherFollowedNorEmptied) {
   fs::remove(run() / ".clca.lock");
   put(".clca.lock", "mine");
   { const RunFolder folder = RunFolder::for_new_run(run()); }
-  const auto bytes = read_whole(run() / ".clca.lock", 100);
+  const auto bytes = read_whole_file(run() / ".clca.lock", 100);
   EXPECT_EQ(std::string(bytes.begin(), bytes.end()), "mine");
 }
 

@@ -32,15 +32,15 @@ class StoreTest : public ::testing::Test {
 using WriteWhole = StoreTest;
 
 TEST_F(WriteWhole, ReplacesAFileAndLeavesNothingBesideIt) {
-  write_whole(folder_ / "a.txt", "first");
-  write_whole(folder_ / "a.txt", "second");
+  write_whole_file(folder_ / "a.txt", "first");
+  write_whole_file(folder_ / "a.txt", "second");
   EXPECT_EQ(text_of(folder_ / "a.txt"), "second");
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1);
 }
 
 TEST_F(WriteWhole, NamesThePathAndTheReasonWhenItCannot) {
   EXPECT_THAT(
-      [&] { write_whole(folder_ / "no" / "a.txt", "x"); },
+      [&] { write_whole_file(folder_ / "no" / "a.txt", "x"); },
       ::testing::ThrowsMessage<StoreError>("cannot write " + (folder_ / "no/a.txt").string() +
                                            ": No such file or directory"));
   EXPECT_THAT([&] { testing::bytes_of(folder_ / "none"); },
@@ -52,7 +52,7 @@ TEST_F(WriteWhole, LeavesEverythingAsItWasWhenItCannotReplaceWhatIsThere) {
   fs::create_symlink("elsewhere", folder_ / "link");
   for (const char* name : {"taken", "link"}) {
     EXPECT_THAT(
-        [&] { write_whole(folder_ / name, "x"); },
+        [&] { write_whole_file(folder_ / name, "x"); },
         ::testing::ThrowsMessage<StoreError>(::testing::EndsWith("it is not a regular file")));
   }
   EXPECT_TRUE(fs::exists(folder_ / "taken" / "inside"));
@@ -86,13 +86,13 @@ RunSummary full_summary() {
       .steps = 500,
       .wall_seconds = 0.5,
       .step_seconds = 0.25,
-      .rate = 1e6,
+      .rate_per_second = 1e6,
       .state_hash = 0xabc,
       .compiler = "GNU 12",
       .build_type = "Release",
       .stages = {{.name = "flow",
                   .steps = 100,
-                  .ended = "settled",
+                  .end_reason = "settled",
                   .measures = {{"repose_angle_deg", 41.5}, {"clogged", true}, {"runout_99", {}}},
                   .notes = {"runout_99 is null: \"nothing\" is left"}}}};
 }
@@ -113,7 +113,7 @@ using ReadSummary = StoreTest;
 TEST_F(ReadSummary, GivesBackWhatWasWritten) {
   RunSummary summary = full_summary();
   summary.wall_seconds = 0.1 + 0.2;  // needs all digits
-  write_whole(folder_ / "run.json", to_json(summary));
+  write_whole_file(folder_ / "run.json", to_json(summary));
   const RunSummary read = read_summary(folder_ / "run.json");
   EXPECT_EQ(to_json(read), to_json(summary));
   EXPECT_EQ(read.title, summary.title);
@@ -127,7 +127,7 @@ TEST_F(ReadSummary, GivesBackWhatWasWritten) {
                    .velocity_unit = "m/s",
                    .spacing = 0.001,
                    .time_step = 0.1 + 0.2};
-  write_whole(folder_ / "run.json", to_json(summary));
+  write_whole_file(folder_ / "run.json", to_json(summary));
   EXPECT_EQ(read_summary(folder_ / "run.json").units->time_step, 0.1 + 0.2);
   EXPECT_EQ(to_json(read_summary(folder_ / "run.json")), to_json(summary));
 }
@@ -136,7 +136,7 @@ TEST_F(ReadSummary, WhatIsCutOffAnywhereIsAnError) {
   const std::string whole = to_json(full_summary());
   const fs::path file = folder_ / "run.json";
   for (std::size_t length = 0; length + 2 < whole.size(); ++length) {  // 2: the last brace
-    write_whole(file, whole.substr(0, length));
+    write_whole_file(file, whole.substr(0, length));
     EXPECT_THAT([&] { read_summary(file); },
                 ::testing::ThrowsMessage<StoreError>(::testing::HasSubstr("run.json: it is cut")));
   }
@@ -152,20 +152,20 @@ TEST_F(ReadSummary, FieldsOfTheWrongKindAreAnErrorThatNamesThem) {
   for (const auto& [key, value] : cases) {
     auto json = nlohmann::ordered_json::parse(to_json(full_summary()));
     json[key] = nlohmann::ordered_json::parse(value);
-    write_whole(file, json.dump());
+    write_whole_file(file, json.dump());
     EXPECT_THROW(read_summary(file), StoreError) << key << ": " << value;
     json.erase(key);
-    write_whole(file, json.dump());
+    write_whole_file(file, json.dump());
     EXPECT_THAT([&] { read_summary(file); },
                 ::testing::ThrowsMessage<StoreError>(::testing::HasSubstr("'" + key + "'")));
   }
   for (const char* text : {"3", "[]", "null", "{}", "\"run\"", "\xff", "{\"seed\": 1e999}"}) {
-    write_whole(file, std::string_view(text));
+    write_whole_file(file, std::string_view(text));
     EXPECT_THROW(read_summary(file), StoreError) << text;
   }
   auto json = nlohmann::ordered_json::parse(to_json(full_summary()));
   json["units"] = {{"time", "s"}};
-  write_whole(file, json.dump());
+  write_whole_file(file, json.dump());
   EXPECT_THAT([&] { read_summary(file); },
               ::testing::ThrowsMessage<StoreError>(::testing::HasSubstr("'length'")));
   EXPECT_THAT([&] { read_summary(folder_ / "none"); },
@@ -193,7 +193,7 @@ TEST_F(ReadSummary, TextThatTakesMemoryOrTimeOutOfProportionIsRefused) {
     wide += '"' + std::to_string(key) + "\":0,";
   }
   EXPECT_EQ(reason(wide), "cannot read run.json: it has an object of more than 1000 keys");
-  write_whole(folder_ / "run.json", std::string_view("{"));
+  write_whole_file(folder_ / "run.json", std::string_view("{"));
   fs::resize_file(folder_ / "run.json", std::uintmax_t{1} << 30U);  // a hole
   EXPECT_THAT([&] { read_summary(folder_ / "run.json"); },
               ::testing::ThrowsMessage<StoreError>(::testing::HasSubstr("larger than the limit")));

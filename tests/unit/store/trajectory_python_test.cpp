@@ -55,7 +55,7 @@ class TrajectoryInPython : public ::testing::Test {
   void write(const scene::Scene& scene) {
     TrajectoryWriter writer(OutputFolder(run()), scene, model::initial_state(scene), {});
     testing::play(scene, 5, [&](const grains::State& state, std::size_t stage, bool begins) {
-      writer.add(state, stage, begins);
+      writer.add_frame(state, stage, begins);
       if (++frames_ % 4 == 0) {
         writer.flush();
       }
@@ -123,7 +123,7 @@ output: {trajectory: {contacts: true}}
   ContactFrame frame = {.velocities = {{0, 0}}, .spins = {0}, .forces = {force, force}};
   frame.forces[1].other = contact::kLeftSide;
   TrajectoryWriter writer(OutputFolder(run()), scene, state, {});
-  writer.add(state, 0, true, frame);
+  writer.add_frame(state, 0, true, frame);
   writer.flush();
   EXPECT_EQ(lines_of_example(run()), std::vector<std::string>({"0 only 1 5.5 floor=2.5"}));
 }

@@ -36,7 +36,7 @@ class TrajectoryTest : public ::testing::Test {
     TrajectoryWriter writer(OutputFolder(run()), scene, fixed, {});
     Shown shown;
     testing::play(scene, every, [&](const grains::State& state, std::size_t stage, bool begins) {
-      writer.add(state, stage, begins);
+      writer.add_frame(state, stage, begins);
       shown.states.push_back(kept_of(state, fixed));
       shown.stages.push_back(stage);
       if (shown.states.size() % frames_per_part == 0) {
@@ -114,7 +114,7 @@ stages:
 output: {trajectory: {every: 20, contacts: true}}
 )",
                                           "rain.yaml");
-  model::SceneModel model(scene, run::first_state(scene), {});
+  model::SceneModel model(scene, run::state_at_start(scene), {});
   TrajectoryWriter writer(OutputFolder(run()), scene, model.state(), {});
   run::prepare_stage(model, scene, 0);
   std::vector<ContactFrame> shown;
@@ -128,7 +128,7 @@ output: {trajectory: {every: 20, contacts: true}}
                (grains::is_particle(force.other) &&
                 !grains[static_cast<std::size_t>(force.other)].present);
       });
-      writer.add(model.state(), 0, step == 0, frame);
+      writer.add_frame(model.state(), 0, step == 0, frame);
       for (std::size_t id = 0; id < frame.velocities.size(); ++id) {
         if (!grains[id].present) {
           frame.velocities[id].setZero();
@@ -150,7 +150,7 @@ output: {trajectory: {every: 20, contacts: true}}
   for (std::size_t frame = shown.size(); frame-- > 0;) {
     EXPECT_EQ(trajectory.contact_frame(frame), shown[frame]) << "frame " << frame;
   }
-  EXPECT_THROW(writer.add(model.state(), 0, false), std::invalid_argument) << "no velocities";
+  EXPECT_THROW(writer.add_frame(model.state(), 0, false), std::invalid_argument) << "no velocities";
 }
 
 TEST_F(TrajectoryTest, FramesAreReadInAnyOrder) {
@@ -178,7 +178,7 @@ TEST_F(TrajectoryTest, ARunGoesOnWhereItsCheckpointWas) {
   const scene::Scene scene = testing::hourglass_scene();
   const Shown shown = write(scene, 5, 4);
   const TrajectoryWriter::Written kept{.parts = 3, .frames = 12};
-  write_whole(run() / "trajectory" / "notes.txt", "of the user");
+  write_whole_file(run() / "trajectory" / "notes.txt", "of the user");
   {
     TrajectoryWriter writer(OutputFolder(run()), scene, model::initial_state(scene), kept);
     EXPECT_FALSE(std::filesystem::exists(part(3))) << "later than the checkpoint";
@@ -187,7 +187,7 @@ TEST_F(TrajectoryTest, ARunGoesOnWhereItsCheckpointWas) {
     std::size_t frame = 0;
     testing::play(scene, 5, [&](const grains::State& state, std::size_t stage, bool begins) {
       if (frame++ >= kept.frames) {
-        writer.add(state, stage, begins);
+        writer.add_frame(state, stage, begins);
       }
     });
     writer.flush();
@@ -227,12 +227,12 @@ TEST_F(TrajectoryTest, ARunDoesNotGoOnWithPartsThatAreNotItsOwn) {
 
 TEST_F(TrajectoryTest, WhatIsInMemoryIsWrittenWhenItIsMuch) {
   const scene::Scene scene = testing::plate_scene();
-  model::SceneModel model(scene, run::first_state(scene), {});
+  model::SceneModel model(scene, run::state_at_start(scene), {});
   run::prepare_stage(model, scene, 0);
   TrajectoryWriter writer(OutputFolder(run()), scene, model.state(), {});
   constexpr std::size_t kMaxFrames = (std::size_t{16} << 20U) / (std::size_t{80} * 33);
   for (std::size_t frame = 0; frame <= kMaxFrames; ++frame) {
-    writer.add(model.state(), 0, frame == 0);
+    writer.add_frame(model.state(), 0, frame == 0);
   }
   EXPECT_EQ(writer.written().parts, 1U);
   EXPECT_GT(writer.written().frames, kMaxFrames * 9 / 10);
@@ -246,16 +246,16 @@ TEST_F(TrajectoryTest, FilesThatAreNotWholeAreRefused) {
   const std::vector<std::uint8_t> whole = testing::bytes_of(part(1));
   auto bytes = whole;
   bytes.resize(bytes.size() / 2);
-  write_whole(part(1), bytes);
+  write_whole_file(part(1), bytes);
   EXPECT_THAT(reason(scene), EndsWith("part-000001.h5: it is cut off"));
   bytes = whole;
   bytes[bytes.size() / 2] ^= 1U;
-  write_whole(part(1), bytes);
+  write_whole_file(part(1), bytes);
   EXPECT_THAT(reason(scene), HasSubstr("part-000001.h5: "));
   EXPECT_THAT(reason(scene), HasSubstr("checksum is wrong"));
   std::filesystem::remove(part(1));
   EXPECT_THAT(reason(scene), EndsWith("part-000001.h5: missing, though later parts are there"));
-  write_whole(part(1), whole);
+  write_whole_file(part(1), whole);
   EXPECT_THAT(reason(testing::hourglass_scene()),
               EndsWith("part-000000.h5: of another scene: another lattice"));
   EXPECT_THAT(reason(scene, 1e4), HasSubstr("than the limit"));

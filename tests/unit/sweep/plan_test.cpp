@@ -17,7 +17,7 @@ using ::testing::ThrowsMessage;
 
 Request request(const std::vector<std::string>& variations, const std::string& seeds = "1..2",
                 std::vector<scene::Override> overrides = {}) {
-  Request result = {.scene = std::string(CLCA_SOURCE_DIR) + "/scenes/wall-removal.yaml",
+  Request result = {.scene_file = std::string(CLCA_SOURCE_DIR) + "/scenes/wall-removal.yaml",
                     .overrides = std::move(overrides),
                     .variations = {},
                     .seeds = parse_seeds(seeds)};
@@ -33,9 +33,9 @@ TEST(Plan, IsTheGridOfAllValuesTheLastVariationFastestAndSeedsWithin) {
   EXPECT_THAT(grid.variants[0].values, ElementsAre("0", "0.1"));
   EXPECT_THAT(grid.variants[1].values, ElementsAre("0", "0.2"));
   EXPECT_THAT(grid.variants[3].values, ElementsAre("0.9", "0.1"));
-  EXPECT_EQ(grid.name(0), "rules.inertia=0,rules.scatter=0.1,seed=1");
-  EXPECT_EQ(grid.name(1), "rules.inertia=0,rules.scatter=0.1,seed=2");
-  EXPECT_EQ(grid.name(11), "rules.inertia=0.9,rules.scatter=0.3,seed=2");
+  EXPECT_EQ(grid.run_name(0), "rules.inertia=0,rules.scatter=0.1,seed=1");
+  EXPECT_EQ(grid.run_name(1), "rules.inertia=0,rules.scatter=0.1,seed=2");
+  EXPECT_EQ(grid.run_name(11), "rules.inertia=0.9,rules.scatter=0.3,seed=2");
   const scene::Scene last = grid.scene(11);
   EXPECT_EQ(last.rules.inertia, 0.9);
   EXPECT_EQ(last.rules.scatter, 0.3);
@@ -45,14 +45,14 @@ TEST(Plan, IsTheGridOfAllValuesTheLastVariationFastestAndSeedsWithin) {
 TEST(Plan, WithoutVariationsItHasOneRunASeed) {
   const Plan seeds = plan(request({}, "3,5..6", {"rules.inertia=0.5"}));
   ASSERT_EQ(seeds.run_count(), 3U);
-  EXPECT_EQ(seeds.name(1), "seed=5");
+  EXPECT_EQ(seeds.run_name(1), "seed=5");
   EXPECT_EQ(seeds.scene(1).seed, 5U);
   EXPECT_EQ(seeds.scene(1).rules.inertia, 0.5);
 }
 
 TEST(Plan, RefusesASceneOfTheBoltzmannEquation) {
   Request gas = request({"boltzmann.friction=0,0.3"});
-  gas.scene = std::string(CLCA_SOURCE_DIR) + "/scenes/boltzmann-case1.yaml";
+  gas.scene_file = std::string(CLCA_SOURCE_DIR) + "/scenes/boltzmann-case1.yaml";
   EXPECT_THAT([&] { plan(gas); }, ThrowsMessage<scene::SceneError>(
                                       HasSubstr("error: a sweep takes scenes of grains only")));
 }
@@ -63,11 +63,11 @@ TEST(Plan, NamesOfRunsFitAFileSystemAndStayApart) {
   const Plan odd = plan(request({"title=a/b,a b,\"a,b\",ä," + longer + "1\"," + longer + "2\""}));
   std::set<std::string> names;
   for (std::size_t run = 0; run < odd.run_count(); ++run) {
-    EXPECT_THAT(odd.name(run), MatchesRegex("[A-Za-z0-9=,._+-]{1,160}"));
-    names.insert(odd.name(run));
+    EXPECT_THAT(odd.run_name(run), MatchesRegex("[A-Za-z0-9=,._+-]{1,160}"));
+    names.insert(odd.run_name(run));
   }
   EXPECT_EQ(names.size(), odd.run_count());
-  EXPECT_EQ(plan(request({"title=a/b"})).name(0), odd.name(0));
+  EXPECT_EQ(plan(request({"title=a/b"})).run_name(0), odd.run_name(0));
 }
 
 TEST(Plan, AWrongValueIsRefusedWithItsPlaceWhereverItStandsInTheGrid) {
@@ -91,7 +91,7 @@ TEST(Plan, ARangeWithoutAStepIsToldWhatItLacks) {
 }
 
 TEST(Plan, ARangeMayHaveAUnitOfLength) {
-  const auto rows = [](const char* text) { return parse_variation(text).rows; };
+  const auto rows = [](const char* text) { return parse_variation(text).value_rows; };
   const std::vector<std::vector<std::string>> expected = {{"1.5 mm"}, {"2 mm"}, {"2.5 mm"}};
   EXPECT_EQ(rows("box.width=1.5 mm:2.5mm:.5  mm"), expected);
   EXPECT_EQ(rows("title=1 km:2 km:1 km").size(), 1U);

@@ -63,7 +63,7 @@ TEST(Seeds, AreWrittenAsShortAsCanBeAndReadBack) {
 /// Of the only key.
 std::vector<std::string> values(const Variation& variation) {
   std::vector<std::string> values;
-  for (const std::vector<std::string>& row : variation.rows) {
+  for (const std::vector<std::string>& row : variation.value_rows) {
     values.push_back(row.at(0));
   }
   return values;
@@ -79,12 +79,12 @@ TEST(Variation, KeysVaryTogetherInRows) {
   const Variation variation =
       parse_variation("box.width, walls.gate.box=60,[20,0,21,50]; 80, [40,0,41,50]");
   EXPECT_THAT(variation.keys, ElementsAre("box.width", "walls.gate.box"));
-  EXPECT_THAT(variation.rows,
+  EXPECT_THAT(variation.value_rows,
               ElementsAre(ElementsAre("60", "[20,0,21,50]"), ElementsAre("80", "[40,0,41,50]")));
 }
 
 TEST(Variation, OnlySemicolonsOutsideOfQuotesEndARow) {
-  EXPECT_THAT(parse_variation(R"(title,rules.inertia=a,0;"x;y",1)").rows,
+  EXPECT_THAT(parse_variation(R"(title,rules.inertia=a,0;"x;y",1)").value_rows,
               ElementsAre(ElementsAre("a", "0"), ElementsAre(R"("x;y")", "1")));
 }
 

@@ -51,7 +51,7 @@ class SweepTest : public ::testing::Test {
     return {bytes.begin(), bytes.end()};
   }
   Plan plan_of(const std::string& variation = "rules.inertia=0,0.9") const {
-    return plan({.scene = file(),
+    return plan({.scene_file = file(),
                  .overrides = {},
                  .variations = {parse_variation(variation)},
                  .seeds = {1, 2, 5}});
@@ -72,8 +72,8 @@ class SweepTest : public ::testing::Test {
 
 TEST_F(SweepTest, LeavesARunFolderForEachRunAndTablesOverAll) {
   const Progress totals = run(plan_of(), "out");
-  EXPECT_EQ(totals.done, 6U);
-  EXPECT_EQ(totals.reused, 0U);
+  EXPECT_EQ(totals.done_runs, 6U);
+  EXPECT_EQ(totals.reused_runs, 0U);
   const auto json = nlohmann::json::parse(text("out/sweep.json"));
   EXPECT_EQ(json["seeds"], "1..2,5");
   EXPECT_EQ(json["title"], plan_of().variants.front().scene.title);
@@ -137,9 +137,9 @@ TEST_F(SweepTest, PartsAtTheSameTimeLeaveTheRunsOfAllOfIt) {
   for (const std::size_t number : {1U, 2U, 3U, 4U}) {
     processes.emplace_back([&, number] {
       const Progress part =
-          execute(plan, {.folder = at("parts"), .part = Part{.number = number, .of = 4}}, {});
-      EXPECT_EQ(part.runs, number <= 2 ? 2U : 1U);  // of six
-      EXPECT_EQ(part.done, part.runs);
+          execute(plan, {.folder = at("parts"), .part = Part{.number = number, .count = 4}}, {});
+      EXPECT_EQ(part.total_runs, number <= 2 ? 2U : 1U);  // of six
+      EXPECT_EQ(part.done_runs, part.total_runs);
     });
   }
   for (std::thread& process : processes) {
@@ -147,7 +147,7 @@ TEST_F(SweepTest, PartsAtTheSameTimeLeaveTheRunsOfAllOfIt) {
   }
   EXPECT_FALSE(fs::exists(at("parts/runs.csv")));
   EXPECT_FALSE(fs::exists(at("parts/sweep.json")));
-  EXPECT_EQ(run(plan, "parts").reused, 6U);
+  EXPECT_EQ(run(plan, "parts").reused_runs, 6U);
   for (const char* name : {"runs.csv", "measures.csv", "overview.png", "sweep.json"}) {
     EXPECT_EQ(text(std::string("parts/") + name), text(std::string("all/") + name)) << name;
   }
@@ -166,8 +166,8 @@ TEST_F(SweepTest, GoesOnWhereItWasAndRunsOnlyWhatIsNotWhole) {
   std::ofstream(at("out/runs/rules.inertia=0,seed=5/scene.yaml"), std::ios::app) << "# changed\n";
   fs::remove_all(at("out/runs/rules.inertia=0.9,seed=1/frames"));
   const Progress totals = run(plan_of(), "out");
-  EXPECT_EQ(totals.done, 6U);
-  EXPECT_EQ(totals.reused, 2U);
+  EXPECT_EQ(totals.done_runs, 6U);
+  EXPECT_EQ(totals.reused_runs, 2U);
   EXPECT_EQ(fs::last_write_time(kept), before);
   EXPECT_EQ(text("out/runs.csv"), runs);
   EXPECT_EQ(text("out/measures.csv"), measures);
@@ -176,9 +176,9 @@ TEST_F(SweepTest, GoesOnWhereItWasAndRunsOnlyWhatIsNotWhole) {
 
 TEST_F(SweepTest, AnotherSweepInTheFolderTakesTheRunsThatAreTheSameAndLeavesTheRest) {
   run(plan_of(), "out");
-  store::write_whole(at("out/notes.txt"), "mine");
+  store::write_whole_file(at("out/notes.txt"), "mine");
   const Progress totals = run(plan_of("rules.inertia=0.9,0.5"), "out");
-  EXPECT_EQ(totals.reused, 3U);
+  EXPECT_EQ(totals.reused_runs, 3U);
   EXPECT_EQ(testing::csv_column(at("out/runs.csv"), "rules.inertia"),
             (std::vector<double>{0.9, 0.9, 0.9, 0.5, 0.5, 0.5}));
   EXPECT_TRUE(fs::exists(at("out/notes.txt")));
@@ -193,25 +193,25 @@ TEST_F(SweepTest, RunsBeginWithOnePackingAndAreDoneAnewForAnother) {
              {.folder = at("packing")});
   };
   const auto gates = [&] {
-    return plan({.scene = file(),
+    return plan({.scene_file = file(),
                  .overrides = {"begin={run: packing}", "stages=[{name: flow, remove: [gate]}]"},
                  .variations = {parse_variation("rules.inertia=0,0.9")},
                  .seeds = {1, 2}});
   };
   pack("1");
-  EXPECT_EQ(run(gates(), "out").done, 4U);
+  EXPECT_EQ(run(gates(), "out").done_runs, 4U);
   const auto json = nlohmann::json::parse(text("out/runs/rules.inertia=0,seed=2/run.json"));
   EXPECT_EQ(json["begin"]["run"], at("packing").string());
   EXPECT_EQ(json["particles"], 12);
-  EXPECT_EQ(run(gates(), "out").reused, 4U);
+  EXPECT_EQ(run(gates(), "out").reused_runs, 4U);
   pack("2");
-  EXPECT_EQ(run(gates(), "out").reused, 0U);
+  EXPECT_EQ(run(gates(), "out").reused_runs, 0U);
 }
 
 TEST_F(SweepTest, ARunThatFailsIsNamedAndTheOthersGoOn) {
   const Progress totals = run(plan_of("stages.packing.fill.counts.small=136,12"), "out");
-  EXPECT_EQ(totals.failed, 3U);
-  EXPECT_EQ(totals.done, 3U);
+  EXPECT_EQ(totals.failed_runs, 3U);
+  EXPECT_EQ(totals.done_runs, 3U);
   EXPECT_THAT(warnings_,
               AllOf(SizeIs(3), Contains(AllOf(HasSubstr("counts.small=136,seed=5 failed"),
                                               HasSubstr("of 136 small fitted")))));
@@ -223,9 +223,9 @@ TEST_F(SweepTest, ARunThatFailsIsNamedAndTheOthersGoOn) {
 TEST_F(SweepTest, DrawsTheFinalStateOnlyUnlessAllPicturesAreAskedFor) {
   run(plan_of(), "out");
   EXPECT_EQ(picture_count("out/runs/rules.inertia=0,seed=1"), 1U);
-  EXPECT_EQ(run(plan_of(), "out", 2, true).reused, 0U);
+  EXPECT_EQ(run(plan_of(), "out", 2, true).reused_runs, 0U);
   EXPECT_GT(picture_count("out/runs/rules.inertia=0,seed=1"), 2U);
-  EXPECT_EQ(run(plan_of(), "out").reused, 6U);
+  EXPECT_EQ(run(plan_of(), "out").reused_runs, 6U);
 }
 
 TEST_F(SweepTest, WithoutPicturesThereIsNoOverviewNotEvenAnOldOne) {
@@ -242,29 +242,29 @@ TEST_F(SweepTest, ShowsHowFarTheRunsAreThatAreUnderWay) {
   const Plan plan = plan_of("stages.packing.until={steps: 100000000}");
   std::atomic<int> stop = 0;
   std::optional<RunUnderWay> seen;
-  const Progress last = execute(plan, {.folder = at("out"), .jobs = 2, .stop = &stop},
+  const Progress last = execute(plan, {.folder = at("out"), .jobs = 2, .stop_signal = &stop},
                                 {.progress = [&](const Progress& now) {
-                                  if (!now.under_way.empty()) {
-                                    seen = now.under_way.front();
+                                  if (!now.running.empty()) {
+                                    seen = now.running.front();
                                     stop = 2;
                                   }
                                 }});
   ASSERT_TRUE(seen);
-  EXPECT_TRUE(seen->name == plan.name(0) || seen->name == plan.name(1)) << seen->name;
+  EXPECT_TRUE(seen->name == plan.run_name(0) || seen->name == plan.run_name(1)) << seen->name;
   EXPECT_EQ(seen->progress.stage, "packing");
   EXPECT_GT(seen->progress.step, 0U);
-  EXPECT_TRUE(last.under_way.empty());
+  EXPECT_TRUE(last.running.empty());
 }
 
 TEST_F(SweepTest, StopsWhenAskedAndGoesOnLater) {
   std::atomic<int> stop = 0;
-  const auto count_down = [&](const Progress& progress) { stop = progress.done > 0 ? 2 : 0; };
+  const auto count_down = [&](const Progress& progress) { stop = progress.done_runs > 0 ? 2 : 0; };
   const Plan plan = plan_of();
-  const Progress first =
-      execute(plan, {.folder = at("out"), .jobs = 1, .stop = &stop}, {.progress = count_down});
-  EXPECT_GE(first.done, 1U);
+  const Progress first = execute(plan, {.folder = at("out"), .jobs = 1, .stop_signal = &stop},
+                                 {.progress = count_down});
+  EXPECT_GE(first.done_runs, 1U);
   EXPECT_TRUE(fs::exists(at("out/runs.csv")));
-  EXPECT_EQ(run(plan, "out").done, 6U);
+  EXPECT_EQ(run(plan, "out").done_runs, 6U);
   run(plan, "whole");
   EXPECT_EQ(text("out/runs.csv"), text("whole/runs.csv"));
 }
@@ -276,11 +276,11 @@ TEST_F(SweepTest, ARunThatWasStoppedGoesOnWhereItWas) {
   std::atomic<int> stop = 0;
   run::run(
       plan.scene(1),
-      {.folder = at("out/" + name), .stop = &stop, .pictures = run::WantedPictures::last},
+      {.folder = at("out/" + name), .stop_signal = &stop, .pictures = run::WantedPictures::last},
       {.detail = [&](const std::string& text) { stop = text.starts_with("stage flow") ? 2 : 0; }});
   ASSERT_THAT(text("out/" + name + "run.json"), HasSubstr("\"interrupted\""));
   const std::string packed = text("out/" + name + "log.txt");
-  EXPECT_EQ(run(plan, "out").done, 6U);
+  EXPECT_EQ(run(plan, "out").done_runs, 6U);
   // The line of the first stage, with its time.
   EXPECT_THAT(text("out/" + name + "log.txt"),
               ::testing::StartsWith(packed.substr(0, packed.find('\n') + 1)));
@@ -296,10 +296,10 @@ TEST_F(SweepTest, ARunThatWasStoppedWithoutAPictureThatIsWantedNowIsDoneAnew) {
   run::run(
       plan.scene(1),
       {.folder = at("out/runs/rules.inertia=0,seed=2"),
-       .stop = &stop,
+       .stop_signal = &stop,
        .pictures = run::WantedPictures::none},
       {.detail = [&](const std::string& text) { stop = text.starts_with("stage flow") ? 2 : 0; }});
-  EXPECT_EQ(run(plan, "out").done, 6U);
+  EXPECT_EQ(run(plan, "out").done_runs, 6U);
   EXPECT_EQ(picture_count("out/runs/rules.inertia=0,seed=2"), 1U);
 }
 
@@ -310,24 +310,24 @@ TEST_F(SweepTest, ARunThatFailedForWantOfSpaceGoesOnAndADamagedOneBeginsAnew) {
   const auto stopped_run = [&] {
     std::atomic<int> stop = 0;
     run::run(plan.scene(1),
-             {.folder = at(name), .stop = &stop, .pictures = run::WantedPictures::last},
+             {.folder = at(name), .stop_signal = &stop, .pictures = run::WantedPictures::last},
              {.detail = [&](const std::string& text) {
                stop = text.starts_with("stage flow") ? 2 : 0;
              }});
     auto json = nlohmann::ordered_json::parse(text(name + "run.json"));
     json["status"] = "failed";
-    store::write_whole(at(name + "run.json"), json.dump(2) + "\n");
+    store::write_whole_file(at(name + "run.json"), json.dump(2) + "\n");
     return text(name + "log.txt");
   };
   const std::string log = stopped_run();
-  EXPECT_EQ(run(plan, "out").done, 6U);
+  EXPECT_EQ(run(plan, "out").done_runs, 6U);
   EXPECT_THAT(text(name + "log.txt"), ::testing::StartsWith(log.substr(0, log.find('\n') + 1)));
   EXPECT_THAT(warnings_, ::testing::IsEmpty());
 
   fs::remove_all(at("out"));
   stopped_run();
   fs::resize_file(at(name + "series.csv"), 5);
-  EXPECT_EQ(run(plan, "out").done, 6U);
+  EXPECT_EQ(run(plan, "out").done_runs, 6U);
   EXPECT_THAT(warnings_, ::testing::ElementsAre(HasSubstr("begins anew")));
   EXPECT_EQ(text("out/runs.csv"), text("whole/runs.csv"));
 }
@@ -340,7 +340,7 @@ TEST_F(SweepTest, OtherRanksDoAShareAndTheTablesAreTheSame) {
   for (const int number : {1, 2}) {
     others.emplace_back([&, number] {
       const auto ranks = all.seen_from(number);
-      serve(plan, {.folder = at("ranks"), .ranks = ranks.get()});
+      work_for_rank_0(plan, {.folder = at("ranks"), .ranks = ranks.get()});
     });
   }
   const auto ranks = all.seen_from(0);
@@ -348,7 +348,7 @@ TEST_F(SweepTest, OtherRanksDoAShareAndTheTablesAreTheSame) {
   const Progress totals =
       execute(plan, {.folder = at("ranks"), .ranks = ranks.get()},
               {.message = [&](const std::string& line) { messages.push_back(line); }});
-  EXPECT_EQ(totals.done, 9U);
+  EXPECT_EQ(totals.done_runs, 9U);
   ranks->dismiss();
   for (std::thread& other : others) {
     other.join();
@@ -367,7 +367,7 @@ TEST_F(SweepTest, FailuresAndWarningsOfOtherRanksAreToldAsThoseOfThisOne) {
   testing::ThreadRanks all(2);
   std::thread other([&] {
     const auto ranks = all.seen_from(1);
-    serve(plan, {.folder = at("ranks"), .jobs = 8, .ranks = ranks.get()});
+    work_for_rank_0(plan, {.folder = at("ranks"), .jobs = 8, .ranks = ranks.get()});
   });
   const auto ranks = all.seen_from(0);
   std::vector<std::string> warnings;
@@ -376,14 +376,14 @@ TEST_F(SweepTest, FailuresAndWarningsOfOtherRanksAreToldAsThoseOfThisOne) {
               {.warning = [&](const std::string& line) { warnings.push_back(line); }});
   ranks->dismiss();
   other.join();
-  EXPECT_EQ(totals.failed, 3U);
+  EXPECT_EQ(totals.failed_runs, 3U);
   EXPECT_THAT(warnings, ::testing::UnorderedElementsAreArray(warnings_));
   EXPECT_EQ(text("ranks/runs.csv"), text("one/runs.csv"));
 }
 
 TEST_F(SweepTest, TheLongestComeFirstWhereEarlierRunsTell) {
   const auto of_seeds = [this](std::vector<std::uint64_t> seeds) {
-    return plan({.scene = file(),
+    return plan({.scene_file = file(),
                  .overrides = {},
                  .variations = {parse_variation("rules.inertia=0,0.5,0.9")},
                  .seeds = std::move(seeds)});
@@ -393,15 +393,17 @@ TEST_F(SweepTest, TheLongestComeFirstWhereEarlierRunsTell) {
     const std::string file = "out/runs/rules.inertia=" + value + ",seed=1/run.json";
     auto json = nlohmann::ordered_json::parse(text(file));
     json["wall_seconds"] = std::stod(seconds);
-    store::write_whole(at(file), json.dump(2) + "\n");
+    store::write_whole_file(at(file), json.dump(2) + "\n");
   };
   tell("0", "2");
   tell("0.5", "30");
   tell("0.9", "7");
   for (const char* value : {"0.5", "0.9", "0"}) {
     std::atomic<int> stop = 0;
-    const auto after_one = [&](const Progress& now) { stop = now.done > now.reused ? 2 : 0; };
-    execute(of_seeds({1, 2}), {.folder = at("out"), .stop = &stop}, {.progress = after_one});
+    const auto after_one = [&](const Progress& now) {
+      stop = now.done_runs > now.reused_runs ? 2 : 0;
+    };
+    execute(of_seeds({1, 2}), {.folder = at("out"), .stop_signal = &stop}, {.progress = after_one});
     const std::string first = "out/runs/rules.inertia=" + std::string(value) + ",seed=2/run.json";
     ASSERT_TRUE(fs::exists(at(first))) << value;
     EXPECT_THAT(text(first), HasSubstr("\"done\"")) << value;
@@ -414,11 +416,11 @@ TEST_F(SweepTest, ARunThatIsUnderWayElsewhereIsLeftToTheOtherProcess) {
   {
     const store::FolderLock other(taken);
     const Progress totals = run(plan_of(), "out");
-    EXPECT_EQ(totals.done, 5U);
-    EXPECT_EQ(totals.elsewhere, 1U);
+    EXPECT_EQ(totals.done_runs, 5U);
+    EXPECT_EQ(totals.runs_elsewhere, 1U);
     EXPECT_THAT(text("out/runs.csv"), HasSubstr("0.9,2,waiting,"));
   }
-  EXPECT_EQ(run(plan_of(), "out").done, 6U);
+  EXPECT_EQ(run(plan_of(), "out").done_runs, 6U);
 }
 
 TEST_F(SweepTest, OneSweepAtATimeWritesTheTables) {
@@ -428,10 +430,10 @@ TEST_F(SweepTest, OneSweepAtATimeWritesTheTables) {
 }
 
 TEST_F(SweepTest, CollectsWithoutRunning) {
-  execute(plan_of(), {.folder = at("out"), .part = Part{.number = 1, .of = 2}}, {});
+  execute(plan_of(), {.folder = at("out"), .part = Part{.number = 1, .count = 2}}, {});
   const Progress totals = execute(plan_of(), {.folder = at("out"), .collect_only = true}, {});
-  EXPECT_EQ(totals.done, 3U);
-  EXPECT_EQ(totals.runs, 6U);
+  EXPECT_EQ(totals.done_runs, 3U);
+  EXPECT_EQ(totals.total_runs, 6U);
   EXPECT_THAT(text("out/runs.csv"), AllOf(HasSubstr("0,1,done,"), HasSubstr("0,2,waiting,")));
   EXPECT_FALSE(fs::exists(at("out/runs/rules.inertia=0,seed=2")));
 }
@@ -442,15 +444,15 @@ TEST_F(SweepTest, DrawsNoPicturesThatTheOverviewDoesNotShow) {
   run(many, "out");
   EXPECT_EQ(picture_count("out/runs/rules.inertia=0,seed=8"), 1U);
   EXPECT_FALSE(fs::exists(at("out/runs/rules.inertia=0,seed=9/frames")));
-  EXPECT_EQ(run(many, "out").reused, 18U);
+  EXPECT_EQ(run(many, "out").reused_runs, 18U);
 }
 
 TEST_F(SweepTest, WhatCannotBeWrittenEndsTheSweepWithItsPath) {
-  store::write_whole(at("file"), "x");
+  store::write_whole_file(at("file"), "x");
   EXPECT_THAT([&] { run(plan_of(), "file"); },
               ::testing::ThrowsMessage<store::StoreError>(HasSubstr("file: Not a directory")));
   fs::create_directories(at("out/runs"));
-  store::write_whole(at("out/runs/rules.inertia=0,seed=2"), "x");
+  store::write_whole_file(at("out/runs/rules.inertia=0,seed=2"), "x");
   EXPECT_THAT([&] { run(plan_of(), "out"); },
               ::testing::ThrowsMessage<store::StoreError>(HasSubstr("seed=2")));
 }
@@ -459,7 +461,7 @@ TEST_F(SweepTest, EightRunsAtOnceDoNotDisturbEachOther) {
   Plan many = plan_of();
   many.request.seeds.resize(24);
   std::iota(many.request.seeds.begin(), many.request.seeds.end(), 1U);
-  EXPECT_EQ(run(many, "eight", 8, true).done, 48U);
+  EXPECT_EQ(run(many, "eight", 8, true).done_runs, 48U);
   run(many, "one", 1, true);
   EXPECT_EQ(text("eight/runs.csv"), text("one/runs.csv"));
   EXPECT_EQ(text("eight/overview.png"), text("one/overview.png"));

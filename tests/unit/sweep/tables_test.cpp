@@ -22,8 +22,8 @@ Plan bare_plan(std::size_t variants, std::uint64_t seeds) {
   return plan;
 }
 
-Result done(std::vector<store::NamedMeasure> measures) {
-  Result result;
+RunResult done(std::vector<store::NamedMeasure> measures) {
+  RunResult result;
   result.status = Status::done;
   result.summary.steps = 7;
   result.summary.state_hash = 0xabc;
@@ -33,7 +33,7 @@ Result done(std::vector<store::NamedMeasure> measures) {
 
 TEST(Tables, HaveARowForEachRunAndForEachMeasure) {
   const Plan plan = bare_plan(2, 2);
-  std::vector<Result> results(4);
+  std::vector<RunResult> results(4);
   results[0] = done({{"slope", 40.5}, {"clogged", true}});
   results[1] = done({{"slope", {}}, {"clogged", false}});
   results[2].status = Status::failed;
@@ -60,12 +60,12 @@ TEST(Tables, HaveNoFormulas) {
   for (std::size_t i = 0; i < values.size(); ++i) {
     plan.variants[i].values = {values[i]};
   }
-  const std::string table = runs_table(plan, std::vector<Result>(5)).table.to_csv();
+  const std::string table = runs_table(plan, std::vector<RunResult>(5)).table.to_csv();
   for (const char* row : {"\n'=1+1,1,", "\n'-2+3,1,", "\n'@a,1,", "\n-0.5,1,", "\n'+x,1,"}) {
     EXPECT_THAT(table, ::testing::HasSubstr(row));
   }
   const std::string measures =
-      measures_table(plan, std::vector<Result>(5, done({{"slope", 40.5}}))).table.to_csv();
+      measures_table(plan, std::vector<RunResult>(5, done({{"slope", 40.5}}))).table.to_csv();
   EXPECT_THAT(measures, ::testing::HasSubstr("\n'=1+1,flow,"));
 }
 
@@ -88,8 +88,8 @@ TEST(Tables, HaveWhatLeftUntilAClogFromAllRunsAlsoThoseThatDidNotClog) {
 }
 
 /// Of a stage of so many steps and one of six.
-Result with_steps(std::uint64_t packing) {
-  Result result = done({});
+RunResult with_steps(std::uint64_t packing) {
+  RunResult result = done({});
   result.summary.steps = packing + 6;
   result.summary.stages = {{"packing", packing, "settled", {}}, {"flow", 6, "settled", {}}};
   return result;
@@ -104,7 +104,7 @@ class MeanTablesTest : public ::testing::Test {
   void write(std::size_t run, const std::string& file, const std::string& text) const {
     const auto folder = folder_.path() / std::to_string(run);
     std::filesystem::create_directories(folder);
-    store::write_whole(folder / file, text);
+    store::write_whole_file(folder / file, text);
   }
   /// NAME: CONTENT of each.
   std::vector<std::string> tables() {
@@ -120,7 +120,7 @@ class MeanTablesTest : public ::testing::Test {
 
   testing::ScratchFolder folder_;
   Plan plan_;
-  std::vector<Result> results_;
+  std::vector<RunResult> results_;
   std::vector<std::string> warnings_;
 };
 
@@ -168,15 +168,15 @@ TEST_F(MeanTablesTest, LeaveOutRunsThatFailedAndTablesThatCannotBeRead) {
 }
 
 TEST(Overview, ShowsTheFirstSeedsOfEachCombinationUpToABound) {
-  EXPECT_THAT(selection(bare_plan(2, 3)).runs, ::testing::ElementsAre(0, 1, 2, 3, 4, 5));
-  const Selection many = selection(bare_plan(20, 16));
+  EXPECT_THAT(overview_runs(bare_plan(2, 3)).runs, ::testing::ElementsAre(0, 1, 2, 3, 4, 5));
+  const OverviewRuns many = overview_runs(bare_plan(20, 16));
   EXPECT_EQ(many.columns, 8);
   EXPECT_EQ(many.runs.size(), 64U);
   EXPECT_EQ(many.runs[8], 16U);  // the first seed of the second combination
-  const Selection seeds_only = selection(bare_plan(1, 100));
+  const OverviewRuns seeds_only = overview_runs(bare_plan(1, 100));
   EXPECT_EQ(seeds_only.columns, 8);
   EXPECT_EQ(seeds_only.runs.size(), 64U);
-  const Selection one_seed = selection(bare_plan(100, 1));
+  const OverviewRuns one_seed = overview_runs(bare_plan(100, 1));
   EXPECT_EQ(one_seed.columns, 8);
   EXPECT_EQ(one_seed.runs.size(), 64U);
 }
