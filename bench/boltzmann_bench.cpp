@@ -14,7 +14,7 @@ constexpr std::uint64_t kSeed = 1982;
 void cool(benchmark::State& bench, const Scheme& scheme, double time, double changed) {
   const auto particles = static_cast<std::uint64_t>(bench.range(0));
   const auto threads = static_cast<int>(bench.range(1));
-  const Gas start = make_gas({.particles = particles}, kSeed);
+  const Gas start = make_gas({.particle_count = particles}, kSeed);
   double collisions = 0;
   for (auto _ : bench) {
     bench.PauseTiming();

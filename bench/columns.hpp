@@ -12,7 +12,7 @@ namespace clca::bench {
 
 /// A rain of `particles` small and large hexagons, 1:1, over a bed as wide as it will be high,
 /// behind a wall with as much room beside it. At 540 particles this is scenes/wall-removal.yaml.
-inline automaton::Automaton rain(std::size_t particles, automaton::Ties ties, int threads) {
+inline automaton::Automaton rain(std::size_t particles, automaton::TieBreaking ties, int threads) {
   const double scale = std::sqrt(static_cast<double>(particles) / 540);
   const double width = 87 * scale;
   const double height = 460 * scale;

@@ -38,7 +38,7 @@ contact::ContactModel rain(std::size_t count, contact::Rolling rolling, Setting 
                                .restitution = setting.restitution,
                                .resolution = setting.resolution,
                                .fall_height = kAspect * width},
-                              {.reference = reference});
+                              {.use_reference = reference});
   const std::vector<std::size_t> counts = {count / 2, count / 2};
   model.fill({0, 0, width, height}, counts);
   return model;

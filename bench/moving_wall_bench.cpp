@@ -36,7 +36,7 @@ class Work {
     grains::StepReport report;
     for (std::uint64_t step = 0; step < kMaxSteps && !report.settled && !done(); ++step) {
       report = automaton.step();
-      moves_ += static_cast<double>(report.moved);
+      moves_ += static_cast<double>(report.moved_count);
       updates_ += particles;
       ++steps_;
     }
@@ -74,7 +74,7 @@ void shaken_bed(benchmark::State& bench) {
   for (auto _ : bench) {
     bench.PauseTiming();
     auto bed = bed_to_shake(static_cast<std::size_t>(bench.range(0)));
-    bed.set_motion(0, true);
+    bed.set_wall_moving(0, true);
     bench.ResumeTiming();
     work.run(bed, [&] { return bed.state().walls[0].travel.cycles == 20; });
   }
@@ -99,7 +99,7 @@ automaton::Automaton bed_to_push(std::size_t particles) {
       .sites = sites({66.5 * scale, 110 * scale, 73.5 * scale, height}),
       .present = false,
       .motion = grains::WallMotion{lattice::Direction::down, grains::Drive{4, distance}},
-      .passive = grains::Passive::overlap};
+      .passive_rule = grains::PassiveRule::overlap};
   automaton::Automaton bed(std::move(state));
   bed.fill({0, 0, width, height}, std::vector<std::size_t>{particles / 2, particles / 2});
   clca::bench::run_steps(bed, kMaxSteps);
@@ -114,7 +114,7 @@ void plate_pushed_in(benchmark::State& bench) {
     bench.PauseTiming();
     auto bed = bed_to_push(static_cast<std::size_t>(bench.range(0)));
     bed.insert_wall(plate);
-    bed.set_motion(plate, true);
+    bed.set_wall_moving(plate, true);
     bench.ResumeTiming();
     work.run(bed, kNever);
   }

@@ -21,7 +21,7 @@ constexpr std::uint64_t kIdleSteps = 16;  // between looks at the clock
 
 void add(Work& work, const StepReport& report, double seconds) {
   ++work.steps;
-  work.moved += report.moved;
+  work.moved += report.moved_count;
   work.seconds += seconds;
 }
 
@@ -41,12 +41,13 @@ void run_moving(Automaton& automaton, std::uint64_t most_steps, Traffic* traffic
     const Stopwatch clock;
     const StepReport report = automaton.step();
     const double seconds = clock.seconds();
-    if (traffic != nullptr && run.all.steps % kSampledSteps == 0 && report.moved > 0) {
-      run.samples.push_back({report.moved, traffic->lines(automaton.state())});
+    if (traffic != nullptr && run.all.steps % kSampledSteps == 0 && report.moved_count > 0) {
+      run.samples.push_back({report.moved_count, traffic->lines(automaton.state())});
     }
     add(run.all, report, seconds);
-    if (report.moved > 0) {
-      add(run.by_share[bin_of(static_cast<double>(report.moved) / particles)], report, seconds);
+    if (report.moved_count > 0) {
+      add(run.by_share[bin_of(static_cast<double>(report.moved_count) / particles)], report,
+          seconds);
     }
     run.at_rest = report.settled;
   }
@@ -95,7 +96,7 @@ grains::State start(Case a_case, std::size_t particles) {
 Run run(Case a_case, grains::State start, const Variant& variant, std::uint64_t most_steps,
         bool sampled) {
   Automaton automaton(std::move(start), {.ties = variant.ties},
-                      {.threads = variant.threads, .sleeping = variant.sleeping});
+                      {.threads = variant.threads, .allow_sleeping = variant.sleeping});
   std::optional<Traffic> traffic;
   if (sampled) {
     traffic.emplace(automaton.state());

@@ -20,7 +20,7 @@ std::string name(Case a_case);
 grains::State start(Case a_case, std::size_t particles);
 
 struct Variant {
-  automaton::Ties ties = automaton::Ties::particle;
+  automaton::TieBreaking ties = automaton::TieBreaking::particle;
   int threads = 1;
   bool sleeping = true;
 };

@@ -67,7 +67,7 @@ void run(const grains::State& start, std::uint64_t most_steps, ContactMeasuremen
   while (one.steps < most_steps && !one.at_rest) {
     const grains::StepReport report = model.step();
     ++one.steps;
-    one.moved += report.moved;
+    one.moved += report.moved_count;
     one.at_rest = report.settled;
   }
   one.seconds.push_back((processor_seconds() - begin) / static_cast<double>(one.steps));

@@ -81,7 +81,7 @@ LazyArray<std::uint32_t> random_chain(std::size_t lines) {
   std::iota(order.begin(), order.end(), 0U);
   for (std::size_t i = lines - 1; i > 0; --i) {
     const std::uint64_t bits = random::draw(1, i, 0, random::Purpose::fill_position);
-    std::swap(order[i], order[random::below(bits, i)]);
+    std::swap(order[i], order[random::uniform_below(bits, i)]);
   }
   LazyArray<std::uint32_t> chain(lines * kNumbersInALine);
   for (std::size_t i = 0; i < lines; ++i) {

@@ -9,14 +9,14 @@ namespace clca::bench {
 
 namespace {
 
-using automaton::Ties;
+using automaton::TieBreaking;
 
 constexpr std::size_t kMinRuns = 2;
 constexpr std::size_t kMaxRuns = 100;
 constexpr std::uint64_t kMinSteps = 100;
 
 /// The first is what the others are compared with.
-std::vector<Measurement> variants(Case a_case, std::size_t particles, Ties ties,
+std::vector<Measurement> variants(Case a_case, std::size_t particles, TieBreaking ties,
                                   const Effort& effort) {
   std::vector<Measurement> all;
   const auto add = [&](int threads, bool sleeping) {
@@ -70,7 +70,7 @@ std::vector<Measurement> measure(Case a_case, const grains::State& start, const 
   const std::size_t particles = start.particles.size();
   const std::uint64_t most_steps = std::max(kMinSteps, effort.max_updates / particles);
   std::vector<Measurement> result;
-  for (const Ties ties : {Ties::particle, Ties::direction}) {
+  for (const TieBreaking ties : {TieBreaking::particle, TieBreaking::direction}) {
     std::vector<Measurement> group = variants(a_case, particles, ties, effort);
     const Stopwatch clock;
     const double enough = effort.seconds * static_cast<double>(group.size());

@@ -15,8 +15,8 @@ using store::Cell;
 
 constexpr double kNano = 1e-9;
 
-std::string_view name(automaton::Ties ties) {
-  return ties == automaton::Ties::particle ? "particle" : "direction";
+std::string_view name(automaton::TieBreaking ties) {
+  return ties == automaton::TieBreaking::particle ? "particle" : "direction";
 }
 
 std::vector<std::string> with_key(const std::vector<std::string>& further) {

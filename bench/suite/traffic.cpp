@@ -48,16 +48,16 @@ Traffic::Traffic(const State& state)
 
 void Traffic::mark(const State& state, const Particle& particle) {
   const Particle from = before(particle);
-  const grains::Footprint& footprint = footprints_.of(from);
+  const grains::Footprint& footprint = footprints_.footprint(from);
   const std::size_t reference = state.lattice.index(from.site());
   const int column = state.lattice.wrapped(from.column);
-  for (const lattice::Offset offset : footprint.lead[particle.previous]) {
-    const std::size_t place = state.lattice.at(reference, column, offset);
+  for (const lattice::IndexOffset offset : footprint.lead_sites[particle.previous]) {
+    const std::size_t place = state.lattice.shifted_index(reference, column, offset);
     owners_[place / kOwnersInALine] = true;
     mark_bits(state, place);
   }
-  for (const lattice::Offset offset : footprint.trail[particle.previous]) {
-    mark_bits(state, state.lattice.at(reference, column, offset));
+  for (const lattice::IndexOffset offset : footprint.trail_sites[particle.previous]) {
+    mark_bits(state, state.lattice.shifted_index(reference, column, offset));
   }
 }
 

@@ -18,8 +18,8 @@ std::unique_ptr<grains::Mechanics> make_steps(grains::State state, const Rules& 
   check_valid(options);
   check_rules(rules);
   check_valid(state);
-  if (options.reference) {
-    return std::make_unique<Reference>(std::move(state), rules);
+  if (options.use_reference) {
+    return std::make_unique<ReferenceMechanics>(std::move(state), rules);
   }
   return std::make_unique<Engine>(std::move(state), rules, options);
 }
@@ -29,7 +29,7 @@ std::unique_ptr<grains::Mechanics> make_steps(grains::State state, const Rules& 
 double step_bytes(double index_count, double particles, double awake) {
   // At the beginning all are looked at.
   return 2 * grains::Bitboard::bytes_for(index_count) +
-         grains::kListRoom *
+         grains::kListCapacityRatio *
              (StripWorker::kListedBytes * particles + StripWorker::kAwakeBytes * awake);
 }
 
@@ -37,13 +37,13 @@ Automaton::Automaton(grains::State state, const Rules& rules, const Options& opt
     : Model(make_steps(std::move(state), rules, options)) {}
 
 const Rules& Automaton::rules() const {
-  return static_cast<const Steps&>(mechanics()).rules();
+  return static_cast<const AutomatonMechanics&>(mechanics()).rules();
 }
 
 std::vector<lattice::Direction> candidate_directions(const Rules& rules) {
   std::vector<lattice::Direction> result;
   for (const int turn : {0, 1, -1, 2, -2, 3}) {
-    if (rules.candidates == Candidates::all || std::abs(turn) <= 1) {
+    if (rules.candidates == CandidateDirections::all || std::abs(turn) <= 1) {
       result.push_back(rotated(rules.gravity, turn));
     }
   }

@@ -24,7 +24,7 @@ constexpr Energy kUnit = Energy{1} << 20U;
 /// Number of velocities: those of grains::Move.
 constexpr std::size_t kVelocities = lattice::kDirectionCount + 1;
 
-/// What a grain chooses, with its energy.
+/// The velocity and axis that a grain chooses, with their energy.
 struct Choice {
   std::uint32_t id = 0;
   grains::Move velocity = grains::kRest;
@@ -63,21 +63,23 @@ Energy power_of(Energy base, int power) {
 class Rule {
  public:
   Rule(const grains::Box& box, const Rules& rules) : box_(box) {
-    require(rules.power >= 0 && rules.power <= kMaxPower && rules.gravity >= 0 &&
-                rules.gravity <= kMaxGravity && rules.like_axes >= 0 && rules.like_axes <= 1,
+    require(rules.exponent >= 0 && rules.exponent <= kMaxPower && rules.gravity >= 0 &&
+                rules.gravity <= kMaxGravity && rules.like_axes_factor >= 0 &&
+                rules.like_axes_factor <= 1,
             "a rule of the Baxter model is out of range");
     const std::vector<grains::Kind>& kinds = box.state.kinds;
     for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
-      require(kinds.size() % kAxes == 0 && kinds[kind].species == kind / kAxes,
+      require(kinds.size() % kAxisCount == 0 && kinds[kind].species == kind / kAxisCount,
               "a species of the Baxter model has a kind for each axis");
     }
     // 0.1 + 0.1 distance, to the power, in 10^-power.
     for (std::size_t i = 0; i < unlike_velocities_.size(); ++i) {
-      unlike_velocities_[i] = power_of(static_cast<Energy>(i) + 1, rules.power);
+      unlike_velocities_[i] = power_of(static_cast<Energy>(i) + 1, rules.exponent);
     }
     // One product each is rounded as IEEE 754 says: the same whole number on every machine.
-    gravity_ = std::llround(rules.gravity * static_cast<double>(power_of(10, rules.power) * kUnit));
-    like_axes_ = std::llround(rules.like_axes * static_cast<double>(kUnit));
+    gravity_ =
+        std::llround(rules.gravity * static_cast<double>(power_of(10, rules.exponent) * kUnit));
+    like_axes_ = std::llround(rules.like_axes_factor * static_cast<double>(kUnit));
   }
 
   /// Velocity and axis of least energy. Of equal ones: rest, then the axis it has, then a draw.
@@ -100,7 +102,7 @@ class Rule {
       }
       const bool pays = (can_descend && !is_downward(velocity)) ||
                         (can_fall && velocity != index_of(Direction::down));
-      for (std::uint16_t axis = 0; axis < kAxes; ++axis) {
+      for (std::uint16_t axis = 0; axis < kAxisCount; ++axis) {
         const Choice choice = {id, static_cast<grains::Move>(velocity), axis,
                                energies[velocity][axis] + (pays ? gravity_ : 0)};
         if (!least.empty() && rank(choice) < rank(least.front())) {
@@ -116,7 +118,7 @@ class Rule {
     }
     const std::uint64_t bits =
         random::draw(box_.state.seed, box_.state.step, id, random::Purpose::equal_energy);
-    return least[random::below(bits, least.size())];
+    return least[random::uniform_below(bits, least.size())];
   }
 
   /// Those of the choices that move: of several that want one site, the one of least energy, and of
@@ -153,7 +155,7 @@ class Rule {
   }
 
  private:
-  using Energies = std::array<std::array<Energy, kAxes>, kVelocities>;
+  using Energies = std::array<std::array<Energy, kAxisCount>, kVelocities>;
 
   /// The velocities that a grain may choose.
   std::array<bool, kVelocities> open_velocities(lattice::Site site) const {
@@ -161,7 +163,7 @@ class Rule {
     for (const Direction direction : lattice::kDirections) {
       result[index_of(direction)] =
           direction != Direction::up &&
-          !box_.occupancy.taken(box_.state.lattice.index(site + unit(direction)));
+          !box_.occupancy.is_taken(box_.state.lattice.index(site + unit(direction)));
     }
     result[grains::kRest] = true;
     return result;
@@ -179,7 +181,7 @@ class Rule {
       const grains::Particle& neighbour = box_.state.particles[grains::particle_id(owner)];
       for (std::size_t velocity = 0; velocity < kVelocities; ++velocity) {
         const Energy energy = unlike_velocities_[velocity_distance(velocity, neighbour.previous)];
-        for (std::uint16_t axis = 0; axis < kAxes; ++axis) {
+        for (std::uint16_t axis = 0; axis < kAxisCount; ++axis) {
           energies[velocity][axis] += energy * (axis == axis_of(neighbour) ? like_axes_ : kUnit);
         }
       }
@@ -193,10 +195,10 @@ class Rule {
   Energy like_axes_ = 0;  // in units of kUnit
 };
 
-class Steps final : public grains::OneSiteSteps {
+class BaxterMechanics final : public grains::OneSiteMechanics {
  public:
-  Steps(grains::State initial, const Rules& rules, const Options& options)
-      : OneSiteSteps(std::move(initial), options), rule_(box(), rules) {}
+  BaxterMechanics(grains::State initial, const Rules& rules, const Options& options)
+      : OneSiteMechanics(std::move(initial), options), rule_(box(), rules) {}
 
   bool advance(grains::StepReport& report) override {
     std::vector<grains::Particle>& particles = state().particles;
@@ -236,10 +238,10 @@ class Steps final : public grains::OneSiteSteps {
 }  // namespace
 
 std::vector<grains::Kind> kinds_along_axes(std::uint16_t species) {
-  return std::vector<grains::Kind>(kAxes, {lattice::Shape::hexagon(0), species});
+  return std::vector<grains::Kind>(kAxisCount, {lattice::Shape::hexagon(0), species});
 }
 
 BaxterModel::BaxterModel(grains::State state, const Rules& rules, const Options& options)
-    : Model(std::make_unique<Steps>(std::move(state), rules, options)) {}
+    : Model(std::make_unique<BaxterMechanics>(std::move(state), rules, options)) {}
 
 }  // namespace clca::baxter

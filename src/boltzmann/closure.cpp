@@ -19,10 +19,10 @@ Temperatures extrapolated(const Temperatures& begin, double duration, const Temp
 }
 
 Temperatures runge_kutta(const Law& law, const Temperatures& begin, double step) {
-  const Temperatures first = closure_rates(law, begin);
-  const Temperatures second = closure_rates(law, extrapolated(begin, step / 2, first));
-  const Temperatures third = closure_rates(law, extrapolated(begin, step / 2, second));
-  const Temperatures fourth = closure_rates(law, extrapolated(begin, step, third));
+  const Temperatures first = temperature_rates(law, begin);
+  const Temperatures second = temperature_rates(law, extrapolated(begin, step / 2, first));
+  const Temperatures third = temperature_rates(law, extrapolated(begin, step / 2, second));
+  const Temperatures fourth = temperature_rates(law, extrapolated(begin, step, third));
   Temperatures result = extrapolated(begin, step / 6, first);
   result = extrapolated(result, step / 3, second);
   result = extrapolated(result, step / 3, third);
@@ -31,11 +31,11 @@ Temperatures runge_kutta(const Law& law, const Temperatures& begin, double step)
 
 }  // namespace
 
-double maxwellian_rate(double translational) {
+double maxwellian_collision_rate(double translational) {
   return 4 * std::numbers::inv_sqrtpi * std::sqrt(translational);
 }
 
-Temperatures closure_rates(const Law& law, const Temperatures& temperatures) {
+Temperatures temperature_rates(const Law& law, const Temperatures& temperatures) {
   const double t = temperatures.translational;
   if (t <= 0) {
     return {.translational = 0, .rotational = 0};
@@ -59,19 +59,20 @@ Temperatures closure_rates(const Law& law, const Temperatures& temperatures) {
   const double velocities =
       -(1 - law.restitution * law.restitution) * t - linear * of_velocity + quadratic;
   const double spins = -linear * (1 - of_velocity) + quadratic / kSolidInertia;
-  const double rate = maxwellian_rate(t);
+  const double rate = maxwellian_collision_rate(t);
   return {.translational = rate / 3 * velocities, .rotational = rate / (3 * kSolidInertia) * spins};
 }
 
-Temperatures closure(const Law& law, const Temperatures& begin, double duration) {
+Temperatures temperatures_after(const Law& law, const Temperatures& begin, double duration) {
   constexpr double kCollisionsPerStep = 0.02;
-  check(law);
+  check_valid(law);
   if (!std::isfinite(duration)) {
     throw std::invalid_argument("a duration must be finite");
   }
   Temperatures present = begin;
   for (double left = duration; left > 0;) {
-    const double step = std::min(left, kCollisionsPerStep / maxwellian_rate(present.translational));
+    const double step =
+        std::min(left, kCollisionsPerStep / maxwellian_collision_rate(present.translational));
     const Temperatures next = runge_kutta(law, present, step);
     if (next == present) {
       break;  // for ever: without losses the times may be long
@@ -82,7 +83,7 @@ Temperatures closure(const Law& law, const Temperatures& begin, double duration)
   return present;
 }
 
-ShearFlow shear_flow(double restitution, double shear_rate) {
+ShearFlow steady_shear_flow(double restitution, double shear_rate) {
   if (!(restitution >= 0 && restitution < 1 && shear_rate > 0)) {
     throw std::invalid_argument("a steady shear flow needs a restitution below 1 and a shear rate");
   }

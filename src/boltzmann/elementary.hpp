@@ -1,6 +1,5 @@
 #pragma once
-// Logarithm, sine and cosine from basic IEEE operations only: library versions differ in the last
-// bit between machines.
+// Logarithm, sine and cosine from basic IEEE operations only: libraries differ in the last bit.
 
 #include <array>
 #include <bit>
@@ -13,12 +12,12 @@
 namespace clca::boltzmann {
 
 /// 52 uniform bits as a number in (0, 1): never 0, never 1.
-inline double open_unit(std::uint64_t bits) {
+inline double open_uniform(std::uint64_t bits) {
   return (static_cast<double>(bits >> 12U) + 0.5) * 0x1p-52;
 }
 
 /// 32 uniform bits as a number in (0, 1).
-inline double open_unit32(std::uint32_t bits) {
+inline double open_uniform32(std::uint32_t bits) {
   return (bits + 0.5) * 0x1p-32;
 }
 

@@ -29,10 +29,11 @@ constexpr std::uint32_t kBeginningShift = 0;  // Counter::group; others are thos
 
 // Three numbers of (0, 1).
 std::array<double, 3> three_draws(std::uint64_t seed, std::uint32_t item, random::Purpose purpose) {
-  const random::Words first = random::words(seed, {.group = 0, .item = item}, purpose);
-  const random::Words second = random::words(seed, {.group = 1, .item = item}, purpose);
-  return {open_unit(random::join(first[0], first[1])), open_unit(random::join(first[2], first[3])),
-          open_unit(random::join(second[0], second[1]))};
+  const random::Words first = random::drawn_words(seed, {.group = 0, .item = item}, purpose);
+  const random::Words second = random::drawn_words(seed, {.group = 1, .item = item}, purpose);
+  return {open_uniform(random::joined(first[0], first[1])),
+          open_uniform(random::joined(first[2], first[3])),
+          open_uniform(random::joined(second[0], second[1]))};
 }
 
 // Points of the unit cube: independent, or of a lattice.
@@ -40,7 +41,7 @@ class CubePoints {
  public:
   CubePoints(const InitialCondition& condition, std::uint64_t count, std::uint64_t seed)
       : seed_(seed) {
-    if (condition.quasi) {
+    if (condition.quasi_random) {
       rule_.emplace(count);
       rule_->shift(seed, {.step = 0, .group = kBeginningShift});
     }
@@ -98,8 +99,8 @@ void standardise(Eigen::Ref<Array3Xd> vectors) {
 
 // Spins have the same mean square as velocities; so also in equal_energy_sample().
 Motions normal_sample(const InitialCondition& condition, std::uint64_t seed) {
-  const CubePoints points(condition, condition.particles, seed);
-  Motions sample(6, static_cast<Eigen::Index>(condition.particles));
+  const CubePoints points(condition, condition.particle_count, seed);
+  Motions sample(6, static_cast<Eigen::Index>(condition.particle_count));
   for (Eigen::Index particle = 0; particle < sample.cols(); ++particle) {
     const CubePoint u = points(static_cast<std::uint64_t>(particle));
     const auto [v_x, v_y] = two_normals(u[0], u[1]);
@@ -133,7 +134,7 @@ Array3Xd balanced(const Array3Xd& directions, Eigen::Index count) {
 }
 
 Motions equal_energy_sample(const InitialCondition& condition, std::uint64_t seed) {
-  const auto particles = static_cast<Eigen::Index>(condition.particles);
+  const auto particles = static_cast<Eigen::Index>(condition.particle_count);
   const Eigen::Index count = condition.exact_moments ? (particles + 1) / 2 : particles;
   const CubePoints points(condition, static_cast<std::uint64_t>(count), seed);
   Motions sample(6, count);
@@ -162,19 +163,20 @@ std::uint64_t member_seed(std::uint64_t seed, std::uint64_t member) {
 }
 
 Gas make_gas(const InitialCondition& condition, std::uint64_t seed) {
-  if (condition.particles < 2) {
+  if (condition.particle_count < 2) {
     throw std::invalid_argument("a gas needs at least 2 particles");
   }
-  if (condition.particles > std::numeric_limits<std::uint32_t>::max()) {
+  if (condition.particle_count > std::numeric_limits<std::uint32_t>::max()) {
     throw std::invalid_argument("a gas has less than 2^32 particles");
   }
   if (!(condition.energy_ratio >= 0 && std::isfinite(condition.energy_ratio))) {
     throw std::invalid_argument("the ratio of energies must not be negative");
   }
   Gas gas;
-  gas.motions = condition.initial == Initial::gaussian ? normal_sample(condition, seed)
-                                                       : equal_energy_sample(condition, seed);
-  gas.motions.bottomRows<3>() *= std::sqrt(kSolidSpin * condition.energy_ratio);
+  gas.motions = condition.distribution == InitialDistribution::gaussian
+                    ? normal_sample(condition, seed)
+                    : equal_energy_sample(condition, seed);
+  gas.motions.bottomRows<3>() *= std::sqrt(kInverseInertia * condition.energy_ratio);
   return gas;
 }
 

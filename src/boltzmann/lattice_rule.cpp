@@ -34,11 +34,11 @@ LatticeRule::LatticeRule(std::uint64_t points)
   }
 }
 
-void LatticeRule::shift(std::uint64_t seed, random::Counter key) {
+void LatticeRule::shift(std::uint64_t seed, random::DrawCounter key) {
   for (std::uint64_t& component : shift_) {
-    const random::Words words = random::words(seed, key, random::Purpose::lattice_shift);
+    const random::Words words = random::drawn_words(seed, key, random::Purpose::lattice_shift);
     ++key.item;
-    component = random::join(words[0], words[1]);
+    component = random::joined(words[0], words[1]);
   }
 }
 
@@ -48,7 +48,7 @@ double LatticeRule::coordinate(std::uint64_t point, int dimension) const {
   // Fractions of 1 are in units of 2^-64. A shift by all 64 bits (one point) would be undefined.
   const std::uint64_t unshifted =
       bits_ == 0 ? 0 : multiple << static_cast<unsigned>(kWordBits - bits_);
-  return open_unit(unshifted + shift_[at]);
+  return open_uniform(unshifted + shift_[at]);
 }
 
 }  // namespace clca::boltzmann

@@ -21,9 +21,9 @@ class LatticeRule {
   explicit LatticeRule(std::uint64_t points);
 
   /// Shifts all points by a vector drawn with purpose lattice_shift; `key`: step and group.
-  void shift(std::uint64_t seed, random::Counter key);
+  void shift(std::uint64_t seed, random::DrawCounter key);
 
-  std::uint64_t points() const { return residues_.size(); }
+  std::uint64_t point_count() const { return residues_.size(); }
 
   /// A number in (0, 1). Without a shift, the points ascend in dimension 0.
   double coordinate(std::uint64_t point, int dimension) const;

@@ -76,8 +76,9 @@ Moments moments(const Motions& motions) {
 
 EnergyShares energy_shares(const Motions& motions, const Moments& moments,
                            const statistics::Bins& bins) {
-  return {.translational = statistics::shares(energies(motions, 0, moments.translational), bins),
-          .rotational = statistics::shares(energies(motions, 3, moments.rotational), bins)};
+  return {
+      .translational = statistics::bin_shares(energies(motions, 0, moments.translational), bins),
+      .rotational = statistics::bin_shares(energies(motions, 3, moments.rotational), bins)};
 }
 
 }  // namespace clca::boltzmann

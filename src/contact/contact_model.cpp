@@ -17,14 +17,14 @@ namespace {
 std::unique_ptr<grains::Mechanics> make_steps(State state, const Parameters& parameters,
                                               const Options& options) {
   check_valid(options);
-  if (options.reference) {
-    return std::make_unique<Reference>(std::move(state), parameters);
+  if (options.use_reference) {
+    return std::make_unique<ReferenceMechanics>(std::move(state), parameters);
   }
   return std::make_unique<Engine>(std::move(state), parameters);
 }
 
-Steps& steps(grains::Mechanics& mechanics) {
-  return static_cast<Steps&>(mechanics);
+ContactMechanics& steps(grains::Mechanics& mechanics) {
+  return static_cast<ContactMechanics&>(mechanics);
 }
 
 }  // namespace
@@ -41,7 +41,7 @@ std::uint64_t hash(const State& state) {
   return reflection::hash(state);
 }
 
-int needed_columns(const std::vector<grains::Kind>& kinds) {
+int min_periodic_columns(const std::vector<grains::Kind>& kinds) {
   int first = 0;
   int last = 0;
   for (const grains::Kind& kind : kinds) {
@@ -57,7 +57,7 @@ void check_valid(const State& state) {
   const lattice::Lattice& lattice = state.grains.lattice;
   const std::size_t grains = state.grains.particles.size();
   const std::size_t walls = state.grains.walls.size();
-  const int needed = needed_columns(state.grains.kinds);
+  const int needed = min_periodic_columns(state.grains.kinds);
   require(!lattice.periodic() || lattice.columns() >= needed,
           ("two grains may touch on both sides in a periodic box of " +
            std::to_string(lattice.columns()) + " columns: it needs " + std::to_string(needed))
@@ -80,7 +80,7 @@ void check_valid(const State& state) {
     const Velocity<>& velocity = state.velocities[id];
     const Vector& remainder = state.remainders[id];
     const lattice::Axial& anchor = state.from_anchors[id];
-    require(in_range(1, anchor.x, anchor.q) && length(anchor) <= 1,
+    require(in_range(1, anchor.x, anchor.q) && length_in_steps(anchor) <= 1,
             "a grain is too far from its anchor");
     require(in_range(kMaxVelocity, velocity.x, velocity.y, velocity.spin),
             "a velocity is out of range");
@@ -93,7 +93,7 @@ void check_valid(const State& state) {
     require(
         contact.upper < grains &&
             (with_grain ? grains::particle_id(contact.other) < grains && contact.other != upper
-                        : is_side(contact.other) || (grains::is_wall(contact.other) &&
+                        : is_side(contact.other) || (grains::is_obstacle(contact.other) &&
                                                      grains::wall_number(contact.other) < walls)),
         "a contact is not one of two bodies");
     require(in_range(1 << kUnitBits, contact.normal.x, contact.normal.y),
@@ -104,7 +104,7 @@ void check_valid(const State& state) {
     require(is_sound(contact.impulse) && is_sound(contact.impact) && contact.impulse.normal >= 0 &&
                 contact.impulse.normal + contact.impact.normal >= 0,
             "an impulse is out of range");
-    pairs.push_back(both_bodies(contact.upper, contact.other));
+    pairs.push_back(sorted_bodies(contact.upper, contact.other));
   }
   std::ranges::sort(pairs);
   require(std::ranges::adjacent_find(pairs) == pairs.end(), "two bodies have two contacts");
@@ -118,10 +118,10 @@ ContactModel::ContactModel(State state, const Parameters& parameters, const Opti
     : Model(make_steps(std::move(state), parameters, options)) {}
 
 const State& ContactModel::state() const {
-  steps(mechanics()).write_back();
+  steps(mechanics()).write_contacts_back();
   return steps(mechanics()).state();
 }
-const State& ContactModel::state_but_contacts() const {
+const State& ContactModel::state_with_old_contacts() const {
   return steps(mechanics()).state();
 }
 std::vector<Contact> ContactModel::wall_contacts() const {
@@ -131,7 +131,7 @@ double ContactModel::gravity() const {
   return steps(mechanics()).gravity();
 }
 Energy ContactModel::energy() const {
-  return contact::energy(state_but_contacts(), gravity());
+  return contact::energy(state_with_old_contacts(), gravity());
 }
 const LastStep& ContactModel::last_step() const {
   return steps(mechanics()).last_step();
@@ -140,11 +140,11 @@ std::uint64_t ContactModel::unmoved_steps_at_rest() const {
   return steps(mechanics()).unmoved_steps_at_rest();
 }
 void ContactModel::set_vessel(const Vessel& vessel) {
-  check_whole();
+  check_intact();
   steps(mechanics()).set_vessel(vessel);
 }
 
-// The sum over all grains of energy_of() in rule/energy.cpp, faster: runs ask for it in each step.
+// The sum of grain_energy() over all grains, faster: runs ask for it in each step.
 Energy energy(const State& state, double gravity) {
   struct KindBody {
     double mass = 0;

@@ -16,8 +16,8 @@ void put_geometry(const grains::State& state, Force& force) {
   const lattice::Shape& shape = state.shape(upper);
   const Eigen::Vector2d centre = grains::centre_in_box(state, upper);
   if (is_side(force.other)) {
-    const Eigen::Vector2d low = lattice::Lattice::corner();
-    const Eigen::Vector2d high = low + state.lattice.size();
+    const Eigen::Vector2d low = lattice::Lattice::lower_left_corner();
+    const Eigen::Vector2d high = low + state.lattice.extent();
     const bool is_level = force.other == kFloor || force.other == kCeiling;
     const bool is_low = force.other == kFloor || force.other == kLeftSide;
     force.point = centre;
@@ -27,22 +27,22 @@ void put_geometry(const grains::State& state, Force& force) {
   }
   if (!grains::is_particle(force.other)) {
     force.branch = shape.diameter() / 2 * force.normal;
-    force.point = state.lattice.in_box(centre - force.branch);
+    force.point = state.lattice.image_in_box(centre - force.branch);
     return;
   }
   const grains::Particle& other = state.particles[grains::particle_id(force.other)];
   const lattice::Shape& other_shape = state.shape(other);
   force.branch = shape.centroid() - other_shape.centroid() -
-                 lattice::position(state.lattice.nearest_vector(upper.site(), other.site()));
+                 lattice::position(state.lattice.shortest_vector(upper.site(), other.site()));
   const double radius = shape.diameter() / 2;
-  force.point =
-      state.lattice.in_box(centre - radius / (radius + other_shape.diameter() / 2) * force.branch);
+  force.point = state.lattice.image_in_box(centre - radius / (radius + other_shape.diameter() / 2) *
+                                                        force.branch);
 }
 
 using Sum = ForceSums::Sum;
 
 std::uint64_t key(const Sum& sum) {
-  const auto [first, second] = both_bodies(sum.upper, sum.other);
+  const auto [first, second] = sorted_bodies(sum.upper, sum.other);
   return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(first)) << 32U) |
          static_cast<std::uint32_t>(second);
 }
@@ -80,18 +80,18 @@ void rebuild_index(ForceSums& sums) {
 
 }  // namespace
 
-std::vector<double> loads(std::size_t grain_count, const std::vector<Force>& forces) {
+std::vector<double> normal_loads(std::size_t grain_count, const std::vector<Force>& forces) {
   std::vector<double> sums(grain_count, 0);
   for (const Force& force : forces) {
-    sums[force.upper] += force.along_normal;
+    sums[force.upper] += force.normal_force;
     if (grains::is_particle(force.other)) {
-      sums[grains::particle_id(force.other)] += force.along_normal;
+      sums[grains::particle_id(force.other)] += force.normal_force;
     }
   }
   return sums;
 }
 
-double mean_mass(const grains::State& state) {
+double mean_grain_mass(const grains::State& state) {
   double sum = 0;
   double count = 0;
   for (const grains::Particle& grain : state.particles) {
@@ -111,14 +111,14 @@ std::vector<Force> forces(const grains::State& grains, std::span<const Contact> 
                           double gravity) {
   std::vector<Force> result;
   result.reserve(contacts.size());
-  const double weight = mean_mass(grains) / mass_unit(grains.kinds) * gravity * kSpacing;
+  const double weight = mean_grain_mass(grains) / mass_unit(grains.kinds) * gravity * kSpacing;
   for (const Contact& contact : contacts) {
     Force& force = result.emplace_back();
     force.upper = contact.upper;
     force.other = contact.other;
     force.normal = as_double(contact.normal);
-    force.along_normal = (contact.impulse.normal + contact.impact.normal) / weight;
-    force.along_shear = (contact.impulse.shear + contact.impact.shear) / weight;
+    force.normal_force = (contact.impulse.normal + contact.impact.normal) / weight;
+    force.shear_force = (contact.impulse.shear + contact.impact.shear) / weight;
     put_geometry(grains, force);
   }
   return result;
@@ -151,9 +151,9 @@ void add(ForceSums& sums, const ForceSums& later) {
   sums.steps += later.steps;
 }
 
-std::vector<Force> means(const ForceSums& sums) {
+std::vector<Force> mean_forces(const ForceSums& sums) {
   std::vector<Sum> sorted = sums.sums;
-  std::ranges::sort(sorted, {}, [](const Sum& sum) { return both_bodies(sum.upper, sum.other); });
+  std::ranges::sort(sorted, {}, [](const Sum& sum) { return sorted_bodies(sum.upper, sum.other); });
   std::vector<Force> result;
   result.reserve(sorted.size());
   for (const Sum& sum : sorted) {
@@ -163,16 +163,16 @@ std::vector<Force> means(const ForceSums& sums) {
                       .point = sum.point,
                       .normal = sum.normal,
                       .branch = sum.branch,
-                      .along_normal = mean.dot(sum.normal),
-                      .along_shear = mean.dot(Eigen::Vector2d(-sum.normal.y(), sum.normal.x())),
+                      .normal_force = mean.dot(sum.normal),
+                      .shear_force = mean.dot(Eigen::Vector2d(-sum.normal.y(), sum.normal.x())),
                       .share = sum.steps / static_cast<double>(sums.steps)});
   }
   return result;
 }
 
-std::vector<double> residuals(const grains::State& state, const std::vector<Force>& forces,
-                              const Eigen::Vector2d& down) {
-  const double mean = mean_mass(state);
+std::vector<double> force_residuals(const grains::State& state, const std::vector<Force>& forces,
+                                    const Eigen::Vector2d& down) {
+  const double mean = mean_grain_mass(state);
   std::vector<Eigen::Vector2d> sums(state.particles.size(), Eigen::Vector2d::Zero());
   for (const Force& force : forces) {
     sums[force.upper] += force.on_upper();

@@ -52,29 +52,29 @@ Vector vector_along(const UnitVector& unit, std::int32_t size) {
 
 }  // namespace
 
-Angle angle_of(double degrees) {
+Angle angle_from_degrees(double degrees) {
   require(std::isfinite(degrees), "an angle is no number");
   const double turns = degrees / 360;
   // Two bits fewer, as a full turn does not fit a signed number.
   return static_cast<Angle>(to_long_fixed_point(turns - std::floor(turns), kTurnBits - 2)) << 2U;
 }
 
-double degrees(Angle angle) {
+double to_degrees(Angle angle) {
   return std::ldexp(static_cast<double>(static_cast<std::int64_t>(angle)), -kTurnBits) * 360;
 }
 
-Vessel at_rest(const Vessel& vessel) {
+Vessel without_motion(const Vessel& vessel) {
   return {.angle = vessel.angle};
 }
 
-Vessel tilting(const Vessel& vessel, Angle to, double degrees_per_step,
-               const Eigen::Vector2d& centre) {
+Vessel with_tilting(const Vessel& vessel, Angle to, double degrees_per_step,
+                    const Eigen::Vector2d& centre) {
   require(degrees_per_step > 0 && degrees_per_step <= 360 * kMaxTurnsPerStep,
           "a vessel tilts too fast or not at all");
   const auto way = static_cast<std::int64_t>(to - vessel.angle);
-  const double steps = std::ceil(std::abs(degrees(to - vessel.angle)) / degrees_per_step);
+  const double steps = std::ceil(std::abs(to_degrees(to - vessel.angle)) / degrees_per_step);
   require(steps < 0x1p62, "a vessel tilts too slowly");
-  Vessel result = at_rest(vessel);
+  Vessel result = without_motion(vessel);
   if (way == 0) {
     return result;
   }
@@ -85,23 +85,23 @@ Vessel tilting(const Vessel& vessel, Angle to, double degrees_per_step,
   return result;
 }
 
-Vessel rotating(const Vessel& vessel, double turns_per_step, const Eigen::Vector2d& centre) {
+Vessel with_rotation(const Vessel& vessel, double turns_per_step, const Eigen::Vector2d& centre) {
   require(std::abs(turns_per_step) <= kMaxTurnsPerStep, "a vessel turns too fast");
-  Vessel result = at_rest(vessel);
+  Vessel result = without_motion(vessel);
   const std::int64_t turn = to_long_fixed_point(turns_per_step, kTurnBits);
   require(turn != 0, "a vessel does not turn");
   result.turn = static_cast<Angle>(turn);
-  result.turn_steps = Vessel::kEndless;
+  result.turn_steps = Vessel::kEndlessSteps;
   result.phase_step = static_cast<std::uint64_t>(std::abs(turn));
   set_centre(result, centre);
   return result;
 }
 
-Vessel shaken(const Vessel& vessel, double gamma, double cycles_per_step, bool sideways) {
+Vessel with_shaking(const Vessel& vessel, double gamma, double cycles_per_step, bool sideways) {
   require(gamma >= 0 && gamma <= kMaxShakeGamma, "a vessel is shaken too strongly");
   require(cycles_per_step > 0 && cycles_per_step <= kMaxCyclesPerStep,
           "a vessel is shaken too fast or not at all");
-  Vessel result = at_rest(vessel);
+  Vessel result = without_motion(vessel);
   result.strength = to_fixed_point(gamma, kRatioBits);
   result.sideways = sideways;
   result.phase_step = static_cast<std::uint64_t>(to_long_fixed_point(cycles_per_step, kTurnBits));
@@ -113,7 +113,7 @@ Angle angle_after(const Vessel& vessel, std::uint64_t steps) {
   return vessel.angle + std::min(steps, vessel.turn_steps) * vessel.turn;
 }
 
-UnitVector gravity_unit(const Vessel& vessel) {
+UnitVector gravity_unit_vector(const Vessel& vessel) {
   return {-sine(vessel.angle), -cosine(vessel.angle)};
 }
 
@@ -124,10 +124,9 @@ lattice::Direction down(const Vessel& vessel) {
 }
 
 Acceleration acceleration(const Vessel& vessel, std::int32_t gravity, bool periodic) {
-  const UnitVector along = gravity_unit(vessel);
+  const UnitVector along = gravity_unit_vector(vessel);
   Acceleration result = {.gravity = vector_along(along, gravity)};
-  // In the vessel grains feel the opposite of its acceleration, which is opposite to its
-  // displacement.
+  // In the vessel grains feel the opposite of its acceleration: along its displacement.
   const std::int32_t strongest = rounded(product(gravity, vessel.strength), kRatioBits);
   const std::int32_t shaking = rounded(product(strongest, sine(vessel.phase)), kUnitBits);
   const Vector swing = vector_along(
@@ -137,18 +136,20 @@ Acceleration acceleration(const Vessel& vessel, std::int32_t gravity, bool perio
   if (result.rotates) {
     const double radians =
         static_cast<double>(static_cast<std::int64_t>(vessel.turn)) * 2 * std::numbers::pi;
-    result.rate = static_cast<std::int32_t>(std::llround(std::ldexp(radians, kRateBits - 64)));
-    result.squared_rate = product(result.rate, result.rate) >> (2 * kRateBits - kSquaredRateBits);
+    result.angular_velocity =
+        static_cast<std::int32_t>(std::llround(std::ldexp(radians, kRateBits - 64)));
+    result.squared_angular_velocity = product(result.angular_velocity, result.angular_velocity) >>
+                                      (2 * kRateBits - kSquaredRateBits);
     result.centre_x = vessel.centre_x;
     result.centre_y = vessel.centre_y;
   }
   return result;
 }
 
-Vessel next(const Vessel& vessel) {
+Vessel vessel_after_step(const Vessel& vessel) {
   Vessel result = vessel;
   result.angle = angle_after(vessel, 1);
-  if (vessel.turn_steps > 0 && vessel.turn_steps != Vessel::kEndless) {
+  if (vessel.turn_steps > 0 && vessel.turn_steps != Vessel::kEndlessSteps) {
     --result.turn_steps;
   }
   result.phase += vessel.phase_step;
@@ -157,7 +158,7 @@ Vessel next(const Vessel& vessel) {
 }
 
 Eigen::Vector2d gravity_direction(const Vessel& vessel) {
-  return as_double(gravity_unit(vessel));
+  return as_double(gravity_unit_vector(vessel));
 }
 
 void check_valid(const Vessel& vessel) {

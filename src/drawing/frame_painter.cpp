@@ -103,7 +103,8 @@ std::vector<double> spins(const PictureContent& content, double time_step) {
 std::vector<double> loads(const PictureContent& content, const OverlayScales& scales,
                           bool over_circumference) {
   const grains::State& state = content.state;
-  std::vector<double> result = contact::loads(state.particles.size(), content.contact->forces);
+  std::vector<double> result =
+      contact::normal_loads(state.particles.size(), content.contact->forces);
   const double unit =
       scales.unit_factor(over_circumference ? scene::kStressUnit : scene::kContactForceUnit, state);
   for (std::size_t id = 0; id < result.size(); ++id) {
@@ -197,7 +198,7 @@ CapturedFrame FramePainter::capture(const PictureContent& content, const Picture
                       .detail = fmt::format("{}, {}", history.stage, when),
                       .metres_per_spacing = scene_.units ? scene_.units->spacing : 0},
           .overlay = std::move(overlay),
-          .turn_degrees = frames_.upright ? contact::degrees(content.vessel_angle) : 0,
+          .turn_degrees = frames_.upright ? contact::to_degrees(content.vessel_angle) : 0,
           .text = std::move(text)};
 }
 

@@ -86,7 +86,7 @@ std::string OverlayScales::picture_unit(std::string_view unit) const {
 }
 
 double OverlayScales::unit_factor(std::string_view unit, const grains::State& state) const {
-  return si_factor(conversion, unit, contact::mean_mass(state));
+  return si_factor(conversion, unit, contact::mean_grain_mass(state));
 }
 
 double arrow_velocity_for(double typical, const OverlayScales& scales) {
@@ -113,15 +113,15 @@ void add_line(const grains::State& state, const grains::Particle& first, grains:
   Eigen::Vector2d along = point - from;
   if (grains::is_particle(body)) {
     const grains::Particle& other = state.particles[grains::particle_id(body)];
-    const lattice::Axial apart = lattice.nearest_vector(first.site(), other.site());
+    const lattice::Axial apart = lattice.shortest_vector(first.site(), other.site());
     along =
         lattice::position(apart) + state.shape(other).centroid() - state.shape(first).centroid();
   } else if (lattice.periodic()) {
-    along.x() = std::remainder(along.x(), lattice.size().x());
+    along.x() = std::remainder(along.x(), lattice.extent().x());
   }
   const Eigen::Vector2d to = from + along;
-  const double left = lattice::Lattice::corner().x();
-  const double right = left + lattice.size().x();
+  const double left = lattice::Lattice::lower_left_corner().x();
+  const double right = left + lattice.extent().x();
   if (!lattice.periodic() || (to.x() >= left && to.x() <= right)) {
     lines.push_back({.from = from, .to = to, .strength = strength});
     return;
@@ -129,7 +129,7 @@ void add_line(const grains::State& state, const grains::Particle& first, grains:
   const auto [out, in] = to.x() < left ? std::pair(left, right) : std::pair(right, left);
   const double height = from.y() + (out - from.x()) / along.x() * along.y();
   lines.push_back({.from = from, .to = {out, height}, .strength = strength});
-  lines.push_back({.from = {in, height}, .to = lattice.in_box(to), .strength = strength});
+  lines.push_back({.from = {in, height}, .to = lattice.image_in_box(to), .strength = strength});
 }
 
 render::Overlay contact_force_overlay(const PictureContent& content,
@@ -139,7 +139,7 @@ render::Overlay contact_force_overlay(const PictureContent& content,
   std::vector<render::ForceLine> lines;
   for (const contact::Force& force : forces) {
     add_line(content.state, content.state.particles[force.upper], force.other, force.point,
-             grain_weight * force.along_normal, lines);
+             grain_weight * force.normal_force, lines);
   }
   return render::force_network(lines, scales.strongest_force,
                                fmt::format("{:g} {}", scales.strongest_force,

@@ -100,10 +100,10 @@ double picture_memory_bytes(const scene::Scene& scene, double particles) {
                        : has_forces ? contact::kContactsPerGrain
                                     : 0;
   const double strokes = kCaptures * lines * sizeof(render::Stroke);
-  const double paths = has_paths
-                           ? measure::weight_paths_bytes(particles) +
-                                 grains::kListRoom * lines * particles * sizeof(render::ForceLine)
-                           : 0;
+  const double paths =
+      has_paths ? measure::weight_paths_bytes(particles) +
+                      grains::kListCapacityRatio * lines * particles * sizeof(render::ForceLine)
+                : 0;
   const double window =
       scene::pictures_compare_positions(scene)
           ? 2 * measure::Snapshot::bytes_for(particles) + particles * sizeof(measure::Displacement)

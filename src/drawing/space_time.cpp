@@ -30,8 +30,8 @@ lattice::Rectangle shown_part(const scene::Scene& scene) {
   if (scene.output.frames->upright) {
     return view;
   }
-  const Eigen::Vector2d low = lattice::Lattice::corner();
-  const Eigen::Vector2d high = low + lattice.size();
+  const Eigen::Vector2d low = lattice::Lattice::lower_left_corner();
+  const Eigen::Vector2d high = low + lattice.extent();
   return {std::max(view.left, low.x()), std::max(view.bottom, low.y()),
           std::min(view.right, high.x()), std::min(view.top, high.y())};
 }

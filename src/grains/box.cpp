@@ -26,7 +26,7 @@ std::vector<lattice::Site> initial_sites(const lattice::Lattice& lattice, const 
   return sites;
 }
 
-/// Those of the sorted sites that have none of them next to them in this direction.
+/// The sites whose neighbour in this direction is none of the sorted `sites`.
 std::vector<lattice::Site> edge(const lattice::Lattice& lattice,
                                 const std::vector<lattice::Site>& sites,
                                 lattice::Direction direction) {
@@ -50,12 +50,13 @@ std::vector<std::size_t> indices(const lattice::Lattice& lattice,
 
 }  // namespace
 
-std::vector<lattice::Offset> offsets(const lattice::Lattice& lattice,
-                                     const std::vector<lattice::Axial>& sites, bool odd_column) {
-  std::vector<lattice::Offset> result;
+std::vector<lattice::IndexOffset> index_offsets(const lattice::Lattice& lattice,
+                                                const std::vector<lattice::Axial>& sites,
+                                                bool odd_column) {
+  std::vector<lattice::IndexOffset> result;
   result.reserve(sites.size());
   for (const lattice::Axial site : sites) {
-    result.push_back(lattice.offset(site, odd_column));
+    result.push_back(lattice.index_offset(site, odd_column));
   }
   return result;
 }
@@ -64,16 +65,17 @@ FootprintTable::FootprintTable(const State& state) {
   for (const Kind& kind : state.kinds) {
     for (const bool odd_column : {false, true}) {
       Footprint& footprint = table_.emplace_back();
-      footprint.body = offsets(state.lattice, kind.shape.sites(), odd_column);
+      footprint.covered = index_offsets(state.lattice, kind.shape.sites(), odd_column);
       std::set<lattice::Axial> ring;
       for (const lattice::Direction direction : lattice::kDirections) {
         const std::size_t d = index_of(direction);
-        const std::vector<lattice::Axial> lead = kind.shape.lead(direction);
+        const std::vector<lattice::Axial> lead = kind.shape.lead_sites(direction);
         ring.insert(lead.begin(), lead.end());
-        footprint.lead[d] = offsets(state.lattice, lead, odd_column);
-        footprint.trail[d] = offsets(state.lattice, kind.shape.trail(direction), odd_column);
+        footprint.lead_sites[d] = index_offsets(state.lattice, lead, odd_column);
+        footprint.trail_sites[d] =
+            index_offsets(state.lattice, kind.shape.trail_sites(direction), odd_column);
       }
-      footprint.ring = offsets(state.lattice, {ring.begin(), ring.end()}, odd_column);
+      footprint.neighbours = index_offsets(state.lattice, {ring.begin(), ring.end()}, odd_column);
     }
   }
 }
@@ -88,15 +90,15 @@ WallEdges::WallEdges(const State& state) : edges_(state.walls.size()) {
   }
 }
 
-WallStep WallEdges::step_of(const State& state, std::size_t number, int desired) const {
+WallStep WallEdges::wall_step(const State& state, std::size_t number, int desired) const {
   const Wall& wall = state.walls[number];
   const std::size_t ahead = desired > 0 ? 0 : 1;
   const lattice::Direction forward = wall.motion->direction;
   const lattice::Direction direction = desired > 0 ? forward : opposite(forward);
   return {.wall = number,
           .direction = direction,
-          .enters = indices(state.lattice, edges_[number][ahead], wall.shift() + unit(direction)),
-          .leaves = indices(state.lattice, edges_[number][1 - ahead], wall.shift())};
+          .entered = indices(state.lattice, edges_[number][ahead], wall.shift() + unit(direction)),
+          .vacated = indices(state.lattice, edges_[number][1 - ahead], wall.shift())};
 }
 
 std::optional<std::vector<std::uint32_t>> pushed_particles(const Box& box, const WallStep& step) {
@@ -113,7 +115,7 @@ std::optional<std::vector<std::uint32_t>> pushed_particles(const Box& box, const
       }
     }
   };
-  std::ranges::for_each(step.enters, add_owners);
+  std::ranges::for_each(step.entered, add_owners);
   for (std::size_t i = 0; i < ids.size() && !blocked; ++i) {
     const Particle& particle = box.state.particles[ids[i]];
     box.for_each_entered(particle, step.direction, add_owners);
@@ -122,7 +124,7 @@ std::optional<std::vector<std::uint32_t>> pushed_particles(const Box& box, const
   return blocked ? std::nullopt : std::optional(std::move(ids));
 }
 
-std::size_t outlet_around(const State& state, const Particle& particle) {
+std::size_t enclosing_outlet(const State& state, const Particle& particle) {
   const auto outlet = std::ranges::find_if(state.outlets, [&](const Outlet& candidate) {
     return lies_inside(state, particle, candidate.region);
   });
@@ -134,7 +136,7 @@ bool count_at_outlet(State& state, std::uint32_t id) {
   if (!particle.present) {
     return false;
   }
-  const std::size_t outlet = outlet_around(state, particle);
+  const std::size_t outlet = enclosing_outlet(state, particle);
   if (outlet == state.outlets.size()) {
     return false;
   }

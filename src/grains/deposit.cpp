@@ -102,8 +102,8 @@ class Deposit {
       return false;
     }
     const auto columns = static_cast<std::uint64_t>(room.columns.count());
-    const std::uint64_t drawn =
-        random::below(random::draw(state_.seed, 0, id, random::Purpose::deposit_column), columns);
+    const std::uint64_t drawn = random::uniform_below(
+        random::draw(state_.seed, 0, id, random::Purpose::deposit_column), columns);
     for (std::uint64_t tried = 0; tried < columns; ++tried) {
       box_.check_interruption();
       const int column = room.columns.low + static_cast<int>((drawn + tried) % columns);
@@ -156,7 +156,7 @@ class Deposit {
   int highest_taken(int column) const {
     int row = state_.lattice.rows() - 1;
     while (row >= 0 && (lattice::position(lattice::Site{column, row}).y() >= region_.top ||
-                        !box_.occupancy.taken(state_.lattice.index({column, row})))) {
+                        !box_.occupancy.is_taken(state_.lattice.index({column, row})))) {
       --row;
     }
     return row;
@@ -187,7 +187,7 @@ class Deposit {
   void roll_down(Particle& particle, std::uint32_t id) const {
     std::uint64_t flips = 0;
     while (const auto direction = way_down(particle, id, flips)) {
-      particle = moved(particle, *direction);
+      particle = after_step(particle, *direction);
     }
   }
 
@@ -228,8 +228,7 @@ class Deposit {
   lattice::Rectangle region_;
   std::vector<Room> rooms_;   // of each kind
   std::vector<int> surface_;  // of each column: above the highest taken row
-  // Of the region: the sum over its columns of the heights of the highest taken sites, and their
-  // number.
+  // Of the region: the sum over its columns of the highest taken sites, and their number.
   double height_sum_ = 0;
   double column_count_ = 0;
 };
@@ -237,7 +236,7 @@ class Deposit {
 /// In a random orientation, or the next one that fits.
 bool place_one(Deposit& deposit, const State& state, const std::vector<std::uint16_t>& kinds,
                const Accept& accept) {
-  const std::uint64_t drawn = random::below(
+  const std::uint64_t drawn = random::uniform_below(
       random::draw(state.seed, 0, next_id(state), random::Purpose::deposit_kind), kinds.size());
   for (std::size_t tried = 0; tried < kinds.size(); ++tried) {
     if (deposit.place(kinds[(drawn + tried) % kinds.size()], accept)) {
@@ -249,20 +248,21 @@ bool place_one(Deposit& deposit, const State& state, const std::vector<std::uint
 
 }  // namespace
 
-FillResult deposit_in(Box& box, const lattice::Rectangle& region,
-                      std::span<const std::size_t> counts) {
+FillResult deposit_region(Box& box, const lattice::Rectangle& region,
+                          std::span<const std::size_t> counts) {
   State& state = box.state;
   const std::size_t first = state.particles.size();
   std::vector<std::size_t> left(counts.begin(), counts.end());
   std::uint64_t all_left = std::accumulate(left.begin(), left.end(), std::uint64_t{0});
   state.particles.reserve(first + all_left);
   state.origins.reserve(first + all_left);
-  FillResult result{.placed = std::vector<std::size_t>(counts.size(), 0), .complete = true};
+  FillResult result{.placed_by_species = std::vector<std::size_t>(counts.size(), 0),
+                    .complete = true};
   Deposit deposit(box, region);
   while (all_left > 0) {
     const std::size_t species = draw_species(state, left);
     if (place_one(deposit, state, kinds_of(state, species), [](lattice::Site) { return true; })) {
-      ++result.placed[species];
+      ++result.placed_by_species[species];
       --left[species];
       --all_left;
     } else {  // nor will it fit later: the packing only grows
@@ -274,10 +274,10 @@ FillResult deposit_in(Box& box, const lattice::Rectangle& region,
   return result;
 }
 
-FillResult deposit_mixture(Box& box, const lattice::Rectangle& region, const Parts& parts,
+FillResult deposit_mixture(Box& box, const lattice::Rectangle& region, const MixtureParts& parts,
                            std::optional<double> level) {
   const State& state = box.state;
-  FillResult result{.placed = std::vector<std::size_t>(parts.weights.front().size(), 0)};
+  FillResult result{.placed_by_species = std::vector<std::size_t>(parts.weights.front().size(), 0)};
   Deposit deposit(box, region);
   // A part that has no room may get some where another one grows beneath it.
   std::size_t full = 0;
@@ -285,8 +285,8 @@ FillResult deposit_mixture(Box& box, const lattice::Rectangle& region, const Par
        part = (part + 1) % parts.weights.size()) {
     const std::size_t species = draw_species(state, parts.weights[part]);
     if (place_one(deposit, state, kinds_of(state, species),
-                  [&](lattice::Site site) { return parts.part_of(site) == part; })) {
-      ++result.placed[species];
+                  [&](lattice::Site site) { return parts.part_at(site) == part; })) {
+      ++result.placed_by_species[species];
       full = 0;
     } else {
       ++full;

@@ -55,7 +55,8 @@ class Trials {
       box.check_interruption();
       const std::uint64_t bits =
           random::draw(state.seed, tried_, key_, random::Purpose::fill_position);
-      std::swap(trials_[tried_], trials_[tried_ + random::below(bits, trials_.size() - tried_)]);
+      std::swap(trials_[tried_],
+                trials_[tried_ + random::uniform_below(bits, trials_.size() - tried_)]);
       const Trial& trial = trials_[tried_++];
       const Particle particle = {
           .column = trial.site.column, .row = trial.site.row, .kind = trial.kind};
@@ -92,7 +93,7 @@ void fill_part(Box& box, const lattice::Rectangle& region, const std::vector<lat
 
 }  // namespace
 
-double trial_bytes(double sites, double orientations) {
+double fill_trial_bytes(double sites, double orientations) {
   return sites * (sizeof(lattice::Site) + sizeof(Trial) * orientations);
 }
 
@@ -105,15 +106,17 @@ void check_counts(const State& state, std::span<const std::size_t> counts) {
 }
 
 void check_mixture(const State& state, const Mixture& mixture) {
-  for (const std::vector<std::uint32_t>& part : mixture.parts) {
+  for (const std::vector<std::uint32_t>& part : mixture.part_weights) {
     const std::vector<std::size_t> weights(part.begin(), part.end());
     check_counts(state, weights);
     require(std::ranges::any_of(part, [](auto weight) { return weight > 0; }),
             "the weights of a mixture are all zero");
   }
-  require(!mixture.parts.empty() && (!mixture.rows.empty() || mixture.parts.size() == 1),
+  require(!mixture.part_weights.empty() &&
+              (!mixture.picture_rows.empty() || mixture.part_weights.size() == 1),
           "a mixture needs one part, or a picture of its parts");
-  require(std::ranges::none_of(mixture.rows, [](const std::string& row) { return row.empty(); }),
+  require(std::ranges::none_of(mixture.picture_rows,
+                               [](const std::string& row) { return row.empty(); }),
           "a picture needs pixels");
 }
 
@@ -123,16 +126,16 @@ FillResult fill_region(Box& box, const lattice::Rectangle& region,
   const std::size_t first = state.particles.size();
   const std::vector<lattice::Site> sites = lattice::sites_in(state.lattice, region);
   FillResult result;
-  result.placed.resize(counts.size(), 0);
+  result.placed_by_species.resize(counts.size(), 0);
   for (const std::size_t species : largest_first(state, counts.size())) {
     if (counts[species] == 0) {
       continue;
     }
     Trials trials(box, sites, kinds_of(state, species), next_id(state));
-    while (result.placed[species] < counts[species] && trials.place_one(box, region)) {
-      ++result.placed[species];
+    while (result.placed_by_species[species] < counts[species] && trials.place_one(box, region)) {
+      ++result.placed_by_species[species];
     }
-    result.complete = result.complete && result.placed[species] == counts[species];
+    result.complete = result.complete && result.placed_by_species[species] == counts[species];
   }
   renumber(box, first);
   return result;
@@ -141,21 +144,21 @@ FillResult fill_region(Box& box, const lattice::Rectangle& region,
 FillResult fill_mixture(Box& box, const lattice::Rectangle& region, const Mixture& mixture) {
   const State& state = box.state;
   const std::size_t first = state.particles.size();
-  Parts parts = {mixture.parts, {}};
-  if (!mixture.rows.empty()) {
-    parts.picture = {.box = region, .rows = mixture.rows};
+  MixtureParts parts = {mixture.part_weights, {}};
+  if (!mixture.picture_rows.empty()) {
+    parts.picture = {.box = region, .rows = mixture.picture_rows};
   }
   FillResult result;
   if (mixture.deposited) {
-    result = deposit_mixture(box, region, parts, mixture.level);
+    result = deposit_mixture(box, region, parts, mixture.surface_level);
   } else {
-    result.placed.resize(mixture.parts.front().size(), 0);
+    result.placed_by_species.resize(mixture.part_weights.front().size(), 0);
     const std::vector<lattice::Site> sites = lattice::sites_in(state.lattice, region);
     for (std::size_t part = 0; part < parts.weights.size(); ++part) {
       std::vector<lattice::Site> own;
       std::ranges::copy_if(sites, std::back_inserter(own),
-                           [&](lattice::Site site) { return parts.part_of(site) == part; });
-      fill_part(box, region, own, parts.weights[part], result.placed);
+                           [&](lattice::Site site) { return parts.part_at(site) == part; });
+      fill_part(box, region, own, parts.weights[part], result.placed_by_species);
     }
   }
   renumber(box, first);
@@ -177,7 +180,7 @@ bool fits(const Box& box, const Particle& particle) {
   const auto& sites = box.state.shape(particle).sites();
   return std::ranges::all_of(sites, [&](lattice::Axial offset) {
     const lattice::Site site = particle.site() + offset;
-    return lattice.contains(site) && !box.occupancy.taken(lattice.index(site));
+    return lattice.contains(site) && !box.occupancy.is_taken(lattice.index(site));
   });
 }
 

@@ -16,12 +16,12 @@ namespace {
 bool emit_one(Box& box, Source& source, std::uint32_t number) {
   const State& state = box.state;
   // Keyed by the number emitted so far: a waiting particle keeps its draw.
-  const std::size_t kind = drawn_index(
+  const std::size_t kind = weighted_index(
       source.weights,
       random::draw(state.seed, source.emitted, number, random::Purpose::source_species));
   const std::uint64_t bits = random::draw(state.seed, state.step + source.emitted, number,
                                           random::Purpose::source_position);
-  const std::size_t start = random::below(bits, source.sites.size());
+  const std::size_t start = random::uniform_below(bits, source.sites.size());
   for (std::size_t i = 0; i < source.sites.size(); ++i) {
     const lattice::Site site = source.sites[(start + i) % source.sites.size()];
     const Particle particle = {
@@ -37,24 +37,23 @@ bool emit_one(Box& box, Source& source, std::uint32_t number) {
 
 /// False if the source is exhausted or the particle does not fit.
 bool run_source(Box& box, Source& source, std::uint32_t number) {
-  source.credit = std::min(source.credit, source.unit) + source.rate;
-  while (source.credit >= source.unit && !source.exhausted()) {
+  source.credit = std::min(source.credit, source.units_per_particle) + source.rate;
+  while (source.credit >= source.units_per_particle && !source.is_exhausted()) {
     if (!emit_one(box, source, number)) {
       return false;
     }
-    source.credit -= source.unit;
+    source.credit -= source.units_per_particle;
   }
-  return !source.exhausted();
+  return !source.is_exhausted();
 }
 
 /// Emits the particles that are due from every open source, if they fit. Those that do not fit stay
-/// due, up to one step's share. Returns whether an open source will emit even if nothing else
-/// changes.
+/// due, up to one step's share. Returns whether a source will emit if nothing changes.
 bool run_sources(Box& box) {
   bool waits = false;
   for (std::size_t number = 0; number < box.state.sources.size(); ++number) {
     Source& source = box.state.sources[number];
-    if (source.open && !source.exhausted()) {
+    if (source.open && !source.is_exhausted()) {
       waits = run_source(box, source, static_cast<std::uint32_t>(number)) || waits;
     }
   }
@@ -63,7 +62,7 @@ bool run_sources(Box& box) {
 
 std::vector<std::size_t> indices_now(const State& state, const Wall& wall) {
   std::vector<std::size_t> result;
-  for (const lattice::Site site : sites_now(state.lattice, wall)) {
+  for (const lattice::Site site : current_sites(state.lattice, wall)) {
     result.push_back(state.lattice.index(site));
   }
   return result;
@@ -76,7 +75,7 @@ void remove_wall(Box& box, std::size_t number) {
   wall.present = false;
   std::vector<std::size_t> vacated;
   for (const std::size_t index : indices_now(box.state, wall)) {
-    if (box.occupancy.has(index, code) && box.occupancy.remove(index, code)) {
+    if (box.occupancy.has_owner(index, code) && box.occupancy.remove_owner(index, code)) {
       vacated.push_back(index);
     }
   }
@@ -93,13 +92,12 @@ void remove_wall(Box& box, std::size_t number) {
   }
 }
 
-/// Whether no particle is in the way of a wall that is not there, nor another wall while one of the
-/// two is a moving wall.
+/// Whether no particle is in the way of a new wall, nor another wall while one of the two moves.
 bool can_insert_wall(const Box& box, std::size_t number) {
   const Wall& wall = box.state.walls[number];
   const std::vector<std::size_t> indices = indices_now(box.state, wall);
   const auto moves = [&](Owner owner) {
-    return is_wall(owner) && box.state.walls[wall_number(owner)].motion.has_value();
+    return is_obstacle(owner) && box.state.walls[wall_number(owner)].motion.has_value();
   };
   return std::ranges::none_of(indices, [&](std::size_t index) {
     const Owner owner = box.occupancy.owner(index);
@@ -113,7 +111,7 @@ void insert_wall(Box& box, std::size_t number) {
   wall.present = true;
   for (const std::size_t index : indices_now(box.state, wall)) {
     const Owner owner = box.occupancy.owner(index);
-    if (!is_wall(owner) || wall_number(owner) < number) {  // as in an OccupancyTable built anew
+    if (!is_obstacle(owner) || wall_number(owner) < number) {  // as in an OccupancyTable built anew
       box.occupancy.take(index, wall_code(number));
     }
   }
@@ -124,14 +122,14 @@ void insert_wall(Box& box, std::size_t number) {
 std::size_t remove_at_outlets(Mechanics& mechanics, std::vector<std::uint32_t> ids) {
   Box& box = mechanics.box();
   std::erase_if(ids, [&](std::uint32_t id) {
-    return outlet_around(box.state, box.state.particles[id]) == box.state.outlets.size();
+    return enclosing_outlet(box.state, box.state.particles[id]) == box.state.outlets.size();
   });
   std::ranges::sort(ids);
   std::size_t removed = 0;
   for (const std::uint32_t id : ids) {
     if (count_at_outlet(box.state, id)) {
-      mechanics.removing(id);
-      take_out(box, id);
+      mechanics.on_removing(id);
+      remove_particle(box, id);
       ++removed;
     }
   }
@@ -151,10 +149,10 @@ void check_valid(const Options& options) {
   require(options.threads >= 1, "the number of threads must be positive");
 }
 
-void take_out(Box& box, std::uint32_t id) {
+void remove_particle(Box& box, std::uint32_t id) {
   Particle& particle = box.state.particles[id];
   box.for_each_index(particle,
-                     [&](std::size_t index) { box.occupancy.remove(index, as_owner(id)); });
+                     [&](std::size_t index) { box.occupancy.remove_owner(index, as_owner(id)); });
   particle.present = false;
   particle.previous = kRest;
 }
@@ -166,16 +164,16 @@ StepReport step(Mechanics& mechanics) {
 
   const std::size_t before = state.particles.size();
   const bool sources_wait = run_sources(mechanics.box());
-  report.emitted = state.particles.size() - before;
-  mechanics.added(before);
+  report.emitted_count = state.particles.size() - before;
+  mechanics.on_added(before);
 
   const bool at_rest = mechanics.advance(report);
 
   if (!state.outlets.empty()) {
-    report.removed = remove_at_outlets(mechanics, mechanics.moved());
-    report.removed += remove_at_outlets(mechanics, ids_from(before, state));
+    report.removed_count = remove_at_outlets(mechanics, mechanics.moved_ids());
+    report.removed_count += remove_at_outlets(mechanics, ids_from(before, state));
   }
-  report.settled = at_rest && report.emitted == 0 && !sources_wait;
+  report.settled = at_rest && report.emitted_count == 0 && !sources_wait;
   return report;
 }
 
@@ -184,7 +182,7 @@ Model::~Model() = default;
 Model::Model(Model&&) noexcept = default;
 Model& Model::operator=(Model&&) noexcept = default;
 
-void Model::check_whole() const {
+void Model::check_intact() const {
   if (half_changed_) {
     throw std::logic_error("a model cannot go on after a change that failed");
   }
@@ -193,7 +191,7 @@ void Model::check_whole() const {
 /// Carries out a change; nothing more is changed after one that has failed halfway.
 template <class Change>
 auto Model::carry_out(Change change) {
-  check_whole();
+  check_intact();
   half_changed_ = true;
   auto result = change();
   half_changed_ = false;
@@ -205,7 +203,7 @@ template <class Change>
 auto Model::change_between_steps(Change change) {
   return carry_out([&] {
     auto result = change(mechanics_->box());
-    mechanics_->reloaded();
+    mechanics_->on_reloaded();
     remove_at_outlets(*mechanics_, ids_from(0, grains()));
     return result;
   });
@@ -229,7 +227,7 @@ void Model::set_interruption(std::function<void()> check) {
 }
 
 void Model::check_fill(const lattice::Rectangle& region, bool deposited) const {
-  lattice::check(region);
+  lattice::check_valid(region);
   require(!deposited || mechanics_->can_deposit(),
           "particles are deposited along a gravity that points down");
 }
@@ -239,7 +237,7 @@ FillResult Model::fill(const lattice::Rectangle& region, std::span<const std::si
   check_counts(grains(), counts);
   check_fill(region, deposited);
   return change_between_steps([&](Box& box) {
-    return deposited ? deposit_in(box, region, counts) : fill_region(box, region, counts);
+    return deposited ? deposit_region(box, region, counts) : fill_region(box, region, counts);
   });
 }
 
@@ -250,7 +248,7 @@ FillResult Model::fill(const lattice::Rectangle& region, const Mixture& mixture)
 }
 
 void Model::remove_wall(std::size_t wall) {
-  check_whole();
+  check_intact();
   if (grains().walls.at(wall).present) {
     change_between_steps([&](Box& box) {
       grains::remove_wall(box, wall);
@@ -260,7 +258,7 @@ void Model::remove_wall(std::size_t wall) {
 }
 
 bool Model::insert_wall(std::size_t wall) {
-  check_whole();
+  check_intact();
   if (grains().walls.at(wall).present) {
     return true;
   }
@@ -273,23 +271,23 @@ bool Model::insert_wall(std::size_t wall) {
   });
 }
 
-void Model::set_motion(std::size_t wall, bool active) {
+void Model::set_wall_moving(std::size_t wall, bool active) {
   Wall& moving = mechanics_->box().state.walls.at(wall);
   require(moving.motion.has_value(), "a wall without motion cannot be set in motion");
   carry_out([&] {
     moving.travel.active = active;
-    mechanics_->motion_set();
+    mechanics_->on_motion_set();
     return true;
   });
 }
 
-void Model::set_source(std::size_t source, bool open) {
-  check_whole();
+void Model::set_source_open(std::size_t source, bool open) {
+  check_intact();
   mechanics_->box().state.sources.at(source).open = open;
 }
 
-void Model::mark_origins() {
-  check_whole();
+void Model::reset_origins() {
+  check_intact();
   State& state = mechanics_->box().state;
   std::ranges::transform(state.particles, state.origins.begin(),
                          [](const Particle& particle) { return particle.site(); });

@@ -22,7 +22,8 @@ std::int32_t rounded(const Ratio& ratio) {
 /// `ratio` in 2^-20 lattice spacings, rounded towards zero.
 std::int64_t in_motion_units(const Ratio& ratio) {
   __extension__ using Int128 = __int128;
-  return static_cast<std::int64_t>(Int128{ratio.numerator} * kMotionSpacing / ratio.denominator);
+  return static_cast<std::int64_t>(Int128{ratio.numerator} * kMotionUnitsPerSpacing /
+                                   ratio.denominator);
 }
 
 /// amplitude x sin(pi t / half) for t in [0, half] by Bhaskara's formula.
@@ -71,7 +72,7 @@ PathSegment segment_at(const Path& path, std::uint64_t clock) {
 std::int64_t position(const Drive& drive, std::uint64_t clock) {
   const auto distance = static_cast<std::uint64_t>(drive.distance);
   return clock / drive.period >= distance
-             ? drive.distance * kMotionSpacing
+             ? drive.distance * kMotionUnitsPerSpacing
              : in_motion_units(
                    {static_cast<std::int64_t>(clock), static_cast<std::int64_t>(drive.period)});
 }
@@ -80,7 +81,7 @@ std::int64_t position(const Wave& wave, std::uint64_t clock) {
 }
 std::int64_t position(const Path& path, std::uint64_t clock) {
   const PathSegment segment = segment_at(path, clock);
-  return segment.from * kMotionSpacing + in_motion_units(segment.rise);
+  return segment.from * kMotionUnitsPerSpacing + in_motion_units(segment.rise);
 }
 
 template <class Program>
@@ -88,12 +89,12 @@ std::int64_t velocity_of(const Program& program, const Travel& travel, std::int6
   return position(program, travel.clock + 1) - position(program, travel.clock);
 }
 std::int64_t velocity_of(const Shake& shake, const Travel& travel, std::int64_t now) {
-  const std::int64_t highest = shake.amplitude * kMotionSpacing;
+  const std::int64_t highest = shake.amplitude * kMotionUnitsPerSpacing;
   const auto period = static_cast<std::int64_t>(shake.contact_period());
   // Of a way at constant velocity: how far it goes in the next step.
   const auto next = [&](std::int64_t way) {
-    const std::int64_t steps = (way * period + kMotionSpacing - 1) / kMotionSpacing;
-    return std::min((steps + 1) * kMotionSpacing / period, highest) - way;
+    const std::int64_t steps = (way * period + kMotionUnitsPerSpacing - 1) / kMotionUnitsPerSpacing;
+    return std::min((steps + 1) * kMotionUnitsPerSpacing / period, highest) - way;
   };
   switch (travel.phase) {
     case Travel::Phase::rising:
@@ -111,7 +112,7 @@ bool can_be_at(const Program& program, std::uint64_t clock, std::int64_t now) {
   return now == position(program, clock);
 }
 bool can_be_at(const Shake& shake, std::uint64_t /*clock*/, std::int64_t now) {
-  return now >= 0 && now <= shake.amplitude * kMotionSpacing;
+  return now >= 0 && now <= shake.amplitude * kMotionUnitsPerSpacing;
 }
 
 int sign(std::int32_t value) {
@@ -120,7 +121,7 @@ int sign(std::int32_t value) {
 
 template <class Program>
 int desired_step_of(const Program& program, const Travel& travel) {
-  return sign(target(program, travel.clock + 1) - travel.offset);
+  return sign(target_offset(program, travel.clock + 1) - travel.offset);
 }
 int desired_step_of(const Drive& drive, const Travel& travel) {
   return travel.offset < drive.distance && (travel.clock + 1) % drive.period == 0 ? 1 : 0;
@@ -148,7 +149,7 @@ void turn(const Shake& shake, Travel& travel) {
 
 }  // namespace
 
-OffsetRange Path::range() const {
+OffsetRange Path::offset_range() const {
   OffsetRange range;
   for (const Point& point : points) {
     range.low = std::min(range.low, point.offset);
@@ -157,8 +158,8 @@ OffsetRange Path::range() const {
   return range;
 }
 
-OffsetRange range_of(const WallMotion& motion) {
-  return std::visit([](const auto& program) { return program.range(); }, motion.program);
+OffsetRange offset_range(const WallMotion& motion) {
+  return std::visit([](const auto& program) { return program.offset_range(); }, motion.program);
 }
 
 bool is_cyclic(const WallMotion& motion) {
@@ -166,17 +167,17 @@ bool is_cyclic(const WallMotion& motion) {
          std::holds_alternative<Wave>(motion.program);
 }
 
-std::int32_t target(const Wave& wave, std::uint64_t clock) {
+std::int32_t target_offset(const Wave& wave, std::uint64_t clock) {
   return rounded(offset_at(wave, clock));
 }
 
-std::int32_t target(const Path& path, std::uint64_t clock) {
+std::int32_t target_offset(const Path& path, std::uint64_t clock) {
   const PathSegment segment = segment_at(path, clock);
   return segment.from + rounded(segment.rise);
 }
 
-std::int32_t velocity(const WallMotion& motion, const Travel& travel, std::int64_t ahead) {
-  const std::int64_t now = travel.offset * kMotionSpacing + ahead;
+std::int32_t next_displacement(const WallMotion& motion, const Travel& travel, std::int64_t ahead) {
+  const std::int64_t now = travel.offset * kMotionUnitsPerSpacing + ahead;
   return static_cast<std::int32_t>(std::visit(
       [&](const auto& program) { return velocity_of(program, travel, now); }, motion.program));
 }
@@ -186,7 +187,8 @@ bool can_be_ahead(const WallMotion& motion, const Travel& travel, std::int64_t a
   return ahead > -kFar && ahead < kFar &&
          std::visit(
              [&](const auto& program) {
-               return can_be_at(program, travel.clock, travel.offset * kMotionSpacing + ahead);
+               return can_be_at(program, travel.clock,
+                                travel.offset * kMotionUnitsPerSpacing + ahead);
              },
              motion.program);
 }
@@ -220,8 +222,8 @@ int pending_step(const WallMotion& motion, const Travel& travel) {
   return at_last ? sign(path->points.back().offset - travel.offset) : 0;
 }
 
-void take_step(const WallMotion& motion, Travel& travel, int desired, bool done, std::uint64_t step,
-               std::int64_t ahead) {
+void record_step(const WallMotion& motion, Travel& travel, int desired, bool done,
+                 std::uint64_t step, std::int64_t ahead) {
   ++travel.clock;
   if (desired != 0 && done) {
     travel.offset += desired;

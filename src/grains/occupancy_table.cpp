@@ -16,13 +16,13 @@ bool may_share(const State& state, std::uint32_t id, Owner owner) {
 }
 
 void put(OccupancyTable& occupancy, const State& state, std::size_t index, std::uint32_t id) {
-  if (!occupancy.taken(index)) {
+  if (!occupancy.is_taken(index)) {
     occupancy.take(index, as_owner(id));
     return;
   }
   require(occupancy.second_owner(index) == kFree && may_share(state, id, occupancy.owner(index)),
           "two particles overlap, or a particle overlaps a wall");
-  occupancy.add(index, as_owner(id));
+  occupancy.add_owner(index, as_owner(id));
 }
 
 void put_wall(OccupancyTable& occupancy, const State& state, std::size_t number) {
@@ -33,10 +33,10 @@ void put_wall(OccupancyTable& occupancy, const State& state, std::size_t number)
   if (!wall.present) {
     return;
   }
-  for (const lattice::Site site : sites_now(state.lattice, wall)) {
+  for (const lattice::Site site : current_sites(state.lattice, wall)) {
     const std::size_t index = state.lattice.index(site);
     const Owner other = occupancy.owner(index);
-    require(!is_wall(other) || (!wall.motion && !state.walls[wall_number(other)].motion),
+    require(!is_obstacle(other) || (!wall.motion && !state.walls[wall_number(other)].motion),
             "a wall that moves stands in another wall");
     occupancy.take(index, wall_code(number));
   }
@@ -88,8 +88,8 @@ OccupancyTable::OccupancyTable(const State& state)
   }
 }
 
-void OccupancyTable::add(std::size_t index, Owner owner) {
-  if (!taken(index)) {
+void OccupancyTable::add_owner(std::size_t index, Owner owner) {
+  if (!is_taken(index)) {
     take(index, owner);
     return;
   }
@@ -101,7 +101,7 @@ void OccupancyTable::add(std::size_t index, Owner owner) {
   second_owners_[index] = std::max(first, owner);
 }
 
-bool OccupancyTable::remove(std::size_t index, Owner owner) {
+bool OccupancyTable::remove_owner(std::size_t index, Owner owner) {
   if (second_owner(index) == kFree) {
     release(index);
     return true;

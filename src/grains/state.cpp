@@ -32,14 +32,14 @@ bool can_be_carried_out(const Wave& wave) {
 }
 bool can_be_carried_out(const Shake& shake) {
   return shake.amplitude >= 0 && shake.amplitude < kMaxCoordinate &&
-         (!shake.period ||
-          (*shake.period > 0 && *shake.period <= static_cast<std::uint64_t>(kMotionSpacing)));
+         (!shake.period || (*shake.period > 0 &&
+                            *shake.period <= static_cast<std::uint64_t>(kMotionUnitsPerSpacing)));
 }
 bool can_be_carried_out(const Path& path) {
   Path::Point last;
   return std::ranges::all_of(path.points, [&](const Path::Point& point) {
     const Path::Point before = std::exchange(last, point);
-    return point.step > before.step && in_reach({point.offset, 0}) && !is_steep(before, point);
+    return point.step > before.step && in_reach({point.offset, 0}) && !is_too_steep(before, point);
   });
 }
 
@@ -55,7 +55,7 @@ Eigen::Vector2d centre(const State& state, const Particle& particle) {
 
 Eigen::Vector2d centre_in_box(const State& state, const Particle& particle) {
   const lattice::Site site = {state.lattice.wrapped(particle.column), particle.row};
-  return state.lattice.in_box(lattice::position(site) + state.shape(particle).centroid());
+  return state.lattice.image_in_box(lattice::position(site) + state.shape(particle).centroid());
 }
 
 lattice::Axial Wall::shift() const {
@@ -66,7 +66,7 @@ lattice::Axial Wall::shift() const {
   return {travel.offset * unit_vector.x, travel.offset * unit_vector.q};
 }
 
-std::vector<lattice::Site> sites_now(const lattice::Lattice& lattice, const Wall& wall) {
+std::vector<lattice::Site> current_sites(const lattice::Lattice& lattice, const Wall& wall) {
   const lattice::Axial shift = wall.shift();
   std::vector<lattice::Site> sites;
   sites.reserve(wall.sites.size());
@@ -122,7 +122,7 @@ void check_valid(const State& state) {
                 std::visit([](const auto& program) { return can_be_carried_out(program); },
                            wall.motion->program),
             "the motion of a wall cannot be carried out");
-    const OffsetRange range = range_of(*wall.motion);
+    const OffsetRange range = offset_range(*wall.motion);
     require(wall.travel.offset >= range.low && wall.travel.offset <= range.high,
             "a wall is where its motion never goes");
     require(wall.travel.phase <= Travel::Phase::waiting, "a wall is in no phase");
@@ -137,7 +137,7 @@ void check_valid(const State& state) {
   }
   const auto exists = [&](Owner owner) {
     return is_particle(owner) ? particle_id(owner) < state.particles.size()
-                              : is_wall(owner) && wall_number(owner) < state.walls.size();
+                              : is_obstacle(owner) && wall_number(owner) < state.walls.size();
   };
   for (const Push& push : state.pushes) {
     require(push.pushed < state.particles.size() && exists(push.pusher) &&

@@ -36,9 +36,9 @@ Lattice Lattice::covering(double width, double height, bool periodic) {
   return {columns, static_cast<int>(std::ceil(height)), periodic};
 }
 
-Eigen::Vector2d Lattice::in_box(const Eigen::Vector2d& point) const {
-  const double left = corner().x();
-  const double width = size().x();
+Eigen::Vector2d Lattice::image_in_box(const Eigen::Vector2d& point) const {
+  const double left = lower_left_corner().x();
+  const double width = extent().x();
   const auto inside = [&](double x) { return x >= left && x < left + width; };
   if (!periodic_ || inside(point.x())) {
     return point;
@@ -47,7 +47,7 @@ Eigen::Vector2d Lattice::in_box(const Eigen::Vector2d& point) const {
   return {inside(x) ? x : left, point.y()};  // rounding may lead to the right edge
 }
 
-Offset Lattice::offset(Axial vector, bool odd_column) const {
+IndexOffset Lattice::index_offset(Axial vector, bool odd_column) const {
   const Site from = {odd_column ? 1 : 0, 0};
   const Site to = from + vector;
   int columns = to.column - from.column;
@@ -58,7 +58,7 @@ Offset Lattice::offset(Axial vector, bool odd_column) const {
   const int in_pair = odd_column ? 0 : 1;
   const int pairs = (in_pair + columns) >> 1;
   const auto linear =
-      (pairs * static_cast<std::ptrdiff_t>(column_size_) + (to.row - from.row)) * kRowPitch +
+      (pairs * static_cast<std::ptrdiff_t>(column_size_) + (to.row - from.row)) * kRowStride +
       (columns - 2 * pairs);
   require(std::in_range<std::int32_t>(linear),
           "a vector reaches too far in a lattice with so many rows");

@@ -46,20 +46,20 @@ ParameterRange range_between(double from, double along, double low, double high)
 std::vector<Site> chain_along(const SweptRegion& swept_region, const Segment& segment) {
   const Site first = nearest_site(segment.from);
   const Site last = nearest_site(segment.to);
-  const int steps = std::max(1, length(last - first));
+  const int steps = std::max(1, length_in_steps(last - first));
   const Eigen::Vector2d start = position(first);
   const Eigen::Vector2d along = position(last) - start;
   constexpr double kBeyond = 2;  // further out lies no point nearest to a site of the swept region
-  const RowRange rows = swept_region.all_rows();
+  const RowRange rows = swept_region.enclosing_rows();
   const ParameterRange across =
       range_between(start.x(), along.x(), kColumnPitch * swept_region.first_column() - kBeyond,
                     kColumnPitch * swept_region.end_column() + kBeyond);
   const ParameterRange upwards =
-      range_between(start.y(), along.y(), rows.first - kBeyond, rows.end + kBeyond);
+      range_between(start.y(), along.y(), rows.first_row - kBeyond, rows.end_row + kBeyond);
   const double begin = std::floor(std::max(across.begin, upwards.begin) * steps);
   const double end = std::ceil(std::min(across.end, upwards.end) * steps);
   std::vector<Site> chain;
-  for (int i = bounded(begin, 0, steps); i <= end; ++i) {
+  for (int i = clamped_floor(begin, 0, steps); i <= end; ++i) {
     // The nudge keeps points that lie exactly between two sites on one side of the line.
     const Eigen::Vector2d nudge(1e-6, 2e-6);
     chain.push_back(nearest_site(start + along * (static_cast<double>(i) / steps) + nudge));
@@ -67,12 +67,12 @@ std::vector<Site> chain_along(const SweptRegion& swept_region, const Segment& se
   return chain;
 }
 
-/// Which of `count` equal parts holds the point at this share of the whole.
+/// Index of the one of `count` equal parts that holds the point at this share of the whole.
 std::size_t part_of(double share, std::size_t count) {
   return std::min(static_cast<std::size_t>(share * static_cast<double>(count)), count - 1);
 }
 
-/// Which of `count` rows of pixels is at this height, which of `count` columns at this x.
+/// Index of the one of `count` rows of pixels at this height, of the one of `count` columns at x.
 std::size_t row_at(const Rectangle& box, double y, std::size_t count) {
   return part_of((box.top - y) / (box.top - box.bottom), count);
 }
@@ -124,7 +124,7 @@ RowRange SweptRegion::rows(int column) const {
   return {-most, lattice_.rows() - least};
 }
 
-RowRange SweptRegion::all_rows() const {
+RowRange SweptRegion::enclosing_rows() const {
   // All columns of one parity rise alike.
   const auto [least, most] =
       std::minmax({rise(0, low_), rise(0, high_), rise(1, low_), rise(1, high_)});
@@ -136,7 +136,7 @@ bool SweptRegion::contains(Site site) const {
     return false;
   }
   const RowRange inside = rows(site.column);
-  return site.row >= inside.first && site.row < inside.end;
+  return site.row >= inside.first_row && site.row < inside.end_row;
 }
 
 Site nearest_site(const Eigen::Vector2d& point) {
@@ -156,7 +156,7 @@ Site nearest_site(const Eigen::Vector2d& point) {
   return best;
 }
 
-void check(const Rectangle& rectangle) {
+void check_valid(const Rectangle& rectangle) {
   for (const double edge : {rectangle.left, rectangle.bottom, rectangle.right, rectangle.top}) {
     require(!std::isnan(edge), "an edge of a rectangle is not a number");
   }
@@ -170,7 +170,7 @@ Rectangle bounding_rectangle(const Segment& segment) {
 }
 
 std::vector<Site> sites_in(const SweptRegion& swept_region, const Rectangle& rectangle) {
-  check(rectangle);
+  check_valid(rectangle);
   std::vector<Site> sites;
   any_site(swept_region, rectangle, [&](Site site) {
     sites.push_back(site);

@@ -68,7 +68,7 @@ std::vector<Axial> shifted(const std::vector<Axial>& sites, Axial by) {
   return result;
 }
 
-/// Of whole numbers, so that no rounding moves a centre off a column or a row.
+/// The mean, from sums of whole numbers: no rounding moves a centre off a column or a row.
 Eigen::Vector2d mean_position(const std::vector<Axial>& sites) {
   std::int64_t columns = 0;
   std::int64_t half_spacings = 0;  // upwards
@@ -192,11 +192,11 @@ bool Shape::contains(Axial site) const {
   return holds(sites_, site);
 }
 
-std::vector<Axial> Shape::lead(Direction direction) const {
+std::vector<Axial> Shape::lead_sites(Direction direction) const {
   return difference(shifted(sites_, unit(direction)), sites_);
 }
 
-std::vector<Axial> Shape::trail(Direction direction) const {
+std::vector<Axial> Shape::trail_sites(Direction direction) const {
   return difference(sites_, shifted(sites_, unit(direction)));
 }
 
@@ -209,7 +209,7 @@ Shape Shape::rotated(int sixths) const {
   return Shape(std::move(sites));
 }
 
-bool Shape::congruent(const Shape& other) const {
+bool Shape::is_congruent(const Shape& other) const {
   return sites_ == shifted(other.sites_, sites_.front() - other.sites_.front());
 }
 

@@ -171,9 +171,9 @@ class Walls {
 
   /// From a point to the side of the box, against the normal, in lattice spacings.
   double distance_to_side(const Eigen::Vector2d& point, const Eigen::Vector2d& normal) const {
-    const Eigen::Vector2d low = lattice::Lattice::corner();
-    const Eigen::Vector2d high = low + state_.lattice.size();
-    double least = state_.lattice.size().norm();
+    const Eigen::Vector2d low = lattice::Lattice::lower_left_corner();
+    const Eigen::Vector2d high = low + state_.lattice.extent();
+    double least = state_.lattice.extent().norm();
     for (const Eigen::Index axis : {0, 1}) {
       const double side = normal[axis] > 0 ? low[axis] : high[axis];
       if (normal[axis] != 0 && !(axis == 0 && state_.lattice.periodic())) {
@@ -259,7 +259,7 @@ double downward_flow(const Snapshot& before, const grains::State& now,
       continue;
     }
     const double share = (middle - path->from.y()) / path->vector.y();
-    const double x = now.lattice.in_box(path->from + share * path->vector).x();
+    const double x = now.lattice.image_in_box(path->from + share * path->vector).x();
     if (x >= region.left && x < region.right) {
       flow += is_below(end) ? path->sites : -path->sites;
     }
@@ -277,7 +277,7 @@ void Fluctuations::add(const std::vector<Displacement>& displacements, const Gri
     const CellMotion& cell = cells[grid.index(displacement.from)];
     if (cell.is_counted()) {
       const double energy = cell.energy(displacement);
-      ++counts_[bins_.find(energy / scale)];
+      ++counts_[bins_.bin_of(energy / scale)];
       ++local_counts_[local_bin(cell, energy)];
     }
   }

@@ -29,7 +29,7 @@ void for_each_shared(const State& state, const Occupancy& occupancy, const Overl
   const grains::Particle& particle = state.particles[contact.first];
   for (const lattice::Axial part : state.shape(particle).sites()) {
     const Site site = particle.site() + part;
-    if (occupancy.has(state.lattice.index(site), contact.second)) {
+    if (occupancy.has_owner(state.lattice.index(site), contact.second)) {
       visit(site);
     }
   }
@@ -42,7 +42,7 @@ int depth_of(const State& state, const Occupancy& occupancy, const OverlapContac
   const bool one_move = std::ranges::any_of(lattice::kDirections, [&](Direction direction) {
     const Site moved = particle.site() + unit(direction);
     return std::ranges::none_of(parts, [&](lattice::Axial part) {
-      return occupancy.has(state.lattice.index(moved + part), contact.second);
+      return occupancy.has_owner(state.lattice.index(moved + part), contact.second);
     });
   });
   return one_move ? 1 : 2;
@@ -253,7 +253,7 @@ std::vector<OverlapContact> contacts(const State& state, const Occupancy& occupa
       ++contact.sites;
       contact.point += lattice::position(site);
     });
-    contact.point = state.lattice.in_box(contact.point / std::max(1, contact.sites));
+    contact.point = state.lattice.image_in_box(contact.point / std::max(1, contact.sites));
     contact.depth = depth_of(state, occupancy, contact);
     result.push_back(contact);
   }
@@ -358,7 +358,7 @@ bool ForceAverage::precedes(const grains::State& now) const {
     const bool known =
         grains::is_particle(second)
             ? static_cast<std::size_t>(second) < now.particles.size()
-            : grains::is_wall(second) && grains::wall_number(second) < now.walls.size();
+            : grains::is_obstacle(second) && grains::wall_number(second) < now.walls.size();
     return known && first < now.particles.size();
   });
 }

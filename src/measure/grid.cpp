@@ -30,8 +30,8 @@ void add_crossings(double from, double to, std::vector<double>& shares) {
 }  // namespace
 
 Grid::Grid(const lattice::Lattice& lattice, double cell)
-    : low_(lattice::Lattice::corner()),
-      extents_(lattice.size()),
+    : low_(lattice::Lattice::lower_left_corner()),
+      extents_(lattice.extent()),
       periodic_(lattice.periodic()),
       columns_(count_of(extents_.x(), cell)),
       rows_(count_of(extents_.y(), cell)) {

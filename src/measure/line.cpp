@@ -140,7 +140,7 @@ void Line::add_covered_points(const grains::Occupancy& occupancy,
     LinePartSums& sums = block.parts[part];
     for (const std::size_t index : points_[part]) {
       const grains::Owner owner = occupancy.owner(index);
-      if (grains::is_wall(owner)) {
+      if (grains::is_obstacle(owner)) {
         continue;
       }
       sums.open += steps;
@@ -170,7 +170,7 @@ void Line::add_passing_particles(const Snapshot& before, const grains::State& no
     const auto [low, high] = std::minmax({from.x(), to.x()});
     const auto [first, last] = images(low - radius, high + radius, now.lattice);
     for (int image = first; image <= last; ++image) {
-      const Eigen::Vector2d shift(image * now.lattice.size().x(), 0);
+      const Eigen::Vector2d shift(image * now.lattice.extent().x(), 0);
       const double start = right_.dot(from + shift - from_);
       const double end = right_.dot(to + shift - from_);
       if (std::min(start, end) <= radius && std::max(start, end) >= -radius) {
@@ -187,7 +187,7 @@ std::pair<int, int> Line::images(double low, double high, const lattice::Lattice
     return {0, 0};
   }
   const auto [left, right] = std::minmax({from_.x(), from_.x() + length_ * direction_.x()});
-  const double width = lattice.size().x();
+  const double width = lattice.extent().x();
   return {static_cast<int>(std::ceil((left - high) / width)),
           static_cast<int>(std::floor((right - low) / width))};
 }

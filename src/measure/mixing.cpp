@@ -20,7 +20,7 @@ using grains::State;
 /// Length of a vector in the box, by the nearest image where that is periodic.
 double distance(const lattice::Lattice& lattice, Eigen::Vector2d between) {
   if (lattice.periodic()) {
-    const double width = lattice.size().x();
+    const double width = lattice.extent().x();
     between.x() -= width * std::round(between.x() / width);
   }
   return between.norm();

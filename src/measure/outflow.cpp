@@ -35,7 +35,7 @@ class FallPathSearch {
         outlet_(outlet),
         up_({opposite(down), rotated(opposite(down), 1), rotated(opposite(down), -1)}) {
     for (std::size_t way = 0; way < up_.size(); ++way) {
-      lead_sites_[way] = state.kinds[kind].shape.lead(up_[way]);
+      lead_sites_[way] = state.kinds[kind].shape.lead_sites(up_[way]);
     }
   }
 
@@ -126,7 +126,7 @@ class FallPathSearch {
         const Site site = Site{column, row} + (lattice::Axial() - sites_.front());
         if (std::ranges::all_of(
                 sites_, [&](lattice::Axial part) { return lattice.contains(site + part); }) &&
-            outlet_around(state_, {.column = site.column, .row = site.row, .kind = kind_}) ==
+            enclosing_outlet(state_, {.column = site.column, .row = site.row, .kind = kind_}) ==
                 outlet) {
           result.push_back(site);
         }
@@ -162,7 +162,7 @@ std::vector<std::uint64_t> discharged_particles(const grains::State& state, std:
   std::vector<std::uint64_t> counts(state.outlets.size() * species, 0);
   for (const grains::Particle& particle : state.particles) {
     if (!particle.present) {  // it keeps the position at which it was removed
-      const std::size_t outlet = grains::outlet_around(state, particle);
+      const std::size_t outlet = grains::enclosing_outlet(state, particle);
       require(outlet < state.outlets.size(), "a particle that has left lies in no outlet");
       ++counts[outlet * species + state.kinds[particle.kind].species];
     }

@@ -58,7 +58,7 @@ inline std::vector<bool> walled_sites(const grains::State& state) {
   std::vector<bool> walled(state.lattice.index_count(), false);
   for (const grains::Wall& wall : state.walls) {
     if (wall.present) {
-      for (const lattice::Site site : grains::sites_now(state.lattice, wall)) {
+      for (const lattice::Site site : grains::current_sites(state.lattice, wall)) {
         walled[state.lattice.index(site)] = true;
       }
     }

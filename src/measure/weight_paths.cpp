@@ -52,7 +52,7 @@ std::vector<SupportAngle> supports_on_side(const Vector2d& force,
 const SupportAngle& chosen(const std::vector<SupportAngle>& all, WeightRule rule,
                            std::uint64_t bits) {
   if (rule == WeightRule::pair) {
-    return all[random::below(bits, all.size())];
+    return all[random::uniform_below(bits, all.size())];
   }
   return rule == WeightRule::inner ? all.front() : all.back();
 }
@@ -108,12 +108,12 @@ contact::Force as_contact_force(const grains::State& state, std::uint32_t id,
   const grains::Particle& grain = state.particles[id];
   const Vector2d centre = grains::centre_in_box(state, grain);
   contact::Force result = {.upper = id, .other = on_support.body};
-  result.along_normal = on_support.force.norm();
-  result.normal = -on_support.force / result.along_normal;
+  result.normal_force = on_support.force.norm();
+  result.normal = -on_support.force / result.normal_force;
   result.branch = on_support.body == contact::kFloor
-                      ? Vector2d(0, centre.y() - lattice::Lattice::corner().y())
+                      ? Vector2d(0, centre.y() - lattice::Lattice::lower_left_corner().y())
                       : Vector2d(state.shape(grain).diameter() / 2 * result.normal);
-  result.point = state.lattice.in_box(centre - result.branch);
+  result.point = state.lattice.image_in_box(centre - result.branch);
   return result;
 }
 
@@ -177,7 +177,7 @@ std::vector<SupportedGrain> supported_grains(const grains::State& state,
 WeightPaths weight_paths(const grains::State& state, const std::vector<SupportedGrain>& grains,
                          WeightRule rule) {
   WeightPaths result;
-  const double mean_mass = contact::mean_mass(state);
+  const double mean_mass = contact::mean_grain_mass(state);
   std::vector<Vector2d> received(state.particles.size(), Vector2d::Zero());
   result.forces.reserve(
       std::transform_reduce(grains.begin(), grains.end(), std::size_t{0}, std::plus(),

@@ -6,23 +6,22 @@
 
 namespace clca::model {
 
-std::vector<GasTime> gas_times(const scene::BoltzmannScene& scene) {
-  struct ObservationTime {
-    GasTime time;
+std::vector<ObservationTime> observation_times(const scene::BoltzmannScene& scene) {
+  struct SortedTime {
+    ObservationTime time;
     bool is_said;  // by the scene; a multiple may miss it by rounding
   };
-  std::vector<ObservationTime> all = {{{scene.until, true, false}, true}};
+  std::vector<SortedTime> all = {{{scene.until, true, false}, true}};
   for (const double time : scene.histograms) {
     all.push_back({{time, false, true}, true});
   }
   for (std::uint64_t row = 0; static_cast<double>(row) * scene.series_every < scene.until; ++row) {
     all.push_back({{static_cast<double>(row) * scene.series_every, true, false}, false});
   }
-  std::ranges::sort(all, [](const ObservationTime& a, const ObservationTime& b) {
-    return a.time.time < b.time.time;
-  });
-  std::vector<GasTime> times;
-  for (const ObservationTime& next : all) {
+  std::ranges::sort(
+      all, [](const SortedTime& a, const SortedTime& b) { return a.time.time < b.time.time; });
+  std::vector<ObservationTime> times;
+  for (const SortedTime& next : all) {
     if (times.empty() ||
         next.time.time - times.back().time > scene::kSameTime * scene.series_every) {
       times.push_back(next.time);
@@ -35,21 +34,22 @@ std::vector<GasTime> gas_times(const scene::BoltzmannScene& scene) {
   return times;
 }
 
-std::size_t shared_times(const std::vector<GasTime>& one, const std::vector<GasTime>& other) {
-  const auto same = [](const GasTime& a, const GasTime& b) {
+std::size_t shared_time_count(const std::vector<ObservationTime>& one,
+                              const std::vector<ObservationTime>& other) {
+  const auto same = [](const ObservationTime& a, const ObservationTime& b) {
     return a.time == b.time && a.in_histograms == b.in_histograms;
   };
   const auto [end, _] = std::mismatch(one.begin(), one.end(), other.begin(), other.end(), same);
   return static_cast<std::size_t>(end - one.begin());
 }
 
-std::size_t lasting_times(const scene::BoltzmannScene& scene) {
+std::size_t lasting_time_count(const scene::BoltzmannScene& scene) {
   scene::BoltzmannScene longer = scene;
   longer.until += 2 * scene.series_every;
-  return shared_times(gas_times(scene), gas_times(longer));
+  return shared_time_count(observation_times(scene), observation_times(longer));
 }
 
-statistics::Bins bins_of(const scene::BoltzmannScene& scene) {
+statistics::Bins energy_bins(const scene::BoltzmannScene& scene) {
   if (const auto* uniform = std::get_if<scene::UniformBins>(&scene.bins)) {
     return statistics::Bins::uniform(uniform->width, uniform->end);
   }
@@ -57,11 +57,11 @@ statistics::Bins bins_of(const scene::BoltzmannScene& scene) {
                                         kGasDegrees);
 }
 
-double rotational_unit(double translational, double rotational) {
+double rotational_temperature_unit(double translational, double rotational) {
   return rotational > 0 ? rotational : translational;
 }
 
-void GasMember::note_counts() {
+void GasMember::record_counts() {
   steps = gas->step;
   participations = gas->participations;
   hash = boltzmann::hash(*gas);
@@ -69,10 +69,10 @@ void GasMember::note_counts() {
 
 GasIntegrator::GasIntegrator(const scene::BoltzmannScene& scene)
     : scene_(scene),
-      times_(gas_times(scene)),
-      lasting_times_(lasting_times(scene)),
+      times_(observation_times(scene)),
+      lasting_times_(lasting_time_count(scene)),
       keeps_lasting_(scene::retained_gas_bytes(scene) > 0),
-      bins_(bins_of(scene)),
+      bins_(energy_bins(scene)),
       reference_shares_(statistics::chi_square_shares(bins_, kGasDegrees)) {}
 
 void GasIntegrator::integrate(GasMember& member, double restitution, std::uint64_t seed,
@@ -84,11 +84,11 @@ void GasIntegrator::integrate(GasMember& member, double restitution, std::uint64
   if (!member.gas) {
     member.gas = boltzmann::make_gas(scene::initial_condition(scene_), seed);
   }
-  const boltzmann::Process process = scene::process(scene_, restitution);
+  const boltzmann::Dynamics process = scene::process(scene_, restitution);
   boltzmann::Gas& gas = *member.gas;
   // A cold gas may take a single step between two times, which cannot be interrupted.
   while (member.observations.size() < times_.size() && keep_going(member)) {
-    const GasTime& next = times_[member.observations.size()];
+    const ObservationTime& next = times_[member.observations.size()];
     boltzmann::advance(gas, process, seed, next.time, threads,
                        [&](const boltzmann::Gas& /*gas*/) { return keep_going(member); });
     if (gas.time < next.time) {
@@ -99,7 +99,7 @@ void GasIntegrator::integrate(GasMember& member, double restitution, std::uint64
       member.lasting = member.gas;
     }
   }
-  member.note_counts();
+  member.record_counts();
   if (member.observations.size() == times_.size()) {
     member.gas.reset();
   }

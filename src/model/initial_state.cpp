@@ -22,7 +22,7 @@ std::vector<grains::Kind> kinds_of(const scene::Species& species, std::uint16_t 
     grains::Kind kind = {lattice::centred(species.shape.rotated(degrees / kDegreesPerOrientation)),
                          number};
     const bool known = std::ranges::any_of(
-        kinds, [&](const grains::Kind& other) { return other.shape.congruent(kind.shape); });
+        kinds, [&](const grains::Kind& other) { return other.shape.is_congruent(kind.shape); });
     if (!known) {
       kinds.push_back(std::move(kind));
     }
@@ -63,7 +63,7 @@ void set_rate(grains::Source& source, double rate) {
   } while (std::abs(p / q - rate) > rounding && std::max(p, q) < kMaxFraction);
   const double times = std::fmod(0x1p32, q) == 0 ? 0x1p32 / q : 1;
   source.rate = static_cast<std::uint64_t>(times * p);
-  source.unit = static_cast<std::uint64_t>(times * q);
+  source.units_per_particle = static_cast<std::uint64_t>(times * q);
 }
 
 grains::Source make_source(const grains::State& state, const scene::Source& source) {
@@ -71,7 +71,7 @@ grains::Source make_source(const grains::State& state, const scene::Source& sour
   result.sites = scene::source_sites(state.lattice, source);
   result.weights = kind_weights(state, source.weights);
   set_rate(result, source.rate);
-  result.count = source.count.value_or(std::numeric_limits<std::uint64_t>::max());
+  result.max_emitted = source.count.value_or(std::numeric_limits<std::uint64_t>::max());
   return result;
 }
 
@@ -93,7 +93,7 @@ grains::State initial_state(const scene::Scene& scene) {
     state.walls.push_back({.sites = scene::wall_sites(state.lattice, wall),
                            .present = there[number],
                            .motion = wall.motion,
-                           .passive = wall.passive});
+                           .passive_rule = wall.passive});
   }
   for (const scene::Source& source : scene.sources) {
     state.sources.push_back(make_source(state, source));

@@ -33,7 +33,7 @@ AnyRules rules_in(const scene::Scene& scene, const scene::Stage& stage) {
   if (scene.model == scene::Model::voids) {
     voids::Rules rules = scene.voids;
     for (const scene::Species& species : scene.species) {
-      rules.sieve.push_back(species.sieve);
+      rules.sieve_factors.push_back(species.sieve);
     }
     return rules;
   }
@@ -43,13 +43,12 @@ AnyRules rules_in(const scene::Scene& scene, const scene::Stage& stage) {
   return stage.rules.value_or(scene.rules);
 }
 
-/// Forces of contacts in the last step, with what grains that were held up passed on by their
-/// sites. One for each pair.
+/// Forces of contacts in the last step, with blocked_collisions. One for each pair.
 std::vector<contact::Force> forces_with_pushes(const contact::ContactModel& model,
                                                std::span<const contact::Contact> contacts) {
   std::vector<contact::Force> of_contacts =
       contact::forces(model.grains(), contacts, model.gravity());
-  const std::vector<contact::Contact>& pushes = model.last_step().pushes;
+  const std::vector<contact::Contact>& pushes = model.last_step().blocked_collisions;
   if (pushes.empty()) {
     return of_contacts;
   }
@@ -57,7 +56,7 @@ std::vector<contact::Force> forces_with_pushes(const contact::ContactModel& mode
   all.insert(all.end(), of_contacts.begin(), of_contacts.end());  // last: theirs are the normals
   contact::ForceSums sums;
   contact::add(sums, all, contact::mean_mass(model.grains()));
-  std::vector<contact::Force> result = contact::means(sums);
+  std::vector<contact::Force> result = contact::mean_forces(sums);
   std::ranges::for_each(result, [](contact::Force& force) { force.share = 1; });
   return result;
 }
@@ -88,8 +87,8 @@ ModelState empty_state(const scene::Scene& scene) {
   return grains;
 }
 
-ModelState saved_state(const scene::Scene& scene, const reflection::Columns& columns,
-                       double max_bytes) {
+ModelState state_from_checkpoint(const scene::Scene& scene, const reflection::Columns& columns,
+                                 double max_bytes) {
   const grains::State beginning = initial_state(scene);
   ModelState saved = empty_state(scene);
   std::visit([&](auto& state) { reflection::decode(kState, columns, max_bytes, state); }, saved);
@@ -155,7 +154,7 @@ std::vector<contact::Force> SceneModel::wall_forces() const {
 std::vector<Eigen::Vector2d> SceneModel::velocities() const {
   std::vector<Eigen::Vector2d> result;
   if (contact() != nullptr) {
-    for (const auto& velocity : contact()->state_but_contacts().velocities) {
+    for (const auto& velocity : contact()->state_with_old_contacts().velocities) {
       result.emplace_back(Eigen::Vector2d(velocity.x, velocity.y) / contact::kSpacing);
     }
   }
@@ -165,7 +164,7 @@ std::vector<Eigen::Vector2d> SceneModel::velocities() const {
 std::vector<double> SceneModel::spins() const {
   std::vector<double> result;
   if (contact() != nullptr) {
-    for (const auto& velocity : contact()->state_but_contacts().velocities) {
+    for (const auto& velocity : contact()->state_with_old_contacts().velocities) {
       result.push_back(static_cast<double>(velocity.spin) / contact::kSpacing);
     }
   }
@@ -173,12 +172,12 @@ std::vector<double> SceneModel::spins() const {
 }
 
 contact::Vessel SceneModel::vessel() const {
-  return contact() != nullptr ? contact()->state_but_contacts().vessel : contact::Vessel();
+  return contact() != nullptr ? contact()->state_with_old_contacts().vessel : contact::Vessel();
 }
 
 void SceneModel::set_vessel(const scene::Stage& stage) {
   if (auto* contact = std::get_if<contact::ContactModel>(&model_)) {
-    contact->set_vessel(vessel_in(scene_, stage, contact->state_but_contacts().vessel));
+    contact->set_vessel(vessel_in(scene_, stage, contact->state_with_old_contacts().vessel));
   }
 }
 

@@ -67,12 +67,12 @@ class Gas : public HeldByPython {
     const boltzmann::Gas& gas = now();
     constexpr auto kNumber = static_cast<py::ssize_t>(sizeof(double));
     return readonly_array(gas_, gas.motions.data() + first, py::dtype::of<double>(),
-                          {gas.particles(), py::ssize_t{3}},
+                          {gas.particle_count(), py::ssize_t{3}},
                           {gas.motions.rows() * kNumber, kNumber});
   }
 
  private:
-  boltzmann::Process process_;
+  boltzmann::Dynamics process_;
   std::uint64_t seed_;
   int threads_;
   std::shared_ptr<boltzmann::Gas> gas_;

@@ -12,14 +12,14 @@ __extension__ using Uint128 = unsigned __int128;
 
 std::uint64_t draw(std::uint64_t seed, std::uint64_t step, std::uint32_t item, Purpose purpose) {
   constexpr unsigned kWordBits = 32;
-  const Counter counter = {.step = static_cast<std::uint32_t>(step),
-                           .group = static_cast<std::uint32_t>(step >> kWordBits),
-                           .item = item};
-  const Words drawn = words(seed, counter, purpose);
-  return join(drawn[0], drawn[1]);
+  const DrawCounter counter = {.step = static_cast<std::uint32_t>(step),
+                               .group = static_cast<std::uint32_t>(step >> kWordBits),
+                               .item = item};
+  const Words drawn = drawn_words(seed, counter, purpose);
+  return joined(drawn[0], drawn[1]);
 }
 
-std::uint64_t below(std::uint64_t bits, std::uint64_t count) {
+std::uint64_t uniform_below(std::uint64_t bits, std::uint64_t count) {
   return static_cast<std::uint64_t>((static_cast<Uint128>(bits) * count) >> 64U);
 }
 

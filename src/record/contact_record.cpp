@@ -26,7 +26,7 @@ bool is_sound(const contact::ForceSums::Sum& sum, const grains::State& state) {
       sum.upper < grains &&
       (grains::is_particle(sum.other) ? static_cast<std::size_t>(sum.other) < grains
                                       : sum.other <= contact::kRightSide ||
-                                            (grains::is_wall(sum.other) &&
+                                            (grains::is_obstacle(sum.other) &&
                                              grains::wall_number(sum.other) < state.walls.size()));
   return there && sum.point.allFinite() && sum.normal.allFinite() && sum.branch.allFinite() &&
          sum.force.allFinite();
@@ -50,7 +50,7 @@ std::vector<contact::Force> ForceWindow::means(double mean_mass) const {
   contact::ForceSums all = before_;
   contact::add(all, block_);
   contact::set_mean_mass(all, mean_mass);
-  return contact::means(all);
+  return contact::mean_forces(all);
 }
 
 bool ForceWindow::belongs_to(const grains::State& state) const {
@@ -107,7 +107,7 @@ void ContactRecord::after_step(const StageView& now) {
   const bool is_shown = pictures_.every > 0 || frames_.every > 0;
   // Nothing moved in the last two steps: impulses are those of rest, not of impacts.
   const contact::ContactModel& model = *now.model.contact();
-  const contact::State& state = model.state_but_contacts();
+  const contact::State& state = model.state_with_old_contacts();
   const bool quiet = state.quiet_steps > 1 ||
                      (state.unmoved_steps > 1 &&
                       state.unmoved_steps + sampling_.window >= model.unmoved_steps_at_rest());
@@ -181,7 +181,8 @@ ObserverKind contacts_observer() {
 
 double frame_bytes(const scene::Scene& scene, bool has_forces, double particles) {
   const double forces =
-      has_forces ? grains::kListRoom * contact::kContactsPerGrain * sizeof(contact::Force) : 0;
+      has_forces ? grains::kListCapacityRatio * contact::kContactsPerGrain * sizeof(contact::Force)
+                 : 0;
   return is_contact(scene) ? particles * (sizeof(Eigen::Vector2d) + sizeof(double) + forces) : 0;
 }
 

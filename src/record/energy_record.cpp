@@ -20,7 +20,7 @@ void RestWatch::add_move(const grains::State& state, std::uint32_t id) {
   constexpr int kMostRise = 3;  // rows; what rises farther flies
   if (is_known && grain.row >= mover->lowest && grain.row <= mover->lowest + kMostRise) {
     ++mover->moves;
-    if (lattice::length(grain.site() - lattice::Site{mover->column, mover->row}) > 1) {
+    if (lattice::length_in_steps(grain.site() - lattice::Site{mover->column, mover->row}) > 1) {
       mover->column = grain.column;
       mover->row = grain.row;
       has_advanced_ = true;
@@ -73,7 +73,7 @@ bool RestWatch::precedes(const grains::State& state) const {
 }
 
 void EnergyRecord::begin(const scene::Stage& stage, const model::SceneModel& model) {
-  is_closed_ = stage.sources.empty() && stage.move.empty() && !model.vessel().moves();
+  is_closed_ = stage.sources.empty() && stage.move.empty() && !model.vessel().is_moving();
   start_ = model.contact()->energy().sum();
   fall_ = 0;
   for (const grains::Particle& particle : model.state().particles) {
@@ -86,7 +86,8 @@ void EnergyRecord::begin(const scene::Stage& stage, const model::SceneModel& mod
 }
 
 void EnergyRecord::after_step(const StageView& now) {
-  if (now.model.contact()->last_step().too_fast && !std::exchange(has_been_too_fast_, true)) {
+  if (now.model.contact()->last_step().had_too_fast_grain &&
+      !std::exchange(has_been_too_fast_, true)) {
     now.warn(
         fmt::format("stage {}, step {}: a grain falls faster than it can move, and loses velocity; "
                     "choose a larger contact.fall_height",

@@ -52,10 +52,10 @@ TableOf<ContactRow> contacts_table(const scene::Scene& scene) {
         {{{"normal_", "Normal", "", "towards the first"},
           [](auto& row) { return row.force->normal; }},
          {{"normal_force", "Normal force", scene::kContactForceUnit, ""},
-          [](auto& row) { return row.force->along_normal; }},
+          [](auto& row) { return row.force->normal_force; }},
          {{"shear_force", "Shear force", scene::kContactForceUnit,
            "along the normal turned anticlockwise"},
-          [](auto& row) { return row.force->along_shear; }}}},
+          [](auto& row) { return row.force->shear_force; }}}},
        {kOverlap,
         has_overlaps(scene),
         {{{"sites", "Overlap", "sites", "that both share"}, &ContactRow::sites},
@@ -231,7 +231,7 @@ class ForceTables : public Observer {
 
   void end_stage(const StageView& now) override {
     for (RunTable* table : tables()) {
-      table->set_mean_mass(contact::mean_mass(now.model.state()));
+      table->set_mean_mass(contact::mean_grain_mass(now.model.state()));
     }
     if (const auto* contacts = now.observers.find<ContactRecord>()) {
       add_forces(now, contacts->stage_mean_forces(now.model));
@@ -278,9 +278,9 @@ class ForceTables : public Observer {
         contacts[grains::particle_id(force.other)] += force.share;
       }
     }
-    const std::vector<double> loads = contact::loads(state.particles.size(), forces);
+    const std::vector<double> loads = contact::normal_loads(state.particles.size(), forces);
     const std::vector<double> residuals =
-        contact::residuals(state, forces, gravity_direction(now.model.vessel()));
+        contact::force_residuals(state, forces, gravity_direction(now.model.vessel()));
     for (std::size_t id = 0; id < loads.size(); ++id) {
       if (state.particles[id].present) {
         LoadRow row = load_row(now, id, contacts[id], loads[id]);

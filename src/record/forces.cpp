@@ -14,7 +14,7 @@ namespace clca::record {
 
 bool has_overlaps(const scene::Scene& scene) {
   return std::ranges::any_of(scene.walls, [](const scene::Wall& wall) {
-    return wall.motion && wall.passive == grains::Passive::overlap;
+    return wall.motion && wall.passive == grains::PassiveRule::overlap;
   });
 }
 
@@ -22,8 +22,8 @@ std::optional<measure::ForceDistribution> normal_force_distribution(
     const std::vector<contact::Force>& forces) {
   std::vector<double> strengths;
   for (const contact::Force& force : forces) {
-    if (grains::is_particle(force.other) && force.along_normal > 0) {
-      strengths.push_back(force.along_normal);
+    if (grains::is_particle(force.other) && force.normal_force > 0) {
+      strengths.push_back(force.normal_force);
     }
   }
   return measure::force_distribution(strengths, measure::StrengthKind::averaged);
@@ -64,7 +64,7 @@ Values contact_forces(const StageView& stage) {
     floor += force.other == contact::kFloor ? force.on_upper().y() : 0;
   }
   const std::vector<double> residuals =
-      contact::residuals(state, forces, gravity_direction(stage.model.vessel()));
+      contact::force_residuals(state, forces, gravity_direction(stage.model.vessel()));
   const double residual = std::accumulate(residuals.begin(), residuals.end(), 0.0);
   const auto per_grain = [&](double sum) {
     return grains > 0 ? store::MeasureValue(sum / grains) : store::MeasureValue();

@@ -48,8 +48,9 @@ const std::vector<GasValue>& gas_values() {
        [](Gas gas) { return gas.now.moments.translational / gas.start.moments.translational; }},
       {kRotational,
        [](Gas gas) {
-         return gas.now.moments.rotational / model::rotational_unit(gas.start.moments.translational,
-                                                                    gas.start.moments.rotational);
+         return gas.now.moments.rotational /
+                model::rotational_temperature_unit(gas.start.moments.translational,
+                                                   gas.start.moments.rotational);
        }},
       {{"collisions", "Collisions", "", "of a particle since time 0, mean"},
        [](Gas gas) { return gas.now.collisions; }},
@@ -84,7 +85,7 @@ SampleStatistics estimate(const GasCase& gas_case, std::size_t number, const Gas
   for (const model::GasMember* member : gas_case.members_with(number)) {
     values.push_back(value.of({member->observations[number], member->observations.front()}));
   }
-  return statistics::sample(values);
+  return statistics::sample_statistics(values);
 }
 
 struct GasRow {
@@ -162,7 +163,7 @@ using Closure = TableWriter<GasClosure>;
 void add_bins(GasHistogram& table, const GasScene& scene, const GasCase& gas_case,
               std::size_t number, const char* energy,
               std::vector<double> boltzmann::EnergyShares::*kind) {
-  const statistics::Bins bins = model::bins_of(scene);
+  const statistics::Bins bins = model::energy_bins(scene);
   const std::vector<double> reference = statistics::chi_square_shares(bins, model::kGasDegrees);
   for (std::size_t bin = 0; bin < bins.count(); ++bin) {
     std::vector<double> values;
@@ -173,7 +174,7 @@ void add_bins(GasHistogram& table, const GasScene& scene, const GasCase& gas_cas
                .energy = energy,
                .lower = bins.lower(bin),
                .upper = std::isinf(bins.upper(bin)) ? std::nullopt : std::optional(bins.upper(bin)),
-               .share = statistics::sample(values),
+               .share = statistics::sample_statistics(values),
                .reference = reference[bin]});
   }
 }
@@ -188,18 +189,18 @@ void add_cooling(Closure& table, const GasScene& scene, const GasCase& gas_case)
   for (const model::GasMember* member : gas_case.members_with(0)) {
     spins.push_back(member->observations.front().moments.rotational);
   }
-  const boltzmann::Temperatures start = {1, statistics::sample(spins).mean};
+  const boltzmann::Temperatures start = {1, statistics::sample_statistics(spins).mean};
   boltzmann::Temperatures now = start;
   double since = 0;
-  for (const model::GasTime& time : model::gas_times(scene)) {
-    now = boltzmann::closure(law, now, time.time - since);
+  for (const model::ObservationTime& time : model::observation_times(scene)) {
+    now = boltzmann::temperatures_after(law, now, time.time - since);
     since = time.time;
     if (time.in_series) {
       table.add({.restitution = gas_case.restitution,
                  .time = time.time,
                  .translational = now.translational,
-                 .rotational = now.rotational /
-                               model::rotational_unit(start.translational, start.rotational)});
+                 .rotational = now.rotational / model::rotational_temperature_unit(
+                                                    start.translational, start.rotational)});
     }
   }
 }
@@ -209,7 +210,8 @@ void add_steady_flow(Closure& table, const GasScene& scene, const GasCase& gas_c
   if (gas_case.restitution == 1) {
     return;  // heats for ever
   }
-  const boltzmann::ShearFlow flow = boltzmann::shear_flow(gas_case.restitution, scene.shear_rate);
+  const boltzmann::ShearFlow flow =
+      boltzmann::steady_shear_flow(gas_case.restitution, scene.shear_rate);
   for (const double time : {0.0, scene.until}) {
     table.add({.restitution = gas_case.restitution,
                .time = time,
@@ -265,7 +267,7 @@ std::vector<store::TableSummary> gas_summary(const GasScene& scene) {
 
 void write_tables(const GasScene& scene, const std::vector<GasCase>& cases,
                   const store::OutputFolder& folder) {
-  const std::vector<model::GasTime> times = model::gas_times(scene);
+  const std::vector<model::ObservationTime> times = model::observation_times(scene);
   GasSeries series(scene, gas_series_table(scene));
   for (const GasCase& gas_case : cases) {
     for (std::size_t i = 0; i < gas_case.observations(); ++i) {
@@ -301,13 +303,13 @@ void write_tables(const GasScene& scene, const std::vector<GasCase>& cases,
 std::vector<store::NamedMeasure> gas_measures(const GasScene& scene, const GasCase& gas_case) {
   std::vector<store::NamedMeasure> measures = {
       {"restitution", gas_case.restitution},
-      {"hellinger_floor",
-       statistics::hellinger_floor(model::bins_of(scene).count(), scene.particles)}};
+      {"hellinger_floor", statistics::expected_hellinger_distance(model::energy_bins(scene).count(),
+                                                                  scene.particles)}};
   const std::size_t reached = gas_case.observations();
   if (reached == 0) {
     return measures;
   }
-  measures.emplace_back("time", model::gas_times(scene)[reached - 1].time);
+  measures.emplace_back("time", model::observation_times(scene)[reached - 1].time);
   measures.emplace_back("gases", static_cast<double>(gas_case.members_with(reached - 1).size()));
   for (const GasValue& value : gas_values()) {
     if (has_value(scene, value)) {

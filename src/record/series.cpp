@@ -29,20 +29,20 @@ Eigen::Vector2d centroid(const std::vector<lattice::Site>& sites) {
 }
 
 Eigen::Vector2d middle(const lattice::Lattice& box) {
-  return lattice::Lattice::corner() + box.size() / 2;
+  return lattice::Lattice::lower_left_corner() + box.extent() / 2;
 }
 
 /// Of a side of the box.
 Eigen::Vector2d middle(const lattice::Lattice& box, grains::Owner side) {
   const double x = side == contact::kLeftSide ? -0.5 : side == contact::kRightSide ? 0.5 : 0;
   const double y = side == contact::kFloor ? -0.5 : side == contact::kCeiling ? 0.5 : 0;
-  return middle(box) + box.size().cwiseProduct(Eigen::Vector2d(x, y));
+  return middle(box) + box.extent().cwiseProduct(Eigen::Vector2d(x, y));
 }
 
 /// From one point to another; in a periodic box to its nearest image.
 Eigen::Vector2d lever(const lattice::Lattice& box, const Eigen::Vector2d& from,
                       const Eigen::Vector2d& to) {
-  return box.in_box(to - from + middle(box)) - middle(box);
+  return box.image_in_box(to - from + middle(box)) - middle(box);
 }
 
 /// What series.csv says of the steps since its last row: forces on walls, and what has left.
@@ -143,7 +143,7 @@ class StepsSinceRow {
   };
 
   void add_forces(const grains::State& state, const std::vector<contact::Force>& forces) {
-    const double mass = contact::mean_mass(state);
+    const double mass = contact::mean_grain_mass(state);
     for (const contact::Force& force : forces) {
       const auto found = std::ranges::find(bodies_, force.other);
       if (found == bodies_.end()) {
@@ -293,7 +293,7 @@ TableOf<SeriesRow> series_table(const scene::Scene& scene) {
         {{{"vessel_work", "Work of the vessel", kEnergyUnit, kSinceStage},
           [](auto& row) { return row.balance->exchanged().vessel; }},
          {kVesselAngle,
-          [](auto& row) { return contact::degrees(row.now.model.vessel().angle); }}}}}};
+          [](auto& row) { return contact::to_degrees(row.now.model.vessel().angle); }}}}}};
 }
 
 /// Of each wall and outlet, KEY.NAME.
@@ -303,7 +303,7 @@ std::vector<std::string> names_of_each(const scene::Scene& scene) {
     if (wall.motion) {
       names.push_back("travel." + wall.name);
     }
-    if (wall.motion && wall.passive == grains::Passive::overlap) {
+    if (wall.motion && wall.passive == grains::PassiveRule::overlap) {
       names.push_back("index." + wall.name);
     }
   }

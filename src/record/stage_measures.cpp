@@ -130,7 +130,7 @@ std::vector<QuantityGroup> made_groups() {
         axis_order},
        {{}, "with a [vessel](#vessel)", {kVesselAngle}, [](const StageView& stage) -> Values {
           return model::has_vessel(stage.scene)
-                     ? Values{contact::degrees(stage.model.vessel().angle)}
+                     ? Values{contact::to_degrees(stage.model.vessel().angle)}
                      : Values{};
         }}});
   for (const ObserverKind& kind : observer_kinds()) {
@@ -256,7 +256,7 @@ void StageHistory::begin(const grains::State& state) {
 void StageHistory::add_step(const grains::StepReport& report, const grains::State& state) {
   ++steps;
   resting = report.settled;
-  emitted += report.emitted;
+  emitted += report.emitted_count;
   add_discharge(*this, state, &measure::Outflow::add);
 }
 

@@ -39,7 +39,7 @@ bool moved_into_view(Stroke& arrow, const PixelBox& panel, double turn) {
 std::vector<Body> bodies_in_view(const Projection& projection, const grains::State& state,
                                  const Coloring& coloring) {
   const lattice::Rectangle view = projection.view();
-  const double width = state.lattice.size().x();
+  const double width = state.lattice.extent().x();
   std::vector<Body> bodies;
   for (std::size_t id = state.particles.size(); id-- > 0;) {
     const grains::Particle& particle = state.particles[id];

@@ -276,7 +276,7 @@ void SiteLookup::draw_samples(const Colors& colors, const Height& height,
         return this->owner_near_border(occupancy, columns_[x][is_right ? 1 : 0],
                                        row - (is_right ? odd_[x] : 0));
       }
-      return ~inverted[(is_right ? right[i] : left[i]) + lattice::Lattice::kRowPitch * row];
+      return ~inverted[(is_right ? right[i] : left[i]) + lattice::Lattice::kRowStride * row];
     };
     const Owner unlike = take_corners(block, count, rows, odd_.data() + begin,
                                       fractions_.data() + begin, least, owner_at);

@@ -18,11 +18,11 @@ void require_of_run(bool holds, const char* reason) {
 
 /// Throws reflection::Mismatch unless a run of the scene can have saved it.
 void check(const SavedGasRun& course, const scene::BoltzmannScene& scene) {
-  const std::vector<model::GasTime> times = model::gas_times(scene);
-  const std::size_t lasting = model::lasting_times(scene);
-  const std::size_t bins = model::bins_of(scene).count();
+  const std::vector<model::ObservationTime> times = model::observation_times(scene);
+  const std::size_t lasting = model::lasting_time_count(scene);
+  const std::size_t bins = model::energy_bins(scene).count();
   const auto check_gas = [&](const boltzmann::Gas& gas, double from, double to) {
-    require_of_run(static_cast<std::uint64_t>(gas.particles()) == scene.particles,
+    require_of_run(static_cast<std::uint64_t>(gas.particle_count()) == scene.particles,
                    "a gas has another number of particles");
     require_of_run(gas.time >= from && gas.time <= to, "a gas is at another time");
     // Powers up to the fourth, summed up, must not overflow.
@@ -71,9 +71,9 @@ void move_back_to_new_end(SavedGasRun& course, const scene::BoltzmannScene& old_
     throw store::StoreError(fmt::format("cannot resume the run in {} until {}: {}",
                                         saved.folder.path().string(), scene.until, reason));
   };
-  const std::size_t lasting = model::lasting_times(old_scene);
-  const std::size_t shared =
-      model::shared_times(model::gas_times(old_scene), model::gas_times(scene));
+  const std::size_t lasting = model::lasting_time_count(old_scene);
+  const std::size_t shared = model::shared_time_count(model::observation_times(old_scene),
+                                                      model::observation_times(scene));
   for (record::GasCase& gas_case : course.cases) {
     for (model::GasMember& member : gas_case.members) {
       if (member.gas ? member.observations.size() < shared : member.observations.empty()) {
@@ -114,7 +114,7 @@ SavedGasRun saved_gas_run(const SavedRun& saved) {
   for (record::GasCase& gas_case : course.cases) {
     for (model::GasMember& member : gas_case.members) {
       if (member.gas) {
-        member.note_counts();
+        member.record_counts();
       }
     }
   }

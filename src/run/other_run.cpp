@@ -56,7 +56,8 @@ OtherRun end_state_of(const fs::path& folder, const store::RunSummary& summary, 
   }
   scene::Scene scene =
       scene::parse(found->checkpoint.scene_text, (folder / store::kSceneFile).string());
-  model::ModelState state = model::saved_state(scene, found->checkpoint.fields, max_bytes);
+  model::ModelState state =
+      model::state_from_checkpoint(scene, found->checkpoint.fields, max_bytes);
   if (model::hash(state) != summary.state_hash) {
     throw store::StoreError(
         fmt::format("the checkpoint in {} is not of the end of the run", folder.string()));
@@ -120,7 +121,7 @@ SameKind same_kind(const scene::Scene& scene, const std::vector<grains::Kind>& k
   }
   const auto number = known - scene.species.begin();
   const auto same = std::ranges::find_if(kinds, [&](const grains::Kind& kind) {
-    return kind.species == number && kind.shape.congruent(shape);
+    return kind.species == number && kind.shape.is_congruent(shape);
   });
   if (same == kinds.end()) {
     refuse(*scene.begin,
@@ -145,8 +146,8 @@ std::vector<std::size_t> present_ids(const grains::State& state) {
 /// The axis of the grain that comes next, as if it were deposited.
 std::uint16_t random_axis(const grains::State& state) {
   const auto id = static_cast<std::uint32_t>(state.particles.size());
-  return static_cast<std::uint16_t>(
-      random::below(random::draw(state.seed, 0, id, random::Purpose::deposit_kind), baxter::kAxes));
+  return static_cast<std::uint16_t>(random::uniform_below(
+      random::draw(state.seed, 0, id, random::Purpose::deposit_kind), baxter::kAxisCount));
 }
 
 void take_grains(const scene::Scene& scene, const OtherRun& other,
@@ -225,10 +226,10 @@ void take_contacts(const contact::State& other, const std::vector<std::size_t>& 
   // The wall that the particle touches here where it touches `wall` there.
   const auto wall_in_place_of = [&](grains::Owner wall, const grains::Particle& particle) {
     for (const lattice::Direction direction : lattice::kDirections) {
-      for (const lattice::Axial side : here.shape(particle).lead(direction)) {
+      for (const lattice::Axial side : here.shape(particle).lead_sites(direction)) {
         const lattice::Site site = particle.site() + side;
         const grains::Owner found = sites_here.owner(here.lattice.index(site));
-        if (sites_there.owner(there.lattice.index(site)) == wall && grains::is_wall(found) &&
+        if (sites_there.owner(there.lattice.index(site)) == wall && grains::is_obstacle(found) &&
             found != grains::kBorder) {
           return found;
         }

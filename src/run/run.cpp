@@ -76,8 +76,8 @@ class Run : public RunBase {
         conversion_(scene::conversion(scene)),
         model_(scene, std::move(state),
                {.threads = options.threads,
-                .parallel_from = options.parallel_from,
-                .reference = options.use_reference_step}),
+                .min_parallel_particles = options.parallel_from,
+                .use_reference = options.use_reference_step}),
         course_{.scene = scene,
                 .model = &model_,
                 .observers = observers_of(scene, model_.state(), options),
@@ -248,8 +248,8 @@ void Run::complete_summary(store::RunSummary& summary) const {
   summary.steps = model_.state().step;
   summary.units = conversion_;
   const lattice::Lattice& lattice = model_.state().lattice;
-  const Eigen::Vector2d low = lattice::Lattice::corner();
-  const Eigen::Vector2d high = low + lattice.size();
+  const Eigen::Vector2d low = lattice::Lattice::lower_left_corner();
+  const Eigen::Vector2d high = low + lattice.extent();
   summary.box = {.left = low.x(),
                  .right = high.x(),
                  .floor = low.y(),

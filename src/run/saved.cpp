@@ -120,7 +120,8 @@ WantedPictures wanted_pictures_of(const SavedRun& saved) {
 }
 
 SavedParts saved_parts(const scene::Scene& scene, const SavedRun& saved) {
-  SavedParts parts = {.state = model::saved_state(scene, saved.checkpoint.fields, saved.max_bytes)};
+  SavedParts parts = {
+      .state = model::state_from_checkpoint(scene, saved.checkpoint.fields, saved.max_bytes)};
   const reflection::Columns& columns = saved.checkpoint.fields;
   reflection::decode(kCountersPath, columns, saved.max_bytes, parts.counters);
   reflection::decode(kStageHistoryPath, columns, saved.max_bytes, parts.history);

@@ -17,7 +17,8 @@ void fill(model::SceneModel& model, const scene::Scene& scene, const scene::Stag
   const scene::Fill& fill = *stage.fill;
   if (const auto mixture = scene::mixture_of(fill)) {
     const grains::FillResult result = model.grains().fill(fill.region, *mixture);
-    if (std::ranges::all_of(result.placed, [](std::size_t placed) { return placed == 0; })) {
+    if (std::ranges::all_of(result.placed_by_species,
+                            [](std::size_t placed) { return placed == 0; })) {
       throw scene::SceneError(
           fmt::format("{}: error: the fill of stage {} has placed nothing; enlarge "
                       "the region, or raise the level",
@@ -33,8 +34,9 @@ void fill(model::SceneModel& model, const scene::Scene& scene, const scene::Stag
   std::string fitted;
   for (std::size_t species = 0; species < fill.counts.size(); ++species) {
     if (fill.counts[species] > 0) {
-      fitted += fmt::format("{}{} of {} {}", fitted.empty() ? "" : ", ", result.placed[species],
-                            fill.counts[species], scene.species[species].name);
+      fitted += fmt::format("{}{} of {} {}", fitted.empty() ? "" : ", ",
+                            result.placed_by_species[species], fill.counts[species],
+                            scene.species[species].name);
     }
   }
   throw scene::SceneError(
@@ -79,15 +81,15 @@ record::StageHistory prepare_stage(model::SceneModel& model, const scene::Scene&
     fill(model, scene, stage);
   }
   for (std::size_t source = 0; source < scene.sources.size(); ++source) {
-    model.grains().set_source(source, std::ranges::count(stage.sources, source) > 0);
+    model.grains().set_source_open(source, std::ranges::count(stage.sources, source) > 0);
   }
   for (std::size_t wall = 0; wall < scene.walls.size(); ++wall) {
     if (scene.walls[wall].motion) {
-      model.grains().set_motion(wall, std::ranges::count(stage.move, wall) > 0);
+      model.grains().set_wall_moving(wall, std::ranges::count(stage.move, wall) > 0);
     }
   }
   model.set_vessel(stage);
-  model.grains().mark_origins();
+  model.grains().reset_origins();
   return history;
 }
 
@@ -132,9 +134,9 @@ grains::StepReport StageRunner::step() {
   const grains::StepReport report = model->grains().step();
   counters.step_seconds += clock.seconds();
   history.add_step(report, model->state());
-  counters.moving = report.moved;
-  counters.stepped = present_particles + report.emitted;
-  present_particles = counters.stepped - report.removed;
+  counters.moving = report.moved_count;
+  counters.stepped = present_particles + report.emitted_count;
+  present_particles = counters.stepped - report.removed_count;
   counters.updates += static_cast<double>(counters.stepped);
   observers.after_step(view());
   history.cycles = observers.find<record::CycleRecord>()->cycles();

@@ -23,7 +23,7 @@ void check_walls_of_model(const PlacedValue& root) {
   for (std::size_t i = 0; i < scene.walls.size(); ++i) {
     const PlacedValue walls = root.at("walls");
     const PlacedValue wall = walls.inside(walls.value.entries[i]);
-    if (scene.model == Model::contact && scene.walls[i].passive == grains::Passive::overlap) {
+    if (scene.model == Model::contact && scene.walls[i].passive == grains::PassiveRule::overlap) {
       fail(wall.at("passive"),
            "model contact lets nothing overlap yet, model automaton does; remove it, or say "
            "'model: automaton'");
@@ -72,7 +72,7 @@ void check_periodic_width(const PlacedValue& box) {
     }
   }
   const int columns = lattice_of(scene.box).columns();
-  const int needed = contact::needed_columns(kinds);
+  const int needed = contact::min_periodic_columns(kinds);
   if (columns < needed) {
     fail(box.at("width"),
          "{} columns, and in a periodic box of less than {} two grains may touch on "
@@ -155,7 +155,7 @@ bool species_appears(const Scene& scene, std::size_t species) {
 
 bool lets_overlap(const Scene& scene) {
   return std::ranges::any_of(
-      scene.walls, [](const Wall& wall) { return wall.passive == grains::Passive::overlap; });
+      scene.walls, [](const Wall& wall) { return wall.passive == grains::PassiveRule::overlap; });
 }
 
 void check_weight_paths(const PlacedValue& place) {

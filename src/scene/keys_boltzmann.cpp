@@ -68,7 +68,7 @@ Type<boltzmann::Scheme> scheme_type() {
 
 void check_block(const PlacedValue& fields, BoltzmannScene& scene) {
   if (auto* ogawa_kato = std::get_if<boltzmann::OgawaKato>(&scene.scheme)) {
-    ogawa_kato->quasi = scene.quasi;
+    ogawa_kato->quasi_random = scene.quasi;
   }
   if (fields.find("friction") == nullptr) {
     if (fields.find("roughness") == nullptr) {
@@ -192,9 +192,9 @@ Key<BoltzmannScene> boltzmann_block() {
                }),
            inlined_alternative(&B::scheme, key("time_step", &boltzmann::OgawaKato::time_step,
                                                above_zero(1), "of `ogawa-kato` only")),
-           inlined_alternative(&B::scheme,
-                               key("partners", &boltzmann::OgawaKato::partners, integer(1, 1000),
-                                   "of `ogawa-kato` only: how many each particle draws in a step")),
+           inlined_alternative(
+               &B::scheme, key("partners", &boltzmann::OgawaKato::partner_count, integer(1, 1000),
+                               "of `ogawa-kato` only: how many each particle draws in a step")),
            key("shear_rate", &B::shear_rate, number(0, 100),
                "of `majorant` only: velocity gradient of uniform shear flow, per unit of time")
                .with_action([](const PlacedValue& fields, B& scene) {

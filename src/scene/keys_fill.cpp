@@ -204,18 +204,18 @@ std::optional<grains::Mixture> mixture_of(const Fill& fill) {
     return std::nullopt;
   }
   grains::Mixture mixture = {.deposited = fill.method == FillMethod::deposition,
-                             .level = fill.level};
+                             .surface_level = fill.level};
   if (!fill.picture) {
-    mixture.parts = {fill.mix};
+    mixture.part_weights = {fill.mix};
     return mixture;
   }
-  mixture.rows = fill.picture->rows;
+  mixture.picture_rows = fill.picture->rows;
   std::map<char, char> renamed;
   for (const auto& [pixel, weights] : fill.picture->weights) {
-    renamed[pixel] = letter(mixture.parts.size());
-    mixture.parts.push_back(weights);
+    renamed[pixel] = letter(mixture.part_weights.size());
+    mixture.part_weights.push_back(weights);
   }
-  for (std::string& row : mixture.rows) {
+  for (std::string& row : mixture.picture_rows) {
     for (char& pixel : row) {
       pixel = renamed.contains(pixel) ? renamed[pixel] : pixel;
     }

@@ -21,7 +21,7 @@ void check_region(const lattice::Rectangle& region, const PlacedValue& place) {
 void check_line_end(const Eigen::Vector2d& end, const PlacedValue& place) {
   const Box& box = place.scene.box;
   // From one side of a periodic box to where it repeats.
-  const double width = box.periodic ? lattice_of(box).size().x() : box.width;
+  const double width = box.periodic ? lattice_of(box).extent().x() : box.width;
   if (end.x() < 0 || end.y() < 0 || end.x() > width || end.y() > box.height) {
     fail(place, "expected a point in the box, {:.6g} wide and {} high, found [{}, {}]", width,
          box.height, end.x(), end.y());

@@ -114,7 +114,7 @@ Type<contact::Parameters> contact_type() {
 
 Type<voids::Rules> voids_type() {
   return type_of<voids::Rules>(
-      {.keys = {key("straight", &voids::Rules::straight, number(0, 1),
+      {.keys = {key("straight", &voids::Rules::straight_weight, number(0, 1),
                     "weight of the grain straight above a void; the two beside it share the "
                     "rest: 1/3 is equal chances")}});
 }
@@ -122,11 +122,11 @@ Type<voids::Rules> voids_type() {
 Type<baxter::Rules> baxter_type() {
   using baxter::Rules;
   return type_of<Rules>(
-      {.keys = {key("power", &Rules::power, integer(0, baxter::kMaxPower),
+      {.keys = {key("power", &Rules::exponent, integer(0, baxter::kMaxPower),
                     "α: power of the energy of neighbours with unlike velocities"),
                 key("gravity", &Rules::gravity, number(0, baxter::kMaxGravity),
                     "E_G: energy of a grain that does not go down where it can"),
-                key("like_axes", &Rules::like_axes, number(0, 1),
+                key("like_axes", &Rules::like_axes_factor, number(0, 1),
                     "s: factor of the energy of neighbours with equal axes; with 1, axes do not "
                     "matter (β = 0)")}});
 }

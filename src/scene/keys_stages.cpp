@@ -84,13 +84,13 @@ std::uint64_t min_cycle_steps(const Wall& wall, Model model) {
   const bool is_contact = model == Model::contact;
   return 2 * static_cast<std::uint64_t>(shake->amplitude) *
              (is_contact ? shake->contact_period() : 1) +
-         shake->wait.value_or(is_contact ? contact::kQuietSteps : 0);
+         shake->wait.value_or(is_contact ? contact::kSettlingSteps : 0);
 }
 
 /// Why particles never come to rest in this stage, apart from walls; empty if they do.
 std::string why_never_at_rest(const Stage& stage, const Scene& scene) {
   const automaton::Rules& rules = stage.rules ? *stage.rules : scene.rules;
-  if (rules.candidates == automaton::Candidates::all) {
+  if (rules.candidates == automaton::CandidateDirections::all) {
     return "with rules.candidates: all";
   }
   const lattice::Direction gravity = rules.gravity;

@@ -37,7 +37,7 @@ Type<grains::Wave> wave() {
                     "period", &Wave::period, count(1, 10'000'000),
                     fmt::format("steps of a cycle: at least {} for each site of amplitude of a "
                                 "sine, {} of a triangle",
-                                grains::kSineSteps, grains::kTriangleSteps))},
+                                grains::kSineStepsPerSite, grains::kTriangleStepsPerSite))},
        .check = check_wave});
 }
 
@@ -66,7 +66,7 @@ grains::Path read_points(const PlacedValue& place) {
     if (point.step <= before.step) {
       fail(pair[0], "expected a step after {}, found '{}'", before.step, point.step);
     }
-    if (grains::is_steep(before, point)) {
+    if (grains::is_too_steep(before, point)) {
       fail(item, "from [{}, {}] to [{}, {}] is steeper than one site a step", before.step,
            before.offset, point.step, point.offset);
     }

@@ -22,7 +22,7 @@ namespace {
 // waits for it.
 constexpr double kAwakeOfDeposited = 1.0 / 8;
 // A site of a kind: in its shape, and from the reference site in columns of both parities.
-constexpr double kKindSiteBytes = sizeof(lattice::Axial) + 2 * sizeof(lattice::Offset);
+constexpr double kKindSiteBytes = sizeof(lattice::Axial) + 2 * sizeof(lattice::IndexOffset);
 
 /// Sites of the swept region in the rectangle, from above.
 double max_sites(const lattice::SweptRegion& swept_region, const lattice::Rectangle& rectangle) {
@@ -32,8 +32,8 @@ double max_sites(const lattice::SweptRegion& swept_region, const lattice::Rectan
   const double columns =
       share(rectangle.left / lattice::kColumnPitch - 1, rectangle.right / lattice::kColumnPitch + 1,
             swept_region.first_column(), swept_region.end_column());
-  const lattice::RowRange rows = swept_region.all_rows();
-  return columns * share(rectangle.bottom - 1, rectangle.top + 1, rows.first, rows.end);
+  const lattice::RowRange rows = swept_region.enclosing_rows();
+  return columns * share(rectangle.bottom - 1, rectangle.top + 1, rows.first_row, rows.end_row);
 }
 
 /// Particles of a fill, at most. The proportions of a mixture are kept, but for chance.
@@ -43,7 +43,7 @@ double particles_in(const Scene& scene, const Fill& fill) {
     return std::accumulate(fill.counts.begin(), fill.counts.end(), 0.0);
   }
   double least = std::numeric_limits<double>::infinity();  // sites of a particle, in the mean
-  for (const auto& weights : mixture->parts) {
+  for (const auto& weights : mixture->part_weights) {
     double sites = 0;
     double all = 0;
     for (std::size_t i = 0; i < weights.size(); ++i) {
@@ -105,7 +105,7 @@ double wall_sites_at_most(const lattice::Lattice& lattice, const Wall& wall) {
   const double columns = lattice.columns();
   const double rows = lattice.rows();
   const grains::OffsetRange range =
-      wall.motion ? grains::range_of(*wall.motion) : grains::OffsetRange{};
+      wall.motion ? grains::offset_range(*wall.motion) : grains::OffsetRange{};
   const lattice::SweptRegion region = swept_region_of(lattice, wall);
   const double all = columns * rows + (range.high - range.low) * (columns + rows + 1);
   double sum = 0;
@@ -130,7 +130,7 @@ double fill_bytes(const Scene& scene, const lattice::Lattice& lattice) {
     for (std::size_t i = 0; tries && i < scene.species.size(); ++i) {
       const auto kinds = static_cast<double>(scene.species[i].orientations.size());
       const double sites = has_species(*stage.fill, i) ? max_sites(box, stage.fill->region) : 0;
-      const double bytes = grains::trial_bytes(sites, kinds);
+      const double bytes = grains::fill_trial_bytes(sites, kinds);
       all = stage.fill->counts.empty() ? all + bytes : std::max(all, bytes);
     }
     most = std::max(most, all);

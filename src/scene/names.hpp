@@ -32,7 +32,8 @@ inline constexpr auto kRollingNames =
 /// A unit of length and how many of it make a metre.
 inline constexpr std::array<Named<double>, 4> kLengthUnits = {
     {{"m", 1}, {"cm", 1e2}, {"mm", 1e3}, {"um", 1e6}}};
-inline constexpr auto kCandidateNames = in_order<automaton::Candidates::all>("downward", "all");
+inline constexpr auto kCandidateNames =
+    in_order<automaton::CandidateDirections::all>("downward", "all");
 inline constexpr std::array<Named<lattice::Direction>, 6> kDirectionNames = {
     {{"down", lattice::Direction::down},
      {"up", lattice::Direction::up},
@@ -43,11 +44,12 @@ inline constexpr std::array<Named<lattice::Direction>, 6> kDirectionNames = {
 inline constexpr auto kUpdateClassNames =
     in_order<automaton::UpdateClass::gravity>("rest", "inertia", "gravity");
 inline constexpr auto kFillMethodNames = in_order<FillMethod::deposition>("random", "deposition");
-inline constexpr auto kTiesNames = in_order<automaton::Ties::direction>("particle", "direction");
+inline constexpr auto kTiesNames =
+    in_order<automaton::TieBreaking::direction>("particle", "direction");
 inline constexpr auto kWaveformNames = in_order<grains::Waveform::triangle>("sine", "triangle");
 /// Whether a vessel is shaken sideways.
 inline constexpr auto kShakeDirectionNames = in_order<true>("vertical", "horizontal");
-inline constexpr auto kPassiveNames = in_order<grains::Passive::overlap>("rigid", "overlap");
+inline constexpr auto kPassiveNames = in_order<grains::PassiveRule::overlap>("rigid", "overlap");
 inline constexpr auto kMeasureNames = in_order<Measure::weight_paths>(
     "profile", "repose", "runout", "packing", "moved", "outflow", "force", "segregation",
     "intruder", "convection", "axis_order", "mixing", "weight_paths");
@@ -61,7 +63,7 @@ inline constexpr auto kOverlayNames =
 inline constexpr auto kPictureStyleNames = in_order<PictureStyle::print>("screen", "print");
 
 inline constexpr auto kInitialNames =
-    in_order<boltzmann::Initial::equal_energy>("gaussian", "equal_energy");
+    in_order<boltzmann::InitialDistribution::equal_energy>("gaussian", "equal_energy");
 /// Whether draws are quasi-random.
 inline constexpr auto kSamplingNames = in_order<true>("random", "quasi");
 /// By index in boltzmann::Scheme.

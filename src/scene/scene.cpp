@@ -50,11 +50,11 @@ std::vector<int> degrees_of(const Scene& scene, const std::vector<grains::Kind>&
   for (const grains::Kind& kind : kinds) {
     const Species& species = scene.species[kind.species];
     if (scene.model == Model::baxter) {
-      result.push_back(kDegreesPerSixth * static_cast<int>(result.size() % baxter::kAxes));
+      result.push_back(kDegreesPerSixth * static_cast<int>(result.size() % baxter::kAxisCount));
       continue;
     }
     const auto found = std::ranges::find_if(species.orientations, [&](int degrees) {
-      return species.shape.rotated(degrees / kDegreesPerSixth).congruent(kind.shape);
+      return species.shape.rotated(degrees / kDegreesPerSixth).is_congruent(kind.shape);
     });
     result.push_back(found != species.orientations.end() ? *found : 0);
   }
@@ -62,14 +62,14 @@ std::vector<int> degrees_of(const Scene& scene, const std::vector<grains::Kind>&
 }
 
 boltzmann::InitialCondition initial_condition(const BoltzmannScene& scene) {
-  return {.particles = scene.particles,
-          .initial = scene.initial,
+  return {.particle_count = scene.particles,
+          .distribution = scene.initial,
           .energy_ratio = scene.energy_ratio,
           .exact_moments = scene.exact_moments,
-          .quasi = scene.quasi};
+          .quasi_random = scene.quasi};
 }
 
-boltzmann::Process process(const BoltzmannScene& scene, double restitution) {
+boltzmann::Dynamics process(const BoltzmannScene& scene, double restitution) {
   return {
       .law = {.restitution = restitution, .friction = scene.friction, .roughness = scene.roughness},
       .scheme = scene.scheme,

@@ -105,20 +105,20 @@ std::optional<Eigen::Vector2d> turning_centre(const Scene& scene, const Stage& s
 contact::Vessel vessel_in(const Scene& scene, const Stage& stage, const contact::Vessel& before) {
   const double step = conversion(scene)->time_step;
   if (!stage.vessel) {
-    return at_rest(before);
+    return without_motion(before);
   }
   if (const auto* tilt = std::get_if<Tilt>(&*stage.vessel)) {
-    const contact::Angle to = contact::angle_of(tilt->to);
-    return tilt->rate ? tilting(before, to, *tilt->rate * step, *turning_centre(scene, stage))
+    const contact::Angle to = contact::angle_from_degrees(tilt->to);
+    return tilt->rate ? with_tilting(before, to, *tilt->rate * step, *turning_centre(scene, stage))
                       : contact::Vessel{.angle = to};
   }
   if (const auto* rotate = std::get_if<Rotate>(&*stage.vessel)) {
-    return rotating(before, rotate->rate * step, *turning_centre(scene, stage));
+    return with_rotation(before, rotate->rate * step, *turning_centre(scene, stage));
   }
   const auto& shake = std::get<VesselShake>(*stage.vessel);
   const double gravity = contact::gravity(contact_parameters(scene));
   const double radians = std::sqrt(shake.gamma * gravity / shake.amplitude);
-  return shaken(before, shake.gamma, radians / (2 * std::numbers::pi), shake.sideways);
+  return with_shaking(before, shake.gamma, radians / (2 * std::numbers::pi), shake.sideways);
 }
 
 std::string Conversion::time_text(std::uint64_t steps) const {

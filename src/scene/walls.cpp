@@ -25,7 +25,7 @@ lattice::SweptRegion swept_region_of(const lattice::Lattice& lattice, const Wall
   if (!wall.motion) {
     return lattice::SweptRegion(lattice);
   }
-  const grains::OffsetRange range = grains::range_of(*wall.motion);
+  const grains::OffsetRange range = grains::offset_range(*wall.motion);
   return {lattice, wall.motion->direction, range.low, range.high};
 }
 
@@ -57,7 +57,7 @@ bool any_swept_site(const lattice::Lattice& lattice, const Wall& wall,
   if (!wall.motion) {
     return std::ranges::any_of(sites, test);
   }
-  const grains::OffsetRange range = grains::range_of(*wall.motion);
+  const grains::OffsetRange range = grains::offset_range(*wall.motion);
   const lattice::Axial step = lattice::unit(wall.motion->direction);
   for (const lattice::Site home : sites) {
     bool entered = false;

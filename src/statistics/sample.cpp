@@ -28,7 +28,7 @@ double bisect(double low, double high, double probability, int degrees) {
 
 }  // namespace
 
-SampleStatistics sample(const std::vector<double>& values) {
+SampleStatistics sample_statistics(const std::vector<double>& values) {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   std::vector<double> finite;
   std::copy_if(values.begin(), values.end(), std::back_inserter(finite),
@@ -59,7 +59,7 @@ SampleStatistics sample(const std::vector<double>& values) {
   return result;
 }
 
-std::pair<double, double> share_interval(double share, std::size_t count) {
+std::pair<double, double> wilson_interval(double share, std::size_t count) {
   const auto n = static_cast<double>(count);
   const double middle = (share + 1 / (2 * n)) / (1 + 1 / n);
   const double half = std::sqrt(share * (1 - share) / n + 1 / (4 * n * n)) / (1 + 1 / n);
@@ -123,7 +123,7 @@ double Bins::upper(std::size_t bin) const {
   return bin + 1 < count() ? edges_[bin + 1] : std::numeric_limits<double>::infinity();
 }
 
-std::size_t Bins::find(double x) const {
+std::size_t Bins::bin_of(double x) const {
   // std::upper_bound without branches, half of which would be mispredicted.
   const double* edge = edges_.data();
   for (std::size_t left = count(); left > 1;) {
@@ -143,10 +143,10 @@ std::vector<double> chi_square_shares(const Bins& bins, int degrees) {
   return result;
 }
 
-std::vector<double> shares(std::span<const double> values, const Bins& bins) {
+std::vector<double> bin_shares(std::span<const double> values, const Bins& bins) {
   std::vector<std::uint64_t> counts(bins.count());
   for (const double value : values) {
-    ++counts[bins.find(value)];
+    ++counts[bins.bin_of(value)];
   }
   std::vector<double> result(bins.count());
   const auto all = static_cast<double>(std::max<std::size_t>(values.size(), 1));
@@ -167,7 +167,7 @@ double hellinger_distance(std::span<const double> p, std::span<const double> q) 
   return std::max(0.0, 1 - overlap);
 }
 
-double hellinger_floor(std::size_t bins, std::size_t samples) {
+double expected_hellinger_distance(std::size_t bins, std::size_t samples) {
   if (bins < 2 || samples == 0) {
     throw std::invalid_argument("there is no distance without 2 bins and a sample");
   }

@@ -136,7 +136,7 @@ void TrajectoryPart::add_frame(const grains::State& state, std::size_t stage,
     add_point_row(rows.contact_point, force.point);
     add_point_row(rows.contact_normal, force.normal);
     add_point_row(rows.contact_branch, force.branch);
-    add_point_row(rows.contact_force, {force.along_normal, force.along_shear});
+    add_point_row(rows.contact_force, {force.normal_force, force.shear_force});
   }
   for (const grains::Wall& wall : state.walls) {
     rows.wall_present.push_back(wall.present ? 1 : 0);

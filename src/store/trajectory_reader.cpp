@@ -284,8 +284,8 @@ class Trajectory::Impl {
         const bool is_there =
             grains::is_particle(other)
                 ? grains::particle_id(other) < entered
-                : contact::is_side(other) ||
-                      (grains::is_wall(other) && grains::wall_number(other) < fixed_.walls.size());
+                : contact::is_side(other) || (grains::is_obstacle(other) &&
+                                              grains::wall_number(other) < fixed_.walls.size());
         require_in_frame(rows_.contact_upper[row] < entered && is_there, *part, frames_[frame].step,
                          "a contact of bodies that are not there");
         result.forces.push_back({.upper = rows_.contact_upper[row],
@@ -293,8 +293,8 @@ class Trajectory::Impl {
                                  .point = point_at(rows_.contact_point, row),
                                  .normal = point_at(rows_.contact_normal, row),
                                  .branch = point_at(rows_.contact_branch, row),
-                                 .along_normal = rows_.contact_force[2 * row],
-                                 .along_shear = rows_.contact_force[2 * row + 1]});
+                                 .normal_force = rows_.contact_force[2 * row],
+                                 .shear_force = rows_.contact_force[2 * row + 1]});
       }
     }
     return result;

@@ -207,7 +207,7 @@ void add_rows(Means& means, const AveragedTable& what, const Variant& variant,
                              ? kNoMean
                              : value_at(numbers->second, *curves[run], position));
       }
-      const statistics::SampleStatistics found = statistics::sample(values);
+      const statistics::SampleStatistics found = statistics::sample_statistics(values);
       const bool is_known = found.count == values.size();  // all runs have a number
       row.means.insert(row.means.end(), {is_known ? found.mean : kNoMean,
                                          is_known ? found.standard_error : kNoMean});

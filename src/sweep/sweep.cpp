@@ -193,7 +193,7 @@ class Sweep {
     progress_.reused_runs = progress_.done_runs;
     std::vector<double> means;
     for (const std::vector<double>& known : seconds_of_variants) {
-      means.push_back(statistics::sample(known).mean);
+      means.push_back(statistics::sample_statistics(known).mean);
     }
     for (const std::size_t run : remaining) {
       seconds[run] = std::fmin(seconds[run], means[variant(run)]);  // the mean of none is ignored

@@ -106,8 +106,8 @@ void add_statistics(store::Table& table, const std::vector<std::string>& values,
   constexpr std::string_view kClogged = "clogged";
   for (const auto& [stage, measure] : measures.keys) {
     const MeasureValues& column = columns[{stage, measure}];
-    const statistics::SampleStatistics found = statistics::sample(column.values);
-    const auto [low, high] = column.answers ? statistics::share_interval(found.mean, found.count)
+    const statistics::SampleStatistics found = statistics::sample_statistics(column.values);
+    const auto [low, high] = column.answers ? statistics::wilson_interval(found.mean, found.count)
                                             : std::pair(found.mean - found.standard_error,
                                                         found.mean + found.standard_error);
     std::vector<store::Cell> beginning = value_cells(values);

@@ -19,9 +19,9 @@ namespace {
 constexpr std::array<lattice::Direction, 3> kDownward = {
     lattice::Direction::down, lattice::Direction::down_left, lattice::Direction::down_right};
 
-/// By kDownward: whether the void there claims a grain.
+/// Whether the void there claims a grain, by kDownward.
 using Claims = std::array<bool, kDownward.size()>;
-/// By kDownward: weights of a grain for the voids below it, or of the grains above a void.
+/// Weights of a grain for the voids below it, or of the grains above a void, by kDownward.
 using Weights = std::array<std::uint64_t, kDownward.size()>;
 
 std::uint64_t weight(double straight, double sieve) {
@@ -31,15 +31,16 @@ std::uint64_t weight(double straight, double sieve) {
   return static_cast<std::uint64_t>(straight * sieve * kOne);
 }
 
-class Steps final : public grains::OneSiteSteps {
+class VoidMechanics final : public grains::OneSiteMechanics {
  public:
-  Steps(grains::State initial, const Rules& rules, const Options& options)
-      : OneSiteSteps(std::move(initial), options) {
+  VoidMechanics(grains::State initial, const Rules& rules, const Options& options)
+      : OneSiteMechanics(std::move(initial), options) {
     for (const grains::Kind& kind : state().kinds) {
-      require(rules.sieve.empty() || kind.species < rules.sieve.size(), "a species has no weight");
-      const double sieve = rules.sieve.empty() ? 1 : rules.sieve[kind.species];
-      const std::uint64_t beside = weight((1 - rules.straight) / 2, sieve);
-      weights_.push_back({weight(rules.straight, sieve), beside, beside});
+      require(rules.sieve_factors.empty() || kind.species < rules.sieve_factors.size(),
+              "a species has no weight");
+      const double sieve = rules.sieve_factors.empty() ? 1 : rules.sieve_factors[kind.species];
+      const std::uint64_t beside = weight((1 - rules.straight_weight) / 2, sieve);
+      weights_.push_back({weight(rules.straight_weight, sieve), beside, beside});
     }
   }
 
@@ -61,7 +62,7 @@ class Steps final : public grains::OneSiteSteps {
     return box().occupancy.owner(state().lattice.index(site + unit(opposite(downward))));
   }
 
-  /// By id: which voids claim the grain.
+  /// The voids that claim each grain, by id.
   std::vector<Claims> claims() {
     std::vector<Claims> result(state().particles.size());
     const lattice::Lattice& lattice = state().lattice;
@@ -69,7 +70,7 @@ class Steps final : public grains::OneSiteSteps {
       for (int row = 0; row < lattice.rows(); ++row) {
         const lattice::Site site = {column, row};
         const grains::Owner grain =
-            box().occupancy.taken(lattice.index(site)) ? grains::kFree : claimed_grain(site);
+            box().occupancy.is_taken(lattice.index(site)) ? grains::kFree : claimed_grain(site);
         for (std::size_t i = 0; grain != grains::kFree && i < kDownward.size(); ++i) {
           if (above(site, kDownward[i]) == grain) {
             result[grains::particle_id(grain)][i] = true;
@@ -93,13 +94,12 @@ class Steps final : public grains::OneSiteSteps {
       return grains::kFree;
     }
     const auto item = static_cast<std::uint32_t>(state().lattice.index(site));
-    const std::size_t chosen = grains::drawn_index(
+    const std::size_t chosen = grains::weighted_index(
         weights, random::draw(state().seed, state().step, item, random::Purpose::void_choice));
     return above(site, kDownward[chosen]);
   }
 
-  /// Where a grain goes that these voids claim: straight down first; a coin decides between the
-  /// others.
+  /// Where a grain goes that these voids claim: straight down first; then by a coin.
   grains::Move granted_move(std::uint32_t id, const Claims& claims) {
     std::size_t chosen = claims[0] ? 0 : claims[1] ? 1 : 2;
     if (!claims[chosen]) {
@@ -117,6 +117,6 @@ class Steps final : public grains::OneSiteSteps {
 }  // namespace
 
 VoidModel::VoidModel(grains::State state, const Rules& rules, const Options& options)
-    : Model(std::make_unique<Steps>(std::move(state), rules, options)) {}
+    : Model(std::make_unique<VoidMechanics>(std::move(state), rules, options)) {}
 
 }  // namespace clca::voids

@@ -197,7 +197,7 @@ TEST(Determinism, ParallelStepsEqualSequentialOnesForBothKindsOfTies) {
         testing::bare_scene("silo-collapse", {fmt::format("rules.ties={}", ties)});
     automaton::Automaton sequential(model::initial_state(scene), scene.rules);
     automaton::Automaton parallel(model::initial_state(scene), scene.rules,
-                                  {.threads = 4, .parallel_from = 1});
+                                  {.threads = 4, .min_parallel_particles = 1});
     const scene::Stage& packing = scene.stages.front();
     for (automaton::Automaton* automaton : {&sequential, &parallel}) {
       automaton->fill(packing.fill->region, packing.fill->counts);
@@ -236,7 +236,7 @@ TEST(Determinism, ParallelStepsEqualSequentialOnesWhileWallsMove) {
       const scene::Scene scene = testing::bare_scene(name, {species});
       const grains::State sequential = state_after(scene, {});
       EXPECT_NE(sequential.walls.front().travel.clock, 0U);
-      EXPECT_EQ(state_after(scene, {.threads = 4, .parallel_from = 1}), sequential)
+      EXPECT_EQ(state_after(scene, {.threads = 4, .min_parallel_particles = 1}), sequential)
           << name << ", " << species;
     }
   }

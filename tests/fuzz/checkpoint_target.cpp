@@ -95,7 +95,9 @@ void go_on(std::span<const std::uint8_t> bytes) {
   reflection::Columns columns = kSaved;
   change(columns, choices);
   try {
-    model::SceneModel(scene, model::saved_state(scene, columns, kLimit), {}).grains().step();
+    model::SceneModel(scene, model::state_from_checkpoint(scene, columns, kLimit), {})
+        .grains()
+        .step();
   } catch (const std::invalid_argument&) {
     fuzz::require(!bytes.empty(), "a run does not go on");
   } catch (const reflection::Mismatch&) {

@@ -42,13 +42,13 @@ void expect_first_slopes(const Setting& setting) {
   constexpr double kTime = 0.05;
   constexpr double kDeparture = 1e-3;
   const auto all = testing::results(
-      {.beginning = {.particles = 50'000, .energy_ratio = setting.energy_ratio},
+      {.beginning = {.particle_count = 50'000, .energy_ratio = setting.energy_ratio},
        .process = {.law = setting.law, .scheme = boltzmann::Majorant{}, .shear_rate = 0},
        .members = 32},
       {kTime});
   const double start = 2.5 * setting.energy_ratio;
   const auto end =
-      boltzmann::closure(setting.law, {.translational = 1, .rotational = start}, kTime);
+      boltzmann::temperatures_after(setting.law, {.translational = 1, .rotational = start}, kTime);
   const std::map<std::string, double> expected = {{"Ttr", end.translational},
                                                   {"Trot", end.rotational / start}};
   for (const auto& [quantity, value] : expected) {
@@ -78,15 +78,15 @@ TEST(BothSchemes, AgreeForShortStepsAndOnePartner) {
   for (const Setting& setting : random_settings()) {
     const auto run = [&](const boltzmann::Scheme& scheme, int members) {
       return testing::results(
-                 {.beginning = {.particles = 10'000, .energy_ratio = setting.energy_ratio},
+                 {.beginning = {.particle_count = 10'000, .energy_ratio = setting.energy_ratio},
                   .process = {.law = setting.law, .scheme = scheme, .shear_rate = 0},
                   .members = members},
                  {kTime})
           .front();
     };
     const auto exact = run(boltzmann::Majorant{}, 16);
-    const auto printed =
-        run(boltzmann::OgawaKato{.time_step = kStep, .partners = 1, .quasi = false}, 16);
+    const auto printed = run(
+        boltzmann::OgawaKato{.time_step = kStep, .partner_count = 1, .quasi_random = false}, 16);
     for (const std::string quantity : {"Ttr", "Trot", "ncoll", "a2t", "a2r", "crel"}) {
       const auto expected = testing::sample(exact.at(quantity));
       const double change = quantity == "ncoll"         ? expected.mean

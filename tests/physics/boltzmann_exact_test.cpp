@@ -7,7 +7,7 @@
 namespace clca::boltzmann_exact_test {
 namespace {
 
-using boltzmann::Initial;
+using boltzmann::InitialDistribution;
 
 constexpr std::uint64_t kParticles = 100'000;
 constexpr int kRuns = 4;
@@ -15,7 +15,7 @@ constexpr int kRuns = 4;
 /// What a Hellinger distance of that many particles shows where there is none.
 double floor_of(const std::string& quantity, double particles) {
   return quantity.starts_with("DH")
-             ? statistics::hellinger_floor(20, static_cast<std::size_t>(particles))
+             ? statistics::expected_hellinger_distance(20, static_cast<std::size_t>(particles))
              : 0;
 }
 
@@ -27,8 +27,9 @@ TEST_P(ExactScheme, AgreesWithTheReferenceTables) {
   testing::ReferenceTable best("table_exact_N1e6");
   testing::ReferenceTable scatter("table_exact_N1e4");
   const auto all = testing::results(
-      {.beginning = {.particles = kParticles,
-                     .initial = kind == 1 ? Initial::gaussian : Initial::equal_energy},
+      {.beginning = {.particle_count = kParticles,
+                     .distribution = kind == 1 ? InitialDistribution::gaussian
+                                               : InitialDistribution::equal_energy},
        .process = {.law = {.restitution = restitution, .friction = 0.3, .roughness = 0},
                    .scheme = boltzmann::Majorant{},
                    .shear_rate = 0},
@@ -59,7 +60,7 @@ TEST(ExactScheme, CumulantsAndCorrelationsAgreeToo) {
   testing::ReferenceTable best("highprec_eps0.5_N1e6");
   const std::vector<double> times = {1, 5, 15};
   const auto all =
-      testing::results({.beginning = {.particles = 1'000'000},
+      testing::results({.beginning = {.particle_count = 1'000'000},
                         .process = {.law = {.restitution = 0.5, .friction = 0.3, .roughness = 0},
                                     .scheme = boltzmann::Majorant{},
                                     .shear_rate = 0},

@@ -6,7 +6,7 @@
 namespace clca::boltzmann_literal_test {
 namespace {
 
-using boltzmann::Initial;
+using boltzmann::InitialDistribution;
 
 constexpr std::uint64_t kParticles = 10'000;
 constexpr int kRuns = 4;
@@ -20,8 +20,9 @@ TEST_P(PrintedScheme, AgreesWithTheReferenceTable) {
   const std::vector<double> times = {1, 5, 15};
   testing::ReferenceTable table("table_literal_N1e4");
   const auto all = testing::results(
-      {.beginning = {.particles = kParticles,
-                     .initial = kind == 1 ? Initial::gaussian : Initial::equal_energy,
+      {.beginning = {.particle_count = kParticles,
+                     .distribution = kind == 1 ? InitialDistribution::gaussian
+                                               : InitialDistribution::equal_energy,
                      .exact_moments = false},
        .process = {.law = {.restitution = restitution, .friction = 0.3, .roughness = 0},
                    .scheme = boltzmann::OgawaKato{},
@@ -45,7 +46,7 @@ INSTANTIATE_TEST_SUITE_P(Cases, PrintedScheme,
 
 TEST(PrintedScheme, HeatsElasticSmoothSpheresBySomeNinePercent) {
   const auto all =
-      testing::results({.beginning = {.particles = 10'000},
+      testing::results({.beginning = {.particle_count = 10'000},
                         .process = {.law = {.restitution = 1, .friction = 0, .roughness = 0},
                                     .scheme = boltzmann::OgawaKato{},
                                     .shear_rate = 0},

@@ -12,7 +12,7 @@ namespace {
 
 testing::GasCase gas(const boltzmann::Law& law, double energy_ratio, std::uint64_t particles,
                      int members) {
-  return {.beginning = {.particles = particles, .energy_ratio = energy_ratio},
+  return {.beginning = {.particle_count = particles, .energy_ratio = energy_ratio},
           .process = {.law = law, .scheme = boltzmann::Majorant{}, .shear_rate = 0},
           .members = members};
 }
@@ -51,7 +51,7 @@ TEST(RoughSpheres, ShareTheirEnergyInTheRatioOfTheClosure) {
 TEST(RoughSpheres, WithoutLossComeToEquipartitionAndKeepTheirEnergy) {
   const boltzmann::Law law = {
       .restitution = 1, .friction = boltzmann::kNoSlidingLimit, .roughness = 1};
-  boltzmann::Gas gas = boltzmann::make_gas({.particles = 100'000, .energy_ratio = 0.2}, 1);
+  boltzmann::Gas gas = boltzmann::make_gas({.particle_count = 100'000, .energy_ratio = 0.2}, 1);
   const auto energy = [&] {
     const auto moments = boltzmann::moments(gas.motions);
     return moments.translational + moments.rotational / 2.5;
@@ -69,8 +69,8 @@ TEST(RoughSpheres, WithoutLossComeToEquipartitionAndKeepTheirEnergy) {
 /// the thousandth of the particles that spins fastest. Spins that are fast beside the velocities
 /// are hardly braked: from a normal beginning a few stay for ever, and one in 10^4 of them is all
 /// rotational energy there is in the end, above the critical restitution too.
-std::vector<double> late_ratios(double restitution, boltzmann::Initial initial) {
-  boltzmann::Gas gas = boltzmann::make_gas({.particles = 40'000, .initial = initial}, 1);
+std::vector<double> late_ratios(double restitution, boltzmann::InitialDistribution initial) {
+  boltzmann::Gas gas = boltzmann::make_gas({.particle_count = 40'000, .distribution = initial}, 1);
   const boltzmann::Law law = {.restitution = restitution, .friction = 0.3, .roughness = 0};
   std::vector<double> found;
   for (const double time : {250, 500, 1000, 2000}) {
@@ -78,7 +78,7 @@ std::vector<double> late_ratios(double restitution, boltzmann::Initial initial) 
                        1);
     Eigen::ArrayXd squares = gas.motions.bottomRows<3>().square().colwise().sum();
     std::sort(squares.begin(), squares.end());
-    const double spins = squares.head(gas.particles() * 999 / 1000).sum();
+    const double spins = squares.head(gas.particle_count() * 999 / 1000).sum();
     found.push_back(spins / 2.5 / gas.motions.topRows<3>().square().sum());
   }
   return found;
@@ -87,7 +87,7 @@ std::vector<double> late_ratios(double restitution, boltzmann::Initial initial) 
 TEST(FrictionalSpheres, SpinEverMoreBelowTheCriticalRestitution) {
   for (const double restitution : {0.5, 0.8}) {
     ASSERT_LT(restitution, testing::critical_restitution(0.3));
-    const auto found = late_ratios(restitution, boltzmann::Initial::gaussian);
+    const auto found = late_ratios(restitution, boltzmann::InitialDistribution::gaussian);
     for (std::size_t i = 1; i < found.size(); ++i) {
       EXPECT_GT(found[i], 1.3 * found[i - 1]) << restitution;
     }
@@ -98,8 +98,8 @@ TEST(FrictionalSpheres, SpinEverMoreBelowTheCriticalRestitution) {
 TEST(FrictionalSpheres, ComeToOneRatioOfEnergiesAboveTheCriticalRestitution) {
   for (const double restitution : {0.9, 0.95}) {
     ASSERT_GT(restitution, testing::critical_restitution(0.3));
-    const auto normal = late_ratios(restitution, boltzmann::Initial::gaussian);
-    const auto equal = late_ratios(restitution, boltzmann::Initial::equal_energy);
+    const auto normal = late_ratios(restitution, boltzmann::InitialDistribution::gaussian);
+    const auto equal = late_ratios(restitution, boltzmann::InitialDistribution::equal_energy);
     for (std::size_t i = 0; i < normal.size(); ++i) {
       for (const double ratio : {normal[i], equal[i]}) {
         testing::expect_near(fmt::format("ratio {} {} over the last", restitution, i),

@@ -7,7 +7,7 @@
 namespace clca::boltzmann_shear_test {
 namespace {
 
-boltzmann::Process sheared(double restitution, double shear_rate) {
+boltzmann::Dynamics sheared(double restitution, double shear_rate) {
   return {.law = {.restitution = restitution, .friction = 0, .roughness = 0},
           .scheme = boltzmann::Majorant{},
           .shear_rate = shear_rate};
@@ -16,7 +16,7 @@ boltzmann::Process sheared(double restitution, double shear_rate) {
 /// The rate at which the kinetic model has the temperature 1 of the beginning, so that little is
 /// left to relax.
 double mild_rate(double restitution) {
-  return 1 / std::sqrt(boltzmann::shear_flow(restitution, 1).temperature);
+  return 1 / std::sqrt(boltzmann::steady_shear_flow(restitution, 1).temperature);
 }
 
 /// By then what the temperature differs from the steady one, which goes at the rate 3/8 (1 - e^2)
@@ -45,10 +45,11 @@ struct Flow {
 testing::GasResult steady(const Flow& flow) {
   const std::vector<double> times =
       regular_times(0, 2 * relaxed(flow.restitution, flow.shear_rate), flow.every);
-  const auto all = testing::results({.beginning = {.particles = flow.particles, .energy_ratio = 0},
-                                     .process = sheared(flow.restitution, flow.shear_rate),
-                                     .members = 8},
-                                    times);
+  const auto all =
+      testing::results({.beginning = {.particle_count = flow.particles, .energy_ratio = 0},
+                        .process = sheared(flow.restitution, flow.shear_rate),
+                        .members = 8},
+                       times);
   testing::GasResult means;
   for (const std::string quantity : {"Ttr", "Pxx", "Pyy", "Pxy"}) {
     means[quantity] = testing::late_means(all, all.size() / 2, quantity);
@@ -62,7 +63,7 @@ TEST(ShearFlow, ComesToTheTemperatureAndStressesOfTheKineticModel) {
   for (const double restitution : {0.6, 0.7, 0.8, 0.9}) {
     const double rate = mild_rate(restitution);
     const auto found = steady({.restitution = restitution, .shear_rate = rate, .every = 1});
-    const boltzmann::ShearFlow model = boltzmann::shear_flow(restitution, rate);
+    const boltzmann::ShearFlow model = boltzmann::steady_shear_flow(restitution, rate);
     const double inelasticity = 1 - restitution * restitution;
     const auto compare = [&](const std::string& quantity, double value, double tolerance) {
       testing::expect_near(fmt::format("{} over that of the model, {}", quantity, restitution),
@@ -101,7 +102,7 @@ TEST(ShearFlow, HeatsAsMuchAsCollisionsCoolOnceItIsSteady) {
     const double begin = relaxed(restitution, rate);
     std::vector<double> balances;
     for (std::uint64_t seed = 1; seed <= 16; ++seed) {
-      boltzmann::Gas gas = boltzmann::make_gas({.particles = 5000, .energy_ratio = 0}, seed);
+      boltzmann::Gas gas = boltzmann::make_gas({.particle_count = 5000, .energy_ratio = 0}, seed);
       double heating = 0;
       double cooling = 0;
       for (const double time : regular_times(begin, 3 * begin, 1)) {

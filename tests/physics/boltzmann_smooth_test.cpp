@@ -12,7 +12,7 @@ namespace {
 const std::vector<double> kTimes = {10, 15, 20, 25, 30, 35, 40};
 
 testing::GasCase smooth(double restitution) {
-  return {.beginning = {.particles = 30'000, .energy_ratio = 0},
+  return {.beginning = {.particle_count = 30'000, .energy_ratio = 0},
           .process = {.law = {.restitution = restitution, .friction = 0, .roughness = 0},
                       .scheme = boltzmann::Majorant{},
                       .shear_rate = 0},

@@ -17,7 +17,7 @@ namespace clca::testing {
 
 struct GasCase {
   boltzmann::InitialCondition beginning;
-  boltzmann::Process process;
+  boltzmann::Dynamics process;
   int members = 4;
 };
 

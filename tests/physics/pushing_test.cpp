@@ -84,7 +84,7 @@ TEST_P(PushingUntilItStalls, LosesNobodyAndNeverOverlapsByMoreThanOneMove) {
   for (int seed = 1; seed <= 2; ++seed) {
     SCOPED_TRACE(seed);
     Pushing bed(testing::bare_scene(pushing.scene, seeded(pushing.overrides, seed)));
-    EXPECT_EQ(bed.push().moved, 0U);
+    EXPECT_EQ(bed.push().moved_count, 0U);
     EXPECT_FALSE(bed.contacts().empty());
     for (const grains::Wall& wall : bed.state().walls) {
       EXPECT_TRUE(wall.travel.stalled_since);

@@ -47,7 +47,7 @@ Site risen(const voids::VoidModel& model, Site site) {
   const lattice::Lattice& lattice = model.state().lattice;
   for (const Direction direction : {Direction::up, Direction::up_left, Direction::up_right}) {
     const Site above = site + unit(direction);
-    if (!model.occupancy().taken(lattice.index(above))) {
+    if (!model.occupancy().is_taken(lattice.index(above))) {
       return above;
     }
   }
@@ -59,7 +59,7 @@ std::vector<lattice::Axial> ways(double straight, int runs) {
   std::vector<lattice::Axial> result;
   for (int run = 0; run < runs; ++run) {
     voids::VoidModel model(bed_with_voids(static_cast<std::uint64_t>(run) + 1),
-                           {.straight = straight, .sieve = {}});
+                           {.straight_weight = straight, .sieve_factors = {}});
     std::vector<Site> sites(kVoids);
     for (int i = 0; i < kVoids; ++i) {
       sites[static_cast<std::size_t>(i)] = {i * kColumns, 0};
@@ -164,17 +164,18 @@ double lift_after(double sieve, std::uint64_t seed, int pushes) {
                                .kind = static_cast<std::uint16_t>(i % 2)});
   }
   for (std::size_t i = state.particles.size() - 1; i > 0; --i) {
-    std::swap(state.particles[i].kind, state.particles[random::below(random(), i + 1)].kind);
+    std::swap(state.particles[i].kind,
+              state.particles[random::uniform_below(random(), i + 1)].kind);
   }
   for (const grains::Particle& grain : state.particles) {
     state.origins.push_back(grain.site());
   }
   for (int push = 0; push < pushes; ++push) {
-    const auto column = static_cast<int>(random::below(random(), kSieveColumns));
+    const auto column = static_cast<int>(random::uniform_below(random(), kSieveColumns));
     for (grains::Particle& grain : state.particles) {
       grain.row += state.lattice.wrapped(grain.column) == column ? 1 : 0;
     }
-    voids::VoidModel model(state, {.straight = 1.0 / 3, .sieve = {1, sieve}});
+    voids::VoidModel model(state, {.straight_weight = 1.0 / 3, .sieve_factors = {1, sieve}});
     for (int step = 0; step < 10; ++step) {
       model.step();
     }

@@ -27,11 +27,11 @@ long long potential(const State& state, const automaton::Rules& rules) {
 
 RC_GTEST_PROP(AutomatonProperty, EveryStepEqualsTheReferenceStep, ()) {
   const testing::RuledState start = any_state(false);
-  Automaton reference = start.automaton({.reference = true});
+  Automaton reference = start.automaton({.use_reference = true});
   Automaton automaton = start.automaton();
   for (int step = 0; step < 40; ++step) {
-    const std::size_t moved = reference.step().moved;
-    RC_ASSERT(automaton.step().moved == moved);
+    const std::size_t moved = reference.step().moved_count;
+    RC_ASSERT(automaton.step().moved_count == moved);
     RC_ASSERT(automaton.state() == reference.state());
   }
 }
@@ -39,8 +39,8 @@ RC_GTEST_PROP(AutomatonProperty, EveryStepEqualsTheReferenceStep, ()) {
 RC_GTEST_PROP(AutomatonProperty, ThreadsAndSleepingChangeNothing, ()) {
   const testing::RuledState start = any_state(false);
   Automaton plain = start.automaton();
-  Automaton threaded = start.automaton({.threads = 3, .parallel_from = 1});
-  Automaton sleepless = start.automaton({.sleeping = false});
+  Automaton threaded = start.automaton({.threads = 3, .min_parallel_particles = 1});
+  Automaton sleepless = start.automaton({.allow_sleeping = false});
   for (int step = 0; step < 60; ++step) {
     plain.step();
     threaded.step();
@@ -56,8 +56,8 @@ RC_GTEST_PROP(AutomatonProperty, StripsOfColumnsChangeNothing, ()) {
   const testing::RuledState start = any_state(false, 0, 600);
   const int threads = *rc::gen::inRange(2, 5);
   Automaton plain = start.automaton();
-  Automaton threaded =
-      start.automaton({.threads = threads, .parallel_from = *rc::gen::inRange<std::size_t>(0, 40)});
+  Automaton threaded = start.automaton(
+      {.threads = threads, .min_parallel_particles = *rc::gen::inRange<std::size_t>(0, 40)});
   for (int step = 0; step < 60; ++step) {
     plain.step();
     threaded.step();
@@ -84,7 +84,7 @@ RC_GTEST_PROP(AutomatonProperty, HeightsFallWhileAnythingMovesAndTheEndIsAFixedP
   do {
     report = automaton.step();
     const long long after = potential(automaton.state(), automaton.rules());
-    RC_ASSERT((report.moved > 0 ? after < before : after == before));
+    RC_ASSERT((report.moved_count > 0 ? after < before : after == before));
     before = after;
   } while (!report.settled);
   const std::vector<grains::Particle> settled = automaton.state().particles;
@@ -99,7 +99,7 @@ RC_GTEST_PROP(AutomatonProperty, RemovingAWallWakesWhoeverStoodOnIt, ()) {
   while (!automaton.step().settled) {
   }
   automaton.remove_wall(0);
-  Automaton reference(automaton.state(), automaton.rules(), {.reference = true});
+  Automaton reference(automaton.state(), automaton.rules(), {.use_reference = true});
   for (int step = 0; step < 30; ++step) {
     automaton.step();
     reference.step();

@@ -19,7 +19,7 @@ struct Start {
   Rules rules;
 
   BaxterModel model(int threads = 1) const {
-    return BaxterModel(state, rules, {.threads = threads, .parallel_from = 1});
+    return BaxterModel(state, rules, {.threads = threads, .min_parallel_particles = 1});
   }
 };
 
@@ -27,9 +27,9 @@ struct Start {
 Start any_start() {
   State state = testing::any_box(*rc::gen::arbitrary<bool>(), 0, 50);
   const lattice::Rectangle all = testing::whole(state.lattice);
-  const Rules rules = {.power = *rc::gen::element(0, 1, 3, baxter::kMaxPower),
+  const Rules rules = {.exponent = *rc::gen::element(0, 1, 3, baxter::kMaxPower),
                        .gravity = *rc::gen::element(0.0, 0.15, 3.0, baxter::kMaxGravity),
-                       .like_axes = *rc::gen::element(0.0, 0.01, 1.0)};
+                       .like_axes_factor = *rc::gen::element(0.0, 0.01, 1.0)};
   const auto species = *rc::gen::inRange<std::uint16_t>(1, 3);
   for (std::uint16_t i = 0; i < species; ++i) {
     for (const grains::Kind& kind : baxter::kinds_along_axes(i)) {
@@ -43,7 +43,7 @@ Start any_start() {
     state.sources.push_back({.sites = {{state.lattice.columns() / 2, state.lattice.rows() - 1}},
                              .weights = std::vector<std::uint32_t>(state.kinds.size(), 1),
                              .rate = std::uint64_t{1} << 31U,
-                             .count = 20,
+                             .max_emitted = 20,
                              .open = true});
   }
   BaxterModel model(state, rules);
@@ -59,7 +59,7 @@ RC_GTEST_PROP(BaxterProperty, GrainsStayWholeInTheirSpeciesAndMoveAtMostOneSiteA
     const State before = model.state();
     const grains::StepReport report = model.step();
     const State& after = model.state();
-    count += report.emitted - report.removed;
+    count += report.emitted_count - report.removed_count;
     RC_ASSERT(grains::present_count(after) == count);
     grains::check_valid(after);
     // Built anew from the grains it throws on any overlap.
@@ -67,7 +67,7 @@ RC_GTEST_PROP(BaxterProperty, GrainsStayWholeInTheirSpeciesAndMoveAtMostOneSiteA
     for (std::size_t id = 0; id < before.particles.size(); ++id) {
       const grains::Particle& one = after.particles[id];
       const lattice::Axial step_taken = one.site() - before.particles[id].site();
-      RC_ASSERT(lattice::length(step_taken) <= 1);
+      RC_ASSERT(lattice::length_in_steps(step_taken) <= 1);
       RC_ASSERT(step_taken != lattice::unit(lattice::Direction::up));
       RC_ASSERT(after.kinds[one.kind].species == before.kinds[before.particles[id].kind].species);
       if (one.present) {
@@ -108,7 +108,7 @@ RC_GTEST_PROP(BaxterProperty, ASettledStateIsAFixedPoint, ()) {
 
 RC_GTEST_PROP(BaxterProperty, WithoutAnEnergyOfAxesNoGrainTurns, ()) {
   Start start = any_start();
-  start.rules.like_axes = 1;
+  start.rules.like_axes_factor = 1;
   BaxterModel model = start.model();
   for (int step = 0; step < 40; ++step) {
     model.step();

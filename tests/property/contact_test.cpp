@@ -27,14 +27,14 @@ std::uint64_t left_count(const grains::State& state) {
 RC_GTEST_PROP(ContactProperty, EveryStepEqualsTheReference, ()) {
   const ContactRun run = any_contact_run(true, kSteps);
   ContactModel fast = run.model();
-  ContactModel reference = run.model({.reference = true});
+  ContactModel reference = run.model({.use_reference = true});
   for (int step = 0; step < kSteps; ++step) {
     const StepReport expected = run.step(reference, step);
     const StepReport report = run.step(fast, step);
     RC_ASSERT(fast.state() == reference.state());
-    RC_ASSERT(report.moved == expected.moved);
-    RC_ASSERT(report.emitted == expected.emitted);
-    RC_ASSERT(report.removed == expected.removed);
+    RC_ASSERT(report.moved_count == expected.moved_count);
+    RC_ASSERT(report.emitted_count == expected.emitted_count);
+    RC_ASSERT(report.removed_count == expected.removed_count);
     RC_ASSERT(report.settled == expected.settled);
   }
   RC_ASSERT(contact::hash(fast.state()) == contact::hash(reference.state()));
@@ -78,7 +78,7 @@ RC_GTEST_PROP(ContactProperty, WhatEntersIsThereOrHasLeft, ()) {
     const grains::State& now = model.grains();
     count += now.particles.size() - particles;
     count -= left_count(now) - left;
-    RC_ASSERT(report.removed <= left_count(now) - left);
+    RC_ASSERT(report.removed_count <= left_count(now) - left);
     RC_ASSERT(grains::present_count(now) == count);
     RC_ASSERT(model.state().velocities.size() == now.particles.size());
   }

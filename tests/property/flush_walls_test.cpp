@@ -25,7 +25,7 @@ struct Boxes {
 
 /// A beam at any angle through the box, some spacings thick.
 std::vector<lattice::Site> any_beam(const lattice::Lattice& lattice) {
-  const Eigen::Vector2d size = lattice.size();
+  const Eigen::Vector2d size = lattice.extent();
   const auto any_place = [&] {
     return Eigen::Vector2d(size.x() * within(0, 100) / 100, size.y() * within(0, 100) / 100);
   };
@@ -81,7 +81,7 @@ Boxes any_boxes() {
   if (within(0, 2) == 0) {
     testing::stir(whole);
   }
-  whole.vessel = contact::Vessel{.angle = contact::angle_of(within(-60, 61))};
+  whole.vessel = contact::Vessel{.angle = contact::angle_from_degrees(within(-60, 61))};
   boxes.cut = whole;
   boxes.cut.grains.walls = pieces(whole.grains.walls.front().sites);
   boxes.cut.wall_remainders.resize(boxes.cut.grains.walls.size());
@@ -98,7 +98,7 @@ RC_GTEST_PROP(FlushWalls, AreAsOneStraightWall, ()) {
   const Boxes boxes = any_boxes();
   ContactModel whole(boxes.whole, boxes.parameters);
   ContactModel cut(boxes.cut, boxes.parameters);
-  ContactModel reference(boxes.cut, boxes.parameters, {.reference = true});
+  ContactModel reference(boxes.cut, boxes.parameters, {.use_reference = true});
   for (int step = 0; step < kSteps; ++step) {
     for (ContactModel* model : {&whole, &cut, &reference}) {
       model->step();

@@ -47,7 +47,7 @@ void add_entry_and_exit(State& state) {
                             *rc::gen::inRange(0, state.lattice.rows())});
   }
   source.rate = std::uint64_t{1} << 31U;
-  source.count = 40;
+  source.max_emitted = 40;
   source.open = true;
   state.sources = {source};
 }
@@ -55,7 +55,7 @@ void add_entry_and_exit(State& state) {
 RC_GTEST_PROP(MovingWallsProperty, EveryStepEqualsTheReferenceStep, ()) {
   auto [state, rules] = any_moving_state(MovingWalls::any);
   add_entry_and_exit(state);
-  Automaton reference(state, rules, {.reference = true});
+  Automaton reference(state, rules, {.use_reference = true});
   Automaton automaton(state, rules);
   bool chained = false;
   for (int step = 0; step < kSteps; ++step) {
@@ -63,8 +63,8 @@ RC_GTEST_PROP(MovingWallsProperty, EveryStepEqualsTheReferenceStep, ()) {
     const StepReport report = automaton.step();
     const State& expected = reference.state();
     RC_ASSERT(testing::difference(automaton.state(), expected) == "");
-    RC_ASSERT(report.moved == expected_report.moved);
-    RC_ASSERT(report.removed == expected_report.removed);
+    RC_ASSERT(report.moved_count == expected_report.moved_count);
+    RC_ASSERT(report.removed_count == expected_report.removed_count);
     RC_ASSERT(report.settled == expected_report.settled);
     chained =
         chained || std::any_of(expected.pushes.begin(), expected.pushes.end(),
@@ -96,8 +96,8 @@ RC_GTEST_PROP(MovingWallsProperty, RigidWallsMakeNoOverlaps, ()) {
 RC_GTEST_PROP(MovingWallsProperty, ThreadsSleepingAndAFreshStartChangeNothing, ()) {
   const testing::RuledState start = any_moving_state(MovingWalls::any);
   Automaton plain = start.automaton();
-  Automaton threaded = start.automaton({.threads = 3, .parallel_from = 1});
-  Automaton sleepless = start.automaton({.sleeping = false});
+  Automaton threaded = start.automaton({.threads = 3, .min_parallel_particles = 1});
+  Automaton sleepless = start.automaton({.allow_sleeping = false});
   Automaton resumed = start.automaton();
   const int fresh_start = *rc::gen::inRange(0, kSteps);
   for (int step = 0; step < kSteps; ++step) {
@@ -119,13 +119,14 @@ RC_GTEST_PROP(MovingWallsProperty, WhatEntersAndLeavesIsCountedAndOutletsAreEmpt
   auto [state, rules] = any_moving_state(MovingWalls::any);
   add_entry_and_exit(state);
   Automaton automaton(state, rules);
-  Automaton sleepless(state, rules, {.threads = 3, .parallel_from = 1, .sleeping = false});
+  Automaton sleepless(state, rules,
+                      {.threads = 3, .min_parallel_particles = 1, .allow_sleeping = false});
   std::size_t count = grains::present_count(state);
   for (int step = 0; step < kSteps; ++step) {
     const StepReport report = automaton.step();
     sleepless.step();
-    count += report.emitted;
-    count -= report.removed;
+    count += report.emitted_count;
+    count -= report.removed_count;
     const State& now = automaton.state();
     RC_ASSERT(testing::difference(sleepless.state(), now) == "");
     RC_ASSERT(grains::present_count(now) == count);

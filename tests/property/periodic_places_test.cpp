@@ -63,7 +63,7 @@ std::string any_scene(bool contact) {
 class Places {
  public:
   explicit Places(const lattice::Lattice& lattice)
-      : low_(lattice::Lattice::corner()), high_(low_ + lattice.size()) {}
+      : low_(lattice::Lattice::lower_left_corner()), high_(low_ + lattice.extent()) {}
 
   void require(double x, double y, const std::string& where) {
     if (!(x >= low_.x() && x <= high_.x() && y >= low_.y() && y <= high_.y())) {
@@ -133,7 +133,7 @@ void look_at_pictures(const store::Trajectory& trajectory, bool contact, Places&
       places.require(stroke.from.x(), stroke.from.y(), "the beginning of a line");
       places.require(stroke.to.x(), stroke.to.y(), "the end of a line");
       // Not across the picture.
-      RC_ASSERT(std::abs(stroke.to.x() - stroke.from.x()) < state.lattice.size().x() / 2 + 1e-9);
+      RC_ASSERT(std::abs(stroke.to.x() - stroke.from.x()) < state.lattice.extent().x() / 2 + 1e-9);
     }
   }
 }

@@ -76,8 +76,8 @@ RC_GTEST_PROP(PictureProperty, OneOfWhatHasChangedEqualsAFreshOne, ()) {
   for (int number = 0; number < 12; ++number) {
     State shown = automaton.state();
     for (grains::Wall& wall : shown.walls) {  // which then is not to move all the time
-      if (wall.passive == grains::Passive::rigid && testing::within(0, 4) == 0) {
-        wall.sites = grains::sites_now(shown.lattice, wall);
+      if (wall.passive_rule == grains::PassiveRule::rigid && testing::within(0, 4) == 0) {
+        wall.sites = grains::current_sites(shown.lattice, wall);
         wall.motion.reset();
       }
     }

@@ -38,7 +38,7 @@ struct ContactRun {
       }
     }
     if (!state.grains.sources.empty() && number == source_opens) {
-      model.set_source(0, true);
+      model.set_source_open(0, true);
     }
     if (number == more_grains) {
       model.fill({0, 0, 1e3, 1e3}, std::vector<std::size_t>(state.grains.kinds.size(), 3));
@@ -90,7 +90,7 @@ inline void add_source(grains::State& state) {
     source.sites.push_back({within(0, state.lattice.columns()), within(0, state.lattice.rows())});
   }
   source.rate = std::uint64_t{1} << 31U;
-  source.count = 40;
+  source.max_emitted = 40;
   source.open = *rc::gen::arbitrary<bool>();
   state.sources = {source};
 }
@@ -115,16 +115,18 @@ inline void stir(contact::State& state) {
 
 /// At any angle; turning, shaken or at rest.
 inline contact::Vessel any_vessel() {
-  const contact::Vessel stands = contact::Vessel{
-      .angle = contact::angle_of(*rc::gen::element(0.0, 20.0, 59.0, 90.0, 150.0, -110.0))};
+  const contact::Vessel stands =
+      contact::Vessel{.angle = contact::angle_from_degrees(
+                          *rc::gen::element(0.0, 20.0, 59.0, 90.0, 150.0, -110.0))};
   const Eigen::Vector2d centre(within(0, 20), within(0, 40));
   switch (within(0, 4)) {
     case 0:
-      return rotating(stands, *rc::gen::element(-1.0 / 64, -1e-3, 1e-3, 1.0 / 100), centre);
+      return with_rotation(stands, *rc::gen::element(-1.0 / 64, -1e-3, 1e-3, 1.0 / 100), centre);
     case 1:
-      return tilting(stands, contact::angle_of(within(-180, 180)), within(1, 40) / 10.0, centre);
+      return with_tilting(stands, contact::angle_from_degrees(within(-180, 180)),
+                          within(1, 40) / 10.0, centre);
     case 2:
-      return shaken(stands, within(1, 40) / 10.0, within(1, 60) / 1000.0, within(0, 2) == 0);
+      return with_shaking(stands, within(1, 40) / 10.0, within(1, 60) / 1000.0, within(0, 2) == 0);
     default:
       return stands;
   }
@@ -137,7 +139,8 @@ inline ContactRun any_contact_run(bool open, int steps) {
   const bool round = narrow || within(0, 3) != 0;
   const int half_columns = narrow ? within(2, 5) : within(6, 20);
   std::vector<grains::Kind> kinds = any_kinds(round, narrow);
-  const int columns = std::max(2 * half_columns, periodic ? contact::needed_columns(kinds) : 0);
+  const int columns =
+      std::max(2 * half_columns, periodic ? contact::min_periodic_columns(kinds) : 0);
   grains::State grains{.lattice = lattice::Lattice(columns, within(12, 50), periodic),
                        .seed = *rc::gen::arbitrary<std::uint64_t>(),
                        .kinds = std::move(kinds)};
@@ -161,7 +164,7 @@ inline ContactRun any_contact_run(bool open, int steps) {
   contact::ContactModel model = run.model();
   for (std::size_t wall = 0; wall < run.state.grains.walls.size(); ++wall) {
     if (run.state.grains.walls[wall].motion) {
-      model.set_motion(wall, within(0, 8) != 0);
+      model.set_wall_moving(wall, within(0, 8) != 0);
     }
   }
   model.fill({0, 0, 1e3, 1e3},

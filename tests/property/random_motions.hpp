@@ -91,7 +91,7 @@ inline void add_moving_wall(grains::State& state, lattice::Direction gravity, Mo
   }
   const bool overlaps = which == MovingWalls::overlapping ||
                         (which == MovingWalls::any && *rc::gen::arbitrary<bool>());
-  wall.passive = overlaps ? grains::Passive::overlap : grains::Passive::rigid;
+  wall.passive_rule = overlaps ? grains::PassiveRule::overlap : grains::PassiveRule::rigid;
   state.walls.push_back(std::move(wall));
 }
 
@@ -130,7 +130,7 @@ inline RuledState any_moving_state(MovingWalls which) {
   }
   for (std::size_t wall = 0; wall < state.walls.size(); ++wall) {
     if (state.walls[wall].motion) {
-      automaton.set_motion(wall, *rc::gen::inRange(0, 8) != 0);
+      automaton.set_wall_moving(wall, *rc::gen::inRange(0, 8) != 0);
     }
   }
   return {automaton.state(), rules};

@@ -59,14 +59,15 @@ inline automaton::Rules any_rules(bool downward_only) {
   rules.inertia = *rc::gen::element(0.0, 0.5, 0.9, 1.0);
   rules.scatter = *rc::gen::element(0.0, 0.0, 0.3, 1.0);
   rules.gravity = lattice::kDirections[*rc::gen::inRange<std::size_t>(0, 6)];
-  rules.ties = *rc::gen::element(automaton::Ties::particle, automaton::Ties::direction);
+  rules.ties =
+      *rc::gen::element(automaton::TieBreaking::particle, automaton::TieBreaking::direction);
   std::sort(rules.update_priority.begin(), rules.update_priority.end());
   const int permutations = *rc::gen::inRange(0, 6);
   for (int i = 0; i < permutations; ++i) {
     std::next_permutation(rules.update_priority.begin(), rules.update_priority.end());
   }
   if (!downward_only && *rc::gen::inRange(0, 3) == 0) {
-    rules.candidates = automaton::Candidates::all;
+    rules.candidates = automaton::CandidateDirections::all;
   }
   return rules;
 }

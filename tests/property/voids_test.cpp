@@ -25,11 +25,12 @@ struct Start {
 Start any_start(int min_walls = 0) {
   State state = testing::any_box(*rc::gen::arbitrary<bool>(), min_walls, 50);
   const lattice::Rectangle all = testing::whole(state.lattice);
-  Rules rules = {.straight = *rc::gen::element(0.0, 1.0 / 3, 0.678, 1.0), .sieve = {}};
+  Rules rules = {.straight_weight = *rc::gen::element(0.0, 1.0 / 3, 0.678, 1.0),
+                 .sieve_factors = {}};
   const auto species = *rc::gen::inRange<std::uint16_t>(1, 4);
   for (std::uint16_t i = 0; i < species; ++i) {
     state.kinds.push_back({lattice::Shape::hexagon(0), i});
-    rules.sieve.push_back(*rc::gen::element(0.0, 0.1, 0.5, 1.0));
+    rules.sieve_factors.push_back(*rc::gen::element(0.0, 0.1, 0.5, 1.0));
   }
   if (*rc::gen::arbitrary<bool>()) {
     state.outlets.push_back({.region = {all.left, 0, all.right / 3, 2}});
@@ -38,7 +39,7 @@ Start any_start(int min_walls = 0) {
     state.sources.push_back({.sites = {{state.lattice.columns() / 2, state.lattice.rows() - 1}},
                              .weights = std::vector<std::uint32_t>(species, 1),
                              .rate = std::uint64_t{1} << 31U,
-                             .count = 20,
+                             .max_emitted = 20,
                              .open = true});
   }
   const std::vector<std::size_t> counts(species, *rc::gen::inRange<std::size_t>(1, 300));
@@ -77,13 +78,13 @@ RC_GTEST_PROP(VoidsProperty, GrainsFallByWholeSitesUntilTheEndWhichIsAFixedPoint
   do {
     const long long before = potential(model.state());
     report = model.step();
-    count += report.emitted - report.removed;
+    count += report.emitted_count - report.removed_count;
     RC_ASSERT(grains::present_count(model.state()) == count);
     // Built anew from the grains it throws on any overlap.
     RC_ASSERT(grains::Occupancy(model.state()) == model.occupancy());
-    if (report.emitted == 0 && report.removed == 0) {
+    if (report.emitted_count == 0 && report.removed_count == 0) {
       const long long lowered = before - potential(model.state());
-      const auto moved = static_cast<long long>(report.moved);
+      const auto moved = static_cast<long long>(report.moved_count);
       RC_ASSERT(lowered >= moved);
       RC_ASSERT(lowered <= 2 * moved);
     }
@@ -100,7 +101,7 @@ RC_GTEST_PROP(VoidsProperty, AWallThatGoesIsSeen, ()) {
     model.step();
   }
   model.remove_wall(0);
-  VoidModel reference(model.state(), start.rules, {.reference = true});
+  VoidModel reference(model.state(), start.rules, {.use_reference = true});
   for (int step = 0; step < 20; ++step) {
     model.step();
     reference.step();

@@ -4,8 +4,8 @@
 
 namespace clca::testing {
 
+using grains::is_obstacle;
 using grains::is_particle;
-using grains::is_wall;
 using grains::Owner;
 using grains::Particle;
 using grains::Push;
@@ -27,7 +27,7 @@ Sites moved(const State& state, const Sites& sites, Axial by) {
 
 bool crowded(const State& state, const std::set<Owner>& owners) {
   const bool closed = std::any_of(owners.begin(), owners.end(), [&](Owner owner) {
-    return is_wall(owner) && !state.walls[grains::wall_number(owner)].lets_overlap();
+    return is_obstacle(owner) && !state.walls[grains::wall_number(owner)].lets_overlap();
   });
   return owners.size() > 2 || (owners.size() == 2 && closed && is_particle(*owners.rbegin()));
 }
@@ -80,7 +80,7 @@ Sites wall_body(const State& state, std::size_t number, int offset) {
 }
 
 Sites body_of(const State& state, Owner owner) {
-  if (is_wall(owner)) {
+  if (is_obstacle(owner)) {
     const std::size_t number = grains::wall_number(owner);
     return wall_body(state, number, state.walls[number].travel.offset);
   }

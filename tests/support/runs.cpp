@@ -77,7 +77,7 @@ std::uint64_t steps_of(const store::RunSummary& summary, const std::string& stag
 }
 
 statistics::SampleStatistics sample(const std::vector<double>& values) {
-  const statistics::SampleStatistics result = statistics::sample(values);
+  const statistics::SampleStatistics result = statistics::sample_statistics(values);
   EXPECT_EQ(result.count, values.size()) << "not all values are numbers";
   return result;
 }

@@ -28,10 +28,10 @@ class WallBench {
 
 /// A wall that goes one site a step.
 inline grains::Wall driven_wall(std::vector<lattice::Site> sites, lattice::Direction direction,
-                                grains::Passive passive, int distance = 100) {
+                                grains::PassiveRule passive, int distance = 100) {
   return {.sites = std::move(sites),
           .motion = grains::WallMotion{direction, grains::Drive{1, distance}},
-          .passive = passive,
+          .passive_rule = passive,
           .travel = {.active = true}};
 }
 

@@ -14,10 +14,9 @@ using grains::Options;
 // The choices that the paper leaves open (Sakaguchi et al. 2001, section 3).
 
 /// Directions in which particles move by themselves: gravity and its two neighbours, or all six.
-enum class Candidates : std::uint8_t { downward, all };
+enum class CandidateDirections : std::uint8_t { downward, all };
 
-/// Classes of moves in the update order; a move belongs to the first of Rules::update_priority that
-/// fits.
+/// Classes of moves in the update order; a move has the first of Rules::update_priority that fits.
 enum class UpdateClass : std::uint8_t {
   rest,     ///< the particle rested in the step before
   inertia,  ///< the direction is that of the step before
@@ -26,26 +25,25 @@ enum class UpdateClass : std::uint8_t {
 
 /// How movers of one class that want the same site are ordered: each particle by a draw of its
 /// own, or all movers of one direction together, the directions by a draw per class and step.
-enum class Ties : std::uint8_t { particle, direction };
+enum class TieBreaking : std::uint8_t { particle, direction };
 
 struct Rules {
   /// Probability to keep the direction of the previous step, in [0, 1].
   double inertia = 0.9;
   /// Probability to take any free direction, with equal chances, in [0, 1].
   double scatter = 0;
-  Candidates candidates = Candidates::downward;
+  CandidateDirections candidates = CandidateDirections::downward;
   /// Direction of gravity.
   lattice::Direction gravity = lattice::Direction::down;
   /// Each class once, in order of priority.
   std::array<UpdateClass, 3> update_priority = {UpdateClass::rest, UpdateClass::inertia,
                                                 UpdateClass::gravity};
-  Ties ties = Ties::particle;
+  TieBreaking ties = TieBreaking::particle;
 
   bool operator==(const Rules&) const = default;
 };
 
-/// Directions that the rules allow: gravity first, then its neighbours clockwise and
-/// anticlockwise, then the rest.
+/// Directions that the rules allow: gravity, its clockwise and other neighbour, the rest.
 std::vector<lattice::Direction> candidate_directions(const Rules& rules);
 
 /// Throws std::invalid_argument, with the reason, unless gravity is a direction and the update

@@ -14,18 +14,18 @@ inline constexpr int kMaxPower = 6;
 inline constexpr double kMaxGravity = 1000;
 
 struct Rules {
-  int power = 3;       ///< exponent of the energy of unlike velocities, 0 to kMaxPower
+  int exponent = 3;    ///< exponent of the energy of unlike velocities, 0 to kMaxPower
   double gravity = 3;  ///< energy of a grain that does not go down where it can, to kMaxGravity
-  double like_axes = 0.01;  ///< in [0, 1]: factor of the energy of neighbours with equal axes
+  double like_axes_factor = 0.01;  ///< in [0, 1], for the energy of neighbours of equal axes
 
   bool operator==(const Rules&) const = default;
 };
 
 /// Number of axes of a grain: axis a is a times 60 degrees clockwise from the vertical.
-inline constexpr std::uint16_t kAxes = 3;
+inline constexpr std::uint16_t kAxisCount = 3;
 /// Kinds 3 s, 3 s + 1 and 3 s + 2 are species s along its three axes.
 constexpr std::uint16_t axis_of(const grains::Particle& particle) {
-  return particle.kind % kAxes;
+  return particle.kind % kAxisCount;
 }
 /// These species of one site along all axes, in the order of axis_of().
 std::vector<grains::Kind> kinds_along_axes(std::uint16_t species);

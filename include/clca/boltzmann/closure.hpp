@@ -15,16 +15,15 @@ struct Temperatures {
 };
 
 /// Collision rate of a particle in a Maxwellian gas: (4 / sqrt(pi)) sqrt(T).
-double maxwellian_rate(double translational);
+double maxwellian_collision_rate(double translational);
 
 /// Rates of change of both temperatures. Exact while velocities and spins are normal and
 /// independent, a closure otherwise.
-Temperatures closure_rates(const Law& law, const Temperatures& temperatures);
+Temperatures temperature_rates(const Law& law, const Temperatures& temperatures);
 
 /// Both temperatures after `duration`, integrated by Runge-Kutta of order 4.
-/// Throws std::invalid_argument for a law out of range (see check) or a duration that is not
-/// finite.
-Temperatures closure(const Law& law, const Temperatures& begin, double duration);
+/// Throws std::invalid_argument for an invalid law (check_valid) or an infinite duration.
+Temperatures temperatures_after(const Law& law, const Temperatures& begin, double duration);
 
 /// Uniform shear flow of smooth spheres (kinetic model of Brey, Dufty & Santos 1999).
 struct ShearFlow {
@@ -34,6 +33,6 @@ struct ShearFlow {
   double p_xy = 0;
 };
 /// Throws std::invalid_argument unless 0 <= restitution < 1 and the shear rate is positive.
-ShearFlow shear_flow(double restitution, double shear_rate);
+ShearFlow steady_shear_flow(double restitution, double shear_rate);
 
 }  // namespace clca::boltzmann

@@ -20,14 +20,13 @@ struct Gas {
   Motions motions;
   double time = 0;
   std::uint64_t step = 0;  ///< step of the scheme; key of its draws
-  /// Number of collisions summed over particles: each collision counts twice if both particles
-  /// change.
+  /// Number of collisions summed over particles: it counts twice if both particles change.
   std::uint64_t participations = 0;
   double thermal_speed = 1;  ///< sqrt(<v^2>/3) after the last step; sets the next step length
 
-  Eigen::Index particles() const { return motions.cols(); }
+  Eigen::Index particle_count() const { return motions.cols(); }
   double collisions_per_particle() const {
-    return static_cast<double>(participations) / static_cast<double>(particles());
+    return static_cast<double>(participations) / static_cast<double>(particle_count());
   }
   CLCA_FIELDS(time, step, participations, thermal_speed, motions);
 };
@@ -35,24 +34,22 @@ struct Gas {
 /// Covers all members: equal for equal bits.
 std::uint64_t hash(const Gas& gas);
 
-enum class Initial : std::uint8_t {
+enum class InitialDistribution : std::uint8_t {
   gaussian,     ///< case 1: velocity and spin normal and independent
   equal_energy  ///< case 2: |v| and |w| the same for all, directions isotropic and independent
 };
 
 struct InitialCondition {
-  std::uint64_t particles = 10'000;
-  Initial initial = Initial::gaussian;
+  std::uint64_t particle_count = 10'000;
+  InitialDistribution distribution = InitialDistribution::gaussian;
   double energy_ratio = 1;  ///< C_e = I <omega^2> / (m <v^2>); 0 or more
-  /// Shifts and scales the sample so that mean velocity and spin are zero and the mean squares
-  /// exact.
+  /// Shifts and scales the sample to zero mean velocity and spin and exact mean squares.
   bool exact_moments = true;
   /// Samples from a randomly shifted rank-1 lattice instead of independent points.
-  bool quasi = false;
+  bool quasi_random = false;
 };
 
-/// Throws std::invalid_argument unless there are 2 to 2^32 - 1 particles and the energy ratio is
-/// finite and not negative.
+/// Throws std::invalid_argument unless 2 to 2^32 - 1 particles and a finite energy ratio >= 0.
 Gas make_gas(const InitialCondition& condition, std::uint64_t seed);
 
 /// Seed of a member of an ensemble; member 0 has `seed` itself.

@@ -25,7 +25,7 @@ struct Law {
 };
 
 /// Throws std::invalid_argument unless the numbers are in these ranges.
-void check(const Law& law);
+void check_valid(const Law& law);
 
 /// Law::friction without sliding: constant tangential restitution.
 inline constexpr double kNoSlidingLimit = 1e300;
@@ -41,9 +41,9 @@ struct Majorant {
 /// Biased, see docs/boltzmann.md.
 struct OgawaKato {
   double time_step = 0.025;  ///< greater than 0
-  int partners = 10;         ///< at least 1
+  int partner_count = 10;    ///< at least 1
   /// Draws from a randomly shifted rank-1 lattice, with the particles sorted by speed.
-  bool quasi = false;
+  bool quasi_random = false;
 
   bool operator==(const OgawaKato&) const = default;
 };
@@ -59,18 +59,17 @@ inline double expected_heating(const OgawaKato& scheme, double time) {
   constexpr double kFirstOrder = 0.27566;
   constexpr double kSecondOrder = 1.749;
   const double step = scheme.time_step / (1 + kSecondOrder * scheme.time_step);
-  const double lost = kFirstOrder * (1 - 1.0 / scheme.partners) * step * time;
+  const double lost = kFirstOrder * (1 - 1.0 / scheme.partner_count) * step * time;
   return lost < 1 ? lost / (1 - lost) : std::numeric_limits<double>::infinity();
 }
 
 using Scheme = std::variant<Majorant, OgawaKato>;
 
-/// What advances a gas.
-struct Process {
+/// Law, scheme and shear by which a gas advances.
+struct Dynamics {
   Law law;
   Scheme scheme;
-  /// Velocity gradient du_x/dy of uniform shear flow, per unit of time. Velocities are then
-  /// relative to the flow.
+  /// Velocity gradient du_x/dy of uniform shear flow, to which velocities are then relative.
   double shear_rate = 0;
 };
 
@@ -80,9 +79,8 @@ using ContinueCondition = std::function<bool(const Gas&)>;
 /// Advances `gas` to `time`, or until `keep_going` returns false after a step. The result does not
 /// depend on `threads`.
 /// Throws std::invalid_argument for fewer than 1 thread or 2 particles, a time that is not finite,
-/// or a law, scheme or shear rate out of range. After any other exception the gas may be in the
-/// middle of a step.
-void advance(Gas& gas, const Process& process, std::uint64_t seed, double time, int threads,
+/// or a law, scheme or shear rate out of range. Other exceptions may leave the gas within a step.
+void advance(Gas& gas, const Dynamics& process, std::uint64_t seed, double time, int threads,
              const ContinueCondition& keep_going = {});
 
 }  // namespace clca::boltzmann

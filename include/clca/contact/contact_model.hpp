@@ -1,6 +1,5 @@
 #pragma once
-// Lattice contact dynamics: grains with velocities, friction and rolling on the lattice of the
-// automaton.
+// Lattice contact dynamics: grains with velocities, friction and rolling on the lattice.
 
 #include <cstdint>
 #include <optional>
@@ -17,8 +16,7 @@ using grains::Options;
 /// Rotation of grains: none, with rolling resistance, or free.
 enum class Rolling : std::uint8_t { none, resistance, free };
 
-/// Largest coefficient of friction and of rolling friction: more does not fit the whole numbers of
-/// the rule.
+/// Largest coefficient of friction and of rolling friction, for whole numbers of the rule.
 inline constexpr double kMaxFriction = 16384;
 
 struct Parameters {
@@ -43,7 +41,7 @@ struct Parameters {
 inline constexpr double kMinGravity = 0x1p-20;
 inline constexpr double kMaxGravity = 0.25;
 
-/// Of estimates, in lattice spacings.
+/// Least fall height of estimates, in lattice spacings.
 inline constexpr double kMinFallHeight = 10;
 
 /// Gravity in lattice spacings per step squared, a multiple of 2^-23. Throws std::invalid_argument
@@ -55,12 +53,12 @@ std::uint64_t hash(const State& state);
 
 /// Columns that a periodic box needs so that no two grains of these kinds touch on both sides: more
 /// than twice as many as from a grain to one that it touches, an even number.
-int needed_columns(const std::vector<grains::Kind>& kinds);
+int min_periodic_columns(const std::vector<grains::Kind>& kinds);
 
 /// Throws std::invalid_argument, with the reason, unless the model can run the state (see
 /// grains::check_valid): one motion per grain, contacts of existing bodies, all numbers in range,
 /// no wall that may overlap, every wall where its motion can have moved it, and a periodic box of
-/// needed_columns() at least.
+/// min_periodic_columns() at least.
 void check_valid(const State& state);
 
 /// Bytes that the model takes for so many grains, besides their particles.
@@ -69,8 +67,7 @@ double step_bytes(double grains);
 /// Energy of the grains. Unit: mass of a site x gravity x lattice spacing.
 struct Energy {
   double kinetic = 0;
-  /// For the present direction of gravity; 0 if all centres of mass are at the height of the lower
-  /// left site.
+  /// In the present direction of gravity; 0 if all centres of mass are level with site (0, 0).
   double potential = 0;
 
   double sum() const { return kinetic + potential; }
@@ -89,7 +86,7 @@ struct EnergyExchange {
   /// of the forces by shaking and of the centrifugal forces.
   double vessel = 0;
 
-  /// What the grains have gained.
+  /// Energy that the grains have gained.
   double gained() const { return sources - outlets + walls + vessel; }
   CLCA_FIELDS(sources, outlets, walls, vessel);
   EnergyExchange& operator+=(const EnergyExchange& other) {
@@ -98,14 +95,13 @@ struct EnergyExchange {
   }
 };
 
-/// What a step has done beside its state.
+/// Results of a step that are not in its state.
 struct LastStep {
   EnergyExchange exchange = {};
-  /// Collisions between grains that were held up and what was in their way, see collide_blocked().
-  /// `impact` is the impulse, along a direction of the lattice. A pair may have several, and either
-  /// may be `upper`.
-  std::vector<Contact> pushes = {};
-  bool too_fast = false;  ///< a grain was faster than it can move, and lost velocity
+  /// Collisions of grains that were held up with the bodies in their way, see collide_blocked().
+  /// Contact::impact is the impulse, along a direction of the lattice. A pair may have several.
+  std::vector<Contact> blocked_collisions = {};
+  bool had_too_fast_grain = false;  ///< a grain was faster than it can move, and lost velocity
 };
 
 class ContactModel : public grains::Model {
@@ -114,10 +110,10 @@ class ContactModel : public grains::Model {
   /// parameter is out of range, or the number of threads is not positive.
   ContactModel(State state, const Parameters& parameters, const Options& options = {});
 
-  /// Costs more than grains() and state_but_contacts(), as it updates the list of contacts.
+  /// Costs more than grains() and state_with_old_contacts(), as it updates the list of contacts.
   const State& state() const;
   /// state(), where the contacts do not matter: they may be those of an earlier step.
-  const State& state_but_contacts() const;
+  const State& state_with_old_contacts() const;
   /// Contacts of the last step with walls and sides of the box, maybe others, too.
   std::vector<Contact> wall_contacts() const;
   /// In lattice spacings per step squared.
@@ -128,8 +124,7 @@ class ContactModel : public grains::Model {
   /// State::unmoved_steps after which the grains count as at rest.
   std::uint64_t unmoved_steps_at_rest() const;
 
-  /// Throws std::invalid_argument for an invalid vessel. Grains at rest stay at rest relative to
-  /// the vessel.
+  /// Throws std::invalid_argument for an invalid vessel. Grains at rest stay so in it.
   void set_vessel(const Vessel& vessel);
 };
 

@@ -20,15 +20,15 @@ struct Force {
   /// From the centre of the other grain, or the contact point with a wall or side, to the upper
   /// centre. That with a wall is on a disc of the grain's area, that with a side on the side.
   Eigen::Vector2d branch = Eigen::Vector2d::Zero();
-  double along_normal = 0;  ///< not negative in one step
-  double along_shear = 0;   ///< on the normal turned anticlockwise
+  double normal_force = 0;  ///< not negative in one step
+  double shear_force = 0;   ///< on the normal turned anticlockwise
   double share = 1;         ///< of the steps, in which the two touched
 
   bool operator==(const Force&) const = default;
 
   /// Force on the upper grain; the other body has the opposite force.
   Eigen::Vector2d on_upper() const {
-    return along_normal * normal + along_shear * Eigen::Vector2d(-normal.y(), normal.x());
+    return normal_force * normal + shear_force * Eigen::Vector2d(-normal.y(), normal.x());
   }
 };
 
@@ -43,17 +43,17 @@ struct ForceSums {
   /// Bytes for so many contacts.
   static double bytes_for(double contacts) {
     constexpr double kNode = sizeof(decltype(index_by_bodies)::value_type) + 4 * sizeof(void*);
-    return contacts * (grains::kListRoom * sizeof(Sum) + kNode);
+    return contacts * (grains::kListCapacityRatio * sizeof(Sum) + kNode);
   }
 
   struct Sum {
     std::uint32_t upper = 0;
     grains::Owner other = 0;
-    // Of Force, from the last step in which they touched.
+    // As in Force, at the last step in which they touched.
     Eigen::Vector2d point = Eigen::Vector2d::Zero();
     Eigen::Vector2d normal = Eigen::Vector2d::Zero();
     Eigen::Vector2d branch = Eigen::Vector2d::Zero();
-    /// On the upper grain, summed over all steps.
+    /// Sum over all steps of the force on the upper grain.
     Eigen::Vector2d force = Eigen::Vector2d::Zero();
     double steps = 0;  ///< in which they touched
 
@@ -79,18 +79,18 @@ void add(ForceSums& sums, const ForceSums& later);
 
 /// Mean forces over the steps, including those without contact: the mean vector, resolved along the
 /// last normal. Sorted by ids, the smaller one first. Empty if there are no steps.
-std::vector<Force> means(const ForceSums& sums);
+std::vector<Force> mean_forces(const ForceSums& sums);
 
 /// Sum of normal forces on each grain, by id.
-std::vector<double> loads(std::size_t grain_count, const std::vector<Force>& forces);
+std::vector<double> normal_loads(std::size_t grain_count, const std::vector<Force>& forces);
 
 /// Mean mass of the present grains, in sites; 1 if there are none: the forces of a step after which
 /// the box is empty are in weights of a site.
-double mean_mass(const grains::State& state);
+double mean_grain_mass(const grains::State& state);
 
 /// Residual of the force balance of each grain, divided by its weight, by id; 0 for removed grains.
 /// `down`: unit vector, direction of gravity.
-std::vector<double> residuals(const grains::State& state, const std::vector<Force>& forces,
-                              const Eigen::Vector2d& down);
+std::vector<double> force_residuals(const grains::State& state, const std::vector<Force>& forces,
+                                    const Eigen::Vector2d& down);
 
 }  // namespace clca::contact

@@ -83,39 +83,37 @@ struct Contact {
   std::uint32_t upper = 0;  ///< the higher of two grains; of two at one height the left one
   grains::Owner other = 0;
   UnitVector normal = {};  ///< towards the upper grain, in the last step
-  Impulse<> impulse = {};
-  /// Impulse of the last step that the next one does not begin with: of an impact that was solved
-  /// on its own, and what the sweeps had left in a small group. The normal impulses of `impulse`
-  /// and `impact` have a sum that is not negative.
+  Impulse<> impulse = {};  ///< of the last step; the next one begins with it
+  /// Part of the impulse of the last step that is not carried over to the next: from an impact
+  /// solved on its own, or from extra sweeps of a small group. The normal impulses of `impulse` and
+  /// `impact` have a sum that is not negative.
   Impulse<> impact = {};
 
   bool operator==(const Contact&) const = default;
   CLCA_FIELDS(upper, other, normal, impulse, impact);
 };
 
-/// Contacts per grain of a packing, for estimates of memory; lists that double have room for the 3
-/// of a crystal.
+/// Contacts per grain, for estimates of memory; lists that double have room for 3, as in crystals.
 inline constexpr double kContactsPerGrain = 2;
 
 /// Steps in a row without motion after which a state counts as settled.
-inline constexpr std::uint64_t kQuietSteps = 60;
+inline constexpr std::uint64_t kSettlingSteps = 60;
 
 struct State {
   grains::State grains;
   std::vector<Velocity<>> velocities = {};  ///< by id
   std::vector<Vector> remainders = {};      ///< by id: where grains are, beyond their sites
-  /// By id: from the anchor of a grain to its site. The anchor follows a grain that goes farther
-  /// than to a neighbouring site.
+  /// By id: vector from the anchor of a grain to its site. The anchor follows a grain that goes
+  /// farther than to a neighbouring site.
   std::vector<lattice::Axial> from_anchors = {};
-  /// By wall: how far its motion is ahead of the wall, in 2^-20 lattice spacings along its
-  /// direction.
+  /// By wall: its motion is ahead of it by this, in 2^-20 lattice spacings along its direction.
   std::vector<std::int64_t> wall_remainders = {};
   /// Contacts of the last step, in sweep order.
   std::vector<Contact> contacts = {};
   /// True if walls or grains were changed from outside: contacts are sorted anew.
   bool changed = true;
-  std::uint64_t unmoved_steps = 0;  ///< in a row: no wall and no anchor of a grain moved
-  std::uint64_t quiet_steps = 0;    ///< in a row: nothing moved by a site, all grains were at rest
+  std::uint64_t unmoved_steps = 0;  ///< in a row in which no wall and no anchor of a grain moved
+  std::uint64_t quiet_steps = 0;    ///< in a row in which no site changed and all grains rested
   Vessel vessel = {};
 
   bool operator==(const State&) const = default;

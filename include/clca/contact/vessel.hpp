@@ -15,13 +15,13 @@ namespace clca::contact {
 using Angle = std::uint64_t;
 
 /// The angle of finite degrees, to the precision of a double.
-Angle angle_of(double degrees);
-/// In [-180, 180).
-double degrees(Angle angle);
+Angle angle_from_degrees(double degrees);
+/// The angle in degrees, in [-180, 180).
+double to_degrees(Angle angle);
 
 /// A vessel at rest, turning or shaken. Made by the functions below.
 struct Vessel {
-  static constexpr std::uint64_t kEndless =
+  static constexpr std::uint64_t kEndlessSteps =
       std::numeric_limits<std::uint64_t>::max();  ///< number of steps
 
   Angle angle = 0;               ///< from upright
@@ -39,27 +39,27 @@ struct Vessel {
   bool operator==(const Vessel&) const = default;
   CLCA_FIELDS(angle, turn, turn_steps, centre_x, centre_y, strength, sideways, phase, phase_step,
               whole_cycles);
-  bool moves() const { return turn_steps > 0 || phase_step > 0; }
+  bool is_moving() const { return turn_steps > 0 || phase_step > 0; }
 };
 
 inline constexpr double kMaxTurnsPerStep = 1.0 / 64;
 inline constexpr double kMaxCyclesPerStep = 1.0 / 16;
 inline constexpr double kMaxShakeGamma = 1000;  ///< times gravity
 
-// All keep the angle unless stated otherwise, and throw std::invalid_argument for numbers beyond
-// the bounds above.
+// Copies of a vessel with another motion. Unless stated otherwise they keep the angle; numbers
+// beyond the bounds above throw std::invalid_argument.
 
-/// Stops all motion.
-Vessel at_rest(const Vessel& vessel);
+/// The vessel, stopped.
+Vessel without_motion(const Vessel& vessel);
 /// Turns to an angle, the shorter way, by at most `degrees_per_step` (positive) about `centre`
 /// (lattice spacings).
-Vessel tilting(const Vessel& vessel, Angle to, double degrees_per_step,
-               const Eigen::Vector2d& centre);
+Vessel with_tilting(const Vessel& vessel, Angle to, double degrees_per_step,
+                    const Eigen::Vector2d& centre);
 /// Turns continuously; anticlockwise for a positive rate.
-Vessel rotating(const Vessel& vessel, double turns_per_step, const Eigen::Vector2d& centre);
+Vessel with_rotation(const Vessel& vessel, double turns_per_step, const Eigen::Vector2d& centre);
 /// Sinusoidal shaking along or across gravity with peak acceleration `gamma` times gravity. Starts
 /// in the middle, upwards or to the right.
-Vessel shaken(const Vessel& vessel, double gamma, double cycles_per_step, bool sideways);
+Vessel with_shaking(const Vessel& vessel, double gamma, double cycles_per_step, bool sideways);
 
 /// The angle after some steps.
 Angle angle_after(const Vessel& vessel, std::uint64_t steps);

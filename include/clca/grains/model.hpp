@@ -22,25 +22,24 @@ class Mechanics;
 /// with proportions of their own; a particle belongs to the part that its reference site lies in.
 struct Mixture {
   /// Weights of each part: one for each species, not all zero.
-  std::vector<std::vector<std::uint32_t>> parts = {};
+  std::vector<std::vector<std::uint32_t>> part_weights = {};
   /// Pixels that cover the region, from the top: kFirstPart is the first part, and so on; others
   /// stay empty. None: the first part is everywhere.
-  std::vector<std::string> rows = {};
+  std::vector<std::string> picture_rows = {};
   bool deposited = false;  ///< a packing at rest, in place of particles at random
   /// Ends the deposition where the surface reaches this mean height, in lattice spacings.
-  std::optional<double> level = {};
+  std::optional<double> surface_level = {};
 
   static constexpr char kFirstPart = 'A';
 };
 
-/// Bytes for the positions that a fill at random tries: of these sites, each in so many
-/// orientations.
-double trial_bytes(double sites, double orientations);
+/// Bytes for the positions that a fill at random tries: each site in each orientation.
+double fill_trial_bytes(double sites, double orientations);
 
 /// How many particles a fill has placed.
 struct FillResult {
-  std::vector<std::size_t> placed;  ///< per species
-  bool complete = true;             ///< false if some of the counts had no room
+  std::vector<std::size_t> placed_by_species;
+  bool complete = true;  ///< false if some of the counts had no room
 };
 
 /// How a model takes its steps.
@@ -50,12 +49,11 @@ struct Options {
   /// otherwise.
   int threads = 1;
   /// Smallest number of particles that is worth several threads; none: as measured for the model.
-  std::optional<std::size_t> parallel_from = {};
+  std::optional<std::size_t> min_parallel_particles = {};
   /// Steps as the model is defined, on one thread. For checks.
-  bool reference = false;
-  /// Automaton only. False: examines every particle in every step, even those that cannot move. For
-  /// checks.
-  bool sleeping = true;
+  bool use_reference = false;
+  /// Automaton only. False: examines every particle in every step. For checks.
+  bool allow_sleeping = true;
 };
 
 /// Throws std::invalid_argument unless the number of threads is positive.
@@ -64,9 +62,9 @@ void check_valid(const Options& options);
 /// Results of one step.
 struct StepReport {
   // Numbers of particles.
-  std::size_t moved = 0;
-  std::size_t emitted = 0;
-  std::size_t removed = 0;
+  std::size_t moved_count = 0;
+  std::size_t emitted_count = 0;
+  std::size_t removed_count = 0;
   /// No later step can change anything, or of the contact model: no grain has moved for some time.
   /// No open source can emit.
   bool settled = false;
@@ -110,11 +108,11 @@ class Model {
   /// in its way, or another wall while one of the two is a moving wall.
   bool insert_wall(std::size_t wall);
   /// Starts or stops the motion of a wall. Throws std::invalid_argument if it has none.
-  void set_motion(std::size_t wall, bool active);
+  void set_wall_moving(std::size_t wall, bool active);
   /// Opens or closes a source.
-  void set_source(std::size_t source, bool open);
+  void set_source_open(std::size_t source, bool open);
   /// Sets the origins of all particles to their present positions.
-  void mark_origins();
+  void reset_origins();
 
  protected:
   explicit Model(std::unique_ptr<Mechanics> mechanics);
@@ -124,7 +122,7 @@ class Model {
 
   Mechanics& mechanics() const { return *mechanics_; }
   /// Throws std::logic_error after a change that failed halfway.
-  void check_whole() const;
+  void check_intact() const;
 
  private:
   template <class Change>

@@ -11,13 +11,13 @@ namespace clca::grains {
 class OccupancyTable;
 
 /// The owner of each site, by lattice::Lattice::index. If walls may overlap particles
-/// (may_overlap), a site has up to two owners. That of a model follows the model and must not
-/// outlive it; copies show the same sites.
+/// (may_overlap), a site has up to two owners. The occupancy of a model is a live view, as are its
+/// copies: none may outlive the model.
 class Occupancy {
  public:
-  /// Of a state outside of a model, as it is now. Throws std::invalid_argument if a particle leaves
-  /// the box or overlaps a wall or particle without a Push, if a site has three owners, if a moving
-  /// wall overlaps another wall, or if a kind is as wide as a periodic box.
+  /// The present owners in a state that has no model. Throws std::invalid_argument if a particle
+  /// leaves the box or overlaps a wall or particle without a Push, if a site has three owners, if a
+  /// moving wall overlaps another wall, or if a kind is as wide as a periodic box.
   explicit Occupancy(const State& state);
 
   /// Number of indices, as lattice::Lattice::index_count.
@@ -30,9 +30,9 @@ class Occupancy {
   Owner second_owner(std::size_t index) const {
     return second_owners_.empty() ? kFree : second_owners_[index];
   }
-  bool taken(std::size_t index) const { return owner(index) != kFree; }
+  bool is_taken(std::size_t index) const { return owner(index) != kFree; }
   /// Whether `owner` is one of the owners.
-  bool has(std::size_t index, Owner owner) const {
+  bool has_owner(std::size_t index, Owner owner) const {
     return this->owner(index) == owner || second_owner(index) == owner;
   }
 
@@ -45,7 +45,7 @@ class Occupancy {
   Occupancy() = default;
 
   std::shared_ptr<const OccupancyTable> table_;  // null for the occupancy of a model
-  // Of the table:
+  // Both lie in the table:
   std::span<Owner> inverted_owners_;
   std::span<Owner> second_owners_;  // empty if nothing may overlap
 };

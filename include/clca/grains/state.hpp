@@ -57,9 +57,8 @@ constexpr std::uint32_t particle_id(Owner owner) {
 constexpr Owner as_owner(std::size_t id) {
   return static_cast<Owner>(id);
 }
-/// True also of the border and, in the contact model, of the sides of the box, which have no
-/// wall_number().
-constexpr bool is_wall(Owner owner) {
+/// True of walls, the border and the sides of the box; only walls have a wall_number().
+constexpr bool is_obstacle(Owner owner) {
   return owner <= kFirstWall;
 }
 constexpr Owner wall_code(std::size_t wall) {
@@ -75,12 +74,12 @@ struct Wall {
   std::vector<lattice::Site> sites = {};  ///< at the initial position
   bool present = true;
   std::optional<WallMotion> motion = {};
-  Passive passive = Passive::rigid;  ///< of a moving wall
+  PassiveRule passive_rule = PassiveRule::rigid;  ///< of a moving wall
   Travel travel = {};
 
   /// Displacement of the wall from its initial position.
   lattice::Axial shift() const;
-  bool lets_overlap() const { return motion && passive == Passive::overlap; }
+  bool lets_overlap() const { return motion && passive_rule == PassiveRule::overlap; }
   bool in_motion() const { return motion && present && travel.active; }
   bool operator==(const Wall&) const = default;
   CLCA_FIELDS(present, travel);
@@ -102,16 +101,16 @@ struct Push {
 
 /// Emits particles while it is open.
 struct Source {
-  std::vector<lattice::Site> sites = {};         ///< allowed reference sites of a new particle
-  std::vector<std::uint32_t> weights;            ///< per kind; a kind is drawn in proportion
-  std::uint64_t unit = std::uint64_t{1} << 32U;  ///< of rate and credit: one particle
-  std::uint64_t rate = 0;                        ///< particles per step, times `unit`
-  std::uint64_t count = 0;                       ///< particles after which it closes for good
-  std::uint64_t credit = 0;                      ///< particles due, times `unit`
+  std::vector<lattice::Site> sites = {};  ///< allowed reference sites of a new particle
+  std::vector<std::uint32_t> weights;     ///< per kind; a kind is drawn in proportion
+  std::uint64_t units_per_particle = std::uint64_t{1} << 32U;  ///< in `rate` and `credit`
+  std::uint64_t rate = 0;         ///< particles per step, times units_per_particle
+  std::uint64_t max_emitted = 0;  ///< particles after which it closes for good
+  std::uint64_t credit = 0;       ///< particles due, times units_per_particle
   std::uint64_t emitted = 0;
   bool open = false;
 
-  bool exhausted() const { return emitted >= count; }
+  bool is_exhausted() const { return emitted >= max_emitted; }
   bool operator==(const Source&) const = default;
   CLCA_FIELDS(credit, emitted, open);
 };
@@ -145,9 +144,10 @@ struct State {
   CLCA_FIELDS(seed, step, particles, origins, walls, sources, outlets, pushes);
 };
 
-// For estimates of memory, in bytes.
-inline constexpr double kListRoom = 2;  ///< largest ratio of a list that doubles to what it holds
-inline constexpr double kParticleBytes = kListRoom * (sizeof(Particle) + sizeof(lattice::Site));
+// Constants of estimates of memory.
+inline constexpr double kListCapacityRatio = 2;  ///< most room of a list, over its size
+inline constexpr double kParticleBytes =
+    kListCapacityRatio * (sizeof(Particle) + sizeof(lattice::Site));
 
 /// Centre of mass in lattice spacings; counted on across a periodic boundary, as the column is.
 Eigen::Vector2d centre(const State& state, const Particle& particle);
@@ -158,7 +158,7 @@ Eigen::Vector2d centre_in_box(const State& state, const Particle& particle);
 std::size_t present_count(const State& state);
 
 /// The sites of the box that a wall covers now, whether it is present or not.
-std::vector<lattice::Site> sites_now(const lattice::Lattice& lattice, const Wall& wall);
+std::vector<lattice::Site> current_sites(const lattice::Lattice& lattice, const Wall& wall);
 
 /// True if some wall may overlap particles.
 bool may_overlap(const State& state);

@@ -62,7 +62,7 @@ constexpr Axial rotated_clockwise(Axial vector) {
 }
 
 /// Smallest number of unit steps that add up to `vector`.
-constexpr int length(Axial vector) {
+constexpr int length_in_steps(Axial vector) {
   const auto absolute = [](int value) { return value < 0 ? -value : value; };
   return (absolute(vector.x) + absolute(vector.q) + absolute(vector.x + vector.q)) / 2;
 }

@@ -53,11 +53,11 @@ constexpr Axial operator-(Site to, Site from) {
 }
 
 /// From a reference site to another site. Valid for reference columns of one parity only.
-struct Offset {
-  std::int32_t linear = 0;  ///< difference of the indices
+struct IndexOffset {
+  std::int32_t index = 0;   ///< difference of the indices
   std::int32_t column = 0;  ///< difference of the columns
 
-  bool operator==(const Offset&) const = default;
+  bool operator==(const IndexOffset&) const = default;
 };
 
 /// A box of `columns` x `rows` sites, with a border one site wide so that every neighbour has an
@@ -65,8 +65,7 @@ struct Offset {
 /// Memory interleaves two neighbouring columns: sites close in the plane are close in memory.
 class Lattice {
  public:
-  /// Throws std::invalid_argument unless both are positive and a periodic box has an even number
-  /// of columns.
+  /// Throws std::invalid_argument unless both are positive, and even columns if periodic.
   Lattice(int columns, int rows, bool periodic);
 
   /// The smallest lattice whose sites cover width x height (lattice spacings). Throws
@@ -87,18 +86,18 @@ class Lattice {
   }
 
   /// Index difference between a row and the next.
-  static constexpr int kRowPitch = 2;
+  static constexpr int kRowStride = 2;
 
   /// Index of a site of the box or its border.
   std::size_t index(Site site) const {
     const auto column = static_cast<std::size_t>(wrapped(site.column)) + 1;
     const auto row = static_cast<std::size_t>(site.row) + 1;
-    return (column / 2 * column_size_ + row) * std::size_t{kRowPitch} + column % 2;
+    return (column / 2 * column_size_ + row) * std::size_t{kRowStride} + column % 2;
   }
 
   /// The site with an index; also for rows beyond the border.
   Site site(std::size_t index) const {
-    const std::size_t row = index / std::size_t{kRowPitch};  // counted through all pairs of columns
+    const std::size_t row = index / std::size_t{kRowStride};  // counted through pairs of columns
     return {static_cast<int>(row / column_size_ * 2 + index % 2) - 1,
             static_cast<int>(row % column_size_) - 1};
   }
@@ -113,7 +112,7 @@ class Lattice {
   }
 
   /// The vector between two sites, the shorter way round a periodic box.
-  Axial nearest_vector(Site from, Site to) const {
+  Axial shortest_vector(Site from, Site to) const {
     if (periodic_) {
       const int apart = wrapped(to.column - from.column);
       to.column = from.column + (2 * apart > columns_ ? apart - columns_ : apart);
@@ -123,19 +122,18 @@ class Lattice {
 
   /// Lower left corner and size of the box in the plane, in lattice spacings: every site counts
   /// with its whole cell. A periodic box repeats at its width.
-  static Eigen::Vector2d corner() { return {-0.5 * kColumnPitch, -0.5}; }
-  Eigen::Vector2d size() const { return {kColumnPitch * columns_, rows_ + 0.5}; }
+  static Eigen::Vector2d lower_left_corner() { return {-0.5 * kColumnPitch, -0.5}; }
+  Eigen::Vector2d extent() const { return {kColumnPitch * columns_, rows_ + 0.5}; }
   /// The image of a point in a periodic box, from its left edge up to its right one; in another box
   /// the point itself. All that is written, drawn or reported of a periodic box goes through here.
-  Eigen::Vector2d in_box(const Eigen::Vector2d& point) const;
+  Eigen::Vector2d image_in_box(const Eigen::Vector2d& point) const;
 
-  /// Offset of `vector` from a site in an odd or even column. Throws std::invalid_argument if the
-  /// indices are 2^31 or more apart.
-  Offset offset(Axial vector, bool odd_column) const;
+  /// Offset of `vector` from an odd or even column; std::invalid_argument beyond 2^31 indices.
+  IndexOffset index_offset(Axial vector, bool odd_column) const;
 
   /// Index of the site at `offset` from the site with index `base` in the (wrapped) `column`.
-  std::size_t at(std::size_t base, int column, Offset offset) const {
-    auto result = static_cast<std::ptrdiff_t>(base) + offset.linear;
+  std::size_t shifted_index(std::size_t base, int column, IndexOffset offset) const {
+    auto result = static_cast<std::ptrdiff_t>(base) + offset.index;
     if (periodic_) {
       const int target = column + offset.column;
       if (target < 0) {

@@ -1,6 +1,5 @@
 #pragma once
-// Rectangles, straight walls and pictures as sets of sites, also of those that a moving wall brings
-// into the box.
+// Rectangles, straight walls and pictures as sets of sites, also where a moving wall brings them.
 
 #include <algorithm>
 #include <array>
@@ -14,15 +13,15 @@
 namespace clca::lattice {
 
 /// `value` rounded down, from `low` to `high`.
-inline int bounded(double value, int low, int high) {
+inline int clamped_floor(double value, int low, int high) {
   const double whole = std::floor(value);
   return static_cast<int>(std::clamp(whole, static_cast<double>(low), static_cast<double>(high)));
 }
 
-/// Rows from `first` up to but not including `end`.
+/// Rows of a column, without `end_row`.
 struct RowRange {
-  int first = 0;
-  int end = 0;
+  int first_row = 0;
+  int end_row = 0;
 };
 
 /// The sites that are in the box after k steps in `direction`, for some k from `low` to `high`.
@@ -35,15 +34,15 @@ class SweptRegion {
 
   int first_column() const { return first_column_; }
   int end_column() const { return end_column_; }
-  /// Rows of a column; none if first >= end.
+  /// Rows of a column; none if first_row >= end_row.
   RowRange rows(int column) const;
   /// A range that contains the rows of every column.
-  RowRange all_rows() const;
+  RowRange enclosing_rows() const;
 
   bool contains(Site site) const;
 
  private:
-  /// By how many rows the steps raise a site in `column`.
+  /// Number of rows by which the steps raise a site in `column`.
   int rise(int column, int steps) const;
 
   Lattice lattice_;
@@ -63,12 +62,14 @@ bool any_site(const SweptRegion& swept_region, double left, double right, const 
               const Test& test) {
   const int first = swept_region.first_column();
   const int end = swept_region.end_column();
-  const int last_column = bounded(right / kColumnPitch + 2, first, end);
-  for (int column = bounded(left / kColumnPitch - 1, first, end); column < last_column; ++column) {
+  const int last_column = clamped_floor(right / kColumnPitch + 2, first, end);
+  for (int column = clamped_floor(left / kColumnPitch - 1, first, end); column < last_column;
+       ++column) {
     const RowRange rows = swept_region.rows(column);
     for (const auto& [bottom, top] : parts(column)) {
-      const int last_row = bounded(top + 2, rows.first, rows.end);
-      for (int row = bounded(bottom - 1, rows.first, rows.end); row < last_row; ++row) {
+      const int last_row = clamped_floor(top + 2, rows.first_row, rows.end_row);
+      for (int row = clamped_floor(bottom - 1, rows.first_row, rows.end_row); row < last_row;
+           ++row) {
         if (test(Site{column, row})) {
           return true;
         }
@@ -92,7 +93,7 @@ struct Rectangle {
 };
 
 /// Throws std::invalid_argument when an edge is not a number.
-void check(const Rectangle& rectangle);
+void check_valid(const Rectangle& rectangle);
 
 /// A straight wall from `from` to `to`, `thickness` wide (all in lattice spacings).
 struct Segment {
@@ -108,7 +109,7 @@ struct Segment {
 /// Pixels of equal size that cover a rectangle.
 struct Picture {
   Rectangle box;  ///< what the pixels cover
-  /// From the top, all of one length, at least one character long; of a wall, kDark and kLight.
+  /// From the top, all of one length, at least one character; those of a wall: kDark and kLight.
   std::vector<std::string> rows;
 
   static constexpr char kDark = '#';
@@ -136,8 +137,7 @@ bool any_site(const SweptRegion& swept_region, const Rectangle& rectangle, const
       [&](Site site) { return rectangle.contains(position(site)) && test(site); });
 }
 
-/// The sites of the region inside `rectangle`, column by column from the left, upwards. Throws as
-/// check().
+/// The sites of the region inside `rectangle`, from the left, upwards. Throws as check_valid().
 std::vector<Site> sites_in(const SweptRegion& swept_region, const Rectangle& rectangle);
 inline std::vector<Site> sites_in(const Lattice& lattice, const Rectangle& rectangle) {
   return sites_in(SweptRegion(lattice), rectangle);
@@ -145,8 +145,7 @@ inline std::vector<Site> sites_in(const Lattice& lattice, const Rectangle& recta
 
 /// The sites within half the thickness of the segment, and always a connected chain along it, so
 /// that nothing passes through. Sorted.
-/// Throws std::invalid_argument unless the ends are valid for nearest_site and the thickness is not
-/// negative.
+/// Throws std::invalid_argument unless nearest_site takes the ends and thickness >= 0.
 std::vector<Site> sites_along(const SweptRegion& swept_region, const Segment& segment);
 inline std::vector<Site> sites_along(const Lattice& lattice, const Segment& segment) {
   return sites_along(SweptRegion(lattice), segment);
@@ -156,14 +155,13 @@ inline std::vector<Site> sites_along(const Lattice& lattice, const Segment& segm
 char pixel_at(const Picture& picture, const Eigen::Vector2d& point);
 
 /// The sites of the region in the box that lie on a dark pixel, column by column from the left,
-/// upwards. Throws as check(Rectangle), and std::invalid_argument if there are no pixels.
+/// upwards. Throws as check_valid(), and std::invalid_argument if there are no pixels.
 std::vector<Site> sites_in(const SweptRegion& swept_region, const Picture& picture);
 
 /// Whether sites_in() is empty.
 bool holds_no_site(const Lattice& lattice, const Picture& picture);
 
-/// The site nearest to a point given in lattice spacings. Throws std::invalid_argument unless both
-/// coordinates are less than 10^8.
+/// The site nearest to a point in lattice spacings. Throws std::invalid_argument beyond 10^8.
 Site nearest_site(const Eigen::Vector2d& point);
 
 }  // namespace clca::lattice

@@ -31,14 +31,14 @@ class Shape {
   bool contains(Axial site) const;
 
   /// Sites entered by a step in `direction`: (P + d) \ P.
-  std::vector<Axial> lead(Direction direction) const;
+  std::vector<Axial> lead_sites(Direction direction) const;
   /// Sites left by a step in `direction`: P \ (P + d).
-  std::vector<Axial> trail(Direction direction) const;
+  std::vector<Axial> trail_sites(Direction direction) const;
 
   /// Turned clockwise about the reference site by `sixths` times 60 degrees.
   Shape rotated(int sixths) const;
   /// True if `other` is a translation of this shape.
-  bool congruent(const Shape& other) const;
+  bool is_congruent(const Shape& other) const;
 
   /// True for a hexagon with its reference site in the middle.
   bool is_hexagon() const;

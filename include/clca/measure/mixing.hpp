@@ -59,7 +59,7 @@ class Mixing {
     constexpr double kPairs = 3;  // of a particle: lines between neighbours hardly cross
     return Snapshot::bytes_for(particles) +
            particles * (sizeof(std::optional<Displacement>) +
-                        kPairs * grains::kListRoom * sizeof(NeighbourPair));
+                        kPairs * grains::kListCapacityRatio * sizeof(NeighbourPair));
   }
 
   /// Without pairs.

@@ -48,9 +48,10 @@ inline constexpr double kSupportsPerGrain = 3;
 
 /// Memory of supported_grains() and of the paths by one rule, at most.
 inline double weight_paths_bytes(double particles) {
-  return particles * (sizeof(SupportedGrain) + sizeof(Eigen::Vector2d) + sizeof(double) +
-                      kSupportsPerGrain * (grains::kListRoom * sizeof(SupportedGrain::Support) +
-                                           sizeof(contact::Force)));
+  return particles *
+         (sizeof(SupportedGrain) + sizeof(Eigen::Vector2d) + sizeof(double) +
+          kSupportsPerGrain * (grains::kListCapacityRatio * sizeof(SupportedGrain::Support) +
+                               sizeof(contact::Force)));
 }
 
 struct WeightPaths {

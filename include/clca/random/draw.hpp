@@ -5,9 +5,9 @@
 
 namespace clca::random {
 
-/// What a draw decides. Draws of one particle in one step differ by purpose.
+/// The decision that a draw is for. Draws of one particle in one step differ by purpose.
 enum class Purpose : std::uint32_t {
-  // For models of grains.
+  // Draws of the models of grains.
   scatter = 1,          ///< whether a particle takes any free direction
   inertia = 2,          ///< whether it keeps its direction
   coin = 3,             ///< which of two directions at one angle to gravity
@@ -29,7 +29,7 @@ enum class Purpose : std::uint32_t {
   weight_share = 20,      ///< share of a support in a weight, likewise
   equal_energy = 21,      ///< of the Baxter model: among choices of equal energy
   contested_site = 22,    ///< of the Baxter model: who gets it
-  // For the Boltzmann equation.
+  // Draws of the Boltzmann equation.
   member = 32,  ///< seed of a member of an ensemble
   initial_velocity = 33,
   initial_spin = 34,
@@ -46,7 +46,7 @@ enum class Purpose : std::uint32_t {
 std::uint64_t draw(std::uint64_t seed, std::uint64_t step, std::uint32_t item, Purpose purpose);
 
 /// Maps 64 uniform bits to 0, 1, ..., `count` - 1. Precondition (not checked): `count` is positive.
-std::uint64_t below(std::uint64_t bits, std::uint64_t count);
+std::uint64_t uniform_below(std::uint64_t bits, std::uint64_t count);
 
 /// A probability as an integer threshold, so that no floating point decides a move.
 class Probability {

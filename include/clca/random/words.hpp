@@ -12,15 +12,15 @@ namespace clca::random {
 
 using Words = std::array<std::uint32_t, 4>;
 
-/// The counter of a draw without its purpose; what group and item are, the purpose defines.
-struct Counter {
+/// The counter of a draw without its purpose, which defines the meaning of group and item.
+struct DrawCounter {
   std::uint32_t step = 0;
   std::uint32_t group = 0;
   std::uint32_t item = 0;
 };
 
 /// A pure function of its arguments: key = seed, counter = the rest.
-inline Words words(std::uint64_t seed, const Counter& counter, Purpose purpose) {
+inline Words drawn_words(std::uint64_t seed, const DrawCounter& counter, Purpose purpose) {
   constexpr unsigned kWordBits = 32;
   const r123::Philox4x32::ctr_type input = {
       {counter.step, counter.group, counter.item, static_cast<std::uint32_t>(purpose)}};
@@ -31,7 +31,7 @@ inline Words words(std::uint64_t seed, const Counter& counter, Purpose purpose) 
 }
 
 /// Two of the words as 64 bits.
-inline std::uint64_t join(std::uint32_t low, std::uint32_t high) {
+inline std::uint64_t joined(std::uint32_t low, std::uint32_t high) {
   return (static_cast<std::uint64_t>(high) << 32U) | low;
 }
 

@@ -31,7 +31,7 @@ struct BoltzmannScene {
   std::string title;  ///< the name where the file gives none
   std::uint64_t seed = 1;
   std::uint64_t particles = 10'000;
-  boltzmann::Initial initial = boltzmann::Initial::gaussian;
+  boltzmann::InitialDistribution initial = boltzmann::InitialDistribution::gaussian;
   bool exact_moments = true;
   bool quasi = false;                      ///< sampling: quasi
   std::vector<double> restitutions = {1};  ///< one run for each, in this order
@@ -54,6 +54,6 @@ struct BoltzmannScene {
 /// What each gas of the ensemble begins with.
 boltzmann::InitialCondition initial_condition(const BoltzmannScene& scene);
 /// How it goes on.
-boltzmann::Process process(const BoltzmannScene& scene, double restitution);
+boltzmann::Dynamics process(const BoltzmannScene& scene, double restitution);
 
 }  // namespace clca::scene

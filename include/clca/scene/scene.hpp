@@ -110,7 +110,7 @@ struct Wall {
   std::string name;
   std::vector<WallPart> parts;
   std::optional<grains::WallMotion> motion = {};
-  grains::Passive passive = grains::Passive::rigid;  ///< of one that moves
+  grains::PassiveRule passive = grains::PassiveRule::rigid;  ///< of one that moves
   std::optional<double> friction = {};  ///< of Model::contact; none: Parameters::wall_friction
   std::string location = {};
 };

@@ -15,7 +15,7 @@ namespace clca::scene {
 inline constexpr std::string_view kForceUnit = "weights of a site";
 inline constexpr std::string_view kEnergyUnit = "weights of a site × spacings";
 inline constexpr std::string_view kMomentUnit = "spacings × weights of a site";
-// Of forces of contacts: a grain of mean mass, see contact::mean_mass().
+// Of forces of contacts: a grain of mean mass, see contact::mean_grain_mass().
 inline constexpr std::string_view kContactForceUnit = "grain weights";
 inline constexpr std::string_view kStressUnit = "grain weights/spacing";
 

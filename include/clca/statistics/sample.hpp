@@ -27,12 +27,12 @@ struct SampleStatistics {
 };
 
 /// Statistics of the finite values, in order.
-SampleStatistics sample(const std::vector<double>& values);
+SampleStatistics sample_statistics(const std::vector<double>& values);
 
 /// Lower and upper end of the interval of one standard error for a share found among `count`
 /// answers of yes and no. By E. B. Wilson, J. Am. Stat. Assoc. 22, 209 (1927): within 0 and 1, and
 /// not empty where all answers are the same. NaN for none.
-std::pair<double, double> share_interval(double share, std::size_t count);
+std::pair<double, double> wilson_interval(double share, std::size_t count);
 
 /// Cumulative chi-square distribution with 2 or 3 degrees of freedom; 0 for x <= 0.
 /// Throws std::invalid_argument for other `degrees`.
@@ -56,7 +56,7 @@ class Bins {
   /// Infinity for the last bin.
   double upper(std::size_t bin) const;
   /// The bin with lower <= x < upper.
-  std::size_t find(double x) const;
+  std::size_t bin_of(double x) const;
 
  private:
   explicit Bins(std::vector<double> edges) : edges_(std::move(edges)) {}
@@ -67,14 +67,13 @@ class Bins {
 std::vector<double> chi_square_shares(const Bins& bins, int degrees);
 
 /// Share of the values in each bin; zeros if there are no values.
-std::vector<double> shares(std::span<const double> values, const Bins& bins);
+std::vector<double> bin_shares(std::span<const double> values, const Bins& bins);
 
-/// D_H = 1 - sum sqrt(p q): 0 if equal, at most 1. Throws std::invalid_argument unless both have
-/// the same length.
+/// D_H = 1 - sum sqrt(p q): 0 if equal, at most 1. Throws std::invalid_argument for unlike lengths.
 double hellinger_distance(std::span<const double> p, std::span<const double> q);
 
 /// Expected distance of a sample from its own distribution: (bins - 2) / (8 samples), with the
 /// scale taken from the sample. Throws std::invalid_argument for fewer than 2 bins or no samples.
-double hellinger_floor(std::size_t bins, std::size_t samples);
+double expected_hellinger_distance(std::size_t bins, std::size_t samples);
 
 }  // namespace clca::statistics

@@ -11,9 +11,9 @@ using grains::Options;
 
 struct Rules {
   /// Weight of the grain straight above a void, in [0, 1]; the two beside it share the rest.
-  double straight = 1.0 / 3;
-  /// By species, in [0, 1]: factor of the weights of its grains. Empty: 1 for all.
-  std::vector<double> sieve = {};
+  double straight_weight = 1.0 / 3;
+  /// Factor of the weights of the grains, by species, in [0, 1]. Empty: 1 for all.
+  std::vector<double> sieve_factors = {};
 
   bool operator==(const Rules&) const = default;
 };

@@ -14,11 +14,11 @@ namespace {
 constexpr std::size_t kWakeBatch = 64;
 
 std::size_t site_index(const lattice::Lattice& lattice, const MoveProposal& proposal,
-                       lattice::Offset offset) {
-  return lattice.at(lattice.index(proposal.site), proposal.site.column, offset);
+                       lattice::IndexOffset offset) {
+  return lattice.shifted_index(lattice.index(proposal.site), proposal.site.column, offset);
 }
 
-/// For sums of indices, which wrap round.
+/// The offset as an unsigned number: sums of indices wrap round.
 std::size_t index_offset(std::int32_t offset) {
   return static_cast<std::size_t>(std::ptrdiff_t{offset});
 }
@@ -26,13 +26,13 @@ std::size_t index_offset(std::int32_t offset) {
 void wake_owner(const World& world, StripWorker& worker, std::size_t index) {
   const grains::Owner owner = world.occupancy.load_owner(index);
   if (grains::is_particle(owner)) {
-    worker.waking.insert(grains::particle_id(owner));
+    worker.awake_next.insert(grains::particle_id(owner));
   }
 }
 
 void wake_by_sites(const World& world, StripWorker& worker, const MoveProposal& proposal,
                    const WindowedFootprint& footprint) {
-  for (const lattice::Offset offset : footprint.wake[proposal.move]) {
+  for (const lattice::IndexOffset offset : footprint.wake_sites[proposal.move]) {
     wake_owner(world, worker, site_index(world.state.lattice, proposal, offset));
   }
 }
@@ -40,20 +40,20 @@ void wake_by_sites(const World& world, StripWorker& worker, const MoveProposal& 
 void change_sites(World& world, StripWorker& worker, const MoveProposal& proposal,
                   const WindowedFootprint& footprint) {
   grains::OccupancyTable& occupancy = world.occupancy;
-  if (footprint.one_window) {
-    const MoveWindow& window = footprint.windows[proposal.move];
-    occupancy.flip(corner(proposal, footprint), window.swapped, proposal.access);
-    const std::uint64_t sites = proposal.taken & window.wake;
-    worker.to_wake.add_if(sites != 0, {footprint.corner_from(proposal.site), sites});
+  if (footprint.fits_one_window) {
+    const MoveWindow& window = footprint.move_windows[proposal.move];
+    occupancy.flip(window_corner(proposal, footprint), window.changed_sites, proposal.access);
+    const std::uint64_t sites = proposal.taken_sites & window.wake_sites;
+    worker.wake_windows.add_if(sites != 0, {footprint.corner_from(proposal.site), sites});
   } else {
     wake_by_sites(world, worker, proposal, footprint);
-    for (const WindowMask& swapped : footprint.swapped_masks[proposal.move]) {
+    for (const WindowMask& swapped : footprint.changed_masks[proposal.move]) {
       occupancy.flip(occupancy.corner(swapped.corner(proposal.site)), swapped.sites,
                      proposal.access);
     }
   }
   const std::size_t index = world.state.lattice.index(proposal.site);
-  for (const Exchanges& exchanges : footprint.exchanges[proposal.move]) {
+  for (const ExchangeGroup& exchanges : footprint.exchanges[proposal.move]) {
     for (const Exchange exchange : exchanges) {
       occupancy.store_owner(index + index_offset(exchange.entered), grains::as_owner(proposal.id));
       occupancy.store_owner(index + index_offset(exchange.vacated), grains::kFree);
@@ -61,20 +61,20 @@ void change_sites(World& world, StripWorker& worker, const MoveProposal& proposa
   }
 }
 
-/// What change_sites() does, also across the periodic boundary.
+/// As change_sites(), but also across the periodic boundary.
 void change_sites_one_by_one(World& world, StripWorker& worker, const MoveProposal& proposal,
                              const WindowedFootprint& footprint) {
   wake_by_sites(world, worker, proposal, footprint);
-  const auto change = [&](const std::vector<lattice::Offset>& offsets, grains::Owner owner) {
-    for (const lattice::Offset offset : offsets) {
+  const auto change = [&](const std::vector<lattice::IndexOffset>& offsets, grains::Owner owner) {
+    for (const lattice::IndexOffset offset : offsets) {
       const std::size_t index = site_index(world.state.lattice, proposal, offset);
       world.occupancy.store_owner(index, owner);
       world.occupancy.flip(world.occupancy.corner(world.state.lattice.site(index)), 1,
                            proposal.access);
     }
   };
-  change(footprint.lead[proposal.move], grains::as_owner(proposal.id));
-  change(footprint.trail[proposal.move], grains::kFree);
+  change(footprint.lead_sites[proposal.move], grains::as_owner(proposal.id));
+  change(footprint.trail_sites[proposal.move], grains::kFree);
 }
 
 std::uint32_t site_count(std::uint64_t sites) {
@@ -103,7 +103,7 @@ void Engine::find_conflicts(StripWorker& worker) {
   for_each_proposal(worker, &Proposals::falling, [&](MoveProposal& proposal) {
     for_each_lead(proposal, [&](Corner at, std::uint64_t sites) {
       if (const std::uint64_t both = reserved_.window(at) & sites; both != 0) {
-        proposal.contest(site_count(both));
+        proposal.add_contested(site_count(both));
         contested_.set(at, both, proposal.access);
       }
     });
@@ -124,12 +124,12 @@ void Engine::decide_contests() {
   turns_.clear();
   for (const StripWorker& worker : workers_) {
     const auto middle = static_cast<std::ptrdiff_t>(turns_.size());
-    turns_.insert(turns_.end(), worker.turns.begin(), worker.turns.end());
+    turns_.insert(turns_.end(), worker.queued_moves.begin(), worker.queued_moves.end());
     std::ranges::inplace_merge(turns_, turns_.begin() + middle, {}, &QueuedMove::key);
   }
   for (const QueuedMove& turn : turns_) {
     MoveProposal& proposal = *turn.proposal;
-    if (contested_count(proposal) == proposal.contested) {
+    if (contested_count(proposal) == proposal.contested_count) {
       proposal.outcome = ConflictOutcome::won;
       for_each_lead(proposal, [&](Corner at, std::uint64_t sites) { contested_.clear(at, sites); });
     }
@@ -137,7 +137,7 @@ void Engine::decide_contests() {
 }
 
 void Engine::end_conflicts(StripWorker& worker) {
-  for (const QueuedMove& turn : worker.turns) {
+  for (const QueuedMove& turn : worker.queued_moves) {
     for_each_lead(*turn.proposal, [&](Corner at, std::uint64_t) {
       contested_.clear_blocks(at, turn.proposal->access);
     });
@@ -151,7 +151,7 @@ void Engine::commit(StripWorker& worker) {
   for_each_proposal(worker, &Proposals::falling,
                     [&](MoveProposal& proposal) { commit_unless_contested(worker, proposal); });
   for_each_proposal(worker, &Proposals::sloping, [&](MoveProposal& proposal) {
-    proposal.contest(contested_count(proposal));  // none before: it slopes
+    proposal.add_contested(contested_count(proposal));  // none before: it slopes
     for_each_lead(proposal,
                   [&](Corner at, std::uint64_t) { reserved_.clear_blocks(at, proposal.access); });
     commit_unless_contested(worker, proposal);
@@ -160,16 +160,16 @@ void Engine::commit(StripWorker& worker) {
   if (overlaps_) {
     give_turns_among_overlaps(worker);
   } else {
-    std::ranges::sort(worker.turns, {}, &QueuedMove::key);
+    std::ranges::sort(worker.queued_moves, {}, &QueuedMove::key);
   }
 }
 
 // A provisional target was free when the step began, and vacated sites are nobody's target. So a
 // mover whose lead sites nobody else wants moves, whatever its position in the order.
 void Engine::commit_unless_contested(StripWorker& worker, MoveProposal& proposal) {
-  worker.waking.insert(proposal.id);  // moved or not: it is examined again
-  if (proposal.contested > 0 || proposal.outcome == ConflictOutcome::overlapping) {
-    worker.turns.push_back(
+  worker.awake_next.insert(proposal.id);  // moved or not: it is examined again
+  if (proposal.contested_count > 0 || proposal.outcome == ConflictOutcome::overlapping) {
+    worker.queued_moves.push_back(
         {update_key(world_.rules, world_.state, proposal.id, proposal.move), &proposal});
   } else {
     apply_move(worker, proposal);
@@ -179,7 +179,7 @@ void Engine::commit_unless_contested(StripWorker& worker, MoveProposal& proposal
 // The other moves may or may not have been carried out yet: only particles that stay where they are
 // need to be woken, as movers are awake anyway, and their sites keep their owners.
 void Engine::apply_move(StripWorker& worker, const MoveProposal& proposal) {
-  const WindowedFootprint& footprint = footprints_.of(proposal.kind, proposal.site.column);
+  const WindowedFootprint& footprint = footprints_.footprint(proposal.kind, proposal.site.column);
   if (wraps(proposal.site)) {
     change_sites_one_by_one(world_, worker, proposal, footprint);
   } else {
@@ -194,7 +194,7 @@ void Engine::apply_move(StripWorker& worker, const MoveProposal& proposal) {
   }
   particle.row = to.row;
   particle.previous = proposal.move;
-  if (worker.to_wake.size() >= kWakeBatch) {
+  if (worker.wake_windows.size() >= kWakeBatch) {
     wake_neighbours(worker);
   }
 }
@@ -209,7 +209,7 @@ void Engine::move_or_rest(StripWorker& worker, const MoveProposal& proposal) {
 
 void Engine::wake_neighbours(StripWorker& worker) {
   const lattice::Lattice& lattice = world_.state.lattice;
-  for (const WakeWindow& window : worker.to_wake) {
+  for (const WakeWindow& window : worker.wake_windows) {
     for (std::uint64_t sites = window.sites; sites != 0; sites &= sites - 1) {
       const int bit = std::countr_zero(sites);
       wake_owner(world_, worker,
@@ -217,12 +217,12 @@ void Engine::wake_neighbours(StripWorker& worker) {
                                 window.corner.row + bit / grains::kWindow}));
     }
   }
-  worker.to_wake.clear();
+  worker.wake_windows.clear();
 }
 
 void Engine::finish(StripWorker& worker) {
   if (!overlaps_) {
-    for (const QueuedMove& turn : worker.turns) {
+    for (const QueuedMove& turn : worker.queued_moves) {
       move_or_rest(worker, *turn.proposal);
     }
   }

@@ -12,10 +12,10 @@ constexpr std::size_t kParallelFrom = 4096;
 }  // namespace
 
 Engine::Engine(grains::State initial, const Rules& rules, const Options& options)
-    : Steps(std::move(initial), rules),
+    : AutomatonMechanics(std::move(initial), rules),
       threads_(options.threads),
-      parallel_from_(options.parallel_from.value_or(kParallelFrom)),
-      sleeping_(options.sleeping),
+      parallel_from_(options.min_parallel_particles.value_or(kParallelFrom)),
+      sleeping_(options.allow_sleeping),
       footprints_(world_.state, candidate_directions(rules)),
       reserved_(world_.state.lattice),
       contested_(world_.state.lattice),
@@ -45,16 +45,15 @@ std::size_t Engine::move_particles() {
   examined_ = 0;
   std::size_t moved = moved_.size();
   for (const StripWorker& worker : workers_) {
-    examined_ += worker.examined;
+    examined_ += worker.examined_count;
     for (const Proposals& proposals : worker.proposals) {
       moved += proposals.falling.size() + proposals.sloping.size();
     }
-    moved -=
-        static_cast<std::size_t>(std::ranges::count_if(worker.turns, [](const QueuedMove& turn) {
-          return turn.proposal->outcome != ConflictOutcome::won;
-        }));
+    moved -= static_cast<std::size_t>(std::ranges::count_if(
+        worker.queued_moves,
+        [](const QueuedMove& turn) { return turn.proposal->outcome != ConflictOutcome::won; }));
   }
-  nothing_moved_ = moved == 0 && quiet_;
+  nothing_moved_ = moved == 0 && overlapping_rested_;
   world_.changes.by_others = false;
   return moved;
 }
@@ -108,22 +107,22 @@ void Engine::in_each_strip(parallel::FirstFailure& failure, void (Engine::*phase
 void Engine::begin_step() {
   overlaps_ = !world_.state.pushes.empty();
   for (StripWorker& worker : workers_) {
-    std::swap(worker.awake, worker.waking);
+    std::swap(worker.awake, worker.awake_next);
     for (Proposals& proposals : worker.proposals) {
       proposals.falling.clear();
       proposals.sloping.clear();
     }
-    worker.turns.clear();
-    worker.examined = 0;
+    worker.queued_moves.clear();
+    worker.examined_count = 0;
   }
 }
 
 void Engine::wake_changed() {
   for (StripWorker& worker : workers_) {
     worker.awake.resize(world_.state.particles.size());
-    worker.waking.resize(world_.state.particles.size());
+    worker.awake_next.resize(world_.state.particles.size());
   }
-  for (const std::uint32_t id : world_.changes.particles) {
+  for (const std::uint32_t id : world_.changes.changed_particles) {
     wake(id);
   }
   if (!sleeping_) {
@@ -131,13 +130,13 @@ void Engine::wake_changed() {
       wake(id);
     }
   }
-  for (const std::size_t index : world_.changes.vacated) {
-    if (!world_.occupancy.taken(index)) {
+  for (const std::size_t index : world_.changes.vacated_sites) {
+    if (!world_.occupancy.is_taken(index)) {
       wake_upstream(world_.state.lattice.site(index));
     }
   }
-  world_.changes.particles.clear();
-  world_.changes.vacated.clear();
+  world_.changes.changed_particles.clear();
+  world_.changes.vacated_sites.clear();
 }
 
 // The owners of the sites from which a candidate move leads to the vacated one.
@@ -153,10 +152,10 @@ void Engine::wake_upstream(lattice::Site vacated) {
   }
 }
 
-// By the worker of its strip in the last step.
+// Run by the worker of the strip that the particle was in in the last step.
 void Engine::wake(std::uint32_t id) {
   const lattice::Site site = site_of(world_.state.particles[id]);
-  workers_[in_parallel_ ? strips_.of(site) : 0].awake.insert(id);
+  workers_[in_parallel_ ? strips_.strip_of(site) : 0].awake.insert(id);
 }
 
 void Engine::assign_strips() {
@@ -179,7 +178,7 @@ void Engine::assign_strips() {
   }
   records_work_ = world_.state.step % kRebalance == kRebalance - 1;
   for (StripWorker& worker : workers_) {
-    worker.inner = strips_.inner(worker.strip);
+    worker.inner = strips_.inner_interval(worker.strip);
   }
 }
 

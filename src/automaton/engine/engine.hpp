@@ -9,11 +9,11 @@
 
 namespace clca::automaton {
 
-/// Comes to the same states as Reference. Only particles that may have gained a free direction
-/// are examined, only moves that conflict with others are sorted, and each thread works on a strip
-/// of the box. "Why the parallel step equals the sequential one" in docs/model.md says why that is
-/// enough.
-class Engine final : public Steps {
+/// Comes to the same states as ReferenceMechanics. Only particles that may have gained a free
+/// direction are examined, only moves that conflict with others are sorted, and each thread works
+/// on a strip of the box. "Why the parallel step equals the sequential one" in docs/model.md says
+/// why that is enough.
+class Engine final : public AutomatonMechanics {
  public:
   Engine(grains::State initial, const Rules& rules, const Options& options);
 
@@ -42,8 +42,7 @@ class Engine final : public Steps {
 
   // Before the phases.
   void begin_step();
-  /// Wakes particles by what walls, sources, outlets and overlaps have changed; all, where
-  /// none sleep.
+  /// Wakes particles where walls, sources, outlets or overlaps changed; all, if none sleep.
   void wake_changed();
   void wake_upstream(lattice::Site vacated);
   void wake(std::uint32_t id);
@@ -91,11 +90,11 @@ class Engine final : public Steps {
   grains::Bitboard reserved_;
   grains::Bitboard contested_;
   Strips strips_;
-  // Not in parallel the first has the whole box, and the lists of the others are empty.
+  // On one thread the first worker has the whole box, and the lists of the others are empty.
   std::vector<StripWorker> workers_;
   std::vector<QueuedMove> turns_;                // contested moves of all workers
   std::vector<MoveProposal> overlap_proposals_;  // of those that move by themselves
-  std::size_t examined_;                         // particles in the last step
+  std::size_t examined_;                         // number of particles in the last step
   // This step:
   bool in_parallel_ = false;
   bool overlaps_ = false;      // some particles overlap
@@ -107,16 +106,16 @@ class Engine final : public Steps {
 template <class Visit>
 [[gnu::always_inline]] inline void Engine::for_each_lead(const MoveProposal& proposal,
                                                          Visit visit) const {
-  const WindowedFootprint& footprint = footprints_.of(proposal.kind, proposal.site.column);
+  const WindowedFootprint& footprint = footprints_.footprint(proposal.kind, proposal.site.column);
   if (wraps(proposal.site)) {
     const lattice::Lattice& lattice = world_.state.lattice;
     const std::size_t index = lattice.index(proposal.site);
-    for (const lattice::Offset offset : footprint.lead[proposal.move]) {
-      const std::size_t lead = lattice.at(index, proposal.site.column, offset);
+    for (const lattice::IndexOffset offset : footprint.lead_sites[proposal.move]) {
+      const std::size_t lead = lattice.shifted_index(index, proposal.site.column, offset);
       visit(world_.occupancy.corner(lattice.site(lead)), std::uint64_t{1});
     }
-  } else if (footprint.one_window) {
-    visit(corner(proposal, footprint), footprint.windows[proposal.move].lead);
+  } else if (footprint.fits_one_window) {
+    visit(window_corner(proposal, footprint), footprint.move_windows[proposal.move].lead_sites);
   } else {
     for (const WindowMask& lead : footprint.lead_masks[proposal.move]) {
       visit(world_.occupancy.corner(lead.corner(proposal.site)), lead.sites);

@@ -8,16 +8,16 @@ namespace clca::automaton {
 
 // All have chosen their direction from the state at the start of the step when the first one moves.
 void Engine::move_overlapping() {
-  // Where nothing has moved or changed since all that overlap chose to rest, they rest again.
+  // If nothing has moved or changed since all overlapping particles rested, they rest again.
   if (nothing_moved_ && !world_.changes.by_others && sleeping_) {
     return;
   }
-  Movers movers = movers_of(world_.overlapping_particles());
+  Movers movers = chosen_moves(world_.overlapping_particles());
   overlap_proposals_.clear();
   for (const ProposedMove& move : movers.others) {
     overlap_proposals_.push_back(overlapping_proposal(move));
   }
-  give_turns(movers.pushed, &move_pushed);
+  give_turns(movers.pushed, &try_move_pushed);
   StripWorker& worker = workers_.front();
   Proposals& proposals = worker.proposals.front();
   yield_to_pushed(proposals.falling);
@@ -32,13 +32,13 @@ MoveProposal Engine::overlapping_proposal(const ProposedMove& move) const {
   const std::uint32_t id = move.key.id;
   const grains::Particle& particle = world_.state.particles[id];
   const lattice::Site site = site_of(particle);
-  const WindowedFootprint& footprint = footprints_.of(particle.kind, particle.column);
-  const bool by_window = footprint.one_window && !wraps(site);
+  const WindowedFootprint& footprint = footprints_.footprint(particle.kind, particle.column);
+  const bool by_window = footprint.fits_one_window && !wraps(site);
   const std::size_t byte =
       by_window ? world_.occupancy.corner(footprint.corner_from(site)).byte : 0;
   return {.site = site,
           .id = id,
-          .byte = static_cast<std::uint32_t>(byte),
+          .corner_byte = static_cast<std::uint32_t>(byte),
           .kind = particle.kind,
           .move = static_cast<grains::Move>(move.direction)};
 }
@@ -55,7 +55,7 @@ void Engine::yield_to_pushed(ReusableBuffer<MoveProposal>& proposals) {
     grains::Particle& particle = state.particles[proposal.id];
     if (!world_.box.is_free(particle, static_cast<lattice::Direction>(proposal.move))) {
       particle.previous = grains::kRest;
-      workers_.front().waking.insert(proposal.id);  // it may have another way
+      workers_.front().awake_next.insert(proposal.id);  // it may have another way
       return true;
     }
     return false;
@@ -63,15 +63,15 @@ void Engine::yield_to_pushed(ReusableBuffer<MoveProposal>& proposals) {
 }
 
 void Engine::give_turns_among_overlaps(StripWorker& worker) {
-  std::ranges::sort(worker.turns, {}, &QueuedMove::key);
-  for (const QueuedMove& turn : worker.turns) {
+  std::ranges::sort(worker.queued_moves, {}, &QueuedMove::key);
+  for (const QueuedMove& turn : worker.queued_moves) {
     MoveProposal& proposal = *turn.proposal;
     const auto direction = static_cast<lattice::Direction>(proposal.move);
     if (proposal.outcome != ConflictOutcome::overlapping) {
       const bool free = world_.box.is_free(world_.state.particles[proposal.id], direction);
       proposal.outcome = free ? ConflictOutcome::won : ConflictOutcome::none;
       move_or_rest(worker, proposal);
-    } else if (move_by_itself(world_, proposal.id, direction)) {
+    } else if (try_move_by_itself(world_, proposal.id, direction)) {
       proposal.outcome = ConflictOutcome::won;
     } else {
       world_.state.particles[proposal.id].previous = grains::kRest;

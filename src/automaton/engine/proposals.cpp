@@ -1,4 +1,4 @@
-// Where the awake particles want to go.
+// The provisional directions of the awake particles.
 
 #include <algorithm>
 #include <atomic>
@@ -29,7 +29,7 @@ void Engine::propose(StripWorker& worker) {
 }
 
 void Engine::examine_awake_of(StripWorker& worker, StripWorker& owner) {
-  const std::span<const std::uint32_t> listed = owner.awake.listed();
+  const std::span<const std::uint32_t> listed = owner.awake.ids();
   std::atomic_ref next_awake(owner.next_awake);
   while (true) {
     const std::size_t first = next_awake.fetch_add(kBatch, std::memory_order_relaxed);
@@ -62,7 +62,7 @@ bool Engine::awake_in_earlier_strip(const StripWorker& worker, std::uint32_t id,
 grains::Move Engine::provisional_by_windows(std::uint32_t id, lattice::Site site) const {
   const grains::OccupancyTable& occupancy = world_.occupancy;
   const grains::Particle& particle = world_.state.particles[id];
-  const WindowedFootprint& footprint = footprints_.of(particle.kind, site.column);
+  const WindowedFootprint& footprint = footprints_.footprint(particle.kind, site.column);
   const auto is_free = [&](lattice::Direction to) {
     if (wraps(site)) {
       return world_.box.is_free(particle, to);
@@ -78,20 +78,21 @@ grains::Move Engine::provisional_by_windows(std::uint32_t id, lattice::Site site
 
 [[gnu::always_inline]] inline void Engine::examine(StripWorker& worker, std::uint32_t id,
                                                    lattice::Site site) {
-  ++worker.examined;
-  const std::size_t strip = in_parallel_ ? strips_.of(site) : 0;
+  ++worker.examined_count;
+  const std::size_t strip = in_parallel_ ? strips_.strip_of(site) : 0;
   grains::Particle& particle = world_.state.particles[id];
-  const WindowedFootprint& footprint = footprints_.of(particle.kind, site.column);
+  const WindowedFootprint& footprint = footprints_.footprint(particle.kind, site.column);
   const bool wraps = this->wraps(site);
   Corner at;
   std::uint64_t taken = 0;
   grains::Move move = grains::kRest;
-  if (footprint.one_window && !wraps) {
+  if (footprint.fits_one_window && !wraps) {
     at = world_.occupancy.corner(footprint.corner_from(site));
     taken = world_.occupancy.window(at);
     move = active_.provisional_move(
-        id, particle.previous, world_.state.step,
-        [&](lattice::Direction to) { return (taken & footprint.windows[index_of(to)].lead) == 0; });
+        id, particle.previous, world_.state.step, [&](lattice::Direction to) {
+          return (taken & footprint.move_windows[index_of(to)].lead_sites) == 0;
+        });
   } else {
     move = provisional_by_windows(id, site);
   }
@@ -109,11 +110,11 @@ grains::Move Engine::provisional_by_windows(std::uint32_t id, lattice::Site site
   MoveProposal& proposal = (falls ? proposals.falling : proposals.sloping).add();
   proposal.site.column = site.column;
   proposal.site.row = site.row;
-  proposal.taken = taken;
-  proposal.byte = static_cast<std::uint32_t>(at.byte);
+  proposal.taken_sites = taken;
+  proposal.corner_byte = static_cast<std::uint32_t>(at.byte);
   proposal.id = id;
   proposal.kind = particle.kind;
-  proposal.contested = 0;
+  proposal.contested_count = 0;
   proposal.move = move;
   proposal.access = alone ? grains::Access::exclusive : grains::Access::shared;
   proposal.outcome = ConflictOutcome::none;

@@ -12,16 +12,16 @@ namespace {
 /// Sums the histograms and clears them.
 std::vector<std::uint64_t> sum_and_clear(std::span<WorkHistogram* const> histograms,
                                          std::size_t axis) {
-  std::vector<std::uint64_t> sum(histograms.front()->lines[axis].size(), 0);
+  std::vector<std::uint64_t> sum(histograms.front()->work_by_line[axis].size(), 0);
   for (WorkHistogram* work : histograms) {
     for (std::size_t line = 0; line < sum.size(); ++line) {
-      sum[line] += std::exchange(work->lines[axis][line], 0);
+      sum[line] += std::exchange(work->work_by_line[axis][line], 0);
     }
   }
   return sum;
 }
 
-/// Where to cut into parts of equal work.
+/// The cuts that make parts of equal work.
 std::vector<int> balanced_cuts(const std::vector<std::uint64_t>& work, std::uint64_t total,
                                std::size_t parts) {
   std::vector<int> cuts;
@@ -54,10 +54,10 @@ std::uint64_t work_near_cuts(const std::vector<int>& cuts, const std::vector<std
 Strips::Strips(const lattice::Lattice& lattice, const WindowedFootprints& footprints,
                std::size_t count) {
   for (const WindowedFootprint& footprint : footprints.all()) {
-    reach_.left = std::max(reach_.left, -footprint.corner.column);
-    reach_.right = std::max(reach_.right, footprint.far_corner.column);
-    reach_.down = std::max(reach_.down, -footprint.corner.row);
-    reach_.up = std::max(reach_.up, footprint.far_corner.row);
+    reach_.left = std::max(reach_.left, -footprint.lower_left.column);
+    reach_.right = std::max(reach_.right, footprint.upper_right.column);
+    reach_.down = std::max(reach_.down, -footprint.lower_left.row);
+    reach_.up = std::max(reach_.up, footprint.upper_right.row);
   }
   // Particles on both sides reach over a cut, and from there to the end of a word of bits.
   extents_ = {{{.length = lattice.columns(),
@@ -70,7 +70,7 @@ Strips::Strips(const lattice::Lattice& lattice, const WindowedFootprints& footpr
   }
 }
 
-Interval Strips::inner(std::size_t strip) const {
+Interval Strips::inner_interval(std::size_t strip) const {
   const Extent& extent = extents_[static_cast<std::size_t>(axis_)];
   const bool first = strip == 0 && !extent.wraps;
   const bool last = strip == cuts_.size() && !extent.wraps;
@@ -82,8 +82,8 @@ Interval Strips::inner(std::size_t strip) const {
 
 WorkHistogram Strips::empty_histogram() const {
   WorkHistogram work;
-  for (std::size_t axis = 0; axis < work.lines.size(); ++axis) {
-    work.lines[axis].resize(static_cast<std::size_t>(extents_[axis].length), 0);
+  for (std::size_t axis = 0; axis < work.work_by_line.size(); ++axis) {
+    work.work_by_line[axis].resize(static_cast<std::size_t>(extents_[axis].length), 0);
   }
   return work;
 }

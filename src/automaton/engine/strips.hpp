@@ -31,16 +31,15 @@ struct Interval {
 
 /// Work by column and by row, in moves along gravity.
 struct WorkHistogram {
-  std::array<std::vector<std::uint32_t>, 2> lines;  ///< by Axis: of each column, of each row
+  std::array<std::vector<std::uint32_t>, 2> work_by_line;  ///< by Axis, then by column or row
 
   void add(lattice::Site site, std::uint32_t amount) {
-    lines[0][static_cast<std::size_t>(site.column)] += amount;
-    lines[1][static_cast<std::size_t>(site.row)] += amount;
+    work_by_line[0][static_cast<std::size_t>(site.column)] += amount;
+    work_by_line[1][static_cast<std::size_t>(site.row)] += amount;
   }
 };
 
-/// How far the windows of a particle reach from its reference site, those of sites that it wakes
-/// included.
+/// How far the windows of a particle reach from its reference site, with sites that it wakes.
 struct Reach {
   int left = 0;
   int right = 0;
@@ -49,14 +48,13 @@ struct Reach {
 };
 
 /// Cuts a box so that each strip has about as much work as it had in the steps before. The cuts go
-/// between columns or between rows: where there is less work at them, as threads wait for each
-/// other there.
+/// between columns or between rows: where there is less work, as threads wait for each other there.
 class Strips {
  public:
   Strips(const lattice::Lattice& lattice, const WindowedFootprints& footprints, std::size_t count);
 
-  /// Which strip the particles of a (wrapped) site belong to.
-  std::size_t of(lattice::Site site) const {
+  /// Index of the strip that the particles of a (wrapped) site belong to.
+  std::size_t strip_of(lattice::Site site) const {
     const int at = axis_ == Axis::columns ? site.column : site.row;
     std::size_t strip = 0;
     while (strip < cuts_.size() && at >= cuts_[strip]) {
@@ -64,9 +62,8 @@ class Strips {
     }
     return strip;
   }
-  /// Where particles of the strip change and read no word of bits that particles of another strip
-  /// change or read, unless they are at the periodic boundary.
-  Interval inner(std::size_t strip) const;
+  /// The part that shares no word of bits with other strips, except at the periodic boundary.
+  Interval inner_interval(std::size_t strip) const;
   /// The interval of a single strip: all columns.
   Interval all_columns() const {
     return {.axis = Axis::columns, .first = 0, .end = extents_[0].length};
@@ -134,8 +131,7 @@ class ReusableBuffer {
   std::size_t count_ = 0;
 };
 
-/// A set of ids. Going through it and clearing it costs time by how many are in it, not by how many
-/// could be.
+/// A set of ids. Visiting and clearing it takes time by its size, not by its bound.
 class AwakeSet {
  public:
   /// Ids have to be below `bound`.
@@ -150,7 +146,7 @@ class AwakeSet {
   bool contains(std::uint32_t id) const { return (words_[id / kBits] & bit(id)) != 0; }
 
   /// In the order in which they came.
-  std::span<const std::uint32_t> listed() const { return {listed_.begin(), listed_.end()}; }
+  std::span<const std::uint32_t> ids() const { return {listed_.begin(), listed_.end()}; }
 
   void clear() {
     for (const std::uint32_t id : listed_) {
@@ -174,20 +170,21 @@ enum class ConflictOutcome : std::uint8_t {
   won,          ///< it had its turn and moves
 };
 
-/// A particle with a provisional direction. Half a cache line, as it is read and written several
-/// times a step.
+/// A particle with a provisional direction. Half a cache line, as it is used often in a step.
 struct MoveProposal {
-  lattice::Site site;       ///< the reference site when the step began, wrapped
-  std::uint64_t taken = 0;  ///< which sites of its one window were taken then
+  lattice::Site site;             ///< the reference site when the step began, wrapped
+  std::uint64_t taken_sites = 0;  ///< which sites of its one window were taken then
   std::uint32_t id = 0;
-  std::uint32_t byte = 0;  ///< of the corner of its one window, see Bitboard::Corner
+  std::uint32_t corner_byte = 0;  ///< of the corner of its one window, see Bitboard::Corner
   std::uint16_t kind = 0;
   grains::Move move = grains::kRest;  ///< kRest at the end of the step if it lost its turn
   grains::Access access = grains::Access::exclusive;
   ConflictOutcome outcome = ConflictOutcome::none;
-  std::uint32_t contested : 24 = 0;  ///< how many of its lead sites others want as well
+  std::uint32_t contested_count : 24 = 0;  ///< number of lead sites that others want as well
 
-  void contest(std::uint32_t sites) { contested = (contested + sites) & 0xFFFFFFU; }
+  void add_contested(std::uint32_t sites) {
+    contested_count = (contested_count + sites) & 0xFFFFFFU;
+  }
 };
 static_assert(sizeof(MoveProposal) == kCacheLine / 2);
 
@@ -197,10 +194,10 @@ struct QueuedMove {
   MoveProposal* proposal = nullptr;
 };
 
-/// Where the one window of the proposal lies.
-inline grains::Bitboard::Corner corner(const MoveProposal& proposal,
-                                       const WindowedFootprint& footprint) {
-  return {.byte = proposal.byte,
+/// Position of the one window of the proposal.
+inline grains::Bitboard::Corner window_corner(const MoveProposal& proposal,
+                                              const WindowedFootprint& footprint) {
+  return {.byte = proposal.corner_byte,
           .column = grains::Bitboard::column_in_block(footprint.corner_from(proposal.site))};
 }
 
@@ -210,8 +207,8 @@ struct WakeWindow {
   std::uint64_t sites = 0;
 };
 
-/// What one worker has found in one strip. On cache lines of its own: another thread writes to the
-/// next.
+/// The proposals of one strip that one worker has found. They have cache lines of their own, since
+/// another thread writes to the next.
 struct alignas(kCacheLine) Proposals {
   ReusableBuffer<MoveProposal> falling;  ///< along gravity
   ReusableBuffer<MoveProposal> sloping;  ///< in all other directions
@@ -220,9 +217,9 @@ struct alignas(kCacheLine) Proposals {
 /// The work of one thread: the moves of the particles in its strip, and the particles that wake
 /// through them. Particles are examined by whichever thread is free.
 struct alignas(kCacheLine) StripWorker {
-  /// Bytes for a particle in the lists of `awake` and `waking`.
+  /// Bytes for a particle in the lists of `awake` and `awake_next`.
   static constexpr double kListedBytes = 2 * sizeof(std::uint32_t);
-  /// Bytes for a particle that may move, in `proposals` and `to_wake`.
+  /// Bytes for a particle that may move, in `proposals` and `wake_windows`.
   static constexpr double kAwakeBytes = sizeof(MoveProposal) + sizeof(WakeWindow);
 
   std::size_t strip = 0;
@@ -230,11 +227,11 @@ struct alignas(kCacheLine) StripWorker {
   Interval inner_before;  ///< `inner` of the last step
   std::vector<Proposals> proposals;  ///< found by this worker, by strip
   AwakeSet awake;                    ///< to be examined, by what was in this strip in the last step
-  AwakeSet waking;                   ///< to be examined in the next step
-  ReusableBuffer<WakeWindow> to_wake;  ///< their particles go to `waking` soon
-  std::vector<QueuedMove> turns;       ///< contested moves in this strip
-  WorkHistogram work;                  ///< see Strips
-  std::size_t examined = 0;            ///< particles in this step
+  AwakeSet awake_next;               ///< to be examined in the next step
+  ReusableBuffer<WakeWindow> wake_windows;  ///< their particles go to `awake_next` soon
+  std::vector<QueuedMove> queued_moves;     ///< contested moves in this strip
+  WorkHistogram work;                       ///< see Strips
+  std::size_t examined_count = 0;           ///< number of particles in this step
   std::size_t next_awake = 0;  ///< number of the next awake particle that no thread has taken
 };
 

@@ -43,7 +43,7 @@ std::vector<WindowMask> window_masks(const std::vector<Axial>& sites, bool odd_c
 std::vector<Axial> upstream(const lattice::Shape& shape, Direction step,
                             std::span<const Direction> candidates) {
   std::vector<Axial> result;
-  for (const Axial site : shape.trail(step)) {
+  for (const Axial site : shape.trail_sites(step)) {
     for (const Direction direction : candidates) {
       result.push_back(site - unit(direction));
     }
@@ -61,12 +61,12 @@ std::vector<Axial> concatenated(std::vector<Axial> first, const std::vector<Axia
   return first;
 }
 
-std::vector<Exchanges> exchanges(const std::vector<lattice::Offset>& lead,
-                                 const std::vector<lattice::Offset>& trail) {
-  std::vector<Exchanges> result((lead.size() + kExchanges - 1) / kExchanges);
-  for (std::size_t i = 0; i < kExchanges * result.size(); ++i) {
+std::vector<ExchangeGroup> exchanges(const std::vector<lattice::IndexOffset>& lead,
+                                     const std::vector<lattice::IndexOffset>& trail) {
+  std::vector<ExchangeGroup> result((lead.size() + kExchangesPerGroup - 1) / kExchangesPerGroup);
+  for (std::size_t i = 0; i < kExchangesPerGroup * result.size(); ++i) {
     const std::size_t site = i % lead.size();
-    result[i / kExchanges][i % kExchanges] = {lead[site].linear, trail[site].linear};
+    result[i / kExchangesPerGroup][i % kExchangesPerGroup] = {lead[site].index, trail[site].index};
   }
   return result;
 }
@@ -79,7 +79,7 @@ WindowedFootprint make_footprint(const grains::Footprint& plain, const lattice::
   std::vector<Axial> all = shape.sites();
   for (const Direction direction : lattice::kDirections) {
     wake[index_of(direction)] = upstream(shape, direction, candidates);
-    all = concatenated(concatenated(all, shape.lead(direction)), wake[index_of(direction)]);
+    all = concatenated(concatenated(all, shape.lead_sites(direction)), wake[index_of(direction)]);
   }
   lattice::Site low;
   lattice::Site high;
@@ -90,23 +90,23 @@ WindowedFootprint make_footprint(const grains::Footprint& plain, const lattice::
   }
   const int across = (high.column - low.column) / grains::kWindow + 1;
   const int upwards = (high.row - low.row) / grains::kWindow + 1;
-  footprint.one_window = across == 1 && upwards == 1;
-  footprint.corner = low;
-  footprint.far_corner = {low.column + across * grains::kWindow - 1,
-                          low.row + upwards * grains::kWindow - 1};
+  footprint.fits_one_window = across == 1 && upwards == 1;
+  footprint.lower_left = low;
+  footprint.upper_right = {low.column + across * grains::kWindow - 1,
+                           low.row + upwards * grains::kWindow - 1};
   for (const Direction direction : lattice::kDirections) {
     const std::size_t d = index_of(direction);
-    const std::vector<Axial> lead = shape.lead(direction);
-    footprint.exchanges[d] = exchanges(footprint.lead[d], footprint.trail[d]);
-    footprint.wake[d] = grains::offsets(lattice, wake[d], odd_column);
+    const std::vector<Axial> lead = shape.lead_sites(direction);
+    footprint.exchanges[d] = exchanges(footprint.lead_sites[d], footprint.trail_sites[d]);
+    footprint.wake_sites[d] = grains::index_offsets(lattice, wake[d], odd_column);
     footprint.lead_masks[d] = window_masks(lead, odd_column, low);
-    footprint.swapped_masks[d] =
-        window_masks(concatenated(lead, shape.trail(direction)), odd_column, low);
-    if (footprint.one_window) {
+    footprint.changed_masks[d] =
+        window_masks(concatenated(lead, shape.trail_sites(direction)), odd_column, low);
+    if (footprint.fits_one_window) {
       const std::vector<WindowMask> woken = window_masks(wake[d], odd_column, low);
-      footprint.windows[d] = {.lead = footprint.lead_masks[d].front().sites,
-                              .swapped = footprint.swapped_masks[d].front().sites,
-                              .wake = woken.empty() ? 0 : woken.front().sites};
+      footprint.move_windows[d] = {.lead_sites = footprint.lead_masks[d].front().sites,
+                                   .changed_sites = footprint.changed_masks[d].front().sites,
+                                   .wake_sites = woken.empty() ? 0 : woken.front().sites};
     }
   }
   return footprint;
@@ -120,7 +120,7 @@ WindowedFootprints::WindowedFootprints(const grains::State& state,
   for (std::size_t number = 0; number < state.kinds.size(); ++number) {
     const auto kind = static_cast<std::uint16_t>(number);
     for (const bool odd : {false, true}) {
-      table_.push_back(make_footprint(plain.of(kind, odd ? 1 : 0), state.lattice,
+      table_.push_back(make_footprint(plain.footprint(kind, odd ? 1 : 0), state.lattice,
                                       state.kinds[kind].shape, candidates, odd));
     }
   }

@@ -24,9 +24,9 @@ struct WindowMask {
 
 /// The sites that a move tests and changes, if all lie in one window.
 struct MoveWindow {
-  std::uint64_t lead = 0;
-  std::uint64_t swapped = 0;  ///< lead and trail: what the move changes
-  std::uint64_t wake = 0;     ///< WindowedFootprint::wake
+  std::uint64_t lead_sites = 0;
+  std::uint64_t changed_sites = 0;  ///< lead and trail: what the move changes
+  std::uint64_t wake_sites = 0;     ///< WindowedFootprint::wake_sites
 };
 
 /// Index offsets of one site that a move enters and one that it vacates.
@@ -37,38 +37,36 @@ struct Exchange {
 
 /// Exchanges per group. Shorter groups repeat an exchange, so that the loop has a fixed length:
 /// discs of radius 1 need three, discs of radius 2 five.
-inline constexpr std::size_t kExchanges = 5;
-using Exchanges = std::array<Exchange, kExchanges>;
+inline constexpr std::size_t kExchangesPerGroup = 5;
+using ExchangeGroup = std::array<Exchange, kExchangesPerGroup>;
 
 /// A footprint, and the same sites as masks of windows.
 struct WindowedFootprint : grains::Footprint {
   explicit WindowedFootprint(const grains::Footprint& plain) : Footprint(plain) {}
 
-  PerDirection<Exchanges> exchanges;  ///< lead and trail, away from a periodic boundary
+  PerDirection<ExchangeGroup> exchanges;  ///< lead and trail, away from a periodic boundary
   /// Sites whose owners may become free to move once the particle has moved in that direction,
   /// relative to its old position.
-  PerDirection<lattice::Offset> wake;
-  // Lead, trail and wake sites as masks of windows: one window for all moves if that is enough,
-  // else several.
-  bool one_window = false;
-  lattice::Site corner;      ///< lower left site of the lower left window, from the reference site
-  lattice::Site far_corner;  ///< upper right site of the upper right one, likewise
+  PerDirection<lattice::IndexOffset> wake_sites;
+  // Lead, trail and wake sites as masks of windows: one window if that is enough.
+  bool fits_one_window = false;
+  lattice::Site lower_left;   ///< site of the lower left window, from the reference site
+  lattice::Site upper_right;  ///< site of the upper right window, likewise
   lattice::Site corner_from(lattice::Site reference) const {
-    return {reference.column + corner.column, reference.row + corner.row};
+    return {reference.column + lower_left.column, reference.row + lower_left.row};
   }
-  std::array<MoveWindow, lattice::kDirectionCount> windows;  ///< by direction, if one_window
+  std::array<MoveWindow, lattice::kDirectionCount> move_windows;  ///< if fits_one_window
   PerDirection<WindowMask> lead_masks;
-  PerDirection<WindowMask> swapped_masks;  ///< of lead and trail
+  PerDirection<WindowMask> changed_masks;  ///< of lead and trail
 };
 
 /// The footprints of all kinds, for reference columns of either parity.
 class WindowedFootprints {
  public:
-  /// `candidates`: directions in which particles move by themselves; determines
-  /// WindowedFootprint::wake.
+  /// `candidates`: own directions of particles; they determine WindowedFootprint::wake_sites.
   WindowedFootprints(const grains::State& state, std::span<const lattice::Direction> candidates);
 
-  const WindowedFootprint& of(std::uint16_t kind, int column) const {
+  const WindowedFootprint& footprint(std::uint16_t kind, int column) const {
     return table_[2U * kind + static_cast<unsigned>(column & 1)];
   }
   /// All kinds, for both parities.

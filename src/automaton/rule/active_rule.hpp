@@ -84,7 +84,7 @@ class ActiveRule {
     if (count == 0) {
       return grains::kRest;
     }
-    return free[random::below(draw(id, step, random::Purpose::scatter_direction), count)];
+    return free[random::uniform_below(draw(id, step, random::Purpose::scatter_direction), count)];
   }
 
   /// Where both are free a coin decides.

@@ -15,7 +15,7 @@ namespace {
 
 using lattice::Direction;
 
-// What a move would change in the overlaps of a particle.
+// Changes that a move would make to the overlaps of a particle.
 
 /// One of those with whom a particle shares sites before a move or after it. No overlap of two
 /// particles is deeper than one move.
@@ -35,24 +35,24 @@ struct OverlapChange {
   bool begins() const { return grains::is_particle(owner) && sites_before == 0; }
 };
 
-/// For a move of particle `id` that stays inside the box.
+/// The changes by a move of particle `id` that stays inside the box.
 std::vector<OverlapChange> overlap_changes(const World& world, std::uint32_t id,
                                            Direction direction) {
   const grains::State& state = world.state;
   const grains::Particle& here = state.particles[id];
-  const std::vector<Overlap> before = world.overlaps(id, here);
-  const std::vector<Overlap> after = world.overlaps(id, moved(here, direction));
+  const std::vector<Overlap> before = world.overlaps_at(id, here);
+  const std::vector<Overlap> after = world.overlaps_at(id, after_step(here, direction));
   std::vector<OverlapChange> result;
   result.reserve(before.size() + after.size());
   for (const Overlap& overlap : before) {
-    result.push_back({.owner = overlap.owner, .sites_before = overlap.sites});
+    result.push_back({.owner = overlap.owner, .sites_before = overlap.shared_sites});
   }
   for (const Overlap& overlap : after) {
     auto change = std::ranges::find(result, overlap.owner, &OverlapChange::owner);
     if (change == result.end()) {
       change = result.insert(result.end(), {.owner = overlap.owner});
     }
-    change->sites_after = overlap.sites;
+    change->sites_after = overlap.shared_sites;
   }
   return result;
 }
@@ -120,7 +120,7 @@ struct PushAlignment {
   int pushes_along = 0;  // pushes exactly in the direction
   bool strict = false;   // within 60 degrees of all pushes, and each of their overlaps shrinks
 };
-/// What a move in a direction would change, and its worth: the least score is the best.
+/// The changes by a move in a direction, and its score: the least is the best.
 struct Assessment {
   std::vector<OverlapChange> changes;
   int score = 0;
@@ -164,7 +164,7 @@ bool follows_pushes(const World& world, std::uint32_t id, Direction direction) {
 /// Overlaps that begin, each weighed with the size of the other. None: one would be too deep.
 std::optional<int> grown_depth(const World& world, std::uint32_t id, Direction direction,
                                const std::vector<OverlapChange>& changes) {
-  const grains::Particle there = moved(world.state.particles[id], direction);
+  const grains::Particle there = after_step(world.state.particles[id], direction);
   int grown = 0;
   for (const OverlapChange& change : changes) {
     if (cannot_leave_overlap(world, there, change)) {
@@ -184,7 +184,7 @@ bool has_room(const World& world, std::uint32_t id, Direction direction) {
     const grains::Owner owner = world.occupancy.owner(index);
     const bool closed =
         owner == grains::kBorder ||
-        (grains::is_wall(owner) && !state.walls[grains::wall_number(owner)].lets_overlap());
+        (grains::is_obstacle(owner) && !state.walls[grains::wall_number(owner)].lets_overlap());
     room = room && !closed && world.occupancy.second_owner(index) == grains::kFree;
   });
   return room;
@@ -193,7 +193,7 @@ bool has_room(const World& world, std::uint32_t id, Direction direction) {
 /// Whether the move gets onto no further wall, and shares no more sites with walls than now.
 bool keeps_off_walls(const World& world, std::uint32_t id, Direction direction,
                      const std::vector<OverlapChange>& changes) {
-  const grains::Particle there = moved(world.state.particles[id], direction);
+  const grains::Particle there = after_step(world.state.particles[id], direction);
   int before = 0;
   int after = 0;
   for (const OverlapChange& change : changes) {
@@ -212,8 +212,7 @@ bool keeps_off_walls(const World& world, std::uint32_t id, Direction direction,
   return after <= before;
 }
 
-/// Whether the particle, and each of those into which it would get further, shares no more sites
-/// than its limit.
+/// Whether the particle, and each that it enters further, shares no more sites than its limit.
 bool is_within_limits(const World& world, std::uint32_t id,
                       const std::vector<OverlapChange>& changes) {
   bool grows = false;
@@ -292,7 +291,7 @@ grains::Move passive_direction(const World& world, std::uint32_t id) {
   }
   const std::uint64_t bits =
       random::draw(world.state.seed, world.state.step, id, random::Purpose::passive);
-  return static_cast<grains::Move>(best[random::below(bits, best.size())]);
+  return static_cast<grains::Move>(best[random::uniform_below(bits, best.size())]);
 }
 
 // All other particles that overlap.
@@ -309,19 +308,18 @@ bool is_free(const World& world, std::uint32_t id, Direction direction) {
     return false;
   }
   const std::vector<OverlapChange> all = overlap_changes(world, id, direction);
-  const grains::Particle there = moved(world.state.particles[id], direction);
+  const grains::Particle there = after_step(world.state.particles[id], direction);
   return std::ranges::none_of(all, [&](const OverlapChange& change) {
     return change.size_after() > change.size_before() || cannot_leave_overlap(world, there, change);
   });
 }
 
-/// Where a particle goes that has pushed others, some of which rest: back from all of those,
-/// within 60 degrees, into free sites; kRest when it cannot. None: no such partner rests, it may go
-/// as it likes.
+/// The move of a particle that has pushed others of which some rest: back from all of these, within
+/// 60 degrees, into free sites; kRest if it cannot. None: it is free to choose.
 std::optional<grains::Move> way_back(const World& world, std::uint32_t id) {
   const grains::State& state = world.state;
   std::vector<grains::Push> resting;
-  for (const Overlap& overlap : world.overlaps(id, state.particles[id])) {
+  for (const Overlap& overlap : world.overlaps_at(id, state.particles[id])) {
     const auto other = grains::particle_id(overlap.owner);
     const grains::Push* push = grains::is_particle(overlap.owner)
                                    ? find_push(state, other, grains::as_owner(id))
@@ -361,12 +359,12 @@ bool can_leave(const World& world, const grains::Particle& particle, grains::Own
                std::span<const lattice::Direction> directions) {
   const lattice::Lattice& lattice = world.state.lattice;
   return std::ranges::any_of(directions, [&](Direction direction) {
-    const grains::Particle target = moved(particle, direction);
+    const grains::Particle target = after_step(particle, direction);
     const std::size_t index = lattice.index(target.site());
     const int column = lattice.wrapped(target.column);
-    const std::vector<lattice::Offset>& body = world.box.footprints.of(target).body;
-    return std::ranges::none_of(body, [&](lattice::Offset offset) {
-      return world.occupancy.has(lattice.at(index, column, offset), owner);
+    const std::vector<lattice::IndexOffset>& body = world.box.footprints.footprint(target).covered;
+    return std::ranges::none_of(body, [&](lattice::IndexOffset offset) {
+      return world.occupancy.has_owner(lattice.shifted_index(index, column, offset), owner);
     });
   });
 }
@@ -386,7 +384,7 @@ grains::Move provisional_move(const World& world, const ActiveRule& active, std:
       [&](Direction direction) { return is_free(world, id, direction); });
 }
 
-bool move_by_itself(World& world, std::uint32_t id, Direction direction) {
+bool try_move_by_itself(World& world, std::uint32_t id, Direction direction) {
   if (!is_free(world, id, direction)) {
     return false;
   }
@@ -394,7 +392,7 @@ bool move_by_itself(World& world, std::uint32_t id, Direction direction) {
   return true;
 }
 
-bool move_pushed(World& world, std::uint32_t id, Direction direction) {
+bool try_move_pushed(World& world, std::uint32_t id, Direction direction) {
   const auto assessment = assess(world, id, direction);
   if (!assessment) {
     return false;

@@ -15,18 +15,18 @@ using grains::WallStep;
 
 /// Moves a wall, and particles along with it.
 void shift_wall(World& world, const WallStep& step, std::span<const std::uint32_t> particles) {
-  for (const std::size_t index : step.leaves) {
-    world.occupancy.remove(index, grains::wall_code(step.wall));
+  for (const std::size_t index : step.vacated) {
+    world.occupancy.remove_owner(index, grains::wall_code(step.wall));
   }
   world.move_together(particles, step.direction);
-  for (const std::size_t index : step.enters) {
-    world.occupancy.add(index, grains::wall_code(step.wall));
+  for (const std::size_t index : step.entered) {
+    world.occupancy.add_owner(index, grains::wall_code(step.wall));
   }
 }
 
 /// Undoes a step of the wall alone.
 void undo_step(World& world, WallStep step) {
-  std::swap(step.enters, step.leaves);
+  std::swap(step.entered, step.vacated);
   shift_wall(world, step, {});
 }
 
@@ -46,7 +46,7 @@ bool push_along(World& world, const WallStep& step) {
 /// could not free it again.
 std::optional<std::vector<std::uint32_t>> move_onto(World& world, const WallStep& step) {
   std::vector<std::uint32_t> ids;
-  for (const std::size_t index : step.enters) {
+  for (const std::size_t index : step.entered) {
     const grains::Owner owner = world.occupancy.owner(index);
     if (grains::is_particle(owner) && world.occupancy.second_owner(index) == grains::kFree) {
       ids.push_back(grains::particle_id(owner));
@@ -82,9 +82,10 @@ bool overlap_along(World& world, const WallStep& step) {
   const std::vector<grains::Push> pushes = world.state.pushes;
   for (const grains::Push& push : pushes) {
     if (push.pusher == grains::wall_code(step.wall) &&
-        !has_owner(world.overlaps(push.pushed, world.state.particles[push.pushed]), push.pusher)) {
+        !has_owner(world.overlaps_at(push.pushed, world.state.particles[push.pushed]),
+                   push.pusher)) {
       world.forget_push(push.pushed, push.pusher);
-      world.changes.particles.push_back(push.pushed);
+      world.changes.changed_particles.push_back(push.pushed);
     }
   }
   return true;
@@ -106,7 +107,7 @@ bool can_take(World& world, const WallStep& step) {
 
 bool advance_walls(World& world) {
   bool moved = false;
-  world.carried.clear();
+  world.moved_by_walls.clear();
   for (std::size_t number = 0; number < world.state.walls.size(); ++number) {
     grains::Wall& wall = world.state.walls[number];
     if (!wall.in_motion()) {
@@ -115,16 +116,16 @@ bool advance_walls(World& world) {
     const int desired = desired_step(*wall.motion, wall.travel);
     bool done = false;
     if (desired != 0) {
-      const WallStep step = world.box.edges.step_of(world.state, number, desired);
+      const WallStep step = world.box.wall_edges.wall_step(world.state, number, desired);
       done = wall.lets_overlap() ? overlap_along(world, step) : push_along(world, step);
       if (done) {
-        std::vector<std::size_t>& vacated = world.changes.vacated;
-        vacated.insert(vacated.end(), step.leaves.begin(), step.leaves.end());
+        std::vector<std::size_t>& vacated = world.changes.vacated_sites;
+        vacated.insert(vacated.end(), step.vacated.begin(), step.vacated.end());
         world.changes.by_others = true;
         moved = true;
       }
     }
-    take_step(*wall.motion, wall.travel, desired, done, world.state.step);
+    record_step(*wall.motion, wall.travel, desired, done, world.state.step);
   }
   return moved;
 }
@@ -137,7 +138,7 @@ bool walls_are_still(World& world) {
     }
     const int desired = pending_step(*wall.motion, wall.travel);
     if (desired == 0 || !wall.travel.stalled_since ||
-        can_take(world, world.box.edges.step_of(world.state, number, desired))) {
+        can_take(world, world.box.wall_edges.wall_step(world.state, number, desired))) {
       return false;
     }
   }

@@ -8,45 +8,46 @@
 
 namespace clca::automaton {
 
-Steps::Steps(grains::State initial, const Rules& rules)
+AutomatonMechanics::AutomatonMechanics(grains::State initial, const Rules& rules)
     : state_(std::move(initial)), box_(state_), world_(box_, rules), active_(rules, state_.seed) {}
 
 // 1. Moving walls take the step that their motion asks for, if they can.
-void Steps::before_sources() {
+void AutomatonMechanics::before_sources() {
   wall_moved_ = advance_walls(world_);
 }
 
 // 2. Open sources emit, and at the end 5. outlets remove particles: for all models by grains::step.
-bool Steps::advance(grains::StepReport& report) {
+bool AutomatonMechanics::advance(grains::StepReport& report) {
   // 3. Every particle chooses a provisional direction. 4. Movers have their turn.
   moved_.clear();
-  quiet_ = true;
-  report.moved = move_particles();
+  overlapping_rested_ = true;
+  report.moved_count = move_particles();
 
   // The end: settled when no later step can change anything.
-  const bool settled = report.moved == 0 && !wall_moved_ && quiet_ && walls_are_still(world_);
+  const bool settled =
+      report.moved_count == 0 && !wall_moved_ && overlapping_rested_ && walls_are_still(world_);
   for (grains::Wall& wall : state_.walls) {
     if (wall.in_motion()) {
-      end_step(*wall.motion, wall.travel, report.moved > 0);
+      end_step(*wall.motion, wall.travel, report.moved_count > 0);
     }
   }
   ++state_.step;
   return settled;
 }
 
-std::vector<std::uint32_t> Steps::moved() const {
-  std::vector<std::uint32_t> ids = world_.carried;
+std::vector<std::uint32_t> AutomatonMechanics::moved_ids() const {
+  std::vector<std::uint32_t> ids = world_.moved_by_walls;
   ids.insert(ids.end(), moved_.begin(), moved_.end());
   append_moved(ids);
   return ids;
 }
 
-Steps::Movers Steps::movers_of(std::span<const std::uint32_t> ids) {
+AutomatonMechanics::Movers AutomatonMechanics::chosen_moves(std::span<const std::uint32_t> ids) {
   Movers movers;
   std::vector<std::uint32_t> resting;  // known to others only when all have chosen
   for (const std::uint32_t id : ids) {
     const bool has_moved = state_.particles[id].previous != grains::kRest;
-    quiet_ = quiet_ && !(world_.is_overlapping(id) && has_moved);
+    overlapping_rested_ = overlapping_rested_ && !(world_.is_overlapping(id) && has_moved);
     const grains::Move move = provisional_move(world_, active_, id);
     if (move == grains::kRest) {
       resting.push_back(id);
@@ -62,8 +63,8 @@ Steps::Movers Steps::movers_of(std::span<const std::uint32_t> ids) {
   return movers;
 }
 
-void Steps::give_turns(std::vector<ProposedMove>& movers,
-                       bool (*move)(World&, std::uint32_t, lattice::Direction)) {
+void AutomatonMechanics::give_turns(std::vector<ProposedMove>& movers,
+                                    bool (*move)(World&, std::uint32_t, lattice::Direction)) {
   std::ranges::sort(movers, {}, &ProposedMove::key);
   for (const ProposedMove& mover : movers) {
     const std::uint32_t id = mover.key.id;
@@ -76,16 +77,15 @@ void Steps::give_turns(std::vector<ProposedMove>& movers,
   }
 }
 
-std::size_t Reference::move_particles() {
+std::size_t ReferenceMechanics::move_particles() {
   std::vector<std::uint32_t> ids(world_.state.particles.size());
   std::iota(ids.begin(), ids.end(), 0U);
   std::erase_if(ids, [&](std::uint32_t id) { return !world_.state.particles[id].present; });
   // 3. Every particle chooses a provisional direction, from the state at this moment alone.
-  Movers movers = movers_of(ids);
-  // 4. Movers have their turn in an order of priority: first those that something has been pushed
-  // onto, then the others.
-  give_turns(movers.pushed, &move_pushed);
-  give_turns(movers.others, &move_by_itself);
+  Movers movers = chosen_moves(ids);
+  // 4. Movers have their turn in order of priority: first those pushed onto, then the others.
+  give_turns(movers.pushed, &try_move_pushed);
+  give_turns(movers.others, &try_move_by_itself);
   world_.changes = {.by_others = false};
   return moved_.size();
 }
@@ -111,8 +111,8 @@ std::uint64_t class_of(const Rules& rules, grains::Move previous, grains::Move m
   return static_cast<std::uint64_t>(std::ranges::find_if(classes, fits) - classes.begin());
 }
 
-/// Ties::direction: gravity first, then pairs at the same angle to it, each in the order of a coin
-/// for the class and the step.
+/// TieBreaking::direction: gravity first, then pairs at the same angle to it, each in the order of
+/// a coin for the class and the step.
 std::uint64_t direction_tie(const Rules& rules, const grains::State& state, grains::Move move,
                             std::uint64_t update_class) {
   const auto direction = static_cast<lattice::Direction>(move);
@@ -130,9 +130,9 @@ UpdateKey update_key(const Rules& rules, const grains::State& state, std::uint32
                      grains::Move move) {
   const std::uint64_t update_class = class_of(rules, state.particles[id].previous, move);
   switch (rules.ties) {
-    case Ties::particle:
+    case TieBreaking::particle:
       return {update_class, random::draw(state.seed, state.step, id, random::Purpose::tie), id};
-    case Ties::direction:
+    case TieBreaking::direction:
       return {update_class, direction_tie(rules, state, move, update_class), id};
   }
   return {update_class, 0, id};

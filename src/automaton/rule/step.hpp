@@ -15,7 +15,7 @@ namespace clca::automaton {
 /// Rank in the total order of one step, the smallest first.
 struct UpdateKey {
   std::uint64_t update_class = 0;  ///< rank in Rules::update_priority; behind all: in none
-  std::uint64_t tie = 0;           ///< a draw, or the angle to gravity and a coin: see Ties
+  std::uint64_t tie = 0;           ///< a draw, or the angle to gravity and a coin: see TieBreaking
   std::uint32_t id = 0;
 
   auto operator<=>(const UpdateKey&) const = default;
@@ -30,13 +30,13 @@ UpdateKey update_key(const Rules& rules, const grains::State& state, std::uint32
 /// The provisional direction of a particle, from the state as it is.
 grains::Move provisional_move(const World& world, const ActiveRule& active, std::uint32_t id);
 
-/// The turn of a particle that something had been pushed onto when it chose: moves it that way and
-/// records whom it pushes, if that is still allowed. False: it cannot.
-bool move_pushed(World& world, std::uint32_t id, lattice::Direction direction);
+/// The turn of a particle onto which something had been pushed when it chose: moves it and records
+/// whom it pushes, if that is still allowed. Returns whether it moved.
+bool try_move_pushed(World& world, std::uint32_t id, lattice::Direction direction);
 
-/// The turn of a particle that nothing had been pushed onto when it chose: it moves if it still
-/// can. False: it cannot.
-bool move_by_itself(World& world, std::uint32_t id, lattice::Direction direction);
+/// The turn of a particle onto which nothing had been pushed when it chose: moves it if that is
+/// still possible. Returns whether it moved.
+bool try_move_by_itself(World& world, std::uint32_t id, lattice::Direction direction);
 
 /// Whether the particle would share no site with `owner` after one of these moves.
 bool can_leave(const World& world, const grains::Particle& particle, grains::Owner owner,
@@ -49,10 +49,10 @@ struct ProposedMove {
 };
 
 /// "One step" of docs/model.md, but for points 3 and 4: the particles' own moves.
-class Steps : public grains::Mechanics {
+class AutomatonMechanics : public grains::Mechanics {
  public:
   /// Throws std::invalid_argument if the state is not valid (see grains::Occupancy).
-  Steps(grains::State initial, const Rules& rules);
+  AutomatonMechanics(grains::State initial, const Rules& rules);
 
   const Rules& rules() const { return world_.rules; }
 
@@ -60,11 +60,11 @@ class Steps : public grains::Mechanics {
   lattice::Direction down() const final { return world_.rules.gravity; }
   bool can_deposit() const final { return world_.rules.gravity == lattice::Direction::down; }
   void before_sources() final;
-  void added(std::size_t first) final { world_.include_new(first); }
+  void on_added(std::size_t first) final { world_.include_new(first); }
   bool advance(grains::StepReport& report) final;
-  std::vector<std::uint32_t> moved() const final;
-  void removing(std::uint32_t id) final { world_.prepare_removal(id); }
-  void reloaded() final { world_.reload(); }
+  std::vector<std::uint32_t> moved_ids() const final;
+  void on_removing(std::uint32_t id) final { world_.prepare_removal(id); }
+  void on_reloaded() final { world_.reload(); }
 
  private:
   grains::State state_;
@@ -79,11 +79,11 @@ class Steps : public grains::Mechanics {
 
   /// Points 3 and 4, after moved_ has been cleared. Returns how many particles moved.
   virtual std::size_t move_particles() = 0;
-  /// Those that moved by themselves in this step, but for moved_.
+  /// Appends the particles that moved by themselves in this step and are not in moved_.
   virtual void append_moved(std::vector<std::uint32_t>& /*ids*/) const {}
 
   /// Each of these particles chooses a provisional direction, from the state at this moment alone.
-  Movers movers_of(std::span<const std::uint32_t> ids);
+  Movers chosen_moves(std::span<const std::uint32_t> ids);
   /// Lets movers have their turn in order. Those that cannot move rest.
   void give_turns(std::vector<ProposedMove>& movers,
                   bool (*move)(World&, std::uint32_t, lattice::Direction));
@@ -92,14 +92,14 @@ class Steps : public grains::Mechanics {
   World world_;
   ActiveRule active_;
   std::vector<std::uint32_t> moved_;  // in this step, by give_turns()
-  bool quiet_ = true;                 // none of those that overlap had moved in the step before
+  bool overlapping_rested_ = true;    // none of those that overlap had moved in the step before
   // NOLINTEND(readability-identifier-naming)
 };
 
 /// Points 3 and 4 of a step as the model is defined. Engine does the same faster.
-class Reference final : public Steps {
+class ReferenceMechanics final : public AutomatonMechanics {
  public:
-  using Steps::Steps;
+  using AutomatonMechanics::AutomatonMechanics;
 
  private:
   std::size_t move_particles() override;

@@ -20,12 +20,12 @@ World::World(grains::Box& around, const Rules& given_rules)
 void World::include_new(std::size_t first) {
   push_counts_.resize(state.particles.size(), 0);
   for (std::size_t id = first; id < state.particles.size(); ++id) {
-    changes.particles.push_back(static_cast<std::uint32_t>(id));
+    changes.changed_particles.push_back(static_cast<std::uint32_t>(id));
     changes.by_others = true;
   }
 }
 
-std::vector<Overlap> World::overlaps(std::uint32_t id, const grains::Particle& at) const {
+std::vector<Overlap> World::overlaps_at(std::uint32_t id, const grains::Particle& at) const {
   constexpr std::size_t kUsual = 8;  // more are rare
   std::vector<Overlap> result;
   result.reserve(kUsual);
@@ -37,7 +37,7 @@ std::vector<Overlap> World::overlaps(std::uint32_t id, const grains::Particle& a
     if (found == result.end()) {
       result.push_back({owner, 1});
     } else {
-      ++found->sites;
+      ++found->shared_sites;
     }
   };
   box.for_each_index(at, [&](std::size_t index) {
@@ -49,11 +49,11 @@ std::vector<Overlap> World::overlaps(std::uint32_t id, const grains::Particle& a
 
 void World::move(std::uint32_t id, lattice::Direction direction) {
   const std::vector<Overlap> before =
-      is_overlapping(id) ? overlaps(id, state.particles[id]) : std::vector<Overlap>();
+      is_overlapping(id) ? overlaps_at(id, state.particles[id]) : std::vector<Overlap>();
   change_sites({&id, 1}, direction);
   state.particles[id].previous = static_cast<grains::Move>(direction);
   if (!before.empty()) {
-    const std::vector<Overlap> after = overlaps(id, state.particles[id]);
+    const std::vector<Overlap> after = overlaps_at(id, state.particles[id]);
     for (const Overlap& overlap : before) {
       if (!has_owner(after, overlap.owner)) {
         forget_push(id, overlap.owner);
@@ -64,24 +64,25 @@ void World::move(std::uint32_t id, lattice::Direction direction) {
 
 void World::move_together(std::span<const std::uint32_t> ids, lattice::Direction direction) {
   change_sites(ids, direction);
-  carried.insert(carried.end(), ids.begin(), ids.end());
+  moved_by_walls.insert(moved_by_walls.end(), ids.begin(), ids.end());
 }
 
 void World::change_sites(std::span<const std::uint32_t> ids, lattice::Direction direction) {
   for (const std::uint32_t id : ids) {
     box.for_each_vacated(state.particles[id], direction, [&](std::size_t index) {
-      if (occupancy.remove(index, grains::as_owner(id))) {
-        changes.vacated.push_back(index);
+      if (occupancy.remove_owner(index, grains::as_owner(id))) {
+        changes.vacated_sites.push_back(index);
       }
     });
   }
   for (const std::uint32_t id : ids) {
     grains::Particle& particle = state.particles[id];
-    box.for_each_entered(particle, direction,
-                         [&](std::size_t index) { occupancy.add(index, grains::as_owner(id)); });
-    particle = moved(particle, direction);
+    box.for_each_entered(particle, direction, [&](std::size_t index) {
+      occupancy.add_owner(index, grains::as_owner(id));
+    });
+    particle = after_step(particle, direction);
   }
-  changes.particles.insert(changes.particles.end(), ids.begin(), ids.end());
+  changes.changed_particles.insert(changes.changed_particles.end(), ids.begin(), ids.end());
 }
 
 std::vector<std::uint32_t> World::overlapping_particles() const {
@@ -115,7 +116,7 @@ void World::record_push(const grains::Push& push) {
 void World::forget_push(std::uint32_t id, grains::Owner other) {
   const grains::Push* push = find_push(state, id, other);
   if (grains::is_particle(other)) {
-    changes.particles.push_back(grains::particle_id(other));
+    changes.changed_particles.push_back(grains::particle_id(other));
     push =
         push != nullptr ? push : find_push(state, grains::particle_id(other), grains::as_owner(id));
   }
@@ -134,17 +135,18 @@ void World::count_push(const grains::Push& push, int change) {
 
 void World::prepare_removal(std::uint32_t id) {
   const grains::Particle& particle = state.particles[id];
-  for (const Overlap& overlap : overlaps(id, particle)) {
+  for (const Overlap& overlap : overlaps_at(id, particle)) {
     forget_push(id, overlap.owner);
   }
-  box.for_each_index(particle, [&](std::size_t index) { changes.vacated.push_back(index); });
+  box.for_each_index(particle, [&](std::size_t index) { changes.vacated_sites.push_back(index); });
   changes.by_others = true;
 }
 
 void World::reload() {
   const std::vector<grains::Push> all = state.pushes;
   for (const grains::Push& push : all) {
-    if (grains::is_wall(push.pusher) && !state.walls[grains::wall_number(push.pusher)].present) {
+    if (grains::is_obstacle(push.pusher) &&
+        !state.walls[grains::wall_number(push.pusher)].present) {
       forget_push(push.pushed, push.pusher);
     }
   }

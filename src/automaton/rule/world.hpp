@@ -14,26 +14,25 @@ namespace clca::automaton {
 /// A wall or particle that shares sites with a particle.
 struct Overlap {
   grains::Owner owner = 0;
-  int sites = 0;
+  int shared_sites = 0;
 
   bool operator==(const Overlap&) const = default;
 };
 
-/// Whether one of these is with `owner`.
+/// Whether one of the overlaps is with `owner`.
 bool has_owner(const std::vector<Overlap>& overlaps, grains::Owner owner);
 
-/// What has changed since these lists were cleared. The rule only writes them; the engine finds in
-/// them which particles to examine again.
+/// Changes since these lists were cleared. The rule only writes them; the engine finds in them
+/// which particles to examine again.
 struct Changes {
   /// Sites that became free, if nothing has taken them since.
-  std::vector<std::size_t> vacated = {};
-  std::vector<std::uint32_t> particles = {};  ///< ids: new, moved, or one overlap less
+  std::vector<std::size_t> vacated_sites = {};
+  std::vector<std::uint32_t> changed_particles = {};  ///< ids: new, moved, or one overlap less
   /// Whether anything has changed by something else than the particles' own moves, also before.
   bool by_others = true;
 };
 
-/// A box in which particles may overlap. State::pushes has one push for each pair that does, and no
-/// other.
+/// A box in which particles may overlap. State::pushes has one push for each pair that does.
 class World {
  public:
   /// The box must outlive the world.
@@ -43,12 +42,12 @@ class World {
   void include_new(std::size_t first);
 
   /// Who would share sites with particle `id` if it were where `at` is; in order of the sites.
-  std::vector<Overlap> overlaps(std::uint32_t id, const grains::Particle& at) const;
+  std::vector<Overlap> overlaps_at(std::uint32_t id, const grains::Particle& at) const;
 
   /// Moves a particle, whatever shares its sites, and forgets the pushes that have ended. Its
   /// `previous` becomes the direction.
   void move(std::uint32_t id, lattice::Direction direction);
-  /// Moves many by one site at once; they may be in each other's way. Adds them to `carried`.
+  /// Moves many by one site at once, whatever is in the way. Adds them to `moved_by_walls`.
   void move_together(std::span<const std::uint32_t> ids, lattice::Direction direction);
 
   /// True when the particle overlaps with something.
@@ -63,18 +62,16 @@ class World {
   /// particle, `changes` has it.
   void forget_push(std::uint32_t id, grains::Owner other);
 
-  /// Forgets all pushes of and onto a particle that will be taken out, and notes its sites as
-  /// vacated.
+  /// Forgets the pushes of and onto a particle that will be removed, notes its sites as vacated.
   void prepare_removal(std::uint32_t id);
-  /// Particles or walls were changed by something else than steps: forgets the pushes of walls that
-  /// are gone.
+  /// Particles or walls changed between steps: forgets the pushes of walls that are gone.
   void reload();
 
   grains::Box& box;
   grains::State& state;               // of the box
   grains::OccupancyTable& occupancy;  // of the box
   Rules rules;
-  std::vector<std::uint32_t> carried;  ///< particles that walls have moved in this step
+  std::vector<std::uint32_t> moved_by_walls;  ///< particles that walls have moved in this step
   Changes changes;
 
  private:

@@ -23,18 +23,18 @@ void Group::resize(Eigen::Index particles) {
 }
 
 void Group::measure_speeds() {
-  speeds_ = motions_.topLeftCorner(3, particles()).square().colwise().sum().sqrt();
+  speeds_ = motions_.topLeftCorner(3, particle_count()).square().colwise().sum().sqrt();
   fastest_ = speeds_.maxCoeff();
 }
 
 void Group::draw_firsts(const GroupKey& key, std::uint32_t batch, std::size_t count) {
   constexpr std::size_t kWords = std::tuple_size_v<random::Words>;
-  const auto size = static_cast<std::uint64_t>(particles());
+  const auto size = static_cast<std::uint64_t>(particle_count());
   candidate_count_ = count;
   for (std::size_t i = 0; i < count; i += kWords) {
     const auto item = static_cast<std::uint32_t>((batch * kBatch + i) / kWords);
     const random::Words words =
-        random::words(key.seed, {key.step, key.group, item}, random::Purpose::candidate);
+        random::drawn_words(key.seed, {key.step, key.group, item}, random::Purpose::candidate);
     for (std::size_t k = 0; k < kWords; ++k) {
       // The integer part selects the particle; the fraction is its acceptance draw.
       const std::uint64_t product = words[k] * size;
@@ -47,13 +47,14 @@ void Group::draw_firsts(const GroupKey& key, std::uint32_t batch, std::size_t co
 void Group::draw_second(const GroupKey& key, std::uint32_t batch, std::size_t number) {
   Candidate& candidate = candidates_[number];
   const auto item = static_cast<std::uint32_t>(batch * kBatch + number);
-  candidate.words = random::words(key.seed, {key.step, key.group, item}, random::Purpose::normal);
-  candidate.second = below32(candidate.words[0], static_cast<std::uint32_t>(particles() - 1));
+  candidate.words =
+      random::drawn_words(key.seed, {key.step, key.group, item}, random::Purpose::normal);
+  candidate.second = below32(candidate.words[0], static_cast<std::uint32_t>(particle_count() - 1));
   candidate.second += candidate.second >= candidate.first ? 1 : 0;
 }
 
 bool Group::passes_speed_test(const Candidate& candidate) const {
-  return open_unit32(candidate.chance) * fastest_ < speeds_[candidate.first];
+  return open_uniform32(candidate.chance) * fastest_ < speeds_[candidate.first];
 }
 
 bool Group::collides(const Candidate& candidate) const {
@@ -62,7 +63,7 @@ bool Group::collides(const Candidate& candidate) const {
       (motions_.col(candidate.first).head<3>() - motions_.col(candidate.second).head<3>())
           .square()
           .sum();
-  const double bound = open_unit32(candidate.words[1]) * speeds;
+  const double bound = open_uniform32(candidate.words[1]) * speeds;
   return bound * bound < square;
 }
 
@@ -70,8 +71,8 @@ template <int kWidth>
 void Group::load(Collisions<kWidth>& collisions, int lane, const Candidate& pair) const {
   collisions.first.row(lane) = motions_.col(pair.first).head<6>();
   collisions.second.row(lane) = motions_.col(pair.second).head<6>();
-  collisions.height[lane] = open_unit32(pair.words[2]);
-  collisions.azimuth[lane] = open_unit32(pair.words[3]);
+  collisions.height[lane] = open_uniform32(pair.words[2]);
+  collisions.azimuth[lane] = open_uniform32(pair.words[3]);
 }
 
 template <int kWidth>
@@ -130,11 +131,11 @@ bool Group::decide_at_once(const Law& law, const GroupKey& key, std::uint32_t ba
   accepted_.count = 0;
   colliding_.count = 0;
   for (std::size_t i = 0; i < candidate_count_; ++i) {
-    accepted_.push(i, passes_speed_test(candidates_[i]));
+    accepted_.append(i, passes_speed_test(candidates_[i]));
   }
   for (const std::size_t number : accepted_) {
     draw_second(key, batch, number);
-    colliding_.push(number, collides(candidates_[number]));
+    colliding_.append(number, collides(candidates_[number]));
   }
   return !pairs_share_particle() && collide_at_once(law);
 }
@@ -164,12 +165,12 @@ std::uint64_t Group::collide(const Law& law, const GroupKey& key, double duratio
   collisions_ = 0;
   measure_speeds();
   // The remaining fraction of a candidate becomes a whole one with that probability.
-  const double share = open_unit32(
-      random::words(key.seed, {key.step, key.group, 0}, random::Purpose::last_candidate)[0]);
+  const double share = open_uniform32(
+      random::drawn_words(key.seed, {key.step, key.group, 0}, random::Purpose::last_candidate)[0]);
   double left = duration;
   std::size_t since_measured = 0;
   for (std::uint32_t batch = 0; fastest_ > 0; ++batch) {
-    const double waiting = 1 / (static_cast<double>(particles()) * fastest_);
+    const double waiting = 1 / (static_cast<double>(particle_count()) * fastest_);
     const double candidates = std::floor(left / waiting + share);
     if (candidates < 1) {
       break;
@@ -179,7 +180,8 @@ std::uint64_t Group::collide(const Law& law, const GroupKey& key, double duratio
         decide_at_once(law, key, batch) ? candidate_count_ : decide_one_by_one(law, key, batch);
     left -= static_cast<double>(decided) * waiting;
     since_measured += decided;
-    if (decided < candidate_count_ || since_measured >= static_cast<std::size_t>(particles())) {
+    if (decided < candidate_count_ ||
+        since_measured >= static_cast<std::size_t>(particle_count())) {
       fastest_ = speeds_.maxCoeff();
       since_measured = 0;
     }

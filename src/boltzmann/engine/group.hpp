@@ -29,7 +29,7 @@ class Group {
  public:
   /// Allocates at least two particles, to be set one by one.
   void resize(Eigen::Index particles);
-  Eigen::Index particles() const { return speeds_.size(); }
+  Eigen::Index particle_count() const { return speeds_.size(); }
   /// Velocity and spin of a particle.
   auto motion(Eigen::Index particle) { return motions_.col(particle).head<6>(); }
 
@@ -52,7 +52,7 @@ class Group {
     std::array<std::uint8_t, kBatch> numbers = {};
     std::size_t count = 0;
 
-    void push(std::size_t number, bool stays) {  // no branch
+    void append(std::size_t number, bool stays) {  // no branch
       numbers[count] = static_cast<std::uint8_t>(number);
       count += stays ? 1 : 0;
     }
@@ -66,8 +66,7 @@ class Group {
   bool passes_speed_test(const Candidate& candidate) const;
   bool collides(const Candidate& candidate) const;
 
-  /// Decides all candidates of a batch; returns false and changes nothing if they depend on each
-  /// other.
+  /// Decides all candidates of a batch; returns false without change if they are not independent.
   bool decide_at_once(const Law& law, const GroupKey& key, std::uint32_t batch);
   /// Decides candidates in order until a speed exceeds s_max; returns how many.
   std::size_t decide_one_by_one(const Law& law, const GroupKey& key, std::uint32_t batch);
@@ -85,8 +84,7 @@ class Group {
   Eigen::ArrayXd speeds_;                            // by particle
   double fastest_ = 0;                               // s_max
   std::uint64_t collisions_ = 0;
-  // The current batch: its candidates, those whose first particle is accepted, and those that
-  // collide.
+  // The current batch: its candidates, those whose first particle is accepted, and who collide.
   std::array<Candidate, kBatch> candidates_;
   std::size_t candidate_count_ = 0;
   Selection accepted_;

@@ -34,8 +34,8 @@ StridedPermutation::StridedPermutation(std::uint64_t count)
     : count_(count), modulus_(prime_from(count)) {}
 
 void StridedPermutation::shuffle(std::uint64_t start_bits, std::uint64_t stride_bits) {
-  start_ = random::below(start_bits, modulus_);
-  stride_ = 1 + random::below(stride_bits, modulus_ - 1);
+  start_ = random::uniform_below(start_bits, modulus_);
+  stride_ = 1 + random::uniform_below(stride_bits, modulus_ - 1);
 }
 
 Grouping::Grouping(Eigen::Index particles, Eigen::Index group_size)

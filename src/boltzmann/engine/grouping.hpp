@@ -1,6 +1,5 @@
 #pragma once
-// Groups of particles that collide among themselves in a step; groups are independent of each
-// other.
+// Groups of particles that collide among themselves in a step, independent of each other.
 
 #include <Eigen/Core>
 #include <cstdint>
@@ -48,10 +47,10 @@ class Grouping {
   /// Groups of about `group_size` particles.
   Grouping(Eigen::Index particles, Eigen::Index group_size);
 
-  Eigen::Index groups() const { return groups_; }
+  Eigen::Index group_count() const { return groups_; }
   /// The groups of a step depend on seed and step only.
   void shuffle(std::uint64_t seed, std::uint64_t step);
-  /// Where the particles of a group are now, and where they go after the step.
+  /// Positions of the particles of a group now (`sources`) and after the step (`targets`).
   void members(Eigen::Index group, std::vector<Eigen::Index>& sources,
                std::vector<Eigen::Index>& targets) const;
 

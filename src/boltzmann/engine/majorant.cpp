@@ -43,10 +43,10 @@ class MajorantIntegrator {
         law_(law),
         shear_rate_(shear_rate),
         seed_(seed),
-        grouping_(gas.particles(), kGroupSize),
-        threads_(static_cast<int>(std::min<Eigen::Index>(threads, grouping_.groups()))),
+        grouping_(gas.particle_count(), kGroupSize),
+        threads_(static_cast<int>(std::min<Eigen::Index>(threads, grouping_.group_count()))),
         workspaces_(static_cast<std::size_t>(threads_)),
-        outcomes_(static_cast<std::size_t>(grouping_.groups())) {}
+        outcomes_(static_cast<std::size_t>(grouping_.group_count())) {}
 
   /// One step, at most to `end`.
   void step(double end);
@@ -106,7 +106,7 @@ Outcome MajorantIntegrator::advance_group(Eigen::Index number, double duration,
 void MajorantIntegrator::step(double end) {
   const double longest = end - gas_.time;
   const double length = step_duration(longest);
-  const Eigen::Index groups = grouping_.groups();
+  const Eigen::Index groups = grouping_.group_count();
   grouping_.shuffle(seed_, gas_.step);
   parallel::FirstFailure failure;
 #pragma omp parallel for schedule(dynamic) num_threads(threads_) default(shared)
@@ -122,15 +122,15 @@ void MajorantIntegrator::step(double end) {
     gas_.participations += 2 * outcome.collisions;
     squares += outcome.sum_of_squares;
   }
-  gas_.thermal_speed = std::sqrt(squares / (3 * static_cast<double>(gas_.particles())));
+  gas_.thermal_speed = std::sqrt(squares / (3 * static_cast<double>(gas_.particle_count())));
   gas_.time = length < longest ? gas_.time + length : end;
   ++gas_.step;
 }
 
 }  // namespace
 
-std::function<void()> majorant_steps(Gas& gas, const Law& law, double shear_rate,
-                                     std::uint64_t seed, double time, int threads) {
+std::function<void()> majorant_stepper(Gas& gas, const Law& law, double shear_rate,
+                                       std::uint64_t seed, double time, int threads) {
   const auto integrator = std::make_shared<MajorantIntegrator>(gas, law, shear_rate, seed, threads);
   return [integrator, time] { integrator->step(time); };
 }

@@ -41,7 +41,7 @@ class Draws {
       for (std::uint32_t k = 0; k < result.size(); ++k) {
         if (k % words.size() == 0) {
           const auto group = static_cast<std::uint32_t>(k / words.size());
-          words = random::words(seed_, {step_, group, particle}, random::Purpose::partner);
+          words = random::drawn_words(seed_, {step_, group, particle}, random::Purpose::partner);
         }
         result[k] =
             other(particle, static_cast<ParticleIndex>((words[k % words.size()] * others_) >> 32U));
@@ -79,9 +79,9 @@ class Draws {
     if (rule_ != nullptr) {
       return {rule_->coordinate(particle, dimension), rule_->coordinate(particle, dimension + 1)};
     }
-    const random::Words words = random::words(seed_, {step_, 0, particle}, purpose);
-    return {open_unit(random::join(words[0], words[1])),
-            open_unit(random::join(words[2], words[3]))};
+    const random::Words words = random::drawn_words(seed_, {step_, 0, particle}, purpose);
+    return {open_uniform(random::joined(words[0], words[1])),
+            open_uniform(random::joined(words[2], words[3]))};
   }
 
   std::uint64_t seed_;
@@ -186,8 +186,7 @@ Motions sorted_by_speed(const Motions& motions) {
 }
 
 // The end of a step that begins at `time`: a multiple of the duration or the last one, so that
-// stopping and resuming does not change the steps. Adding up durations would accumulate rounding
-// errors.
+// stopping and resuming does not change the steps. Adding durations would add rounding errors.
 double step_end(double time, double duration, double last) {
   constexpr double kRest = 1e-6;  // a remainder that is only rounding gets no step of its own
   const double end = (std::floor(time / duration + kRest) + 1) * duration;
@@ -196,13 +195,13 @@ double step_end(double time, double duration, double last) {
 
 }  // namespace
 
-std::function<void()> ogawa_kato_steps(Gas& gas, const Law& law, const OgawaKato& scheme,
-                                       std::uint64_t seed, double time, int threads) {
-  const auto particles = static_cast<std::uint64_t>(gas.particles());
+std::function<void()> ogawa_kato_stepper(Gas& gas, const Law& law, const OgawaKato& scheme,
+                                         std::uint64_t seed, double time, int threads) {
+  const auto particles = static_cast<std::uint64_t>(gas.particle_count());
   const int useful = static_cast<int>(
       std::min(static_cast<std::uint64_t>(threads), 1 + particles / kMinPerThread));
   std::optional<LatticeRule> rule;
-  if (scheme.quasi) {
+  if (scheme.quasi_random) {
     rule.emplace(particles);
   }
   return [=, &gas, &law, before = Motions(gas.motions.rows(), gas.motions.cols())]() mutable {
@@ -215,7 +214,7 @@ std::function<void()> ogawa_kato_steps(Gas& gas, const Law& law, const OgawaKato
     } else {
       before.swap(gas.motions);
     }
-    gas.participations += advance_particles(step, draws, scheme.partners, useful, gas.motions);
+    gas.participations += advance_particles(step, draws, scheme.partner_count, useful, gas.motions);
     gas.time = end;
     ++gas.step;
   };

@@ -1,7 +1,6 @@
 #pragma once
 // The law of clca/boltzmann/scheme.hpp for equal solid spheres of mass 1 with spins as surface
-// velocities w = a omega: mu = 1/2, K = 7, a^2 / I = 5/2. For many pairs at once, one per SIMD
-// lane.
+// velocities w = a omega: mu = 1/2, K = 7, a^2 / I = 5/2. For many pairs, one per lane.
 
 #include <Eigen/Core>
 #include <limits>
@@ -12,7 +11,7 @@
 namespace clca::boltzmann {
 
 /// a^2 / I of a solid sphere of mass 1.
-inline constexpr double kSolidSpin = 2.5;
+inline constexpr double kInverseInertia = 2.5;
 /// K = 1/mu + 2 a^2/I.
 inline constexpr double kSolidCompliance = 7;
 
@@ -21,8 +20,7 @@ inline double friction_number(const Law& law) {
   return kSolidCompliance / 2 * law.friction * (1 + law.restitution);
 }
 
-/// Lanes are rows, so that each component is contiguous. Width 1 is one pair with the same
-/// arithmetic.
+/// Lanes are rows, so that each component is contiguous. Width 1 is one pair, computed alike.
 template <int kWidth>
 using Lanes = Eigen::Array<double, kWidth, 1>;
 template <int kWidth>
@@ -50,11 +48,11 @@ Vectors<kWidth> cross(const Vectors<kWidth>& a, const Vectors<kWidth>& b) {
   return result;
 }
 
-/// Changes by a collision: v1 -= push, v2 += push, and both w1 and w2 -= kSolidSpin * twist.
+/// Impulses: v1 -= impulse, v2 += impulse; w1 and w2 -= kInverseInertia * angular_impulse.
 template <int kWidth>
 struct ImpulsePair {
-  Vectors<kWidth> push;   ///< P
-  Vectors<kWidth> twist;  ///< (1 - R)/K n x V_t
+  Vectors<kWidth> impulse;          ///< P
+  Vectors<kWidth> angular_impulse;  ///< (1 - R)/K n x V_t
 };
 
 /// g = v1 - v2, spins = w1 + w2, normal: unit vector from the first centre to the second.
@@ -71,8 +69,8 @@ ImpulsePair<kWidth> solid_collision(const Law& law, const Vectors<kWidth>& g,
           .min(1 + law.roughness) /
       kSolidCompliance;
   const Lanes<kWidth> along = (1 + law.restitution) / 2 * approach;
-  return {.push = normal.colwise() * along + slip.colwise() * grip,
-          .twist = cross(normal, slip).colwise() * grip};
+  return {.impulse = normal.colwise() * along + slip.colwise() * grip,
+          .angular_impulse = cross(normal, slip).colwise() * grip};
 }
 
 /// Line of centres with density cos(angle to g) / pi on the hemisphere about g: the direction of
@@ -109,11 +107,12 @@ struct Collisions {
     Vectors<kWidth> velocity2 = second.template leftCols<3>();
     const Vectors<kWidth> g = velocity1 - velocity2;
     const Vectors<kWidth> spins = first.template rightCols<3>() + second.template rightCols<3>();
-    const auto [push, twist] = solid_collision(law, g, spins, line_of_centres(g, height, azimuth));
-    velocity1 -= push;
-    velocity2 += push;
-    first << velocity1, first.template rightCols<3>() - kSolidSpin * twist;
-    second << velocity2, second.template rightCols<3>() - kSolidSpin * twist;
+    const auto [impulse, angular_impulse] =
+        solid_collision(law, g, spins, line_of_centres(g, height, azimuth));
+    velocity1 -= impulse;
+    velocity2 += impulse;
+    first << velocity1, first.template rightCols<3>() - kInverseInertia * angular_impulse;
+    second << velocity2, second.template rightCols<3>() - kInverseInertia * angular_impulse;
     first_speed = dot(velocity1, velocity1).sqrt();
     second_speed = dot(velocity2, velocity2).sqrt();
   }

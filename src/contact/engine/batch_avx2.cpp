@@ -51,7 +51,7 @@ Longs with_half(Longs longs, int bits) {
   return longs + Longs{half, half};
 }
 
-/// Of each number 32 bits, from bit number `bits` on.
+/// 32 bits of each number, from bit number `bits` on.
 Ints shifted(Longs longs, int bits) {
   constexpr int kOddLanes = 0b10101010;
   return {_mm256_blend_epi32(_mm256_srli_epi64(longs.even, bits),
@@ -110,23 +110,24 @@ struct EightLanes {
   static void store(Int value, std::int32_t* to) {
     _mm256_store_si256(reinterpret_cast<__m256i*>(to), value.values);
   }
-  static Coefficients<Int> coefficients(const Pair* pairs, const std::int32_t* at) {
-    static_assert(sizeof(Pair) == 2 * sizeof(__m128i));
+  static Coefficients<Int> coefficients(const PairCoefficients* pairs, const std::int32_t* at) {
+    static_assert(sizeof(PairCoefficients) == 2 * sizeof(__m128i));
     const auto half = [&](std::size_t number) {
       return columns([&](std::size_t lane) {
         return _mm_loadu_si128(reinterpret_cast<const __m128i*>(&pairs[at[lane]]) + number);
       });
     };
     const auto [mass, shear_mass, upper_inverse_mass, other_inverse_mass] = half(0);
-    const auto [upper_rolling_mass, other_rolling_mass, upper_turning, other_turning] = half(1);
+    const auto [upper_rolling_mass, other_rolling_mass, upper_rolling_response,
+                other_rolling_response] = half(1);
     return {mass,
             shear_mass,
             upper_inverse_mass,
             other_inverse_mass,
             upper_rolling_mass,
             other_rolling_mass,
-            upper_turning,
-            other_turning};
+            upper_rolling_response,
+            other_rolling_response};
   }
   static Velocity<Int> velocities(const AlignedVelocity* bodies, const std::int32_t* at) {
     const auto [x, y, spin, unused] = columns([&](std::size_t lane) {

@@ -16,7 +16,9 @@ struct OneLane {
 
   static Int load(const std::int32_t* from) { return *from; }
   static void store(Int value, std::int32_t* to) { *to = value; }
-  static Pair coefficients(const Pair* pairs, const std::int32_t* at) { return pairs[*at]; }
+  static PairCoefficients coefficients(const PairCoefficients* pairs, const std::int32_t* at) {
+    return pairs[*at];
+  }
   static Velocity<> velocities(const AlignedVelocity* bodies, const std::int32_t* at) {
     return bodies[*at].velocity;
   }
@@ -54,20 +56,20 @@ void ContactSlots::add_grains(std::size_t grains) {
   next_batch_.resize(grains, 0);
 }
 
-void ContactSlots::add(const Contact& contact, lattice::Axial to_other) {
+void ContactSlots::add_contact(const Contact& contact, lattice::Axial to_other) {
   const auto at = static_cast<std::int32_t>(slots_.size());
-  Slot& slot = slots_.emplace_back();
+  ContactSlot& slot = slots_.emplace_back();
   slot.upper = contact.upper;
   slot.lane = new_lane(contact);
   slot.next_upper = std::exchange(first_slot_[contact.upper], at);
   if (grains::is_particle(contact.other)) {
     slot.next_other = std::exchange(first_slot_[grains::particle_id(contact.other)], at);
   }
-  set(at, contact, to_other);
+  set_contact(at, contact, to_other);
 }
 
-void ContactSlots::remove(std::int32_t at) {
-  Slot& slot = slots_[static_cast<std::size_t>(at)];
+void ContactSlots::remove_contact(std::int32_t at) {
+  ContactSlot& slot = slots_[static_cast<std::size_t>(at)];
   unlink(at, slot.upper);
   if (grains::is_particle(slot.other)) {
     unlink(at, grains::particle_id(slot.other));
@@ -78,8 +80,8 @@ void ContactSlots::remove(std::int32_t at) {
   slot.lane = -1;
 }
 
-void ContactSlots::set(std::int32_t at, const Contact& contact, lattice::Axial to_other) {
-  Slot& slot = slots_[static_cast<std::size_t>(at)];
+void ContactSlots::set_contact(std::int32_t at, const Contact& contact, lattice::Axial to_other) {
+  ContactSlot& slot = slots_[static_cast<std::size_t>(at)];
   if (slot.upper != contact.upper) {
     std::swap(slot.next_upper, slot.next_other);
   }
@@ -89,15 +91,15 @@ void ContactSlots::set(std::int32_t at, const Contact& contact, lattice::Axial t
   Batch& batch = this->batch(at);
   batch.upper[lane_in_batch(at)] = body_number(grains::as_owner(contact.upper));
   batch.other[lane_in_batch(at)] = body_number(contact.other);
-  batch.pair[lane_in_batch(at)] = pair_number(*grains_, contact.upper, contact.other);
+  batch.pair_index[lane_in_batch(at)] = pair_index(*grains_, contact.upper, contact.other);
   fill_lane(at, contact, rule_->friction_with(contact.other));
 }
 
 Contact ContactSlots::contact(std::int32_t at) const {
   const Batch& batch = this->batch(at);
   const std::size_t i = lane_in_batch(at);
-  return {.upper = this->at(at).upper,
-          .other = this->at(at).other,
+  return {.upper = this->slot(at).upper,
+          .other = this->slot(at).other,
           .normal = {batch.normal_x[i], batch.normal_y[i]},
           .impulse = {batch.impulse.normal[i], batch.impulse.shear[i], batch.impulse.rolling[i]}};
 }
@@ -111,7 +113,7 @@ std::int32_t ContactSlots::separation_velocity(std::int32_t at,
                       .other = bodies[static_cast<std::size_t>(batch.other[i])].velocity,
                       .normal_x = batch.normal_x[i],
                       .normal_y = batch.normal_y[i],
-                      .pair = {}});
+                      .coefficients = {}});
 }
 
 /// The next lane of the first batch that is not full, behind all batches of contacts of both.
@@ -149,7 +151,7 @@ void ContactSlots::fill_lane(std::int32_t at, const Contact& contact, std::int32
 
 void ContactSlots::unlink(std::int32_t at, std::uint32_t grain) {
   const auto next_of = [&](std::int32_t number) {
-    Slot& slot = slots_[static_cast<std::size_t>(number)];
+    ContactSlot& slot = slots_[static_cast<std::size_t>(number)];
     return slot.upper == grain ? &slot.next_upper : &slot.next_other;
   };
   std::int32_t* link = &first_slot_[grain];
@@ -159,7 +161,7 @@ void ContactSlots::unlink(std::int32_t at, std::uint32_t grain) {
   *link = *next_of(at);
 }
 
-void SmallGroups::begin(std::size_t grains, const ContactSlots& slots) {
+void SmallGroups::begin_step(std::size_t grains, const ContactSlots& slots) {
   ++steps_;
   active_.clear();
   may_be_small_.resize(grains, 1);
@@ -193,7 +195,7 @@ bool SmallGroups::find_group(std::uint32_t grain, const ContactSlots& slots) {
   bool is_small = true;
   for (std::size_t i = 0; is_small && i < group_grains_.size(); ++i) {
     slots.for_each_slot(group_grains_[i], [&, id = group_grains_[i]](std::int32_t at) {
-      const Slot& slot = slots.at(at);
+      const ContactSlot& slot = slots.slot(at);
       if (!grains::is_particle(slot.other)) {
         return;
       }
@@ -223,9 +225,10 @@ ContactFinder::ContactFinder(const grains::Box& box, const Rule& rule)
 void ContactFinder::load(const std::vector<Contact>& contacts, ContactSlots& slots) {
   slots.clear(state_.particles.size());
   for (const Contact& contact : contacts) {
-    slots.add(contact, grains::is_particle(contact.other)
-                           ? vector_between(contact.upper, grains::particle_id(contact.other))
-                           : lattice::Axial());
+    slots.add_contact(contact,
+                      grains::is_particle(contact.other)
+                          ? vector_between(contact.upper, grains::particle_id(contact.other))
+                          : lattice::Axial());
   }
 }
 
@@ -253,7 +256,7 @@ void ContactFinder::update(std::span<const std::uint32_t> moved, const WallVeloc
   }
   std::ranges::sort(new_contacts_, {}, [](const auto& found) { return found.first; });
   for (const auto& [key, touch] : new_contacts_) {
-    slots.add(touch.contact, touch.to_other);
+    slots.add_contact(touch.contact, touch.to_other);
   }
 }
 
@@ -261,7 +264,7 @@ void ContactFinder::update(std::span<const std::uint32_t> moved, const WallVeloc
 /// with walls are left to check_walls().
 void ContactFinder::check_contacts(std::uint32_t id, ContactSlots& slots, SmallGroups& groups) {
   slots.for_each_slot(id, [&](std::int32_t at) {
-    const Slot& slot = slots.at(at);
+    const ContactSlot& slot = slots.slot(at);
     const bool with_grain = grains::is_particle(slot.other);
     const auto other = grains::particle_id(slot.other);
     const bool present =
@@ -271,15 +274,16 @@ void ContactFinder::check_contacts(std::uint32_t id, ContactSlots& slots, SmallG
     }
     StepContact now = present ? contact_between(slot.upper, other) : StepContact();
     if (now.contact.normal == UnitVector()) {
-      groups.lost_contact(slot.upper);
+      groups.note_lost_contact(slot.upper);
       if (with_grain) {
-        groups.lost_contact(other);
+        groups.note_lost_contact(other);
       }
-      slots.remove(at);
+      slots.remove_contact(at);
     } else {
       const Impulse<> impulse = slots.contact(at).impulse;
-      now.contact.impulse = now.contact.upper == slot.upper ? impulse : turned_over(impulse);
-      slots.set(at, now.contact, now.to_other);
+      now.contact.impulse =
+          now.contact.upper == slot.upper ? impulse : with_bodies_swapped(impulse);
+      slots.set_contact(at, now.contact, now.to_other);
     }
   });
 }
@@ -289,19 +293,19 @@ void ContactFinder::check_contacts(std::uint32_t id, ContactSlots& slots, SmallG
 bool ContactFinder::find_new_contacts(std::uint32_t id, const ContactSlots& slots) {
   partners_.clear();
   slots.for_each_slot(id, [&](std::int32_t at) {
-    const Slot& slot = slots.at(at);
+    const ContactSlot& slot = slots.slot(at);
     partners_.push_back(slot.upper == id ? slot.other : grains::as_owner(slot.upper));
   });
-  bool at_wall = std::ranges::any_of(partners_, grains::is_wall);
+  bool at_wall = std::ranges::any_of(partners_, grains::is_obstacle);
   grains::Owner before = grains::kFree;
   const grains::Particle& grain = state_.particles[id];
-  box_.for_each_index(grain, box_.footprints.of(grain).ring, [&](std::size_t index) {
+  box_.for_each_index(grain, box_.footprints.footprint(grain).neighbours, [&](std::size_t index) {
     const grains::Owner owner = box_.occupancy.owner(index);
     if (owner == before) {
       return;
     }
     before = owner;
-    at_wall = at_wall || grains::is_wall(owner);
+    at_wall = at_wall || grains::is_obstacle(owner);
     const auto other = grains::particle_id(owner);
     if (grains::is_particle(owner) && !checked_with(other, id) &&
         std::ranges::find(partners_, owner) == partners_.end()) {
@@ -325,7 +329,7 @@ void ContactFinder::check_walls(std::uint32_t id, const WallVelocities& walls,
   std::vector<Contact> before;
   std::vector<std::int32_t> slots_before;
   slots.for_each_slot(id, [&](std::int32_t at) {
-    if (grains::is_wall(slots.at(at).other)) {
+    if (grains::is_obstacle(slots.slot(at).other)) {
       before.push_back(slots.contact(at));
       slots_before.push_back(at);
     }
@@ -333,12 +337,12 @@ void ContactFinder::check_walls(std::uint32_t id, const WallVelocities& walls,
   const std::vector<const StepContact*> next = successors(before, now);
   for (std::size_t i = 0; i < before.size(); ++i) {
     if (next[i] == nullptr) {
-      slots.remove(slots_before[i]);
+      slots.remove_contact(slots_before[i]);
       continue;
     }
     Contact contact = next[i]->contact;
     contact.impulse = before[i].impulse;
-    slots.set(slots_before[i], contact, {});
+    slots.set_contact(slots_before[i], contact, {});
   }
   for (const StepContact& touch : now) {
     if (std::ranges::find(next, &touch) == next.end()) {
@@ -349,14 +353,14 @@ void ContactFinder::check_walls(std::uint32_t id, const WallVelocities& walls,
 
 void ContactFinder::sort(ContactSlots& slots) {
   order_.clear();
-  order_.reserve(slots.all().size());
-  for (std::int32_t at = 0; at < static_cast<std::int32_t>(slots.all().size()); ++at) {
-    if (slots.at(at).lane >= 0) {
-      order_.emplace_back(order_key(state_, down_, slots.at(at).upper), at);
+  order_.reserve(slots.slots().size());
+  for (std::int32_t at = 0; at < static_cast<std::int32_t>(slots.slots().size()); ++at) {
+    if (slots.slot(at).lane >= 0) {
+      order_.emplace_back(order_key(state_, down_, slots.slot(at).upper), at);
     }
   }
   const auto rank = [&](std::int32_t at) {
-    return std::tie(slots.at(at).to_other, slots.at(at).other);
+    return std::tie(slots.slot(at).to_other, slots.slot(at).other);
   };
   // From the order of the last time, which is nearly right.
   std::ranges::stable_sort(order_, [&](const auto& one, const auto& other) {
@@ -365,7 +369,7 @@ void ContactFinder::sort(ContactSlots& slots) {
   });
   reordered_slots_.clear(state_.particles.size());
   for (const auto& [key, at] : order_) {
-    reordered_slots_.add(slots.contact(at), slots.at(at).to_other);
+    reordered_slots_.add_contact(slots.contact(at), slots.slot(at).to_other);
   }
   std::swap(slots, reordered_slots_);
 }
@@ -383,8 +387,8 @@ StepContact ContactFinder::contact_between(std::uint32_t first, std::uint32_t se
 }
 
 lattice::Axial ContactFinder::vector_between(std::uint32_t upper, std::uint32_t other) const {
-  return state_.lattice.nearest_vector(state_.particles[upper].site(),
-                                       state_.particles[other].site());
+  return state_.lattice.shortest_vector(state_.particles[upper].site(),
+                                        state_.particles[other].site());
 }
 
 }  // namespace clca::contact

@@ -13,7 +13,7 @@
 namespace clca::contact {
 
 /// A contact by its bodies, and in which lane of the batches its normal and impulses are.
-struct Slot {
+struct ContactSlot {
   std::uint32_t upper = 0;
   grains::Owner other = 0;
   std::int32_t lane = -1;  ///< counted through all batches; -1: it has ended, the slot is empty
@@ -29,10 +29,10 @@ class ContactSlots {
  public:
   /// Bytes for a grain and its contacts.
   static constexpr double kGrainBytes =
-      2 * sizeof(std::int32_t) +
-      kContactsPerGrain * grains::kListRoom * (sizeof(Slot) + sizeof(Batch) / double{kLanes});
+      2 * sizeof(std::int32_t) + kContactsPerGrain * grains::kListCapacityRatio *
+                                     (sizeof(ContactSlot) + sizeof(Batch) / double{kLanes});
 
-  /// Both outlive the slots.
+  /// Both arguments must outlive the slots.
   ContactSlots(const grains::State& grains, const Rule& rule)
       : grains_(&grains),
         rule_(&rule),
@@ -48,21 +48,25 @@ class ContactSlots {
   /// Makes room for more grains, which touch nothing.
   void add_grains(std::size_t grains);
   /// Adds a contact behind the others.
-  void add(const Contact& contact, lattice::Axial to_other);
+  void add_contact(const Contact& contact, lattice::Axial to_other);
   /// Empties a slot. It keeps its position in the order.
-  void remove(std::int32_t at);
+  void remove_contact(std::int32_t at);
   /// Changes a contact. The other grain may have become the upper one.
-  void set(std::int32_t at, const Contact& contact, lattice::Axial to_other);
+  void set_contact(std::int32_t at, const Contact& contact, lattice::Axial to_other);
 
-  std::span<const Slot> all() const { return slots_; }
-  const Slot& at(std::int32_t slot) const { return slots_[static_cast<std::size_t>(slot)]; }
+  std::span<const ContactSlot> slots() const { return slots_; }
+  const ContactSlot& slot(std::int32_t slot) const {
+    return slots_[static_cast<std::size_t>(slot)];
+  }
   std::vector<Batch>& batches() { return batches_; }
   Contact contact(std::int32_t at) const;
   std::int32_t normal_impulse(std::int32_t at) const {
     return batch(at).impulse.normal[lane_in_batch(at)];
   }
   /// StepContact::bounce of the contact.
-  std::int32_t& bounce(std::int32_t at) { return batch(at).bounce[lane_in_batch(at)]; }
+  std::int32_t& bounce_velocity(std::int32_t at) {
+    return batch(at).bounce_velocity[lane_in_batch(at)];
+  }
   /// Velocity with which its bodies part now. `bodies`: velocities by number of the body.
   std::int32_t separation_velocity(std::int32_t at,
                                    const std::vector<AlignedVelocity>& bodies) const;
@@ -72,14 +76,14 @@ class ContactSlots {
   void for_each_slot(std::uint32_t grain, Visit visit) const {
     for (std::int32_t at = first_slot_[grain]; at >= 0;) {
       visit(at);
-      const Slot& slot = this->at(at);
+      const ContactSlot& slot = this->slot(at);
       at = slot.upper == grain ? slot.next_upper : slot.next_other;
     }
   }
   bool touches_anything(std::uint32_t grain) const { return first_slot_[grain] >= 0; }
 
  private:
-  std::size_t lane(std::int32_t at) const { return static_cast<std::size_t>(this->at(at).lane); }
+  std::size_t lane(std::int32_t at) const { return static_cast<std::size_t>(this->slot(at).lane); }
   std::size_t lane_in_batch(std::int32_t at) const { return lane(at) % kLanes; }
   const Batch& batch(std::int32_t at) const { return batches_[lane(at) / kLanes]; }
   Batch& batch(std::int32_t at) { return batches_[lane(at) / kLanes]; }
@@ -90,7 +94,7 @@ class ContactSlots {
   const grains::State* grains_;  // pointers: slots are swapped
   const Rule* rule_;
   std::int32_t first_grain_body_;
-  std::vector<Slot> slots_;
+  std::vector<ContactSlot> slots_;
   std::vector<std::int32_t> first_slot_;  // by grain, -1 none
   std::vector<Batch> batches_;
   std::vector<std::uint8_t> used_lanes_;   // by batch, emptied ones included
@@ -98,28 +102,28 @@ class ContactSlots {
   std::size_t first_not_full_ = 0;         // all batches before it are full
 };
 
-/// The groups that active_groups() finds. Of most grains it is known from earlier steps that their
-/// group is not small.
+/// The groups that active_small_groups() finds. Of most grains it is known from earlier steps that
+/// their group is not small.
 class SmallGroups {
  public:
   /// Bytes for a grain.
-  static constexpr double kGrainBytes =
-      sizeof(std::uint64_t) + sizeof(std::uint8_t) + grains::kListRoom * sizeof(std::uint32_t);
+  static constexpr double kGrainBytes = sizeof(std::uint64_t) + sizeof(std::uint8_t) +
+                                        grains::kListCapacityRatio * sizeof(std::uint32_t);
 
   /// Nothing is known any more.
   void clear() { may_be_small_.clear(); }
   /// A grain has lost a contact.
-  void lost_contact(std::uint32_t grain) { changed_.push_back(grain); }
+  void note_lost_contact(std::uint32_t grain) { changed_.push_back(grain); }
   /// Begins a step: contacts have begun and ended. No group is active.
-  void begin(std::size_t grains, const ContactSlots& slots);
+  void begin_step(std::size_t grains, const ContactSlots& slots);
   /// A contact of a grain carries or bounces.
-  void set_active(std::uint32_t grain, const ContactSlots& slots) {
+  void mark_active(std::uint32_t grain, const ContactSlots& slots) {
     if (may_be_small_[grain] != 0 && decided_step_[grain] != steps_) {
       add_group(grain, slots);
     }
   }
   /// The slots of each that is active, in their order.
-  const std::vector<std::vector<std::int32_t>>& active() const { return active_; }
+  const std::vector<std::vector<std::int32_t>>& active_slots() const { return active_; }
 
  private:
   void add_group(std::uint32_t grain, const ContactSlots& slots);
@@ -128,24 +132,24 @@ class SmallGroups {
   std::vector<std::vector<std::int32_t>> active_;
   std::vector<std::uint32_t> changed_;      // grains that have lost contacts, maybe more than once
   std::vector<std::uint8_t> may_be_small_;  // by grain: its group; true of all grains of small ones
-  // By grain: the last step in which its group was found to be active, or not to be small.
+  // By grain: the last step in which its group was found to be active, or not small.
   std::vector<std::uint64_t> decided_step_;
   std::uint64_t steps_ = 0;                  // so far
   std::vector<std::uint32_t> group_grains_;  // grains of the group that is looked at
 };
 
-/// Keeps slots in line with where grains are. Does what next_contacts() does, looking only at
-/// grains that have moved.
+/// Keeps slots in line with where grains are, as next_contacts(), by grains that have moved.
 class ContactFinder {
  public:
   /// Bytes for a grain, with those of ContactSlots.
   static constexpr double kGrainBytes =
       ContactSlots::kGrainBytes + sizeof(std::uint8_t) +
       kContactsPerGrain * sizeof(std::pair<std::int64_t, std::int32_t>) +
-      grains::kListRoom * (2 * sizeof(std::uint32_t) +
-                           kContactsPerGrain * sizeof(std::pair<StepContact::Key, StepContact>));
+      grains::kListCapacityRatio *
+          (2 * sizeof(std::uint32_t) +
+           kContactsPerGrain * sizeof(std::pair<StepContact::Key, StepContact>));
 
-  /// Both outlive the finder.
+  /// Both arguments must outlive the finder.
   ContactFinder(const grains::Box& box, const Rule& rule);
 
   /// The direction of the lattice nearest to gravity: what is above what.
@@ -164,7 +168,7 @@ class ContactFinder {
   void sort(ContactSlots& slots);
 
  private:
-  /// Of two grains that have both moved one is checked for both.
+  /// Whether both grains have moved and their contact is checked at the partner.
   bool checked_with(std::uint32_t partner, std::uint32_t id) const {
     return moved_[partner] != 0 && partner < id;
   }

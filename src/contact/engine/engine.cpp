@@ -6,7 +6,7 @@
 namespace clca::contact {
 
 Engine::Engine(State initial, const Parameters& parameters)
-    : Steps(std::move(initial), parameters),
+    : ContactMechanics(std::move(initial), parameters),
       carry_out_pass_(fastest_pass_function()),
       finder_(box_, rule_),
       slots_(state_.grains, rule_),
@@ -18,8 +18,8 @@ Engine::Engine(State initial, const Parameters& parameters)
   load();
 }
 
-void Engine::added(std::size_t first) {
-  Steps::added(first);
+void Engine::on_added(std::size_t first) {
+  ContactMechanics::on_added(first);
   const std::size_t grains = state_.grains.particles.size();
   for (std::size_t id = first; id < grains; ++id) {
     changed_.push_back(static_cast<std::uint32_t>(id));
@@ -28,16 +28,16 @@ void Engine::added(std::size_t first) {
   slots_.add_grains(grains);
 }
 
-void Engine::removing(std::uint32_t id) {
-  Steps::removing(id);
+void Engine::on_removing(std::uint32_t id) {
+  ContactMechanics::on_removing(id);
   velocity(id) = {};
   changed_.push_back(id);
   mover_.remove_grain(id);
 }
 
-void Engine::reloaded() {
-  write_back();
-  Steps::reloaded();
+void Engine::on_reloaded() {
+  write_contacts_back();
+  ContactMechanics::on_reloaded();
   load();
 }
 
@@ -79,33 +79,33 @@ void Engine::update_contacts() {
     bodies_[kFirstWallBody + wall].velocity = walls[wall];
   }
   finder_.update(changed_, walls, slots_, groups_);
-  if (sorts_contacts(state_)) {
+  if (is_sorting_step(state_)) {
     finder_.sort(slots_);
   }
   state_.changed = false;
   for (const std::uint32_t id : changed_) {
     state_.grains.particles[id].previous = grains::kRest;
   }
-  groups_.begin(state_.grains.particles.size(), slots_);
+  groups_.begin_step(state_.grains.particles.size(), slots_);
 }
 
 void Engine::bounce_unloaded_contacts() {
   bouncing_.clear();
-  for (std::int32_t at = 0; at < static_cast<std::int32_t>(slots_.all().size()); ++at) {
-    const Slot& slot = slots_.at(at);
+  for (std::int32_t at = 0; at < static_cast<std::int32_t>(slots_.slots().size()); ++at) {
+    const ContactSlot& slot = slots_.slot(at);
     if (slot.lane < 0) {
       continue;
     }
     if (slots_.normal_impulse(at) != 0) {
-      groups_.set_active(slot.upper, slots_);
+      groups_.mark_active(slot.upper, slots_);
       continue;
     }
     const std::int32_t velocity =
         bounce_velocity(-slots_.separation_velocity(at, bodies_), rule_.restitution);
     if (velocity > 0) {
-      slots_.bounce(at) = velocity;
+      slots_.bounce_velocity(at) = velocity;
       bouncing_.push_back(at);
-      groups_.set_active(slot.upper, slots_);
+      groups_.mark_active(slot.upper, slots_);
     }
   }
 }
@@ -113,10 +113,11 @@ void Engine::bounce_unloaded_contacts() {
 /// Calls `solve` with the contacts of each small group and keeps the impacts.
 template <class Solve>
 void Engine::for_each_group(Solve solve) {
-  for (const std::vector<std::int32_t>& group : groups_.active()) {
+  for (const std::vector<std::int32_t>& group : groups_.active_slots()) {
     std::vector<StepContact> touches;
     for (const std::int32_t at : group) {
-      touches.push_back({.contact = contact(at), .bounce = std::exchange(slots_.bounce(at), 0)});
+      touches.push_back({.contact = contact(at),
+                         .bounce_velocity = std::exchange(slots_.bounce_velocity(at), 0)});
     }
     std::vector<StepContact*> pointers;
     for (StepContact& touch : touches) {
@@ -131,14 +132,14 @@ void Engine::for_each_group(Solve solve) {
 
 void Engine::sweep_contacts() {
   std::vector<Batch>& batches = slots_.batches();
-  const Pair* pairs = rule_.pairs.data();
+  const PairCoefficients* pairs = rule_.pair_coefficients.data();
   carry_out_pass_(Pass::warm_start, batches, bodies_.data(), pairs, rule_.law);
   for (int i = 0; i < rule_.sweeps; ++i) {
     carry_out_pass_(i % 2 == 0 ? Pass::forwards : Pass::backwards, batches, bodies_.data(), pairs,
                     rule_.law);
   }
   for (const std::int32_t slot : bouncing_) {
-    slots_.bounce(slot) = 0;
+    slots_.bounce_velocity(slot) = 0;
   }
   for_each_group([this](const auto& contacts) { converge_group(contacts, body_velocities_); });
 }
@@ -146,8 +147,8 @@ void Engine::sweep_contacts() {
 void Engine::advance_and_move() {
   // No component exceeds half a site before the remainder itself does.
   constexpr std::int64_t kNear = kSpacing / 2 - 2;
-  const bool at_rest = advance_all(
-      state_, rule_.slow_speed(),
+  const bool at_rest = advance_remainders(
+      state_, rule_.rest_speed_limit(),
       [this](std::uint32_t id) -> const Velocity<>& { return velocity(id); },
       [this](std::uint32_t id) { return slots_.touches_anything(id); });
   candidates_.resize(state_.remainders.size());
@@ -159,18 +160,19 @@ void Engine::advance_and_move() {
   candidates_.resize(count);
   std::vector<WallMove> walls = advance_walls(state_);
   mover_.move_all(finder_.down(), candidates_, walls);
-  const SiteMoves& moves = mover_.moves();
-  moved_ = moves.moved();
-  collide_blocked(state_, moves, body_velocities_, mover_.ids(), last_step_);
+  const SiteMoves& moves = mover_.site_moves();
+  moved_ = moves.moved_ids();
+  collide_blocked(state_, moves, body_velocities_, mover_.tried_ids(), last_step_);
   for (std::size_t id = 0; id < state_.velocities.size(); ++id) {
     state_.velocities[id] = velocity(id);
   }
   changed_ = moved_;
-  changed_.insert(changed_.end(), moves.beside_walls().begin(), moves.beside_walls().end());
+  changed_.insert(changed_.end(), moves.grains_beside_walls().begin(),
+                  moves.grains_beside_walls().end());
   end_step(state_, walls, moves, rule_.slow_speed(), at_rest);
 }
 
-void Engine::write_back() {
+void Engine::write_contacts_back() {
   if (!std::exchange(written_back_, true)) {
     state_.contacts = contacts(true);
   }
@@ -179,8 +181,8 @@ void Engine::write_back() {
 /// In order; only those with walls and sides unless also those `with_grains`.
 std::vector<Contact> Engine::contacts(bool with_grains) const {
   std::vector<Contact> result;
-  for (std::int32_t at = 0; at < static_cast<std::int32_t>(slots_.all().size()); ++at) {
-    const Slot& slot = slots_.at(at);
+  for (std::int32_t at = 0; at < static_cast<std::int32_t>(slots_.slots().size()); ++at) {
+    const ContactSlot& slot = slots_.slot(at);
     if (slot.lane >= 0 && (with_grains || !grains::is_particle(slot.other))) {
       result.push_back(contact(at));
     }

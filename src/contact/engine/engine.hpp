@@ -1,5 +1,5 @@
 #pragma once
-// Steps as Reference gives them, at a cost that follows what changes.
+// Steps as ReferenceMechanics gives them, at a cost that follows what changes.
 
 #include <cstdint>
 #include <map>
@@ -21,9 +21,9 @@ class Mover {
   /// Bytes for a grain.
   static constexpr double kGrainBytes =
       sizeof(std::uint8_t) + (3 * lattice::kDirectionCount + 1) * sizeof(std::int32_t) +
-      sizeof(std::uint64_t) + grains::kListRoom * 4 * sizeof(std::uint32_t);
+      sizeof(std::uint64_t) + grains::kListCapacityRatio * 4 * sizeof(std::uint32_t);
 
-  /// Both outlive the mover.
+  /// Both arguments must outlive the mover.
   Mover(State& state, grains::Box& box) : state_(state), moves_(state, box) {}
 
   /// Nobody waits any more: there are other grains, or walls.
@@ -35,10 +35,10 @@ class Mover {
   /// move. Their order does not matter.
   void move_all(lattice::Direction down, std::span<const std::uint32_t> ids,
                 std::span<WallMove> walls);
-  /// Of the last call.
-  const SiteMoves& moves() const { return moves_; }
-  /// Of the last call: `ids`, and those that walls have pushed.
-  std::span<const std::uint32_t> ids() const { return ids_; }
+  /// The moves of the last move_all().
+  const SiteMoves& site_moves() const { return moves_; }
+  /// The grains tried by the last move_all(): `ids`, and those that walls have pushed.
+  std::span<const std::uint32_t> tried_ids() const { return ids_; }
 
  private:
   // A grain and a direction in which it may wait are a number: kDirectionCount x id + direction.
@@ -48,8 +48,7 @@ class Mover {
     return static_cast<Waiting>(std::size_t{id} * lattice::kDirectionCount +
                                 lattice::index_of(direction));
   }
-  // Numbers of obstacles, for which grains wait: all walls and the border are one, each grain is
-  // one.
+  // Numbers of obstacles, for which grains wait: all walls and the border are one, each grain one.
   static constexpr std::size_t kWalls = 0;
   static std::size_t obstacle(std::uint32_t id) { return id + 1; }
 
@@ -80,22 +79,22 @@ class Mover {
   std::uint64_t walks_ = 0;                       // of has_ring(), so far
 };
 
-class Engine final : public Steps {
+class Engine final : public ContactMechanics {
  public:
   /// Bytes for a grain, with its motion and its contacts in the state.
   static constexpr double kGrainBytes =
       sizeof(Velocity<>) + sizeof(Vector) + sizeof(lattice::Axial) + ContactSlots::kGrainBytes +
       ContactFinder::kGrainBytes + SmallGroups::kGrainBytes + Mover::kGrainBytes +
       sizeof(AlignedVelocity) +
-      grains::kListRoom * (3 * sizeof(std::uint32_t) +
-                           kContactsPerGrain * (sizeof(Contact) + sizeof(std::int32_t)));
+      grains::kListCapacityRatio * (3 * sizeof(std::uint32_t) +
+                                    kContactsPerGrain * (sizeof(Contact) + sizeof(std::int32_t)));
 
   Engine(State initial, const Parameters& parameters);
 
-  void write_back() override;
-  void added(std::size_t first) override;
-  void removing(std::uint32_t id) override;
-  void reloaded() override;
+  void write_contacts_back() override;
+  void on_added(std::size_t first) override;
+  void on_removing(std::uint32_t id) override;
+  void on_reloaded() override;
 
  private:
   void move_grains() override;

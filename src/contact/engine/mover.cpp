@@ -25,7 +25,7 @@ void Mover::remove_grain(std::uint32_t id) {
 void Mover::move_all(Direction down, std::span<const std::uint32_t> ids,
                      std::span<WallMove> walls) {
   ids_.assign(ids.begin(), ids.end());
-  moves_.begin();
+  moves_.begin_step();
   const std::size_t grains = state_.grains.particles.size();
   waiting_directions_.resize(grains, 0);
   walk_of_.resize(grains, 0);
@@ -33,7 +33,7 @@ void Mover::move_all(Direction down, std::span<const std::uint32_t> ids,
   obstacle_.resize(lattice::kDirectionCount * grains);
   next_waiting_.resize(lattice::kDirectionCount * grains, kNone);
   previous_waiting_.resize(lattice::kDirectionCount * grains, kNone);
-  for (const Direction direction : order_of_directions(state_.grains, down)) {
+  for (const Direction direction : direction_order(state_.grains, down)) {
     move(direction, walls);
   }
 }
@@ -111,7 +111,7 @@ bool Mover::move_at_once(Direction direction) {
   return !ids.empty();
 }
 
-/// What has been pushed does not move by itself in the same direction.
+/// Grains that a wall has pushed do not move by themselves in the same direction.
 bool Mover::move_walls(Direction direction, std::span<WallMove> walls) {
   std::vector<std::uint32_t> pushed;
   if (!moves_.move_walls(direction, walls, pushed)) {
@@ -159,7 +159,7 @@ void Mover::stop_waiting(Waiting entry) {
   directions = static_cast<std::uint8_t>(directions & ~(1U << at % lattice::kDirectionCount));
 }
 
-/// Those that wait for this obstacle in the direction of the moves and still want it are tried.
+/// Tries the grains that wait for this obstacle in this direction and still want to move.
 void Mover::wake(std::size_t obstacle, Direction direction) {
   while (first_waiting_[obstacle] != kNone) {
     const auto at = static_cast<std::size_t>(first_waiting_[obstacle]);

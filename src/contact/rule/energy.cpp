@@ -29,7 +29,7 @@ Eigen::Vector2d position_of(const State& state, std::size_t id) {
 
 }  // namespace
 
-Energy energy_of(const State& state, std::size_t id, double gravity) {
+Energy grain_energy(const State& state, std::size_t id, double gravity) {
   const Velocity<>& velocity = state.velocities[id];
   const double mass = mass_of(state, id);
   const double spin = static_cast<double>(velocity.spin) / kSpacing;
@@ -42,7 +42,7 @@ std::vector<double> wall_positions(const State& state) {
   std::vector<double> result;
   for (std::size_t wall = 0; wall < state.wall_remainders.size(); ++wall) {
     const double ahead = static_cast<double>(state.wall_remainders[wall]) /
-                         static_cast<double>(grains::kMotionSpacing);
+                         static_cast<double>(grains::kMotionUnitsPerSpacing);
     result.push_back(state.grains.walls[wall].travel.offset + std::clamp(ahead, -1.0, 1.0));
   }
   return result;
@@ -74,9 +74,10 @@ double vessel_work(const State& state, const Vessel& before, double gravity) {
   const bool periodic = state.grains.lattice.periodic();
   const auto integer_gravity = static_cast<std::int32_t>(gravity * kSpacing);
   const Acceleration by = acceleration(before, integer_gravity, periodic);
-  const Vector still = acceleration(at_rest(before), integer_gravity, periodic).gravity;
+  const Vector still = acceleration(without_motion(before), integer_gravity, periodic).gravity;
   const Eigen::Vector2d shaking = in_spacings(by.gravity) - in_spacings(still);
-  const double squared_rate = std::ldexp(static_cast<double>(by.squared_rate), -kSquaredRateBits);
+  const double squared_angular_velocity =
+      std::ldexp(static_cast<double>(by.squared_angular_velocity), -kSquaredRateBits);
   const Eigen::Vector2d centre =
       std::ldexp(1, -kCentreBits) * Eigen::Vector2d(by.centre_x, by.centre_y);
   const Eigen::Vector2d turn = gravity_direction(state.vessel) - gravity_direction(before);
@@ -92,7 +93,7 @@ double vessel_work(const State& state, const Vessel& before, double gravity) {
       outwards += impulse.dot(lattice::position(grain.site()) - centre);
     }
   }
-  return (shaking.dot(momentum) + squared_rate * outwards) / gravity - turn.dot(moment);
+  return (shaking.dot(momentum) + squared_angular_velocity * outwards) / gravity - turn.dot(moment);
 }
 
 }  // namespace clca::contact

@@ -1,5 +1,4 @@
-// Impacts among few grains, and groups of few grains, in which contacts are solved until nothing
-// changes any more.
+// Impacts among few grains, and groups of few grains, whose contacts are solved to the end.
 
 #include <algorithm>
 #include <cstdlib>
@@ -13,7 +12,7 @@ namespace clca::contact {
 
 namespace {
 
-/// By contact.
+/// Impulses by contact.
 using Impulses = std::vector<Impulse<>>;
 
 /// The sum over all contacts of impulse times relative velocity of the bodies.
@@ -23,9 +22,9 @@ std::int64_t power(std::span<StepContact* const> contacts, const Impulses& impul
   std::int64_t sum = 0;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     bodies.visit_contact(contacts[i]->contact, [&](const auto& both) {
-      sum += scaled(product(impulses[i].normal, separation_velocity(both)), kBits) +
-             scaled(product(impulses[i].shear, slip_velocity(both)), kBits) +
-             scaled(product(impulses[i].rolling, rolling_velocity(both)), kBits);
+      sum += rounded64(product(impulses[i].normal, separation_velocity(both)), kBits) +
+             rounded64(product(impulses[i].shear, slip_velocity(both)), kBits) +
+             rounded64(product(impulses[i].rolling, rolling_velocity(both)), kBits);
     });
   }
   return sum;
@@ -57,7 +56,7 @@ void converge(std::span<StepContact* const> contacts, Impulses& impulses,
       Impulse<>& now = impulses[i];
       const Impulse<> before = now;
       bodies.visit_contact(contact, [&](ContactBodies<>& both) {
-        solve(now, both, 0, bodies.rule.friction_with(contact.other), bodies.rule.law);
+        solve_contact(now, both, 0, bodies.rule.friction_with(contact.other), bodies.rule.law);
       });
       change =
           std::max({change, std::abs(now.normal - before.normal),
@@ -68,8 +67,8 @@ void converge(std::span<StepContact* const> contacts, Impulses& impulses,
 
 }  // namespace
 
-std::vector<std::vector<StepContact*>> active_groups(std::span<StepContact> contacts,
-                                                     std::size_t grains) {
+std::vector<std::vector<StepContact*>> active_small_groups(std::span<StepContact> contacts,
+                                                           std::size_t grains) {
   std::vector<std::size_t> group(grains);  // by grain: the lowest id of those it is connected with
   std::iota(group.begin(), group.end(), std::size_t{0});
   for (bool changes = true; changes;) {
@@ -95,7 +94,7 @@ std::vector<std::vector<StepContact*>> active_groups(std::span<StepContact> cont
   for (auto& [lowest, of_group] : by_group) {
     if (size[lowest] <= kMaxSmallGroup &&
         std::ranges::any_of(of_group, [](const StepContact* touch) {
-          return touch->contact.impulse.normal > 0 || touch->bounce > 0;
+          return touch->contact.impulse.normal > 0 || touch->bounce_velocity > 0;
         })) {
       result.push_back(std::move(of_group));
     }
@@ -104,7 +103,8 @@ std::vector<std::vector<StepContact*>> active_groups(std::span<StepContact> cont
 }
 
 void solve_impact(std::span<StepContact* const> contacts, const BodyVelocities& bodies) {
-  if (std::ranges::none_of(contacts, [](const StepContact* touch) { return touch->bounce > 0; })) {
+  if (std::ranges::none_of(contacts,
+                           [](const StepContact* touch) { return touch->bounce_velocity > 0; })) {
     return;
   }
   std::map<grains::Owner, Velocity<>> velocities;  // of the grains, before
@@ -141,7 +141,7 @@ void solve_impact(std::span<StepContact* const> contacts, const BodyVelocities& 
     contacts[i]->contact.impact = {.normal = more(impulse.normal, impulse.normal, kMaxImpulse),
                                    .shear = more(impulse.shear, impulse.shear, kMaxImpulse),
                                    .rolling = more(impulse.rolling, impulse.rolling, kMaxImpulse)};
-    contacts[i]->bounce = 0;
+    contacts[i]->bounce_velocity = 0;
   }
 }
 

@@ -20,10 +20,10 @@ Disc disc(const grains::Kind& kind, double unit) {
   return {unit / sites, std::sqrt(2 * std::numbers::pi / (sites * std::numbers::sqrt3))};
 }
 
-Pair make_coefficients(const Disc& upper, const Disc& other) {
-  // Impulses that are remembered make a contact a spring: M / step^2 stiff along the normal. These
-  // are the ratios of the stiffnesses that discrete elements have. Less than what would stop the
-  // bodies at once: M, or M/3 if they turn; some 2 M. Stiffer, friction locks pressure in.
+PairCoefficients make_coefficients(const Disc& upper, const Disc& other) {
+  // Impulses carried over act as springs of stiffness M / step^2. The ratios are common in DEM and
+  // softer than what stops slip or rolling in one step (M, or M/3 with rotation; about 2 M).
+  // Stiffer contacts lock in excess pressure.
   constexpr double kShearStiffness = 2.0 / 7;
   constexpr double kRollingStiffness = 0.3;  // of a moment over the reduced radius squared
   const double mass = 1 / (upper.inverse_mass + other.inverse_mass);
@@ -42,8 +42,8 @@ Pair make_coefficients(const Disc& upper, const Disc& other) {
           .other_inverse_mass = to_fixed_point(other.inverse_mass, kInverseMassBits),
           .upper_rolling_mass = rolling_mass(upper),
           .other_rolling_mass = rolling_mass(other),
-          .upper_turning = turning(upper),
-          .other_turning = turning(other)};
+          .upper_rolling_response = turning(upper),
+          .other_rolling_response = turning(other)};
 }
 
 }  // namespace
@@ -65,8 +65,8 @@ double mass_unit(const std::vector<grains::Kind>& kinds) {
   return unit;
 }
 
-std::vector<Pair> all_pairs(const std::vector<grains::Kind>& kinds) {
-  std::vector<Pair> pairs;
+std::vector<PairCoefficients> all_pair_coefficients(const std::vector<grains::Kind>& kinds) {
+  std::vector<PairCoefficients> pairs;
   const double unit = mass_unit(kinds);
   for (const grains::Kind& kind : kinds) {
     for (const grains::Kind& other : kinds) {
@@ -94,7 +94,7 @@ Rule make_rule(const grains::State& state, const Parameters& parameters, double 
                .law = {.rotates = parameters.rolling != Rolling::none,
                        .resists_rolling = parameters.rolling == Rolling::resistance,
                        .rolling_friction = friction(parameters.rolling_friction)},
-               .pairs = all_pairs(state.kinds)};
+               .pair_coefficients = all_pair_coefficients(state.kinds)};
   require(parameters.friction_by_wall.size() <= state.walls.size(),
           "there are more frictions than walls");
   for (std::size_t wall = 0; wall < parameters.friction_by_wall.size(); ++wall) {

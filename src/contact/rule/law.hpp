@@ -23,12 +23,12 @@ struct Coefficients {
   // Rolling impulses are moments divided by the reduced radius.
   Int upper_rolling_mass;  ///< rolling impulse over the upper spin, by 0.3 of the reduced mass
   Int other_rolling_mass;
-  /// Half of the spin that a rolling impulse of 1 gives: at most 8, as inverse masses are.
-  Int upper_turning;
-  Int other_turning;
+  /// Half of the spin that a rolling impulse of 1 gives; at most 8, as inverse masses.
+  Int upper_rolling_response;
+  Int other_rolling_response;
 };
 /// The coefficients of a pair of kinds, or of a kind and a wall.
-using Pair = Coefficients<std::int32_t>;
+using PairCoefficients = Coefficients<std::int32_t>;
 
 /// Constants of the law, the same for all contacts. Coefficients in 2^-16.
 struct LawConstants {
@@ -37,15 +37,14 @@ struct LawConstants {
   std::int32_t rolling_friction = 0;
 };
 
-/// Velocities of the two bodies of a contact, normal and coefficients. A wall has inverse mass 0,
-/// so its velocity does not change.
+/// Velocities of the two bodies of a contact, normal and coefficients. A wall has inverse mass 0.
 template <class Int = std::int32_t>
 struct ContactBodies {
   Velocity<Int> upper;
   Velocity<Int> other;
   Int normal_x;  ///< towards the upper body, in 2^-30
   Int normal_y;
-  Coefficients<Int> pair;
+  Coefficients<Int> coefficients;
 };
 
 /// Normal velocity of the upper body relative to the other; positive if they separate.
@@ -70,15 +69,16 @@ inline std::int32_t rolling_velocity(const ContactBodies<>& both) {
   const auto part = [](std::int32_t spin, std::int32_t turning, std::int32_t inverse_mass) {
     return inverse_mass == 0 ? 0 : product(spin, turning) / inverse_mass;  // a wall does not turn
   };
-  return static_cast<std::int32_t>(
-      part(both.upper.spin, both.pair.upper_turning, both.pair.upper_inverse_mass) -
-      part(both.other.spin, both.pair.other_turning, both.pair.other_inverse_mass));
+  return static_cast<std::int32_t>(part(both.upper.spin, both.coefficients.upper_rolling_response,
+                                        both.coefficients.upper_inverse_mass) -
+                                   part(both.other.spin, both.coefficients.other_rolling_response,
+                                        both.coefficients.other_inverse_mass));
 }
 
 /// Applies impulses to the velocities of both bodies.
 template <class Int>
-[[gnu::always_inline]] inline void apply(ContactBodies<Int>& both, const Impulse<Int>& by,
-                                         bool rotates) {
+[[gnu::always_inline]] inline void apply_impulse(ContactBodies<Int>& both, const Impulse<Int>& by,
+                                                 bool rotates) {
   const Int x =
       rounded(product(by.normal, both.normal_x) - product(by.shear, both.normal_y), kUnitBits);
   const Int y =
@@ -89,30 +89,32 @@ template <class Int>
   const auto pushed = [&](Int now, Int impulse, Int inverse_mass) __attribute__((always_inline)) {
     return changed(now, product(impulse, inverse_mass), kInverseMassBits);
   };
-  both.upper.x = pushed(both.upper.x, x, both.pair.upper_inverse_mass);
-  both.upper.y = pushed(both.upper.y, y, both.pair.upper_inverse_mass);
-  both.other.x = pushed(both.other.x, -x, both.pair.other_inverse_mass);
-  both.other.y = pushed(both.other.y, -y, both.pair.other_inverse_mass);
+  both.upper.x = pushed(both.upper.x, x, both.coefficients.upper_inverse_mass);
+  both.upper.y = pushed(both.upper.y, y, both.coefficients.upper_inverse_mass);
+  both.other.x = pushed(both.other.x, -x, both.coefficients.other_inverse_mass);
+  both.other.y = pushed(both.other.y, -y, both.coefficients.other_inverse_mass);
   if (rotates) {
     // A tangential force turns both bodies the same way, a moment in opposite ways. Discs: inertia
     // = mass radius^2 / 2.
     constexpr int kDoubledInverseMassBits = kInverseMassBits - 1;
     both.upper.spin = changed(both.upper.spin,
-                              product(by.rolling, both.pair.upper_turning) -
-                                  product(by.shear, both.pair.upper_inverse_mass),
+                              product(by.rolling, both.coefficients.upper_rolling_response) -
+                                  product(by.shear, both.coefficients.upper_inverse_mass),
                               kDoubledInverseMassBits);
     both.other.spin = changed(both.other.spin,
-                              product(-by.rolling, both.pair.other_turning) -
-                                  product(by.shear, both.pair.other_inverse_mass),
+                              product(-by.rolling, both.coefficients.other_rolling_response) -
+                                  product(by.shear, both.coefficients.other_inverse_mass),
                               kDoubledInverseMassBits);
   }
 }
 
 /// Updates the impulses: the bodies separate with the velocity `bounce`, and slide and roll less,
-/// within the limits of friction. `friction` in 2^-16.
+/// within the limits of friction. `friction` in 2^-16. Symbols of docs/contact.md: P, T, Q are
+/// normal, shear, rolling; M, Mt, Mr are mass, shear_mass, *_rolling_mass; b is `bounce`.
 template <class Int>
-[[gnu::always_inline]] inline void solve(Impulse<Int>& impulse, ContactBodies<Int>& both,
-                                         Int bounce, Int friction, const LawConstants& law) {
+[[gnu::always_inline]] inline void solve_contact(Impulse<Int>& impulse, ContactBodies<Int>& both,
+                                                 Int bounce, Int friction,
+                                                 const LawConstants& law) {
   const Impulse<Int> before = impulse;
   const auto change = [](const auto& stopped) {
     return limited(stopped, kMassBits, 2 * kMaxImpulse);
@@ -122,37 +124,37 @@ template <class Int>
     const Int limit = clamped(limited(friction_limit, kRatioBits, kMaxImpulse), 0, kMaxImpulse);
     return clamped(wanted, -limit, limit);
   };
-  impulse.normal =
-      clamped(before.normal - change(product(separation_velocity(both) - bounce, both.pair.mass)),
-              0, kMaxImpulse);
-  impulse.shear = bound(before.shear - change(product(slip_velocity(both), both.pair.shear_mass)),
-                        product(impulse.normal, friction));
+  impulse.normal = clamped(
+      before.normal - change(product(separation_velocity(both) - bounce, both.coefficients.mass)),
+      0, kMaxImpulse);
+  impulse.shear =
+      bound(before.shear - change(product(slip_velocity(both), both.coefficients.shear_mass)),
+            product(impulse.normal, friction));
   if (law.resists_rolling) {
-    impulse.rolling =
-        bound(before.rolling - change(product(both.upper.spin, both.pair.upper_rolling_mass) -
-                                      product(both.other.spin, both.pair.other_rolling_mass)),
-              product(impulse.normal, in_all_lanes(law.rolling_friction, Int())));
+    impulse.rolling = bound(
+        before.rolling - change(product(both.upper.spin, both.coefficients.upper_rolling_mass) -
+                                product(both.other.spin, both.coefficients.other_rolling_mass)),
+        product(impulse.normal, in_all_lanes(law.rolling_friction, Int())));
   }
-  apply(both,
-        Impulse<Int>{impulse.normal - before.normal, impulse.shear - before.shear,
-                     impulse.rolling - before.rolling},
-        law.rotates);
+  apply_impulse(both,
+                Impulse<Int>{impulse.normal - before.normal, impulse.shear - before.shear,
+                             impulse.rolling - before.rolling},
+                law.rotates);
 }
 
-/// Velocity with which bodies separate that collide with the velocity `closing`; 0 if that is so
-/// small that it is no impact.
+/// Velocity with which bodies separate after colliding with `closing`; 0 if that is no impact.
 inline std::int32_t bounce_velocity(std::int32_t closing, std::int32_t restitution) {
   constexpr std::int32_t kMinClosingVelocity =
       kSpacing / 32;  // below it large beds would not come to rest
   return closing > kMinClosingVelocity ? rounded(product(closing, restitution), kRatioBits) : 0;
 }
 
-/// By kind and other kind, of which the last is a wall.
-std::vector<Pair> all_pairs(const std::vector<grains::Kind>& kinds);
+/// The coefficients by kind and other kind, of which the last is a wall.
+std::vector<PairCoefficients> all_pair_coefficients(const std::vector<grains::Kind>& kinds);
 
-/// Number in all_pairs() of the bodies of a contact.
-inline std::int32_t pair_number(const grains::State& grains, std::uint32_t upper,
-                                grains::Owner other) {
+/// Number in all_pair_coefficients() of the bodies of a contact.
+inline std::int32_t pair_index(const grains::State& grains, std::uint32_t upper,
+                               grains::Owner other) {
   const std::size_t kinds = grains.kinds.size();
   const auto kind = [&](std::size_t id) -> std::size_t { return grains.particles[id].kind; };
   return static_cast<std::int32_t>(
@@ -160,7 +162,7 @@ inline std::int32_t pair_number(const grains::State& grains, std::uint32_t upper
       (grains::is_particle(other) ? kind(grains::particle_id(other)) : kinds));
 }
 
-/// The constants of a run. Ratios in 2^-16.
+/// Constants of the rule, which may differ between stages. Ratios in 2^-16.
 struct Rule {
   std::int32_t gravity = 0;  ///< in 2^-23 lattice spacings per step squared
   std::int32_t restitution = 0;
@@ -169,7 +171,7 @@ struct Rule {
   std::int32_t side_friction = 0;                ///< of the sides of the box
   std::vector<std::int32_t> wall_friction = {};  ///< by wall
   LawConstants law = {};
-  std::vector<Pair> pairs = {};  ///< all_pairs()
+  std::vector<PairCoefficients> pair_coefficients = {};  ///< all_pair_coefficients()
 
   std::int32_t friction_with(grains::Owner other) const {
     if (grains::is_particle(other)) {
@@ -177,8 +179,8 @@ struct Rule {
     }
     return is_side(other) ? side_friction : wall_friction[grains::wall_number(other)];
   }
-  /// Below it a grain counts as resting: twice what gravity gives in a step.
-  std::int32_t slow_speed() const { return 2 * gravity; }
+  /// Speed up to which a grain counts as at rest: twice what gravity adds in a step.
+  std::int32_t rest_speed_limit() const { return 2 * gravity; }
 };
 
 /// The parameters as whole numbers, and the coefficients of all pairs of kinds. Throws
@@ -190,7 +192,7 @@ Rule make_rule(const grains::State& state, const Parameters& parameters, double 
 struct BodyVelocities {
   const grains::State& grains;
   const Rule& rule;
-  /// Of a grain, wall or side. Only those of grains are changed.
+  /// Velocity of a grain, wall or side. Only those of grains are changed.
   std::function<Velocity<>&(grains::Owner)> velocity;
 
   /// Calls `visit` with the present ContactBodies of a contact, whose velocities it may change.
@@ -202,8 +204,8 @@ struct BodyVelocities {
                             .other = other,
                             .normal_x = contact.normal.x,
                             .normal_y = contact.normal.y,
-                            .pair = rule.pairs[static_cast<std::size_t>(
-                                pair_number(grains, contact.upper, contact.other))]};
+                            .coefficients = rule.pair_coefficients[static_cast<std::size_t>(
+                                pair_index(grains, contact.upper, contact.other))]};
     visit(both);
     upper = both.upper;
     other = both.other;

@@ -10,8 +10,8 @@ namespace clca::contact {
 
 using lattice::Direction;
 
-std::array<Direction, lattice::kDirectionCount> order_of_directions(const grains::State& state,
-                                                                    Direction down) {
+std::array<Direction, lattice::kDirectionCount> direction_order(const grains::State& state,
+                                                                Direction down) {
   const std::uint64_t coins =
       random::draw(state.seed, state.step, 0, random::Purpose::direction_order);
   const auto turned = [down](int sixths) { return lattice::rotated(down, sixths); };
@@ -26,7 +26,7 @@ std::array<Direction, lattice::kDirectionCount> order_of_directions(const grains
   return order;
 }
 
-void SiteMoves::begin() {
+void SiteMoves::begin_step() {
   moved_.clear();
   beside_walls_.clear();
   anchor_moved_ = false;
@@ -39,9 +39,9 @@ grains::Owner SiteMoves::blocking_owner(std::uint32_t id, Direction direction,
   const lattice::Lattice& lattice = state_.grains.lattice;
   const std::size_t index = lattice.index(grain.site());
   const int column = lattice.wrapped(grain.column);
-  for (const lattice::Offset offset :
-       box_.footprints.of(grain).lead[lattice::index_of(direction)]) {
-    const grains::Owner owner = box_.occupancy.owner(lattice.at(index, column, offset));
+  for (const lattice::IndexOffset offset :
+       box_.footprints.footprint(grain).lead_sites[lattice::index_of(direction)]) {
+    const grains::Owner owner = box_.occupancy.owner(lattice.shifted_index(index, column, offset));
     if (owner != grains::kFree && chosen(owner)) {
       return owner;
     }
@@ -78,7 +78,7 @@ void SiteMoves::move(std::span<const std::uint32_t> ids, Direction direction) {
     box_.for_each_entered(grain, direction, [&](std::size_t index) {
       box_.occupancy.take(index, grains::as_owner(id));
     });
-    grain = grains::moved(grain, direction);
+    grain = grains::after_step(grain, direction);
     if (grain.previous == grains::kRest) {
       moved_.push_back(id);
     }
@@ -86,7 +86,7 @@ void SiteMoves::move(std::span<const std::uint32_t> ids, Direction direction) {
     subtract_along(state_.remainders[id], kSpacing, direction);
     lattice::Axial& from_anchor = state_.from_anchors[id];
     from_anchor = from_anchor + unit(direction);
-    if (length(from_anchor) > 1) {
+    if (length_in_steps(from_anchor) > 1) {
       from_anchor = {};
       anchor_moved_ = true;
     }
@@ -98,32 +98,34 @@ bool SiteMoves::move_walls(Direction direction, std::span<WallMove> walls,
   bool any = false;
   for (WallMove& wall : walls) {
     if (wall.desired != 0 && !wall.done && wall.direction(state_.grains) == direction) {
-      wall.done = push(box_.edges.step_of(state_.grains, wall.wall, wall.desired), pushed);
+      wall.done =
+          push_grains(box_.wall_edges.wall_step(state_.grains, wall.wall, wall.desired), pushed);
       any = any || wall.done;
     }
   }
   return any;
 }
 
-bool SiteMoves::push(const grains::WallStep& step, std::vector<std::uint32_t>& pushed) {
+bool SiteMoves::push_grains(const grains::WallStep& step, std::vector<std::uint32_t>& pushed) {
   const auto ids = grains::pushed_particles(box_, step);
   if (!ids) {
     return false;
   }
-  for (const std::size_t index : step.leaves) {
+  for (const std::size_t index : step.vacated) {
     box_.occupancy.release(index);
   }
   move(*ids, step.direction);
   for (const std::uint32_t id : *ids) {  // at most half a site behind its site
     Vector& remainder = state_.remainders[id];
-    subtract_along(remainder, std::min(along(remainder, unit_of(step.direction)) + kSpacing / 2, 0),
+    subtract_along(remainder,
+                   std::min(along(remainder, unit_vector(step.direction)) + kSpacing / 2, 0),
                    step.direction);
   }
-  for (const std::size_t index : step.enters) {
+  for (const std::size_t index : step.entered) {
     box_.occupancy.take(index, grains::wall_code(step.wall));
   }
-  note_neighbours(step.enters);
-  note_neighbours(step.leaves);
+  note_neighbours(step.entered);
+  note_neighbours(step.vacated);
   pushed.insert(pushed.end(), ids->begin(), ids->end());
   return true;
 }
@@ -143,7 +145,7 @@ void SiteMoves::note_neighbours(const std::vector<std::size_t>& indices) {
 
 void move_all(SiteMoves& moves, State& state, Direction down, std::span<WallMove> walls) {
   const auto& grains = state.grains.particles;
-  for (const Direction direction : order_of_directions(state.grains, down)) {
+  for (const Direction direction : direction_order(state.grains, down)) {
     std::vector<bool> moved(grains.size(), false);
     const auto due = [&] {
       std::vector<std::uint32_t> ids;
@@ -189,7 +191,9 @@ namespace {
 /// Takes from a velocity along a direction what a grain that has free sites in its way was too fast
 /// to move. Returns whether it was: slower than a site a step it can move later.
 bool slow_down(Velocity<>& velocity, std::int32_t excess, Direction direction) {
-  const auto towards = [&](Direction way) { return along({velocity.x, velocity.y}, unit_of(way)); };
+  const auto towards = [&](Direction way) {
+    return along({velocity.x, velocity.y}, unit_vector(way));
+  };
   const std::int32_t speed = towards(direction);
   if (speed <= kSpacing || std::ranges::any_of(lattice::kDirections, [&](Direction other) {
         return towards(other) > speed;
@@ -203,8 +207,7 @@ bool slow_down(Velocity<>& velocity, std::int32_t excess, Direction direction) {
   return true;
 }
 
-/// Cuts the remainder of a grain and calls `visit` with each direction in which it was too long,
-/// and by how much.
+/// Cuts the remainder of a grain and calls `visit` with each direction and the excess.
 template <class Visit>
 void cut(Vector& remainder, Visit visit) {
   // Fitted. With 3/4 of a site, dense flow would lose too much of its distance.
@@ -213,7 +216,7 @@ void cut(Vector& remainder, Visit visit) {
     return;  // so are nearly all
   }
   for (const Direction direction : lattice::kDirections) {
-    const std::int32_t excess = along(remainder, unit_of(direction)) - kMost;
+    const std::int32_t excess = along(remainder, unit_vector(direction)) - kMost;
     if (excess > 0) {
       subtract_along(remainder, excess, direction);
       visit(direction, excess);
@@ -232,15 +235,15 @@ struct PushSum {
 
 void collide_blocked(State& state, const SiteMoves& moves, const BodyVelocities& bodies,
                      std::span<const std::uint32_t> ids, LastStep& step) {
-  std::vector<Contact>& pushes = step.pushes;
+  std::vector<Contact>& pushes = step.blocked_collisions;
   for (const std::uint32_t id : ids) {
     cut(state.remainders[id], [&](Direction direction, std::int32_t excess) {
       const grains::Owner other = moves.blocking_owner(id, direction);
-      const UnitVector& unit = unit_of(direction);
+      const UnitVector& unit = unit_vector(direction);
       if (other != grains::kFree) {
         pushes.push_back({.upper = id, .other = other, .normal = {-unit.x, -unit.y}});
       } else if (slow_down(bodies.velocity(grains::as_owner(id)), excess, direction)) {
-        step.too_fast = true;
+        step.had_too_fast_grain = true;
       }
     });
   }
@@ -252,8 +255,8 @@ void collide_blocked(State& state, const SiteMoves& moves, const BodyVelocities&
   std::erase_if(pushes, [&](const Contact& push) { return closing(push) <= 0; });
   std::ranges::stable_sort(pushes, {}, &Contact::upper);
   const auto inverse_mass = [&](std::uint32_t id) {
-    const std::int32_t with_wall = pair_number(state.grains, id, kFloor);
-    return bodies.rule.pairs[static_cast<std::size_t>(with_wall)].upper_inverse_mass;
+    const std::int32_t with_wall = pair_index(state.grains, id, kFloor);
+    return bodies.rule.pair_coefficients[static_cast<std::size_t>(with_wall)].upper_inverse_mass;
   };
   std::map<std::uint32_t, PushSum> sums;  // by id
   for (const Contact& push : pushes) {
@@ -295,16 +298,17 @@ void collide_blocked(State& state, const SiteMoves& moves, const BodyVelocities&
 namespace {
 
 // A wall behind its motion adds 1/16 of the lag per step to its velocity, at most half a spacing
-// (units of grains::kMotionSpacing).
+// (units of grains::kMotionUnitsPerSpacing).
 // A weaker push is lost in the bed, which two sweeps make elastic: with 1/64 and 1/8 spacing, walls
 // took two to four times as long.
 constexpr std::int64_t kLagSteps = 16;
-constexpr std::int64_t kMaxCatchUp = grains::kMotionSpacing / 2;
+constexpr std::int64_t kMaxCatchUp = grains::kMotionUnitsPerSpacing / 2;
 
 /// `speed`: of the motion; if that has ended, the wall still has to arrive.
-std::int64_t catch_up_velocity(std::int64_t lag, std::int32_t speed) {
-  const std::int64_t least = speed == 0 ? grains::kMotionSpacing / 2 : grains::kMotionSpacing;
-  return std::abs(lag) > least ? std::clamp(lag / kLagSteps, -kMaxCatchUp, kMaxCatchUp) : 0;
+std::int64_t catch_up_velocity(std::int64_t ahead, std::int32_t speed) {
+  const std::int64_t least =
+      speed == 0 ? grains::kMotionUnitsPerSpacing / 2 : grains::kMotionUnitsPerSpacing;
+  return std::abs(ahead) > least ? std::clamp(ahead / kLagSteps, -kMaxCatchUp, kMaxCatchUp) : 0;
 }
 
 }  // namespace
@@ -316,12 +320,12 @@ WallVelocities wall_velocities(const State& state) {
     if (!wall.in_motion()) {
       continue;
     }
-    const std::int64_t lag = state.wall_remainders[number];
-    constexpr auto kUnit = static_cast<std::int32_t>(kSpacing / grains::kMotionSpacing);
-    const std::int32_t own = grains::velocity(*wall.motion, wall.travel, lag);
+    const std::int64_t ahead = state.wall_remainders[number];
+    constexpr auto kUnit = static_cast<std::int32_t>(kSpacing / grains::kMotionUnitsPerSpacing);
+    const std::int32_t own = grains::next_displacement(*wall.motion, wall.travel, ahead);
     const std::int32_t speed =
-        kUnit * (own + static_cast<std::int32_t>(catch_up_velocity(lag, own)));
-    const UnitVector& unit = unit_of(wall.motion->direction);
+        kUnit * (own + static_cast<std::int32_t>(catch_up_velocity(ahead, own)));
+    const UnitVector& unit = unit_vector(wall.motion->direction);
     result[number].x = rounded(product(speed, unit.x), kUnitBits);
     result[number].y = rounded(product(speed, unit.y), kUnitBits);
   }
@@ -336,10 +340,10 @@ std::vector<WallMove> advance_walls(State& state) {
       continue;
     }
     std::int64_t& ahead = state.wall_remainders[number];
-    ahead += grains::velocity(*wall.motion, wall.travel, ahead);
+    ahead += grains::next_displacement(*wall.motion, wall.travel, ahead);
     result.push_back({.wall = number,
-                      .desired = (ahead > grains::kMotionSpacing / 2 ? 1 : 0) -
-                                 (ahead < -grains::kMotionSpacing / 2 ? 1 : 0)});
+                      .desired = (ahead > grains::kMotionUnitsPerSpacing / 2 ? 1 : 0) -
+                                 (ahead < -grains::kMotionUnitsPerSpacing / 2 ? 1 : 0)});
   }
   return result;
 }
@@ -350,13 +354,14 @@ bool walls_are_at_rest(const State& state) {
     if (!wall.in_motion() || is_over(*wall.motion, wall.travel)) {
       continue;
     }
-    const std::int64_t lag = state.wall_remainders[number];
-    const std::int32_t own = grains::velocity(*wall.motion, wall.travel, lag);
-    const bool pushes_no_harder = own == 0 || std::abs(catch_up_velocity(lag, own)) == kMaxCatchUp;
+    const std::int64_t ahead = state.wall_remainders[number];
+    const std::int32_t own = grains::next_displacement(*wall.motion, wall.travel, ahead);
+    const bool pushes_no_harder =
+        own == 0 || std::abs(catch_up_velocity(ahead, own)) == kMaxCatchUp;
     // A motion that may turn back is not held up for good.
     const bool held_up =
         pending_step(*wall.motion, wall.travel) != 0 && wall.travel.stalled_since &&
-        state.grains.step - *wall.travel.stalled_since >= kQuietSteps && pushes_no_harder;
+        state.grains.step - *wall.travel.stalled_since >= kSettlingSteps && pushes_no_harder;
     if (!held_up) {
       return false;
     }

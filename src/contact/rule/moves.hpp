@@ -1,6 +1,5 @@
 #pragma once
-// Motion between contacts: acceleration, remainders, and moves of grains and walls by
-// single sites.
+// Motion between contacts: acceleration, remainders, moves of grains and walls by one site.
 //
 // A remainder is the offset of a grain from its site: where the grain is free to move, at most half
 // a spacing along any direction after its moves; where it is held up, at most two
@@ -25,23 +24,23 @@ inline constexpr int kSquaredRateBits = 40;  ///< of squared angular velocities
 
 /// Acceleration in one step; depends on a grain only through position and velocity.
 struct Acceleration {
-  Vector gravity;                 ///< and shaking, in 2^-23 lattice spacings per step squared
-  bool rotates = false;           ///< the vessel does, in a box that is not periodic
-  std::int32_t rate = 0;          ///< angular velocity of the vessel, in 2^-30 radians per step
-  std::int64_t squared_rate = 0;  ///< in 2^-40
-  std::int32_t centre_x = 0;      ///< of turning, in 2^-8 lattice spacings
+  Vector gravity;                     ///< and shaking, in 2^-23 lattice spacings per step squared
+  bool rotates = false;               ///< the vessel rotates and the box is not periodic
+  std::int32_t angular_velocity = 0;  ///< of the vessel, in 2^-30 radians per step
+  std::int64_t squared_angular_velocity = 0;  ///< in 2^-40
+  std::int32_t centre_x = 0;                  ///< of turning, in 2^-8 lattice spacings
   std::int32_t centre_y = 0;
 };
 
 /// The direction of gravity, without shaking.
-UnitVector gravity_unit(const Vessel& vessel);
+UnitVector gravity_unit_vector(const Vessel& vessel);
 
 /// `gravity` in 2^-23 lattice spacings per step squared. A periodic box has no centre of rotation:
 /// only the direction of gravity turns.
 Acceleration acceleration(const Vessel& vessel, std::int32_t gravity, bool periodic);
 
 /// The vessel after a step.
-Vessel next(const Vessel& vessel);
+Vessel vessel_after_step(const Vessel& vessel);
 
 /// Accelerates grains in the frame of the vessel: gravity and, if it turns, Coriolis and
 /// centrifugal acceleration. `velocity_of(id)`: of a grain.
@@ -58,16 +57,16 @@ void accelerate_all(const State& state, std::int32_t gravity, VelocityOf velocit
     std::int64_t y = by.gravity.y;
     if (by.rotates) {
       const std::int32_t from_centre_x =
-          rounded(product(grain.column, unit_of(lattice::Direction::up_right).x),
+          rounded(product(grain.column, unit_vector(lattice::Direction::up_right).x),
                   kUnitBits - kCentreBits) -
           by.centre_x;
       const std::int32_t from_centre_y =
           lattice::doubled_height(grain.site()) * (1 << (kCentreBits - 1)) - by.centre_y;
       constexpr int kBits = kSquaredRateBits + kCentreBits - kFractionBits;
-      x += scaled(product(velocity.y, by.rate), kRateBits - 1) +
-           scaled(by.squared_rate * from_centre_x, kBits);
-      y += scaled(by.squared_rate * from_centre_y, kBits) -
-           scaled(product(velocity.x, by.rate), kRateBits - 1);
+      x += rounded64(product(velocity.y, by.angular_velocity), kRateBits - 1) +
+           rounded64(by.squared_angular_velocity * from_centre_x, kBits);
+      y += rounded64(by.squared_angular_velocity * from_centre_y, kBits) -
+           rounded64(product(velocity.x, by.angular_velocity), kRateBits - 1);
     }
     velocity.x = clamped(velocity.x + x, -kMaxVelocity, kMaxVelocity);
     velocity.y = clamped(velocity.y + y, -kMaxVelocity, kMaxVelocity);
@@ -81,14 +80,14 @@ inline void subtract_along(Vector& remainder, std::int32_t distance, const UnitV
 }
 
 inline void subtract_along(Vector& remainder, std::int32_t distance, lattice::Direction direction) {
-  subtract_along(remainder, distance, unit_of(direction));
+  subtract_along(remainder, distance, unit_vector(direction));
 }
 
 /// Adds a velocity to a remainder. If the grain is at rest (it touches something and its speed is
-/// at most `slow`), the remainder decays instead, but for what is along gravity: rest lifts no
-/// grain, or energy would grow. Returns whether the grain is at rest.
-inline bool advance(Vector& remainder, const Velocity<>& velocity, bool touches, std::int32_t slow,
-                    const UnitVector& gravity) {
+/// at most `slow`), the remainder decays instead, except its part along gravity: to lift a
+/// resting grain would add energy. Returns whether the grain is at rest.
+inline bool advance_remainder(Vector& remainder, const Velocity<>& velocity, bool touches,
+                              std::int32_t slow, const UnitVector& gravity) {
   constexpr std::int32_t kForgotten = 16;  // a sixteenth in each step
   if (!touches || squared({velocity.x, velocity.y}) > product(slow, slow)) {
     remainder.x = clamped(remainder.x + velocity.x, -kMaxRemainder, kMaxRemainder);
@@ -105,12 +104,13 @@ inline bool advance(Vector& remainder, const Velocity<>& velocity, bool touches,
 /// Calls advance() for the remainders of all grains. Returns whether all grains are at rest.
 /// `touches(id)`: whether a grain touches anything.
 template <class VelocityOf, class Touches>
-bool advance_all(State& state, std::int32_t slow, VelocityOf velocity, Touches touches) {
-  const UnitVector gravity = gravity_unit(state.vessel);
+bool advance_remainders(State& state, std::int32_t slow, VelocityOf velocity, Touches touches) {
+  const UnitVector gravity = gravity_unit_vector(state.vessel);
   bool at_rest = true;
   for (std::uint32_t id = 0; id < state.grains.particles.size(); ++id) {
     if (state.grains.particles[id].present) {
-      at_rest = advance(state.remainders[id], velocity(id), touches(id), slow, gravity) && at_rest;
+      at_rest = advance_remainder(state.remainders[id], velocity(id), touches(id), slow, gravity) &&
+                at_rest;
     }
   }
   return at_rest;
@@ -118,7 +118,7 @@ bool advance_all(State& state, std::int32_t slow, VelocityOf velocity, Touches t
 
 /// Whether the remainder is large enough for a move.
 inline bool is_move_due(const Vector& remainder, lattice::Direction direction) {
-  return along(remainder, unit_of(direction)) > kSpacing / 2;
+  return along(remainder, unit_vector(direction)) > kSpacing / 2;
 }
 
 /// The desired move of a wall in a step and whether it was done.
@@ -133,33 +133,31 @@ struct WallMove {
   }
 };
 
-/// Velocities of walls for contacts: those of their motions, more of those that lag behind; 0 of
-/// standing walls.
+/// Velocities of walls for contacts: of their motions, more if behind; 0 of standing walls.
 WallVelocities wall_velocities(const State& state);
 
 /// Advances the motions of walls by a step. Returns the desired move of each moving wall.
 std::vector<WallMove> advance_walls(State& state);
 
-/// Order of move directions in a step: down first, up last; a coin decides between two at the same
-/// angle.
-std::array<lattice::Direction, lattice::kDirectionCount> order_of_directions(
-    const grains::State& state, lattice::Direction down);
+/// Order of move directions in a step: down first, up last; of two at one angle by a coin.
+std::array<lattice::Direction, lattice::kDirectionCount> direction_order(const grains::State& state,
+                                                                         lattice::Direction down);
 
 /// Moves grains and walls by single sites and records the moves.
 class SiteMoves {
  public:
-  /// Both must outlive this object; the box is that of the state.
+  /// Both arguments must outlive this object; the box is that of the state.
   SiteMoves(State& state, grains::Box& box) : state_(state), box_(box) {}
 
   /// Starts a step: clears the record.
-  void begin();
+  void begin_step();
 
   /// An owner that blocks a step of a grain; kFree if there is none.
   grains::Owner blocking_owner(std::uint32_t id, lattice::Direction direction) const;
   /// Moves grains at once, into sites that are free then.
   void move(std::span<const std::uint32_t> ids, lattice::Direction direction);
-  /// Those of the grains `blocked` that can only move at once: each is blocked by others of them
-  /// alone. Shapes that hook into one another are.
+  /// The grains of `blocked` that can only move at once: each is blocked by others of them alone,
+  /// as shapes are that hook into one another.
   std::vector<std::uint32_t> movable_at_once(std::vector<std::uint32_t> blocked,
                                              lattice::Direction direction) const;
   /// Moves the walls that are due in this direction and have not moved yet, with all grains they
@@ -169,18 +167,18 @@ class SiteMoves {
                   std::vector<std::uint32_t>& pushed);
 
   /// Ids of grains that moved in this step, without duplicates.
-  const std::vector<std::uint32_t>& moved() const { return moved_; }
+  const std::vector<std::uint32_t>& moved_ids() const { return moved_; }
   /// Whether the anchor of a grain has moved in this step, see State::from_anchors.
   bool anchor_moved() const { return anchor_moved_; }
   /// Grains next to sites that walls entered or left; may have duplicates.
-  const std::vector<std::uint32_t>& beside_walls() const { return beside_walls_; }
+  const std::vector<std::uint32_t>& grains_beside_walls() const { return beside_walls_; }
 
  private:
   /// The first blocking owner that `chosen` returns true for; kFree if there is none.
   template <class Chosen>
   grains::Owner blocking_owner(std::uint32_t id, lattice::Direction direction, Chosen chosen) const;
   /// Takes a step of a wall with all grains that it pushes. Returns false if that is blocked.
-  bool push(const grains::WallStep& step, std::vector<std::uint32_t>& pushed);
+  bool push_grains(const grains::WallStep& step, std::vector<std::uint32_t>& pushed);
   void note_neighbours(const std::vector<std::size_t>& indices);
 
   State& state_;
@@ -201,8 +199,7 @@ void move_all(SiteMoves& moves, State& state, lattice::Direction down, std::span
 /// friction: with several such collisions of a body each gets a share of its mass, so that the
 /// order does not matter, momentum is conserved, and no energy is gained. Where nothing is in the
 /// way, the grain is faster than it can move: it loses velocity with the distance. `ids`: grains
-/// whose remainders may be that long, each once, in any order. Sets `pushes` and `too_fast` of the
-/// step.
+/// whose remainders may be that long, each once, in any order. Sets the members of `step`.
 void collide_blocked(State& state, const SiteMoves& moves, const BodyVelocities& bodies,
                      std::span<const std::uint32_t> ids, LastStep& step);
 

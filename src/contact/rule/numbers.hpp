@@ -27,17 +27,17 @@ inline std::int32_t in_all_lanes(std::int32_t value, std::int32_t /*like*/) {
   return value;
 }
 /// value / 2^bits, rounded.
-inline std::int64_t scaled(std::int64_t value, int bits) {
+inline std::int64_t rounded64(std::int64_t value, int bits) {
   return (value + (std::int64_t{1} << (bits - 1))) >> bits;
 }
 /// value / 2^bits, rounded, if the result fits.
 inline std::int32_t rounded(std::int64_t value, int bits) {
-  return static_cast<std::int32_t>(scaled(value, bits));
+  return static_cast<std::int32_t>(rounded64(value, bits));
 }
 /// value / 2^bits, rounded; where that exceeds `most`, a power of two, some number with an absolute
 /// value of at least `most`.
 inline std::int32_t limited(std::int64_t value, int bits, std::int32_t most) {
-  return static_cast<std::int32_t>(std::clamp<std::int64_t>(scaled(value, bits), -most, most));
+  return static_cast<std::int32_t>(std::clamp<std::int64_t>(rounded64(value, bits), -most, most));
 }
 inline std::int32_t clamped(std::int32_t value, std::int32_t low, std::int32_t high) {
   return std::min(std::max(value, low), high);
@@ -66,7 +66,7 @@ inline UnitVector unit_vector(lattice::Axial vector) {
 }
 
 /// unit_vector(unit(direction)).
-inline const UnitVector& unit_of(lattice::Direction direction) {
+inline const UnitVector& unit_vector(lattice::Direction direction) {
   constexpr std::int32_t kHalf = 1 << (kUnitBits - 1);
   constexpr std::int32_t kColumn = 929'887'697;  // half the root of 3
   static constexpr std::array<UnitVector, lattice::kDirectionCount> kUnits = {{{0, 2 * kHalf},

@@ -15,7 +15,8 @@ void bounce_unloaded_contacts(std::vector<StepContact>& contacts, const BodyVelo
   for (StepContact& touch : contacts) {
     if (touch.contact.impulse.normal == 0) {
       bodies.visit_contact(touch.contact, [&](const auto& both) {
-        touch.bounce = bounce_velocity(-separation_velocity(both), bodies.rule.restitution);
+        touch.bounce_velocity =
+            bounce_velocity(-separation_velocity(both), bodies.rule.restitution);
       });
     }
   }
@@ -25,7 +26,7 @@ void bounce_unloaded_contacts(std::vector<StepContact>& contacts, const BodyVelo
 void apply_impulses(const std::vector<StepContact>& contacts, const BodyVelocities& bodies) {
   for (const StepContact& touch : contacts) {
     bodies.visit_contact(touch.contact, [&](auto& both) {
-      apply(both, touch.contact.impulse, bodies.rule.law.rotates);
+      apply_impulse(both, touch.contact.impulse, bodies.rule.law.rotates);
     });
   }
 }
@@ -38,21 +39,21 @@ void sweep(std::vector<StepContact>& contacts, const BodyVelocities& bodies) {
       StepContact& touch = contacts[i % 2 == 0 ? k : contacts.size() - 1 - k];
       Contact& contact = touch.contact;
       bodies.visit_contact(contact, [&](auto& both) {
-        solve(contact.impulse, both, touch.bounce, rule.friction_with(contact.other), rule.law);
+        solve_contact(contact.impulse, both, touch.bounce_velocity,
+                      rule.friction_with(contact.other), rule.law);
       });
     }
   }
 }
 
-/// Grains from a source start anywhere within a spacing; otherwise those of one site would stack
-/// vertically.
+/// Grains from a source start anywhere within a spacing, or those of one site would stack.
 void scatter_remainders(State& state, std::size_t first) {
   for (std::size_t id = first; id < state.remainders.size(); ++id) {
     const std::uint64_t bits =
         random::draw(state.grains.seed, state.grains.step, static_cast<std::uint32_t>(id),
                      random::Purpose::source_remainder);
     state.remainders[id].x =
-        static_cast<std::int32_t>(random::below(bits, kSpacing)) - kSpacing / 2;
+        static_cast<std::int32_t>(random::uniform_below(bits, kSpacing)) - kSpacing / 2;
   }
 }
 
@@ -76,66 +77,66 @@ State checked_state(State state) {
 
 double gravity_in(const lattice::Lattice& box, Parameters parameters) {
   if (parameters.fall_height == 0) {
-    parameters.fall_height = std::max(kMinFallHeight, box.size().y());
+    parameters.fall_height = std::max(kMinFallHeight, box.extent().y());
   }
   return contact::gravity(parameters);
 }
 
 }  // namespace
 
-Steps::Steps(State initial, const Parameters& parameters)
+ContactMechanics::ContactMechanics(State initial, const Parameters& parameters)
     : state_(checked_state(std::move(initial))),
       box_(state_.grains),
       gravity_(gravity_in(state_.grains.lattice, parameters)),
       rule_(make_rule(state_.grains, parameters, gravity_)) {}
 
-void Steps::added(std::size_t first) {
+void ContactMechanics::on_added(std::size_t first) {
   add_motions(state_);
   scatter_remainders(state_, first);
   for (std::size_t id = first; id < state_.grains.particles.size(); ++id) {
-    last_step_.exchange.sources += energy_of(state_, id, gravity_).sum();
+    last_step_.exchange.sources += grain_energy(state_, id, gravity_).sum();
   }
 }
 
-bool Steps::advance(grains::StepReport& report) {
+bool ContactMechanics::advance(grains::StepReport& report) {
   const std::vector<double> walls = wall_positions(state_);
   const Vessel vessel = state_.vessel;
   move_grains();
-  report.moved = moved_.size();
+  report.moved_count = moved_.size();
   if (wall_positions(state_) != walls) {
     last_step_.exchange.walls = wall_work(state_, wall_contacts(), walls, gravity_) +
-                                wall_work(state_, last_step_.pushes, walls, gravity_);
+                                wall_work(state_, last_step_.blocked_collisions, walls, gravity_);
   }
-  if (vessel.moves()) {
+  if (vessel.is_moving()) {
     last_step_.exchange.vessel = vessel_work(state_, vessel, gravity_);
   }
-  if (report.emitted > 0) {
-    disturb(state_);  // what is new still has to fall
+  if (report.emitted_count > 0) {
+    reset_rest_counters(state_);  // what is new still has to fall
   }
-  return grains_are_at_rest(state_, rule_.slow_speed()) && walls_are_at_rest(state_);
+  return grains_are_at_rest(state_, rule_.rest_speed_limit()) && walls_are_at_rest(state_);
 }
 
-void Steps::removing(std::uint32_t id) {
-  last_step_.exchange.outlets += energy_of(state_, id, gravity_).sum();
+void ContactMechanics::on_removing(std::uint32_t id) {
+  last_step_.exchange.outlets += grain_energy(state_, id, gravity_).sum();
   state_.velocities[id] = {};
   state_.remainders[id] = {};
   state_.from_anchors[id] = {};
 }
 
-void Steps::reloaded() {
+void ContactMechanics::on_reloaded() {
   add_motions(state_);
   state_.changed = true;
-  disturb(state_);
+  reset_rest_counters(state_);
 }
 
-void Steps::set_vessel(const Vessel& vessel) {
+void ContactMechanics::set_vessel(const Vessel& vessel) {
   check_valid(vessel);
   state_.changed = state_.changed || contact::down(vessel) != down();
   state_.vessel = vessel;
-  disturb(state_);
+  reset_rest_counters(state_);
 }
 
-void disturb(State& state) {
+void reset_rest_counters(State& state) {
   state.unmoved_steps = 0;
   state.quiet_steps = 0;
 }
@@ -143,38 +144,39 @@ void disturb(State& state) {
 std::uint64_t unmoved_steps_at_rest(std::int32_t slow) {
   // A remainder grows from -2 to 1/2 along some direction at most 30 degrees off before it moves.
   constexpr std::int64_t kFarthest = std::int64_t{3} * kSpacing;
-  return slow > 0 ? std::max(kQuietSteps, static_cast<std::uint64_t>(kFarthest / slow))
+  return slow > 0 ? std::max(kSettlingSteps, static_cast<std::uint64_t>(kFarthest / slow))
                   : std::numeric_limits<std::uint64_t>::max();
 }
 
 bool grains_are_at_rest(const State& state, std::int32_t slow) {
-  return state.quiet_steps >= kQuietSteps || state.unmoved_steps >= unmoved_steps_at_rest(slow);
+  return state.quiet_steps >= kSettlingSteps || state.unmoved_steps >= unmoved_steps_at_rest(slow);
 }
 
 void end_step(State& state, std::span<const WallMove> walls, const SiteMoves& moves,
               std::int32_t slow, bool at_rest) {
-  bool walls_moved = state.vessel.moves();
+  bool walls_moved = state.vessel.is_moving();
   for (const WallMove& move : walls) {
     grains::Wall& wall = state.grains.walls[move.wall];
     std::int64_t& ahead = state.wall_remainders[move.wall];
-    ahead -= move.done ? move.desired * grains::kMotionSpacing : 0;
-    take_step(*wall.motion, wall.travel, move.desired, move.done, state.grains.step, ahead);
+    ahead -= move.done ? move.desired * grains::kMotionUnitsPerSpacing : 0;
+    record_step(*wall.motion, wall.travel, move.desired, move.done, state.grains.step, ahead);
     walls_moved = walls_moved || move.done;
   }
   state.unmoved_steps = walls_moved || moves.anchor_moved() ? 0 : state.unmoved_steps + 1;
-  state.quiet_steps = walls_moved || !moves.moved().empty() || !at_rest ? 0 : state.quiet_steps + 1;
+  state.quiet_steps =
+      walls_moved || !moves.moved_ids().empty() || !at_rest ? 0 : state.quiet_steps + 1;
   for (const WallMove& move : walls) {
     grains::Wall& wall = state.grains.walls[move.wall];
     grains::end_step(*wall.motion, wall.travel, !grains_are_at_rest(state, slow));
   }
   const lattice::Direction before = down(state.vessel);
-  state.vessel = next(state.vessel);
+  state.vessel = vessel_after_step(state.vessel);
   state.changed = state.changed || down(state.vessel) != before;
   ++state.grains.step;
 }
 
 // Sources and outlets are shared by all models, see grains::step.
-void Reference::move_grains() {
+void ReferenceMechanics::move_grains() {
   const lattice::Direction down = this->down();
   const std::size_t grains = state_.grains.particles.size();
   WallVelocities walls = wall_velocities(state_);
@@ -190,12 +192,12 @@ void Reference::move_grains() {
   // 1. Who touches whom; the contacts in order.
   const std::vector<StepContact> now = all_contacts(box_, down, normals_, walls);
   std::vector<StepContact> contacts =
-      next_contacts(state_.grains, state_.contacts, now, down, sorts_contacts(state_));
+      next_contacts(state_.grains, state_.contacts, now, down, is_sorting_step(state_));
   state_.changed = false;
 
   // 2. Contacts without impulse bounce: impacts in small groups at once, others in the sweeps.
   bounce_unloaded_contacts(contacts, bodies);
-  const std::vector<std::vector<StepContact*>> groups = active_groups(contacts, grains);
+  const std::vector<std::vector<StepContact*>> groups = active_small_groups(contacts, grains);
   for (const std::vector<StepContact*>& group : groups) {
     solve_impact(group, bodies);
   }
@@ -223,8 +225,8 @@ void Reference::move_grains() {
   }
 
   // 6. Remainders of grains, 7. and of walls.
-  const bool at_rest = advance_all(state_, rule_.slow_speed(), velocity,
-                                   [&](std::uint32_t id) { return has_contact[id]; });
+  const bool at_rest = advance_remainders(state_, rule_.rest_speed_limit(), velocity,
+                                          [&](std::uint32_t id) { return has_contact[id]; });
   std::vector<WallMove> wall_moves = advance_walls(state_);
 
   // 8. Grains and walls whose remainder is large enough move by a site, if there is room.
@@ -233,7 +235,7 @@ void Reference::move_grains() {
   }
   SiteMoves moves(state_, box_);
   move_all(moves, state_, down, wall_moves);
-  moved_ = moves.moved();
+  moved_ = moves.moved_ids();
 
   // 9. Remainders of grains that were held up are cut, and momentum is passed on.
   std::vector<std::uint32_t> ids(grains);

@@ -20,8 +20,8 @@ namespace clca::contact {
 void end_step(State& state, std::span<const WallMove> walls, const SiteMoves& moves,
               std::int32_t slow, bool at_rest);
 
-/// Counts steps at rest from 0 again, as something may move.
-void disturb(State& state);
+/// Counts steps at rest from 0 again, since something may move.
+void reset_rest_counters(State& state);
 
 /// State::unmoved_steps after which grains count as at rest. `slow`: the rest limit. Grains that
 /// are faster for so long without going anywhere are held up, though their contacts let them go on,
@@ -32,13 +32,13 @@ std::uint64_t unmoved_steps_at_rest(std::int32_t slow);
 bool grains_are_at_rest(const State& state, std::int32_t slow);
 
 /// A step but for the moves themselves: new grains, and the energy that is exchanged.
-class Steps : public grains::Mechanics {
+class ContactMechanics : public grains::Mechanics {
  public:
   /// Throws std::invalid_argument if the state is not valid (see check_valid, grains::Occupancy) or
   /// a parameter is out of range.
-  Steps(State initial, const Parameters& parameters);
+  ContactMechanics(State initial, const Parameters& parameters);
 
-  /// Its contacts are the present ones only after write_back().
+  /// Its contacts are the present ones only after write_contacts_back().
   const State& state() const { return state_; }
   /// In lattice spacings per step squared.
   double gravity() const { return gravity_; }
@@ -49,19 +49,19 @@ class Steps : public grains::Mechanics {
   /// Throws std::invalid_argument for an invalid vessel.
   void set_vessel(const Vessel& vessel);
   /// Sets the contacts of the state.
-  virtual void write_back() {}
+  virtual void write_contacts_back() {}
   /// Contacts of the last step with walls and sides, maybe others, too.
   virtual std::vector<Contact> wall_contacts() const = 0;
 
   grains::Box& box() final { return box_; }
   lattice::Direction down() const final { return contact::down(state_.vessel); }
   void before_sources() final { last_step_ = {}; }
-  void added(std::size_t first) override;
+  void on_added(std::size_t first) override;
   bool advance(grains::StepReport& report) final;
-  std::vector<std::uint32_t> moved() const final { return moved_; }
-  void removing(std::uint32_t id) override;
-  void reloaded() override;
-  void motion_set() final { disturb(state_); }
+  std::vector<std::uint32_t> moved_ids() const final { return moved_; }
+  void on_removing(std::uint32_t id) override;
+  void on_reloaded() override;
+  void on_motion_set() final { reset_rest_counters(state_); }
 
  protected:
   /// Everything else of a step. Sets moved_.
@@ -78,10 +78,10 @@ class Steps : public grains::Mechanics {
 };
 
 /// The definition of a step. Engine does the same faster.
-class Reference final : public Steps {
+class ReferenceMechanics final : public ContactMechanics {
  public:
-  Reference(State initial, const Parameters& parameters)
-      : Steps(std::move(initial), parameters), normals_(state_.grains.kinds) {}
+  ReferenceMechanics(State initial, const Parameters& parameters)
+      : ContactMechanics(std::move(initial), parameters), normals_(state_.grains.kinds) {}
 
   std::vector<Contact> wall_contacts() const override { return state_.contacts; }
 
@@ -93,13 +93,12 @@ class Reference final : public Steps {
 
 // Impacts, in impacts.cpp.
 
-/// A group of grains that contacts connect is small with at most so many grains; walls connect
-/// none.
+/// Most grains of a small group, which contacts connect; walls connect none.
 inline constexpr std::size_t kMaxSmallGroup = 8;
 
 /// The contacts of each small group in which one carries or bounces, in their order.
-std::vector<std::vector<StepContact*>> active_groups(std::span<StepContact> contacts,
-                                                     std::size_t grains);
+std::vector<std::vector<StepContact*>> active_small_groups(std::span<StepContact> contacts,
+                                                           std::size_t grains);
 
 /// Where a contact of a small group bounces, sets `impact` of all of them and changes the
 /// velocities. First the bodies are stopped, by sweeps until the impulses hardly change any more;
@@ -116,7 +115,7 @@ void converge_group(std::span<StepContact* const> contacts, const BodyVelocities
 // Energy, in energy.cpp.
 
 /// Energy of a present grain; `gravity` in lattice spacings per step squared.
-Energy energy_of(const State& state, std::size_t id, double gravity);
+Energy grain_energy(const State& state, std::size_t id, double gravity);
 
 /// Positions of the walls along their motions, in lattice spacings: a wall that follows its motion
 /// is where that is, one that lags by more than a spacing moves by sites.

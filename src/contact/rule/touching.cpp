@@ -27,7 +27,7 @@ std::optional<UnitVector> normal_between(const lattice::Shape& first, const latt
                                          Axial to_second) {
   Axial blocked;
   for (const lattice::Direction direction : lattice::kDirections) {
-    const std::vector<Axial> lead = first.lead(direction);
+    const std::vector<Axial> lead = first.lead_sites(direction);
     if (std::ranges::any_of(lead, [&](Axial site) { return second.contains(site - to_second); })) {
       blocked = blocked + unit(direction);
     }
@@ -75,8 +75,7 @@ bool contains(unsigned directions, lattice::Direction direction) {
   return (directions >> lattice::index_of(direction) & 1U) != 0;
 }
 
-/// The wall or side of the box, or the grain, at a site; kFree if there is none. Sites beyond the
-/// border belong to the sides, too.
+/// The wall, side or grain at a site; kFree if none. Sites beyond the border belong to sides.
 grains::Owner body_at(const grains::Box& box, lattice::Site site) {
   const lattice::Lattice& lattice = box.state.lattice;
   if (site.row < 0) {
@@ -91,7 +90,7 @@ grains::Owner body_at(const grains::Box& box, lattice::Site site) {
   return box.occupancy.owner(lattice.index(site));
 }
 
-/// By wall or side that blocks the grain: a surface of it alone.
+/// A surface for each wall or side that blocks the grain.
 std::map<grains::Owner, Surface> touched_surfaces(const grains::Box& box,
                                                   const grains::Particle& grain) {
   std::map<grains::Owner, Surface> result;
@@ -104,7 +103,7 @@ std::map<grains::Owner, Surface> touched_surfaces(const grains::Box& box,
       const lattice::Site site = box.state.lattice.site(index);
       const grains::Owner body = body_at(box, site);
       result[body].directions |= 1U << lattice::index_of(direction);
-      result[body].touched[body].push_back(box.state.lattice.nearest_vector(grain.site(), site));
+      result[body].touched[body].push_back(box.state.lattice.shortest_vector(grain.site(), site));
     });
   }
   return result;
@@ -189,8 +188,8 @@ Surface merged(const Surface& one, const Surface& other) {
   return result;
 }
 
-/// Whether and how much two may be one surface: walls before sides of the box, which are whole;
-/// then the cosine of the angle between their ways outwards, in 2^-60.
+/// Merge priority of two surfaces: walls before sides of the box, which are whole; then the cosine
+/// of the angle between their ways outwards, in 2^-60.
 std::pair<bool, std::int64_t> likeness(const Surface& one, const Surface& other) {
   const auto direction = [](Axial outwards) {
     return outwards == Axial() ? UnitVector() : unit_vector(outwards);
@@ -227,9 +226,8 @@ bool separable(const std::vector<Axial>& one, const std::vector<Axial>& other) {
   return true;
 }
 
-/// Merges the two that are most alike of those that form one surface: a straight line separates
-/// them, as far as they are near, from the grain. Two sides of the box never form one. Returns
-/// false if there are none.
+/// Merges the most alike pair that forms one surface: a straight line separates it, where it is
+/// near, from the grain. Two sides of the box never form one. Returns whether there was a pair.
 bool merge_most_alike(std::vector<Surface>& all, const std::vector<Axial>& grain) {
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -323,14 +321,14 @@ std::vector<StepContact> all_contacts(const grains::Box& box, lattice::Direction
     }
     add_wall_contacts(box, id, walls, result);
     std::set<grains::Owner> others;
-    box.for_each_index(grain, box.footprints.of(grain).ring,
+    box.for_each_index(grain, box.footprints.footprint(grain).neighbours,
                        [&](std::size_t index) { others.insert(box.occupancy.owner(index)); });
     for (const grains::Owner owner : others) {
       if (!grains::is_particle(owner) || is_above(state, down, grains::particle_id(owner), id)) {
         continue;
       }
       const grains::Particle& below = state.particles[grains::particle_id(owner)];
-      const Axial to_other = state.lattice.nearest_vector(grain.site(), below.site());
+      const Axial to_other = state.lattice.shortest_vector(grain.site(), below.site());
       const UnitVector normal = normals.normal(grain.kind, below.kind, to_other);
       if (normal != UnitVector()) {
         result.push_back(
@@ -343,7 +341,7 @@ std::vector<StepContact> all_contacts(const grains::Box& box, lattice::Direction
 
 std::vector<const StepContact*> successors(std::span<const Contact> before,
                                            std::span<const StepContact> now) {
-  // Of 45 degrees, see cosine(). The normals of one straight wall are at most 30 degrees apart.
+  // Cosine of 45 degrees, see cosine(). Normals of a straight wall differ by up to 30 degrees.
   constexpr std::int64_t kLeastCosine = std::int64_t{759'250'125} << kUnitBits;
   // The best first. Whether the body is the same counts last: a surface may have several.
   using Match = std::tuple<bool, std::int64_t, bool, grains::Owner, grains::Owner, std::size_t,
@@ -374,7 +372,7 @@ std::vector<StepContact> next_contacts(const grains::State& state,
                                        const std::vector<StepContact>& now, lattice::Direction down,
                                        bool sorted) {
   const auto bodies = [](const Contact& contact) {
-    return both_bodies(contact.upper, contact.other);
+    return sorted_bodies(contact.upper, contact.other);
   };
   std::map<std::pair<grains::Owner, grains::Owner>, StepContact>
       left;  // that no earlier one goes on as
@@ -398,8 +396,9 @@ std::vector<StepContact> next_contacts(const grains::State& state,
       continue;
     }
     StepContact& kept = all.emplace_back(found->second);
-    kept.contact.impulse =
-        kept.contact.upper == contact.upper ? contact.impulse : turned_over(contact.impulse);
+    kept.contact.impulse = kept.contact.upper == contact.upper
+                               ? contact.impulse
+                               : with_bodies_swapped(contact.impulse);
     left.erase(found);
   }
   const auto first_new = static_cast<std::ptrdiff_t>(all.size());

@@ -1,5 +1,5 @@
 #pragma once
-// Touching bodies, their normals and their order; what contacts go on as from step to step.
+// Touching bodies, their normals and their order; how contacts persist between steps.
 
 #include <cstdint>
 #include <optional>
@@ -75,9 +75,9 @@ class NormalTable {
 
 /// A contact in a step.
 struct StepContact {
-  Contact contact = {};          ///< with its present normal, and the impulses of the last step
-  lattice::Axial to_other = {};  ///< from the upper grain to the other; 0 for a wall or side
-  std::int32_t bounce = 0;       ///< the velocity with which its bodies are to separate
+  Contact contact = {};              ///< with its present normal, and the impulses of the last step
+  lattice::Axial to_other = {};      ///< from the upper grain to the other; 0 for a wall or side
+  std::int32_t bounce_velocity = 0;  ///< the velocity with which its bodies are to separate
 
   /// Order of contacts: by the upper grain, then by the vector to the other one.
   using Key = std::tuple<std::int64_t, lattice::Axial, grains::Owner>;
@@ -86,10 +86,9 @@ struct StepContact {
   }
 };
 
-/// The bodies of a contact, of two grains the one with the lower id first: the same whichever is
-/// the upper one.
-inline std::pair<grains::Owner, grains::Owner> both_bodies(std::uint32_t upper,
-                                                           grains::Owner other) {
+/// The bodies of a contact, the lower id of two grains first, whichever is the upper one.
+inline std::pair<grains::Owner, grains::Owner> sorted_bodies(std::uint32_t upper,
+                                                             grains::Owner other) {
   const auto id = grains::as_owner(upper);
   return grains::is_particle(other) && other < id ? std::pair(other, id) : std::pair(id, other);
 }
@@ -102,34 +101,32 @@ std::vector<StepContact> all_contacts(const grains::Box& box, lattice::Direction
                                       NormalTable& normals, const WallVelocities& walls);
 
 /// Adds the contacts of a grain with walls and sides to `touches`, sorted by `other`: one with each
-/// surface that they form around it, or one with each body of a surface of those that move unlike.
+/// surface that they form around it; where bodies of a surface differ in velocity, one for each.
 /// Returns how many walls and sides the grain touches.
 std::size_t add_wall_contacts(const grains::Box& box, std::uint32_t id, const WallVelocities& walls,
                               std::vector<StepContact>& touches);
 
-/// The contact as which each earlier one with a wall or a side goes on, null if it ends: the one
-/// of the same grain with the most similar normal, at most 45 degrees from its own; first those of
-/// walls as one of a wall and those of sides as one of a side, then the others. Of like normals
-/// that of the same body, so that it does not matter of how many a surface is made.
+/// For each earlier contact with a wall or side, the contact that continues it (null: it ends): of
+/// the same grain, with the most similar normal, at most 45 degrees apart. Wall to wall and side to
+/// side are matched first. Equal normals prefer the same body.
 std::vector<const StepContact*> successors(std::span<const Contact> before,
                                            std::span<const StepContact> now);
 
-/// The impulses of a contact whose upper and other grain have swapped: only the rolling one changes
-/// its sign.
-inline Impulse<> turned_over(Impulse<> impulse) {
+/// The impulses of a contact whose grains have swapped: the rolling one changes its sign.
+inline Impulse<> with_bodies_swapped(Impulse<> impulse) {
   impulse.rolling *= -1;
   return impulse;
 }
 
 /// The contacts of `before` that still touch, in order, followed by new ones.
-/// With `sorted` all are sorted anew. A pair keeps its impulses if upper and lower body swap.
+/// `sorted`: sorts all anew. A pair keeps its impulses if upper and lower body swap.
 std::vector<StepContact> next_contacts(const grains::State& state,
                                        const std::vector<Contact>& before,
                                        const std::vector<StepContact>& now, lattice::Direction down,
                                        bool sorted);
 
 /// Whether a step sorts the contacts anew.
-inline bool sorts_contacts(const State& state) {
+inline bool is_sorting_step(const State& state) {
   constexpr std::uint64_t kEvery = 8;
   return state.changed || state.grains.step % kEvery == 0;
 }

@@ -103,7 +103,7 @@ class Bitboard {
   }
 
  private:
-  /// Of a block, in sites; so also bytes of a block, and bits of a byte.
+  /// Sites along an edge of a block; also the bytes of a block, and the bits of a byte.
   static constexpr std::size_t kSide = kWindow;
   static constexpr std::size_t kMaxWords = std::size_t{1} << 29U;
   static constexpr std::uint64_t kEachRow = 0x0101010101010101;  // the first site of each row

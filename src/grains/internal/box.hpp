@@ -1,5 +1,5 @@
 #pragma once
-// A state and what follows from it alone: what all models of the same grains share.
+// A state and the tables that follow from it alone, shared by all models of the same grains.
 
 #include <array>
 #include <cstdint>
@@ -17,23 +17,26 @@ struct Footprint {
   template <class T>
   using PerDirection = std::array<std::vector<T>, lattice::kDirectionCount>;
 
-  std::vector<lattice::Offset> body;    ///< all sites that it covers
-  PerDirection<lattice::Offset> lead;   ///< Shape::lead
-  PerDirection<lattice::Offset> trail;  ///< Shape::trail
-  std::vector<lattice::Offset> ring;    ///< all sites beside it, each once
+  std::vector<lattice::IndexOffset> covered;       ///< all sites that it covers
+  PerDirection<lattice::IndexOffset> lead_sites;   ///< Shape::lead_sites
+  PerDirection<lattice::IndexOffset> trail_sites;  ///< Shape::trail_sites
+  std::vector<lattice::IndexOffset> neighbours;    ///< all sites beside it, each once
 };
 
 /// Index offsets of sites that are given from a reference site in a column of this parity.
-std::vector<lattice::Offset> offsets(const lattice::Lattice& lattice,
-                                     const std::vector<lattice::Axial>& sites, bool odd_column);
+std::vector<lattice::IndexOffset> index_offsets(const lattice::Lattice& lattice,
+                                                const std::vector<lattice::Axial>& sites,
+                                                bool odd_column);
 
 /// The sites that each kind of particle covers, enters and leaves, as index offsets on one lattice.
 class FootprintTable {
  public:
   explicit FootprintTable(const State& state);
 
-  const Footprint& of(const Particle& particle) const { return of(particle.kind, particle.column); }
-  const Footprint& of(std::uint16_t kind, int column) const {
+  const Footprint& footprint(const Particle& particle) const {
+    return footprint(particle.kind, particle.column);
+  }
+  const Footprint& footprint(std::uint16_t kind, int column) const {
     return table_[2U * kind + static_cast<unsigned>(column & 1)];
   }
 
@@ -45,8 +48,8 @@ class FootprintTable {
 struct WallStep {
   std::size_t wall = 0;
   lattice::Direction direction = lattice::Direction::up;
-  std::vector<std::size_t> enters;
-  std::vector<std::size_t> leaves;
+  std::vector<std::size_t> entered;
+  std::vector<std::size_t> vacated;
 };
 
 /// The boundary sites of moving walls.
@@ -55,11 +58,10 @@ class WallEdges {
   explicit WallEdges(const State& state);
 
   /// `desired`: +1 along the motion of the wall, -1 against it.
-  WallStep step_of(const State& state, std::size_t number, int desired) const;
+  WallStep wall_step(const State& state, std::size_t number, int desired) const;
 
  private:
-  /// Sites of a wall at its initial position that have none of it ahead: along the motion and
-  /// against it.
+  /// Foremost sites of a wall at its initial position: along the motion, and against it.
   using Edges = std::array<std::vector<lattice::Site>, 2>;
 
   std::vector<Edges> edges_;  // by wall; empty for those without motion
@@ -67,41 +69,40 @@ class WallEdges {
 
 /// Functions that change the state of a box keep the occupancy true.
 struct Box {
-  /// The state must outlive the box. Throws std::invalid_argument if it is not valid (see
-  /// Occupancy).
-  explicit Box(State& of) : state(of), occupancy(of), footprints(of), edges(of) {}
+  /// The state must outlive the box. Throws as Occupancy.
+  explicit Box(State& of) : state(of), occupancy(of), footprints(of), wall_edges(of) {}
 
-  /// Calls `visit` with the index of each site that a particle covers, or of others given from its
-  /// reference site.
+  /// Calls `visit` with the index of each site covered, or at `offsets` from the reference site.
   template <class Visit>
   void for_each_index(const Particle& particle, Visit visit) const {
-    for_each_index(particle, footprints.of(particle).body, visit);
+    for_each_index(particle, footprints.footprint(particle).covered, visit);
   }
   template <class Visit>
-  void for_each_index(const Particle& particle, const std::vector<lattice::Offset>& offsets,
+  void for_each_index(const Particle& particle, const std::vector<lattice::IndexOffset>& offsets,
                       Visit visit) const {
     const std::size_t index = state.lattice.index(particle.site());
     const int column = state.lattice.wrapped(particle.column);
-    for (const lattice::Offset offset : offsets) {
-      visit(state.lattice.at(index, column, offset));
+    for (const lattice::IndexOffset offset : offsets) {
+      visit(state.lattice.shifted_index(index, column, offset));
     }
   }
 
   /// Calls `visit` with the index of each site that a particle enters by a step.
   template <class Visit>
   void for_each_entered(const Particle& particle, lattice::Direction direction, Visit visit) const {
-    for_each_index(particle, footprints.of(particle).lead[index_of(direction)], visit);
+    for_each_index(particle, footprints.footprint(particle).lead_sites[index_of(direction)], visit);
   }
   /// Calls `visit` with the index of each site that a particle vacates by a step.
   template <class Visit>
   void for_each_vacated(const Particle& particle, lattice::Direction direction, Visit visit) const {
-    for_each_index(particle, footprints.of(particle).trail[index_of(direction)], visit);
+    for_each_index(particle, footprints.footprint(particle).trail_sites[index_of(direction)],
+                   visit);
   }
   /// Whether all sites that a particle enters by a step are free.
   bool is_free(const Particle& particle, lattice::Direction direction) const {
     bool free = true;
     for_each_entered(particle, direction,
-                     [&](std::size_t index) { free = free && !occupancy.taken(index); });
+                     [&](std::size_t index) { free = free && !occupancy.is_taken(index); });
     return free;
   }
 
@@ -116,25 +117,24 @@ struct Box {
   State& state;
   OccupancyTable occupancy;
   FootprintTable footprints;
-  WallEdges edges;
+  WallEdges wall_edges;
   std::function<void()> interruption = {};  ///< see Model::set_interruption
   unsigned trials = 0;                      ///< so far: `interruption` is called after some
 };
 
 /// The particle one step further.
-inline Particle moved(Particle particle, lattice::Direction direction) {
+inline Particle after_step(Particle particle, lattice::Direction direction) {
   const lattice::Site target = particle.site() + unit(direction);
   particle.column = target.column;
   particle.row = target.row;
   return particle;
 }
 
-/// Takes a particle out for good: its sites become free.
-void take_out(Box& box, std::uint32_t id);
+/// Removes a particle for good: its sites become free.
+void remove_particle(Box& box, std::uint32_t id);
 
-/// Index of the first outlet that the particle lies wholly inside; the number of outlets if there
-/// is none.
-std::size_t outlet_around(const State& state, const Particle& particle);
+/// Index of the first outlet that the particle lies wholly inside; the number of outlets if none.
+std::size_t enclosing_outlet(const State& state, const Particle& particle);
 
 /// If the particle is present and wholly inside an outlet, counts it at the first such outlet and
 /// returns true. The caller then removes it.

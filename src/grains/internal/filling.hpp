@@ -24,8 +24,7 @@ void check_mixture(const State& state, const Mixture& mixture);
 
 /// Places `counts` particles per species at random in free sites of `region`, larger species first,
 /// in random orientations. A species that no longer fits is placed in part.
-/// Ids are given column by column from the left, upwards. Throws as check_counts and
-/// lattice::check.
+/// Ids are given by columns from the left, upwards. Throws as check_counts, check_valid.
 FillResult fill_region(Box& box, const lattice::Rectangle& region,
                        std::span<const std::size_t> counts);
 
@@ -33,21 +32,21 @@ FillResult fill_region(Box& box, const lattice::Rectangle& region,
 /// columns of `region`; each falls and rolls down until it rests. Gravity points down.
 /// `counts` per species, in random order. The bottom and sides of the region hold the particles; a
 /// particle that does not fit is not placed. Ids and preconditions as for fill_region.
-FillResult deposit_in(Box& box, const lattice::Rectangle& region,
-                      std::span<const std::size_t> counts);
+FillResult deposit_region(Box& box, const lattice::Rectangle& region,
+                          std::span<const std::size_t> counts);
 
-/// Fills the region with a mixture; at random, or as deposit_in. Where parts of a picture are
+/// Fills the region with a mixture; at random, or as deposit_region. Where parts of a picture are
 /// deposited, a particle that would come to rest in another part is not placed. Ids as for
 /// fill_region. The mixture has to be checked.
 FillResult fill_mixture(Box& box, const lattice::Rectangle& region, const Mixture& mixture);
 
 /// The parts of a mixture, and the picture that says where they are.
-struct Parts {
+struct MixtureParts {
   const std::vector<std::vector<std::uint32_t>>& weights;  ///< by part, then by species
   std::optional<lattice::Picture> picture;
 
   /// None where the picture is empty.
-  std::optional<std::size_t> part_of(lattice::Site site) const {
+  std::optional<std::size_t> part_at(lattice::Site site) const {
     if (!picture) {
       return 0;
     }
@@ -58,7 +57,7 @@ struct Parts {
 };
 
 /// See fill_mixture.
-FillResult deposit_mixture(Box& box, const lattice::Rectangle& region, const Parts& parts,
+FillResult deposit_mixture(Box& box, const lattice::Rectangle& region, const MixtureParts& parts,
                            std::optional<double> level);
 
 // Single particles.
@@ -81,9 +80,9 @@ std::vector<std::uint16_t> kinds_of(const State& state, std::size_t species);
 
 /// An index, drawn by these bits in proportion to the weights, which are not all zero.
 template <class Weights>
-std::size_t drawn_index(const Weights& weights, std::uint64_t bits) {
-  std::uint64_t rest =
-      random::below(bits, std::accumulate(weights.begin(), weights.end(), std::uint64_t{0}));
+std::size_t weighted_index(const Weights& weights, std::uint64_t bits) {
+  std::uint64_t rest = random::uniform_below(
+      bits, std::accumulate(weights.begin(), weights.end(), std::uint64_t{0}));
   std::size_t index = 0;
   while (rest >= weights[index]) {
     rest -= weights[index++];
@@ -94,8 +93,8 @@ std::size_t drawn_index(const Weights& weights, std::uint64_t bits) {
 /// The species of the next particle, drawn in proportion to the weights.
 template <class Weight>
 std::size_t draw_species(const State& state, const std::vector<Weight>& weights) {
-  return drawn_index(weights,
-                     random::draw(state.seed, 0, next_id(state), random::Purpose::deposit_species));
+  return weighted_index(
+      weights, random::draw(state.seed, 0, next_id(state), random::Purpose::deposit_species));
 }
 
 /// Renumbers the particles from `first` on, column by column from the left, upwards, so that

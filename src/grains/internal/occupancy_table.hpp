@@ -13,8 +13,7 @@
 
 namespace clca::grains {
 
-/// What a model keeps of each site: its owners, and one bit that says whether it is taken. Windows
-/// of moves test the bits; all else reads the owners.
+/// The owners of each site, and a bit whether it is taken, which windows of moves test.
 class OccupancyTable : public Occupancy {
  public:
   /// Enters border, walls and particles. Throws as Occupancy.
@@ -30,9 +29,9 @@ class OccupancyTable : public Occupancy {
   /// The taken sites of a window.
   std::uint64_t window(Bitboard::Corner at) const { return taken_.window(at); }
   /// Adds an owner. Throws std::logic_error if there are two already.
-  void add(std::size_t index, Owner owner);
+  void add_owner(std::size_t index, Owner owner);
   /// Removes an owner. Returns true if the site is free now.
-  bool remove(std::size_t index, Owner owner);
+  bool remove_owner(std::size_t index, Owner owner);
 
   void take(std::size_t index, Owner owner) {
     taken_.set(index);

@@ -1,5 +1,5 @@
 #pragma once
-// What models of grains of one site have in common: all grains that move in a step move at once.
+// Base of the models of grains of one site: all grains that move in a step move at once.
 
 #include <cstdint>
 #include <span>
@@ -10,11 +10,10 @@
 
 namespace clca::grains {
 
-class OneSiteSteps : public Mechanics {
+class OneSiteMechanics : public Mechanics {
  public:
-  /// Throws std::invalid_argument if the state (see check_valid(), check_one_site(), Occupancy) or
-  /// the options are not valid.
-  OneSiteSteps(State initial, const Options& options)
+  /// Throws std::invalid_argument see check_valid(), check_one_site() and Occupancy.
+  OneSiteMechanics(State initial, const Options& options)
       : state_(checked_state(std::move(initial), options)), box_(state_) {
     for (std::uint32_t id = 0; id < state_.particles.size(); ++id) {
       if (state_.particles[id].previous != kRest) {
@@ -25,7 +24,7 @@ class OneSiteSteps : public Mechanics {
 
   Box& box() override { return box_; }
   lattice::Direction down() const override { return lattice::Direction::down; }
-  std::vector<std::uint32_t> moved() const override { return moved_; }
+  std::vector<std::uint32_t> moved_ids() const override { return moved_; }
 
  protected:
   State& state() { return state_; }
@@ -39,12 +38,12 @@ class OneSiteSteps : public Mechanics {
     for (const auto& [id, move] : moves) {
       Particle& particle = state_.particles[id];
       box_.occupancy.release(state_.lattice.index(particle.site()));
-      particle = grains::moved(particle, static_cast<lattice::Direction>(move));
+      particle = grains::after_step(particle, static_cast<lattice::Direction>(move));
       particle.previous = move;
       box_.occupancy.take(state_.lattice.index(particle.site()), as_owner(id));
       moved_.push_back(id);
     }
-    report.moved = moved_.size();
+    report.moved_count = moved_.size();
     ++state_.step;
   }
 

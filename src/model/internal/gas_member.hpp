@@ -19,28 +19,28 @@ namespace clca::model {
 inline constexpr int kGasDegrees = 3;
 
 /// A time of observation.
-struct GasTime {
+struct ObservationTime {
   double time = 0;
   bool in_series = false;
   bool in_histograms = false;
 
-  bool operator==(const GasTime&) const = default;
+  bool operator==(const ObservationTime&) const = default;
 };
 
 /// Times of the series (from 0 to the end) and of the histograms, ascending, without duplicates.
-std::vector<GasTime> gas_times(const scene::BoltzmannScene& scene);
+std::vector<ObservationTime> observation_times(const scene::BoltzmannScene& scene);
 
-/// Number of initial observation times that two scenes share, including the kind of observation and
-/// the steps up to then.
-std::size_t shared_times(const std::vector<GasTime>& one, const std::vector<GasTime>& other);
+/// Number of initial observation times that two scenes share, with the same steps up to then.
+std::size_t shared_time_count(const std::vector<ObservationTime>& one,
+                              const std::vector<ObservationTime>& other);
 
 /// Number of initial times shared with a scene that only runs longer: all, or all but the end.
-std::size_t lasting_times(const scene::BoltzmannScene& scene);
+std::size_t lasting_time_count(const scene::BoltzmannScene& scene);
 
-statistics::Bins bins_of(const scene::BoltzmannScene& scene);
+statistics::Bins energy_bins(const scene::BoltzmannScene& scene);
 
 /// Unit of rotational temperatures: that of time 0, or the translational one if there is no spin.
-double rotational_unit(double translational, double rotational);
+double rotational_temperature_unit(double translational, double rotational);
 
 /// Observation of a gas at one time.
 struct GasObservation {
@@ -58,16 +58,15 @@ struct GasObservation {
 struct GasMember {
   std::vector<GasObservation> observations;  ///< at the first of the times, all at the end
   std::optional<boltzmann::Gas> gas;         ///< while it is under way
-  /// The gas at the last time shared with a longer run, from where the end can be moved. None if
-  /// the run does not keep it.
+  /// The gas at the last time shared with a longer run, from where the end can be moved.
   std::optional<boltzmann::Gas> lasting;
-  // Of the gas when note_counts() was called.
+  // Counts and hash of the gas when record_counts() was called.
   std::uint64_t steps = 0;
   std::uint64_t participations = 0;
   std::uint64_t hash = 0;
 
-  /// Takes these three from the gas, which is under way.
-  void note_counts();
+  /// Sets these three from the gas, which is under way.
+  void record_counts();
 
   CLCA_FIELDS(observations, gas, lasting, steps, participations, hash);
 };
@@ -82,13 +81,13 @@ class GasIntegrator {
   void integrate(GasMember& member, double restitution, std::uint64_t seed, int threads,
                  const std::function<bool(const GasMember&)>& keep_going) const;
 
-  const std::vector<GasTime>& times() const { return times_; }
+  const std::vector<ObservationTime>& times() const { return times_; }
 
  private:
   GasObservation observe(const boltzmann::Gas& gas, bool in_histograms) const;
 
   const scene::BoltzmannScene& scene_;
-  std::vector<GasTime> times_;
+  std::vector<ObservationTime> times_;
   std::size_t lasting_times_;
   bool keeps_lasting_;
   statistics::Bins bins_;

@@ -26,8 +26,8 @@ std::uint64_t hash(const ModelState& state);
 ModelState empty_state(const scene::Scene& scene);
 /// The state in a checkpoint. Throws reflection::Mismatch or std::invalid_argument if no run of the
 /// scene can have saved it.
-ModelState saved_state(const scene::Scene& scene, const reflection::Columns& columns,
-                       double max_bytes);
+ModelState state_from_checkpoint(const scene::Scene& scene, const reflection::Columns& columns,
+                                 double max_bytes);
 
 /// Memory for a checkpoint of the state of so many particles, in bytes; 0 where there are none.
 double checkpoint_bytes(const scene::Scene& scene, double particles);
@@ -49,25 +49,25 @@ class SceneModel {
   const grains::State& state() const { return grains().grains(); }
   std::uint64_t hash() const;
   ModelState copied_state() const;
-  /// Saves the state for saved_state().
+  /// Saves the state for state_from_checkpoint().
   void save(reflection::Columns& columns) const;
   /// The contact model; null if the scene has another one.
   const contact::ContactModel* contact() const {
     return std::get_if<contact::ContactModel>(&model_);
   }
 
-  // Of the contact model; empty for others.
+  // These are empty for other models than contact.
   std::vector<contact::Force> forces() const;
   /// Forces on walls and sides of the box, maybe others, too.
   std::vector<contact::Force> wall_forces() const;
-  /// By id, lattice spacings per step.
+  /// Velocities by id, in lattice spacings per step.
   std::vector<Eigen::Vector2d> velocities() const;
-  /// By id, lattice spacings per step: angular velocities times radii, anticlockwise.
+  /// Spins by id, in lattice spacings per step: angular velocities times radii, anticlockwise.
   std::vector<double> spins() const;
 
-  /// Upright and at rest but for the contact model.
+  /// Upright and at rest for other models than contact.
   contact::Vessel vessel() const;
-  /// Sets the vessel motion of a stage; no effect but for the contact model.
+  /// Sets the vessel motion of a stage; no effect for other models than contact.
   void set_vessel(const scene::Stage& stage);
   /// Sets what a stage has in place of the rules or the friction of the scene.
   void set_rules(const scene::Stage& stage);

@@ -136,7 +136,7 @@ struct TableOf : TableInfo {
 
   /// Memory for so many rows as text, most numbers of which have fewer than ten characters.
   double bytes(double rows) const {
-    return grains::kListRoom * 10 * rows *
+    return grains::kListCapacityRatio * 10 * rows *
            static_cast<double>(std::ranges::count(values, true, &Column<Row>::is_there));
   }
 

@@ -33,7 +33,7 @@ TEST(Automaton, ALoneParticleFallsOneSpacingAStepAndRestsOnTheFloor) {
   state.particles = {particle_at(4, 20)};
   Automaton automaton(state);
   for (int step = 1; step <= 19; ++step) {
-    EXPECT_EQ(automaton.step().moved, 1U);
+    EXPECT_EQ(automaton.step().moved_count, 1U);
     EXPECT_EQ(automaton.state().particles[0].site(), (lattice::Site{4, 20 - step}));
   }
   EXPECT_TRUE(automaton.step().settled);
@@ -124,12 +124,12 @@ TEST(Automaton, OfTwoMoversToOneSiteTheClassDecidesAndElseADraw) {
 }
 
 TEST(Automaton, AMixedCollapseEqualsTheReferenceForBothKindsOfTies) {
-  for (const Ties ties : {Ties::particle, Ties::direction}) {
+  for (const TieBreaking ties : {TieBreaking::particle, TieBreaking::direction}) {
     const Rules rules = {.inertia = 0.9, .ties = ties};
     const State start = testing::mixed_automaton(80, 60, 50).state();
-    Automaton reference(start, rules, {.reference = true});
+    Automaton reference(start, rules, {.use_reference = true});
     Automaton automaton(start, rules);
-    Automaton threaded(start, rules, {.threads = 2, .parallel_from = 1});
+    Automaton threaded(start, rules, {.threads = 2, .min_parallel_particles = 1});
     for (int step = 0; step < 120; ++step) {
       reference.step();
       automaton.step();
@@ -143,7 +143,7 @@ TEST(Automaton, AMixedCollapseEqualsTheReferenceForBothKindsOfTies) {
 TEST(Automaton, TheTwoKindsOfTiesAreNotTheSamePhysics) {
   const State state = testing::mixed_automaton(80, 60, 60).state();
   Automaton by_particle(state);
-  Automaton by_direction(state, {.ties = Ties::direction});
+  Automaton by_direction(state, {.ties = TieBreaking::direction});
   settle(by_particle);
   settle(by_direction);
   EXPECT_NE(by_particle.state().particles, by_direction.state().particles);
@@ -151,7 +151,7 @@ TEST(Automaton, TheTwoKindsOfTiesAreNotTheSamePhysics) {
 
 TEST(Automaton, AllSixCandidatesNeverComeToRest) {
   Automaton automaton(testing::mixed_automaton(40, 40, 10).state(),
-                      {.candidates = Candidates::all});
+                      {.candidates = CandidateDirections::all});
   for (int step = 0; step < 500; ++step) {
     EXPECT_FALSE(automaton.step().settled);
   }

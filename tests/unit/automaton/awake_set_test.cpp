@@ -9,7 +9,7 @@ namespace clca::automaton::awake_set_test {
 namespace {
 
 std::vector<std::uint32_t> listed(const AwakeSet& set) {
-  return {set.listed().begin(), set.listed().end()};
+  return {set.ids().begin(), set.ids().end()};
 }
 
 TEST(AwakeSet, HasEachIdOnceInTheOrderInWhichTheyCame) {
@@ -23,7 +23,7 @@ TEST(AwakeSet, HasEachIdOnceInTheOrderInWhichTheyCame) {
   EXPECT_TRUE(set.contains(63));
   EXPECT_FALSE(set.contains(62));
   set.clear();
-  EXPECT_TRUE(set.listed().empty());
+  EXPECT_TRUE(set.ids().empty());
   EXPECT_FALSE(set.contains(63));
 }
 

@@ -29,7 +29,7 @@ TEST(Deposit, IsAtRestWhereverItLies) {
     const std::vector<std::size_t> counts = {120, 80, 50, 5};
     const FillResult result = automaton.fill({0, 0, 60, 200}, counts, true);
     EXPECT_TRUE(result.complete);
-    EXPECT_EQ(result.placed, counts);
+    EXPECT_EQ(result.placed_by_species, counts);
     EXPECT_EQ(automaton.state().particles.size(), 255U);
     EXPECT_EQ(Occupancy(automaton.state()), automaton.occupancy());
     const State before = automaton.state();
@@ -58,9 +58,11 @@ TEST(Deposit, WhatFindsNoRoomIsCountedAndTheRestGoesOn) {
   const FillResult result =
       automaton.fill({0, 0, 20, 40}, std::vector<std::size_t>{1000, 0, 0, 1}, true);
   EXPECT_FALSE(result.complete);
-  EXPECT_GT(result.placed[0], 40U);
-  EXPECT_LT(result.placed[0], 120U);
-  EXPECT_EQ(automaton.fill({0, 0, 3, 40}, std::vector<std::size_t>{0, 0, 0, 1}, true).placed[3], 0U)
+  EXPECT_GT(result.placed_by_species[0], 40U);
+  EXPECT_LT(result.placed_by_species[0], 120U);
+  EXPECT_EQ(automaton.fill({0, 0, 3, 40}, std::vector<std::size_t>{0, 0, 0, 1}, true)
+                .placed_by_species[3],
+            0U)
       << "narrower than the particle";
 }
 

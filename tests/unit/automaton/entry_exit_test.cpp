@@ -38,10 +38,10 @@ TEST(Fill, SaysHowManyFittedWhenTheRegionIsFull) {
   const std::vector<std::size_t> counts = {1000};
   const FillResult result = automaton.fill({0, 0, 100, 100}, counts);
   EXPECT_FALSE(result.complete);
-  EXPECT_EQ(result.placed[0], automaton.state().particles.size());
-  EXPECT_GE(result.placed[0], 6U);
+  EXPECT_EQ(result.placed_by_species[0], automaton.state().particles.size());
+  EXPECT_GE(result.placed_by_species[0], 6U);
   // Nothing more fits: a second fill places none.
-  EXPECT_EQ(automaton.fill({0, 0, 100, 100}, counts).placed[0], 0U);
+  EXPECT_EQ(automaton.fill({0, 0, 100, 100}, counts).placed_by_species[0], 0U);
 }
 
 TEST(Fill, DrawsOrientationsOfASpeciesEvenly) {
@@ -64,14 +64,14 @@ TEST(Fill, DrawsOrientationsOfASpeciesEvenly) {
 TEST(Source, EmitsAtItsRateUntilItsCountIsReached) {
   State state = empty_state(41, 60);
   state.kinds = {{Shape::hexagon(1), 0}};
-  state.sources = {{.sites = {{20, 50}}, .weights = {1}, .rate = 1ULL << 30U, .count = 6}};
+  state.sources = {{.sites = {{20, 50}}, .weights = {1}, .rate = 1ULL << 30U, .max_emitted = 6}};
   Automaton automaton(state);
-  automaton.set_source(0, true);
+  automaton.set_source_open(0, true);
   std::vector<std::uint64_t> steps;
   grains::StepReport report;
   while (!report.settled) {
     report = automaton.step();
-    for (std::size_t i = 0; i < report.emitted; ++i) {
+    for (std::size_t i = 0; i < report.emitted_count; ++i) {
       steps.push_back(automaton.state().step);
     }
   }
@@ -81,9 +81,10 @@ TEST(Source, EmitsAtItsRateUntilItsCountIsReached) {
 TEST(Source, ABlockedSourceDoesNotKeepARunFromSettling) {
   State state = empty_state(9, 12);
   state.kinds = {{Shape::hexagon(1), 0}};
-  state.sources = {{.sites = {{4, 4}}, .weights = {1}, .rate = 1ULL << 32U, .count = 1'000'000}};
+  state.sources = {
+      {.sites = {{4, 4}}, .weights = {1}, .rate = 1ULL << 32U, .max_emitted = 1'000'000}};
   Automaton automaton(state);
-  automaton.set_source(0, true);
+  automaton.set_source_open(0, true);
   settle(automaton);
   EXPECT_LT(automaton.state().sources[0].emitted, 10U);
 }
@@ -96,7 +97,7 @@ TEST(Outlet, CountsAndRemovesParticlesWhollyInside) {
   Automaton automaton(state);
   std::size_t removed = 0;
   while (removed == 0) {
-    removed += automaton.step().removed;
+    removed += automaton.step().removed_count;
   }
   EXPECT_EQ(automaton.state().particles[0].row, 3);  // its top site is at 4, below 5
   EXPECT_EQ(automaton.state().outlets[0].particles, 1U);
@@ -110,10 +111,10 @@ TEST(Outlet, RemovesWhatIsEmittedInsideItAndCannotMove) {
   State state = empty_state(9, 12);
   state.kinds = {{Shape::hexagon(1), 0}};
   state.sources = {
-      {.sites = {{4, 1}}, .weights = {1}, .rate = 1ULL << 32U, .count = 1, .open = true}};
+      {.sites = {{4, 1}}, .weights = {1}, .rate = 1ULL << 32U, .max_emitted = 1, .open = true}};
   state.outlets = {{.region = {0, 0, 10, 10}}};
   Automaton automaton(state);
-  EXPECT_EQ(automaton.step().removed, 1U);
+  EXPECT_EQ(automaton.step().removed_count, 1U);
   EXPECT_EQ(present_count(automaton.state()), 0U);
 }
 

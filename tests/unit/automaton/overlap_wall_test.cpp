@@ -14,7 +14,7 @@ namespace {
 
 using grains::Occupancy;
 using grains::Owner;
-using grains::Passive;
+using grains::PassiveRule;
 using grains::Path;
 using grains::Push;
 using grains::State;
@@ -38,7 +38,7 @@ State plate_over_hexagon() {
   State state = empty_state(9, 12);
   state.kinds = {{Shape::hexagon(1), 0}};
   state.particles = {particle_at(4, 6)};
-  state.walls = {driven_wall({{4, 8}}, Direction::down, Passive::overlap)};
+  state.walls = {driven_wall({{4, 8}}, Direction::down, PassiveRule::overlap)};
   return state;
 }
 
@@ -74,7 +74,7 @@ TEST(OverlapWall, EntersNoSiteWithTwoOccupants) {
   State state = empty_state(9, 12);
   state.kinds = {{Shape({{0, 0}, {0, 1}}), 0}};
   state.particles = {particle_at(4, 5), particle_at(4, 6)};  // both stand in (4, 6)
-  state.walls = {driven_wall({{3, 5}}, Direction::up_right, Passive::overlap)};
+  state.walls = {driven_wall({{3, 5}}, Direction::up_right, PassiveRule::overlap)};
   state.pushes = {{.pushed = 0, .pusher = 1, .source = 0, .direction = Direction::down}};
   WallBench bench(state);
   EXPECT_FALSE(bench.advance());
@@ -85,7 +85,7 @@ TEST(OverlapWall, EntersNoSiteWithTwoOccupants) {
 
 TEST(OverlapWall, EntersNoOtherWall) {
   for (const Wall& other :
-       {Wall{.sites = {{4, 7}}}, driven_wall({{4, 7}}, Direction::up, Passive::overlap, 0)}) {
+       {Wall{.sites = {{4, 7}}}, driven_wall({{4, 7}}, Direction::up, PassiveRule::overlap, 0)}) {
     State state = plate_over_hexagon();
     state.particles.clear();
     state.walls.push_back(other);
@@ -111,11 +111,11 @@ TEST(OverlapWall, ThatBeginsOutsideComesIn) {
   State state = empty_state(9, 12);
   state.kinds = {{Shape::hexagon(1), 0}};
   state.particles = {particle_at(4, 10)};
-  state.walls = {driven_wall(testing::whole_row(state, 12), Direction::down, Passive::overlap)};
+  state.walls = {driven_wall(testing::whole_row(state, 12), Direction::down, PassiveRule::overlap)};
   WallBench bench(state);
-  EXPECT_THAT(sites_now(state.lattice, state.walls[0]), IsEmpty());
+  EXPECT_THAT(current_sites(state.lattice, state.walls[0]), IsEmpty());
   EXPECT_TRUE(bench.advance());
-  EXPECT_EQ(sites_now(state.lattice, bench.state.walls[0]).size(), 9U);
+  EXPECT_EQ(current_sites(state.lattice, bench.state.walls[0]).size(), 9U);
   EXPECT_THAT(bench.state.pushes, ElementsAre(push_of_wall(0, Direction::down)));
 }
 
@@ -124,8 +124,9 @@ TEST(RemoveWall, OfAWallThatOverlapsForgetsItsPushesAndWakesWhomItPushed) {
   state.kinds = {{Shape::hexagon(1), 0}};
   state.particles = {particle_at(4, 6)};
   // Above and below at once: it can go nowhere.
-  state.walls = {driven_wall(testing::whole_row(state, 8), Direction::down, Passive::overlap, 1),
-                 {.sites = testing::whole_row(state, 4)}};
+  state.walls = {
+      driven_wall(testing::whole_row(state, 8), Direction::down, PassiveRule::overlap, 1),
+      {.sites = testing::whole_row(state, 4)}};
   Automaton automaton(state, {.gravity = Direction::up});
   automaton.step();
   automaton.step();
@@ -134,14 +135,14 @@ TEST(RemoveWall, OfAWallThatOverlapsForgetsItsPushesAndWakesWhomItPushed) {
   automaton.remove_wall(0);
   EXPECT_THAT(automaton.state().pushes, IsEmpty());
   EXPECT_EQ(Occupancy(automaton.state()), automaton.occupancy());
-  EXPECT_EQ(automaton.step().moved, 1U);
+  EXPECT_EQ(automaton.step().moved_count, 1U);
   EXPECT_EQ(automaton.state().particles[0].site(), (Site{4, 7}));
 }
 
 TEST(InsertWall, IsRefusedWhereAParticleStands) {
   State state = plate_over_hexagon();
   state.walls[0] = {.sites = {{4, 6}}, .present = false};
-  state.walls.push_back(driven_wall({{4, 5}}, Direction::up, Passive::overlap));
+  state.walls.push_back(driven_wall({{4, 5}}, Direction::up, PassiveRule::overlap));
   state.walls[1].present = false;
   Automaton automaton(state);
   EXPECT_FALSE(automaton.insert_wall(0));
@@ -176,15 +177,15 @@ TEST(SetMotion, NeedsAWallThatHasAMotion) {
   State state = plate_over_hexagon();
   state.walls.push_back({.sites = {{0, 0}}});
   Automaton automaton(state);
-  EXPECT_THROW(automaton.set_motion(1, true), std::invalid_argument);
-  EXPECT_THROW(automaton.set_motion(2, true), std::out_of_range);
-  automaton.set_motion(0, false);
+  EXPECT_THROW(automaton.set_wall_moving(1, true), std::invalid_argument);
+  EXPECT_THROW(automaton.set_wall_moving(2, true), std::out_of_range);
+  automaton.set_wall_moving(0, false);
   for (int step = 0; step < 3; ++step) {
     automaton.step();
   }
   EXPECT_EQ(automaton.state().walls[0].travel.clock, 0U);
   EXPECT_EQ(automaton.state().walls[0].travel.offset, 0);
-  automaton.set_motion(0, true);
+  automaton.set_wall_moving(0, true);
   automaton.step();
   EXPECT_EQ(automaton.state().walls[0].travel.offset, 1);
 }

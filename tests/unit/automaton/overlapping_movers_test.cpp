@@ -28,7 +28,8 @@ State pressed_bed(std::uint64_t seed, int distance) {
   for (int column = 8; column < 16; ++column) {
     bar.push_back({column, 39});
   }
-  state.walls = {testing::driven_wall(bar, Direction::down, grains::Passive::overlap, distance)};
+  state.walls = {
+      testing::driven_wall(bar, Direction::down, grains::PassiveRule::overlap, distance)};
   return state;
 }
 
@@ -42,7 +43,7 @@ bool overlaps_and_moved(const State& state, std::uint32_t id) {
 /// Steps in which a particle that overlaps has moved, in the run by the reference, until it is
 /// settled or for 150 steps.
 std::size_t compare_runs(const State& start) {
-  Automaton reference(start, {.inertia = 0.5, .scatter = 0.5}, {.reference = true});
+  Automaton reference(start, {.inertia = 0.5, .scatter = 0.5}, {.use_reference = true});
   Automaton automaton(start, {.inertia = 0.5, .scatter = 0.5});
   std::size_t moves = 0;
   bool settled = false;

@@ -13,7 +13,7 @@ using grains::Drive;
 using grains::kRest;
 using grains::Move;
 using grains::Particle;
-using grains::Passive;
+using grains::PassiveRule;
 using grains::Push;
 using grains::State;
 using grains::Wall;
@@ -35,7 +35,7 @@ State under_a_plate(int columns, int plate_row, std::vector<Particle> particles)
   State state = empty_state(columns, 30);
   state.kinds = {{Shape::hexagon(1), 0}};
   state.particles = std::move(particles);
-  state.walls = {driven_wall(whole_row(state, plate_row), Direction::down, Passive::overlap)};
+  state.walls = {driven_wall(whole_row(state, plate_row), Direction::down, PassiveRule::overlap)};
   return state;
 }
 
@@ -52,7 +52,7 @@ TEST(PassiveRule, AParticleUnderAPlateGoesDownWithIt) {
 
 TEST(PassiveRule, BetweenTwoPlatesThatMeetAParticleStaysAndThePlatesStall) {
   State state = under_a_plate(9, 12, {particle_at(4, 8)});
-  state.walls.push_back(driven_wall(whole_row(state, 2), Direction::up, Passive::overlap));
+  state.walls.push_back(driven_wall(whole_row(state, 2), Direction::up, PassiveRule::overlap));
   Automaton automaton(state, kUpwards);
   for (int step = 0; step < 40; ++step) {
     automaton.step();
@@ -68,8 +68,8 @@ TEST(PassiveRule, BetweenTwoPlatesThatMeetAParticleStaysAndThePlatesStall) {
 
 TEST(PassiveRule, BetweenTwoStampsAParticleSlipsOutSideways) {
   State state = under_a_plate(21, 0, {particle_at(11, 9)});
-  state.walls = {driven_wall({{10, 13}}, Direction::down, Passive::overlap, 8),
-                 driven_wall({{10, 4}}, Direction::up, Passive::overlap, 0)};
+  state.walls = {driven_wall({{10, 13}}, Direction::down, PassiveRule::overlap, 8),
+                 driven_wall({{10, 4}}, Direction::up, PassiveRule::overlap, 0)};
   Automaton automaton(state, kUpwards);
   for (int step = 0; step < 12; ++step) {
     automaton.step();
@@ -127,7 +127,7 @@ State stamped_rows(int length) {
   }
   state.kinds = {{Shape(row), 0}};
   state.particles = {particle_at(0, 4), particle_at(0, 5)};
-  state.walls = {driven_wall(stamp, Direction::down, Passive::overlap, 1), {.sites = shut}};
+  state.walls = {driven_wall(stamp, Direction::down, PassiveRule::overlap, 1), {.sites = shut}};
   return state;
 }
 
@@ -165,7 +165,7 @@ TEST(Retreat, GoesBackAgainstGravityAndRestsWhereTheWayIsBarred) {
       state.walls.push_back({.sites = whole_row(state, 5)});
     }
     Automaton automaton(state);
-    automaton.set_motion(0, false);
+    automaton.set_wall_moving(0, false);
     automaton.step();
     EXPECT_EQ(automaton.state().particles[1].site(), (Site{1, barred ? 3 : 4}));
     EXPECT_EQ(automaton.state().pushes.size(), barred ? 1U : 0U);
@@ -187,7 +187,7 @@ TEST(Settled, IsToldOfAJamAndTheJamStays) {
 TEST(Settled, IsToldOfTwoStalledWallsThatNeverTryInTheSameStep) {
   State state = empty_state(12, 12);
   for (const int column : {2, 8}) {
-    Wall wall = driven_wall({{column, 10}}, Direction::up, Passive::rigid);
+    Wall wall = driven_wall({{column, 10}}, Direction::up, PassiveRule::rigid);
     wall.motion->program = Drive{.period = 2, .distance = 5};
     wall.travel.clock = column == 2 ? 0 : 1;
     state.walls.push_back(wall);

@@ -71,8 +71,8 @@ TEST(WallsAndSources, ThatAreNotThereAreRefused) {
   Automaton automaton(good_state());
   EXPECT_THROW(automaton.remove_wall(1), std::out_of_range);
   EXPECT_THROW(automaton.insert_wall(1), std::out_of_range);
-  EXPECT_THROW(automaton.set_motion(1, true), std::out_of_range);
-  EXPECT_THROW(automaton.set_source(1, true), std::out_of_range);
+  EXPECT_THROW(automaton.set_wall_moving(1, true), std::out_of_range);
+  EXPECT_THROW(automaton.set_source_open(1, true), std::out_of_range);
   EXPECT_NO_THROW(automaton.step()) << "after what was refused";
 }
 

@@ -10,7 +10,7 @@ namespace {
 
 using grains::Occupancy;
 using grains::Particle;
-using grains::Passive;
+using grains::PassiveRule;
 using grains::State;
 using grains::Wall;
 using lattice::Axial;
@@ -32,14 +32,14 @@ State single_sites(std::vector<Particle> particles) {
 
 TEST(RigidWall, LiftsAHeapByExactlyOneRowAndLeavesWhatItsParticlesDid) {
   State state = testing::mixed_automaton(30, 60, 12).state();
-  state.walls = {driven_wall(testing::whole_row(state, 0), Direction::up, Passive::rigid)};
+  state.walls = {driven_wall(testing::whole_row(state, 0), Direction::up, PassiveRule::rigid)};
   for (Particle& particle : state.particles) {
     particle.row += 1;  // the box is far from full
   }
   Automaton settling(state);
-  settling.set_motion(0, false);
+  settling.set_wall_moving(0, false);
   testing::settle(settling);
-  settling.set_motion(0, true);
+  settling.set_wall_moving(0, true);
   State expected = settling.state();
   for (Particle& particle : expected.particles) {
     particle.row += 1;
@@ -59,7 +59,7 @@ TEST(RigidWall, LiftsAHeapByExactlyOneRowAndLeavesWhatItsParticlesDid) {
 TEST(RigidWall, LiftsAnOverhangAndItsRiderButNotWhatLiesBelowOrAside) {
   State state = empty_state(12, 20);
   state.kinds = {{Shape::hexagon(0), 0}, {Shape({{0, 0}, {1, 0}, {2, 0}}), 1}};
-  state.walls = {driven_wall({{4, 4}}, Direction::up, Passive::rigid)};
+  state.walls = {driven_wall({{4, 4}}, Direction::up, PassiveRule::rigid)};
   // The beam covers (4, 5), (5, 5) and (6, 6).
   state.particles = {particle_at(4, 5, 1), particle_at(6, 7), particle_at(6, 5), particle_at(8, 8)};
   WallBench bench(state);
@@ -73,7 +73,7 @@ TEST(RigidWall, LiftsAnOverhangAndItsRiderButNotWhatLiesBelowOrAside) {
 TEST(RigidWall, StallsAndChangesNothingWhenItsTrainMeetsTheLid) {
   State state = single_sites({particle_at(2, 1), particle_at(2, 2), particle_at(2, 3),
                               particle_at(2, 4), particle_at(2, 5)});
-  state.walls = {driven_wall({{2, 0}}, Direction::up, Passive::rigid)};
+  state.walls = {driven_wall({{2, 0}}, Direction::up, PassiveRule::rigid)};
   state.step = 7;
   WallBench bench(state);
   EXPECT_FALSE(bench.advance());
@@ -86,12 +86,12 @@ TEST(RigidWall, StallsAndChangesNothingWhenItsTrainMeetsTheLid) {
 TEST(RigidWall, StallsWhenItsTrainMeetsAnyOtherWall) {
   const std::vector<Wall> others = {
       {.sites = {{2, 3}}},
-      driven_wall({{2, 3}}, Direction::up, Passive::rigid, 0),
-      driven_wall({{2, 3}}, Direction::up, Passive::overlap, 0),
+      driven_wall({{2, 3}}, Direction::up, PassiveRule::rigid, 0),
+      driven_wall({{2, 3}}, Direction::up, PassiveRule::overlap, 0),
   };
   for (const Wall& other : others) {
     State state = single_sites({particle_at(2, 1), particle_at(2, 2)});
-    state.walls = {driven_wall({{2, 0}}, Direction::up, Passive::rigid), other};
+    state.walls = {driven_wall({{2, 0}}, Direction::up, PassiveRule::rigid), other};
     WallBench bench(state);
     EXPECT_FALSE(bench.advance());
     EXPECT_EQ(bench.travel(0).stalls, 1U);
@@ -102,7 +102,7 @@ TEST(RigidWall, StallsWhenItsTrainMeetsAnyOtherWall) {
 TEST(RigidWall, ThatIsGoneLetsTheNextOneByAndOneAtRestDoesNot) {
   for (const bool present : {true, false}) {
     State state = single_sites({});
-    state.walls = {driven_wall({{2, 0}}, Direction::up, Passive::rigid),
+    state.walls = {driven_wall({{2, 0}}, Direction::up, PassiveRule::rigid),
                    {.sites = {{2, 1}}, .present = present}};
     WallBench bench(state);
     EXPECT_EQ(bench.advance(), !present);
@@ -117,7 +117,7 @@ TEST(RigidWall, PushesAChainAlongAnyDirectionAndNoBystander) {
       state.kinds = {{Shape::hexagon(0), 0}};
       const Axial one = unit(direction);
       Site site{10, 10};
-      state.walls = {driven_wall({site}, direction, Passive::rigid)};
+      state.walls = {driven_wall({site}, direction, PassiveRule::rigid)};
       for (int i = 0; i < 3; ++i) {
         site = site + one;
         state.particles.push_back(particle_at(site.column, site.row));
@@ -139,7 +139,7 @@ TEST(RigidWall, PushesAcrossThePeriodicSeamAllTheWayRound) {
   State state = empty_state(8, 20);
   state.lattice = lattice::Lattice(8, 20, true);
   state.kinds = {{Shape::hexagon(0), 0}};
-  state.walls = {driven_wall({{7, 4}}, Direction::up_right, Passive::rigid)};
+  state.walls = {driven_wall({{7, 4}}, Direction::up_right, PassiveRule::rigid)};
   state.particles = {particle_at(8, 5), particle_at(9, 5)};  // in columns 0 and 1
   WallBench bench(state);
   for (int step = 1; step <= 16; ++step) {
@@ -155,8 +155,8 @@ TEST(RigidWall, TakesAlongWhateverOverlapsWithItsTrain) {
   // The second stands in the first, aside of the wall; the third stands in nobody.
   state.kinds = {{Shape({{0, -1}, {0, 0}, {0, 1}}), 0}, {Shape({{0, 0}, {1, 0}}), 1}};
   state.particles = {particle_at(4, 6), particle_at(4, 6, 1), particle_at(7, 6)};
-  state.walls = {driven_wall({{4, 4}}, Direction::up, Passive::rigid),
-                 driven_wall({{9, 15}}, Direction::up, Passive::overlap, 0)};
+  state.walls = {driven_wall({{4, 4}}, Direction::up, PassiveRule::rigid),
+                 driven_wall({{9, 15}}, Direction::up, PassiveRule::overlap, 0)};
   state.pushes = {{.pushed = 1, .pusher = 0, .source = 1, .direction = Direction::up}};
   WallBench bench(state);
   bench.advance();
@@ -169,20 +169,20 @@ TEST(RigidWall, TakesAlongWhateverOverlapsWithItsTrain) {
 
 TEST(RigidWall, ThatBeginsOutsideComesInAndThatGoesOutIsNotThere) {
   State state = single_sites({particle_at(2, 0)});
-  state.walls = {driven_wall({{2, -2}, {2, -1}}, Direction::up, Passive::rigid)};
+  state.walls = {driven_wall({{2, -2}, {2, -1}}, Direction::up, PassiveRule::rigid)};
   WallBench bench(state);
   for (int step = 1; step <= 5; ++step) {
     EXPECT_TRUE(bench.advance());
     EXPECT_EQ(bench.site(0), (Site{2, step}));
-    EXPECT_EQ(sites_now(state.lattice, bench.state.walls[0]).size(), step == 1 ? 1U : 2U);
+    EXPECT_EQ(current_sites(state.lattice, bench.state.walls[0]).size(), step == 1 ? 1U : 2U);
   }
   EXPECT_FALSE(bench.advance());  // the particle is at the lid
   EXPECT_EQ(bench.travel(0).stalls, 1U);
-  grains::take_out(bench.box, 0);
+  grains::remove_particle(bench.box, 0);
   for (int step = 0; step < 3; ++step) {
     EXPECT_TRUE(bench.advance());
   }
-  EXPECT_TRUE(sites_now(state.lattice, bench.state.walls[0]).empty());
+  EXPECT_TRUE(current_sites(state.lattice, bench.state.walls[0]).empty());
   EXPECT_EQ(Occupancy(bench.state), bench.world.occupancy);
 }
 
@@ -190,19 +190,19 @@ TEST(RigidWall, PushesIntoAnOutlet) {
   State state = empty_state(9, 12);
   state.kinds = {{Shape::hexagon(0), 0}};
   state.particles = {particle_at(4, 4)};  // rests between two sites of the wall
-  state.walls = {driven_wall(testing::whole_row(state, 3), Direction::up, Passive::rigid)};
+  state.walls = {driven_wall(testing::whole_row(state, 3), Direction::up, PassiveRule::rigid)};
   state.outlets = {{.region = {0, 5, 20, 8}}};
   Automaton automaton(state);
   const grains::StepReport report = automaton.step();
-  EXPECT_EQ(report.moved, 0U);
-  EXPECT_EQ(report.removed, 1U);
+  EXPECT_EQ(report.moved_count, 0U);
+  EXPECT_EQ(report.removed_count, 1U);
   EXPECT_EQ(automaton.state().outlets[0].particles, 1U);
   EXPECT_FALSE(automaton.state().particles[0].present);
 }
 
 TEST(RigidWall, CannotBeginInAnotherWall) {
   State state = single_sites({});
-  state.walls = {{.sites = {{2, 2}}}, driven_wall({{2, 2}}, Direction::up, Passive::rigid)};
+  state.walls = {{.sites = {{2, 2}}}, driven_wall({{2, 2}}, Direction::up, PassiveRule::rigid)};
   EXPECT_THROW(Automaton{state}, std::invalid_argument);
   state.walls[1].present = false;
   Automaton automaton(state);

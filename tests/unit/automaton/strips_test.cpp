@@ -42,15 +42,16 @@ TEST(Strips, AreCutWhereTheWorkIsAndStayApart) {
     for (std::size_t strip = 0; strip < 4; ++strip) {
       const int line = 800 + 200 * static_cast<int>(strip) + 100;
       const Site middle = columns ? Site{line, 5} : Site{5, line};
-      EXPECT_EQ(strips.of(middle), strip);
-      EXPECT_TRUE(strips.inner(strip).contains(middle));
-      EXPECT_EQ(strips.inner(strip).axis, columns ? Axis::columns : Axis::rows);
+      EXPECT_EQ(strips.strip_of(middle), strip);
+      EXPECT_TRUE(strips.inner_interval(strip).contains(middle));
+      EXPECT_EQ(strips.inner_interval(strip).axis, columns ? Axis::columns : Axis::rows);
       if (strip > 0) {
-        EXPECT_LT(strips.inner(strip - 1).end + grains::kWindow, strips.inner(strip).first);
+        EXPECT_LT(strips.inner_interval(strip - 1).end + grains::kWindow,
+                  strips.inner_interval(strip).first);
       }
     }
     for (const WorkHistogram& load : loads) {
-      EXPECT_EQ(load.lines, strips.empty_histogram().lines);
+      EXPECT_EQ(load.work_by_line, strips.empty_histogram().work_by_line);
     }
   }
 }
@@ -62,11 +63,12 @@ TEST(Strips, KeepAsFarApartAsWindowsReach) {
   const WindowedFootprints footprints = footprints_of(state);
   const Strips strips(state.lattice, footprints, 2);
   for (const WindowedFootprint& footprint : footprints.all()) {
-    ASSERT_TRUE(footprint.one_window);
-    const int last = footprint.corner.column + grains::kWindow - 1;
+    ASSERT_TRUE(footprint.fits_one_window);
+    const int last = footprint.lower_left.column + grains::kWindow - 1;
     EXPECT_GT(last, 4);
     EXPECT_TRUE(strips.at_periodic_boundary({400 - last, 9}));
-    EXPECT_LE(strips.inner(0).end - 1 + last, 200 + footprint.corner.column - 2 * grains::kWindow);
+    EXPECT_LE(strips.inner_interval(0).end - 1 + last,
+              200 + footprint.lower_left.column - 2 * grains::kWindow);
   }
 }
 
@@ -78,7 +80,7 @@ TEST(WindowedFootprint, AllThatASmallHexagonReachesIsInOneWindow) {
     state.kinds = {{lattice::Shape::hexagon(radius), 0}};
     const WindowedFootprints table(state, kCandidates);
     for (const int column : {10, 11}) {
-      EXPECT_EQ(table.of(0, column).one_window, radius < 3) << radius;
+      EXPECT_EQ(table.footprint(0, column).fits_one_window, radius < 3) << radius;
     }
   }
 }

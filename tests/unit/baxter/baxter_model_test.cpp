@@ -27,7 +27,7 @@ grains::State box_with(const std::vector<grains::Particle>& particles, std::uint
 TEST(BaxterModel, LetsALoneGrainFallStraightToTheFloorWithItsAxis) {
   BaxterModel model(box_with({particle_at(4, 3, 2)}));
   for (int row = 2; row >= 0; --row) {
-    EXPECT_EQ(model.step().moved, 1);
+    EXPECT_EQ(model.step().moved_count, 1);
     EXPECT_EQ(model.state().particles[0].site(), (lattice::Site{4, row}));
     EXPECT_EQ(model.state().particles[0].previous, static_cast<grains::Move>(Direction::down));
   }
@@ -40,7 +40,7 @@ TEST(BaxterModel, LetsALoneGrainFallStraightToTheFloorWithItsAxis) {
 TEST(BaxterModel, AGrainAtRestTurnsToTheAxisOfItsNeighbours) {
   const auto turned = [](double like_axes) {
     BaxterModel model(box_with({particle_at(3, 0, 1), particle_at(4, 0, 0), particle_at(5, 0, 1)}),
-                      {.like_axes = like_axes});
+                      {.like_axes_factor = like_axes});
     model.step();
     return axis_of(model.state().particles[1]);
   };
@@ -54,7 +54,7 @@ TEST(BaxterModel, TwoThatTurnToEachOtherNeverSettle) {
   BaxterModel model(std::move(state));
   for (int step = 0; step < 4; ++step) {
     const grains::StepReport report = model.step();
-    EXPECT_EQ(report.moved, 0);
+    EXPECT_EQ(report.moved_count, 0);
     EXPECT_FALSE(report.settled);
     EXPECT_EQ(axis_of(model.state().particles[0]), step % 2 == 0 ? 2 : 1);
     EXPECT_EQ(axis_of(model.state().particles[1]), step % 2 == 0 ? 1 : 2);
@@ -70,7 +70,7 @@ TEST(BaxterModel, OneOfTwoThatWantASiteGetsItByADraw) {
   std::set<std::size_t> movers;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     BaxterModel model(box_with(particles, seed));
-    EXPECT_EQ(model.step().moved, 1);
+    EXPECT_EQ(model.step().moved_count, 1);
     movers.insert(model.state().particles[0].previous == grains::kRest ? 1 : 0);
   }
   EXPECT_EQ(movers.size(), 2);
@@ -81,7 +81,7 @@ TEST(BaxterModel, FallsOnlyIfThatPaysMoreThanTheVelocitiesOfItsNeighbours) {
   const auto falls = [](double gravity) {
     grains::State state = box_with({particle_at(4, 1), particle_at(3, 1), particle_at(5, 1)});
     state.walls = {{.sites = {{3, 0}, {5, 0}}}};
-    BaxterModel model(std::move(state), {.power = 1, .gravity = gravity, .like_axes = 1});
+    BaxterModel model(std::move(state), {.exponent = 1, .gravity = gravity, .like_axes_factor = 1});
     model.step();
     return model.state().particles[0].previous == static_cast<grains::Move>(Direction::down);
   };
@@ -111,9 +111,9 @@ TEST(BaxterModel, RefusesWhatItCannotRun) {
   EXPECT_THROW(BaxterModel{moving}, std::invalid_argument);
 
   const grains::State right = box_with({});
-  EXPECT_THROW(BaxterModel(right, {.power = 7}), std::invalid_argument);
+  EXPECT_THROW(BaxterModel(right, {.exponent = 7}), std::invalid_argument);
   EXPECT_THROW(BaxterModel(right, {.gravity = -1}), std::invalid_argument);
-  EXPECT_THROW(BaxterModel(right, {.like_axes = 1.5}), std::invalid_argument);
+  EXPECT_THROW(BaxterModel(right, {.like_axes_factor = 1.5}), std::invalid_argument);
   EXPECT_THROW(BaxterModel(right, {}, {.threads = 0}), std::invalid_argument);
 }
 

@@ -71,16 +71,16 @@ Slopes sampled_rates(const Law& law, const Temperatures& temperatures) {
 }
 
 TEST(MaxwellianRate, IsThatOfTheKineticTheoryOfGases) {
-  EXPECT_NEAR(maxwellian_rate(1), 2.256758, 5e-7);
-  EXPECT_DOUBLE_EQ(maxwellian_rate(4), 2 * maxwellian_rate(1));
+  EXPECT_NEAR(maxwellian_collision_rate(1), 2.256758, 5e-7);
+  EXPECT_DOUBLE_EQ(maxwellian_collision_rate(4), 2 * maxwellian_collision_rate(1));
 }
 
 TEST(ClosureRates, AreTheKnownFirstSlopes) {
   const Temperatures begin = {.translational = 1, .rotational = 2.5};
-  const Temperatures inelastic = closure_rates({.restitution = 0.5, .friction = 0.3}, begin);
+  const Temperatures inelastic = temperature_rates({.restitution = 0.5, .friction = 0.3}, begin);
   EXPECT_NEAR(inelastic.translational, -0.721798, 5e-7);
   EXPECT_NEAR(inelastic.rotational / 2.5, -0.394022, 5e-7);
-  const Temperatures elastic = closure_rates({.restitution = 1, .friction = 0.3}, begin);
+  const Temperatures elastic = temperature_rates({.restitution = 1, .friction = 0.3}, begin);
   EXPECT_NEAR(elastic.translational, -0.175575, 5e-7);
   EXPECT_NEAR(elastic.rotational / 2.5, -0.438937, 5e-7);
 }
@@ -100,7 +100,7 @@ TEST(ClosureRates, AreThoseOfSampledCollisions) {
   for (const Law& law : laws) {
     for (const double energy_ratio : {0.0, 0.2, 1.0, 5.0}) {
       const Temperatures present = {.translational = 1.3, .rotational = 2.5 * energy_ratio};
-      const Temperatures rates = closure_rates(law, present);
+      const Temperatures rates = temperature_rates(law, present);
       const Slopes sampled = sampled_rates(law, present);
       SCOPED_TRACE(::testing::Message() << law.restitution << ' ' << law.friction << ' '
                                         << law.roughness << ' ' << energy_ratio);
@@ -114,8 +114,8 @@ TEST(ClosureRates, AreThoseOfSampledCollisions) {
 }
 
 TEST(ClosureRates, AreNoneWithoutMotion) {
-  const Temperatures rates =
-      closure_rates({.restitution = 0.5, .friction = 0.3}, {.translational = 0, .rotational = 1});
+  const Temperatures rates = temperature_rates({.restitution = 0.5, .friction = 0.3},
+                                               {.translational = 0, .rotational = 1});
   EXPECT_EQ(rates.translational, 0);
   EXPECT_EQ(rates.rotational, 0);
 }
@@ -125,8 +125,8 @@ TEST(ClosureRates, LeaveTheSteadyRatioOfRoughSpheresAlone) {
     for (const double roughness : {-0.9, -0.3, 0.0, 0.6, 0.95}) {
       const double ratio = rough_ratio(restitution, roughness);
       const Temperatures rates =
-          closure_rates({.restitution = restitution, .friction = kNone, .roughness = roughness},
-                        {.translational = 1, .rotational = 2.5 * ratio});
+          temperature_rates({.restitution = restitution, .friction = kNone, .roughness = roughness},
+                            {.translational = 1, .rotational = 2.5 * ratio});
       EXPECT_NEAR(rates.rotational / (2.5 * ratio), rates.translational, 1e-12);
     }
   }
@@ -137,7 +137,7 @@ TEST(ClosureRates, LetTheSpinsOutliveTheVelocitiesBelowTheCriticalRestitution) {
   EXPECT_NEAR(critical, 0.8349, 5e-5);
   const Temperatures spinning = {.translational = 1, .rotational = 1e10};
   const auto heating = [&](double restitution) {
-    return closure_rates({.restitution = restitution, .friction = 0.3}, spinning).translational;
+    return temperature_rates({.restitution = restitution, .friction = 0.3}, spinning).translational;
   };
   EXPECT_LT(heating(critical - 0.01), 0);
   EXPECT_GT(heating(critical + 0.01), 0);
@@ -145,7 +145,7 @@ TEST(ClosureRates, LetTheSpinsOutliveTheVelocitiesBelowTheCriticalRestitution) {
 
 TEST(Closure, OfSmoothSpheresIsHaffsLaw) {
   for (const double restitution : {0.2, 0.8, 1.0}) {
-    const Temperatures end = closure({.restitution = restitution}, {}, 40);
+    const Temperatures end = temperatures_after({.restitution = restitution}, {}, 40);
     EXPECT_NEAR(end.translational, haff_temperature(restitution, 40), 1e-8);
     EXPECT_EQ(end.rotational, 1);
   }
@@ -154,15 +154,15 @@ TEST(Closure, OfSmoothSpheresIsHaffsLaw) {
 TEST(Closure, IsTheSameInOnePieceAndInTwo) {
   const Law law = {.restitution = 0.5, .friction = 0.3};
   const Temperatures begin = {.translational = 1, .rotational = 2.5};
-  const Temperatures whole = closure(law, begin, 10);
-  const Temperatures pieces = closure(law, closure(law, begin, 3.3), 6.7);
+  const Temperatures whole = temperatures_after(law, begin, 10);
+  const Temperatures pieces = temperatures_after(law, temperatures_after(law, begin, 3.3), 6.7);
   EXPECT_NEAR(whole.translational, pieces.translational, 1e-9);
   EXPECT_NEAR(whole.rotational, pieces.rotational, 1e-9);
 }
 
 TEST(Closure, RoughSpheresReachTheirSteadyRatio) {
   const Law law = {.restitution = 0.9, .friction = kNone, .roughness = 0.3};
-  const Temperatures end = closure(law, {.translational = 1, .rotational = 0.1}, 1e5);
+  const Temperatures end = temperatures_after(law, {.translational = 1, .rotational = 0.1}, 1e5);
   EXPECT_NEAR(end.rotational / end.translational / 2.5, rough_ratio(0.9, 0.3), 1e-9);
 }
 
@@ -195,7 +195,7 @@ TEST(CoolingA2, IsCloseToTheMeasuredOneForNearlyElasticSpheres) {
 TEST(ShearFlow, IsSteady) {
   const double shear_rate = 0.37;
   for (const double restitution : {0.0, 0.5, 0.9, 0.999}) {
-    const ShearFlow flow = shear_flow(restitution, shear_rate);
+    const ShearFlow flow = steady_shear_flow(restitution, shear_rate);
     const double root = std::sqrt(flow.temperature * std::numbers::inv_pi);
     const double nu = 16.0 / 5 * root;
     const double cooling = 4.0 / 3 * (1 - restitution * restitution) * root;
@@ -216,15 +216,16 @@ TEST(ShearFlow, IsSteady) {
 }
 
 TEST(ShearFlow, RefusesWhatIsNeverSteady) {
-  EXPECT_THROW(shear_flow(1, 1), std::invalid_argument);
-  EXPECT_THROW(shear_flow(-0.1, 1), std::invalid_argument);
-  EXPECT_THROW(shear_flow(0.5, 0), std::invalid_argument);
-  EXPECT_THROW(shear_flow(NAN, 1), std::invalid_argument);
+  EXPECT_THROW(steady_shear_flow(1, 1), std::invalid_argument);
+  EXPECT_THROW(steady_shear_flow(-0.1, 1), std::invalid_argument);
+  EXPECT_THROW(steady_shear_flow(0.5, 0), std::invalid_argument);
+  EXPECT_THROW(steady_shear_flow(NAN, 1), std::invalid_argument);
 }
 
 TEST(Closure, IsSoonDoneWithLongTimesWhereNothingIsLost) {
   const Law lossless = {.restitution = 1, .friction = kNoSlidingLimit, .roughness = 1};
-  const Temperatures end = closure(lossless, {.translational = 1, .rotational = 0.5}, 1e9);
+  const Temperatures end =
+      temperatures_after(lossless, {.translational = 1, .rotational = 0.5}, 1e9);
   EXPECT_NEAR(end.translational, end.rotational / 2.5, 1e-9);
 }
 

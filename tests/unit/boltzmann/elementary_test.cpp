@@ -29,28 +29,28 @@ double circle_error(double turns) {
 }
 
 TEST(Elementary, OpenUnitIsNeverZeroAndNeverOne) {
-  EXPECT_GT(open_unit(0), 0);
-  EXPECT_LT(open_unit(~std::uint64_t{0}), 1);
+  EXPECT_GT(open_uniform(0), 0);
+  EXPECT_LT(open_uniform(~std::uint64_t{0}), 1);
 }
 
 TEST(Elementary, LogarithmIsRightToAFewUnitsOfTheLastPlace) {
   std::mt19937_64 bits(1);
   double worst = 0;
   for (int i = 0; i < kCases; ++i) {
-    worst = std::max(worst, logarithm_error(open_unit(bits())));
-    worst = std::max(worst, logarithm_error(std::ldexp(1 + open_unit(bits()), i % 2000 - 1000)));
+    worst = std::max(worst, logarithm_error(open_uniform(bits())));
+    worst = std::max(worst, logarithm_error(std::ldexp(1 + open_uniform(bits()), i % 2000 - 1000)));
   }
   EXPECT_LT(worst, kError);
   EXPECT_EQ(logarithm(1), 0);
-  EXPECT_LT(logarithm_error(open_unit(0)), kError);
-  EXPECT_LT(logarithm_error(open_unit(~std::uint64_t{0})), kError);
+  EXPECT_LT(logarithm_error(open_uniform(0)), kError);
+  EXPECT_LT(logarithm_error(open_uniform(~std::uint64_t{0})), kError);
 }
 
 TEST(Elementary, CosineAndSineAreRightToAFewUnitsOfTheLastPlace) {
   std::mt19937_64 bits(2);
   double worst = 0;
   for (int i = 0; i < kCases; ++i) {
-    worst = std::max(worst, circle_error(open_unit(bits())));
+    worst = std::max(worst, circle_error(open_uniform(bits())));
     worst = std::max(worst, circle_error(i % 1024 / 1024.0));
   }
   EXPECT_LT(worst, kError);
@@ -60,7 +60,7 @@ TEST(Elementary, CosineAndSineAreTheSameBitsForManyAtOnce) {
   using Lanes = Eigen::Array<double, 8, 1>;
   std::mt19937_64 bits(3);
   for (int i = 0; i < 1000; ++i) {
-    const Lanes turns = Lanes::NullaryExpr([&] { return open_unit(bits()); });
+    const Lanes turns = Lanes::NullaryExpr([&] { return open_uniform(bits()); });
     const auto [cosines, sines] = cosine_and_sine(turns);
     for (int lane = 0; lane < turns.size(); ++lane) {
       const auto [cosine, sine] = cosine_and_sine(turns[lane]);

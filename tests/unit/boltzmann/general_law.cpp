@@ -61,12 +61,12 @@ CollisionState collide(const Law& law, const Pair& pair, const CollisionState& c
   const Vector3d friction = slip.braking / pair.compliance() * slip.tangential;
   const Vector3d impulse =
       pair.reduced_mass() * (1 + law.restitution) * slip.normal * contact.normal + friction;
-  const Vector3d twist = contact.normal.cross(friction);
+  const Vector3d angular_impulse = contact.normal.cross(friction);
   CollisionState after = contact;
   after.first.velocity -= impulse / pair.first.mass;
   after.second.velocity += impulse / pair.second.mass;
-  after.first.spin -= pair.first.radius / pair.first.inertia * twist;
-  after.second.spin -= pair.second.radius / pair.second.inertia * twist;
+  after.first.spin -= pair.first.radius / pair.first.inertia * angular_impulse;
+  after.second.spin -= pair.second.radius / pair.second.inertia * angular_impulse;
   return after;
 }
 

@@ -169,11 +169,11 @@ TEST(GeneralLaw, HasRoundNumbersForEqualSolidSpheres) {
     const Vector3d tangential = tangential_slip(pair, before);
     const Vector3d impulse =
         0.75 * before.slip(pair).dot(before.normal) * before.normal + braking / 7 * tangential;
-    const Vector3d twist = 5.0 / 14 * braking * before.normal.cross(tangential);
+    const Vector3d angular_impulse = 5.0 / 14 * braking * before.normal.cross(tangential);
     EXPECT_TRUE(after.first.velocity.isApprox(before.first.velocity - impulse, kRounding));
     EXPECT_TRUE(after.second.velocity.isApprox(before.second.velocity + impulse, kRounding));
-    EXPECT_TRUE(after.first.spin.isApprox(before.first.spin - twist, kRounding));
-    EXPECT_TRUE(after.second.spin.isApprox(before.second.spin - twist, kRounding));
+    EXPECT_TRUE(after.first.spin.isApprox(before.first.spin - angular_impulse, kRounding));
+    EXPECT_TRUE(after.second.spin.isApprox(before.second.spin - angular_impulse, kRounding));
   }
 }
 

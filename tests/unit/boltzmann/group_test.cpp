@@ -16,18 +16,18 @@ Motions some_motions(Eigen::Index particles, std::uint64_t seed) {
   Motions motions(6, particles);
   for (Eigen::Index i = 0; i < particles; ++i) {
     for (std::uint32_t k = 0; k < 6; ++k) {
-      const random::Words words = random::words(seed, {7, k, static_cast<std::uint32_t>(i)},
-                                                random::Purpose::initial_velocity);
-      motions(k, i) = open_unit32(words[0]) + open_unit32(words[1]) + open_unit32(words[2]) +
-                      open_unit32(words[3]) - 2;
+      const random::Words words = random::drawn_words(seed, {7, k, static_cast<std::uint32_t>(i)},
+                                                      random::Purpose::initial_velocity);
+      motions(k, i) = open_uniform32(words[0]) + open_uniform32(words[1]) +
+                      open_uniform32(words[2]) + open_uniform32(words[3]) - 2;
     }
   }
   return motions;
 }
 
 Motions motions_of(Group& group) {
-  Motions motions(6, group.particles());
-  for (Eigen::Index i = 0; i < group.particles(); ++i) {
+  Motions motions(6, group.particle_count());
+  for (Eigen::Index i = 0; i < group.particle_count(); ++i) {
     motions.col(i) = group.motion(i);
   }
   return motions;
@@ -48,8 +48,8 @@ class Oracle {
   std::uint64_t collide(const Law& law, const GroupKey& key, double duration) {
     constexpr std::uint32_t kBatch = 32;
     const auto size = static_cast<double>(motions_.cols());
-    const double share = open_unit32(
-        random::words(key.seed, {key.step, key.group, 0}, random::Purpose::last_candidate)[0]);
+    const double share = open_uniform32(random::drawn_words(key.seed, {key.step, key.group, 0},
+                                                            random::Purpose::last_candidate)[0]);
     double fastest = measured();
     std::uint64_t collisions = 0;
     std::size_t since = 0;
@@ -95,33 +95,34 @@ class Oracle {
   /// True when it ends in a collision.
   bool candidate(const Law& law, const GroupKey& key, std::uint32_t item, double fastest) {
     const auto size = static_cast<std::uint64_t>(motions_.cols());
-    const std::uint64_t product = random::words(key.seed, {key.step, key.group, item / 4},
-                                                random::Purpose::candidate)[item % 4] *
+    const std::uint64_t product = random::drawn_words(key.seed, {key.step, key.group, item / 4},
+                                                      random::Purpose::candidate)[item % 4] *
                                   size;
     first_ = static_cast<Eigen::Index>(product >> 32U);
-    if (open_unit32(static_cast<std::uint32_t>(product)) * fastest >= speed(first_)) {
+    if (open_uniform32(static_cast<std::uint32_t>(product)) * fastest >= speed(first_)) {
       return false;
     }
     const random::Words words =
-        random::words(key.seed, {key.step, key.group, item}, random::Purpose::normal);
+        random::drawn_words(key.seed, {key.step, key.group, item}, random::Purpose::normal);
     second_ = static_cast<Eigen::Index>((words[0] * (size - 1)) >> 32U);
     second_ += second_ >= first_ ? 1 : 0;
     const auto motion = [this](Eigen::Index i) { return motions_.col(i).transpose(); };
     const Vectors<1> g = motion(first_).head<3>() - motion(second_).head<3>();
-    const double bound = open_unit32(words[1]) * (speed(first_) + speed(second_));
+    const double bound = open_uniform32(words[1]) * (speed(first_) + speed(second_));
     if (bound * bound >= dot(g, g).value()) {
       return false;
     }
     const Vectors<1> spins = motion(first_).tail<3>() + motion(second_).tail<3>();
-    const ImpulsePair<1> exchange = solid_collision<1>(
-        law, g, spins,
-        line_of_centres<1>(g, Lanes<1>(open_unit32(words[2])), Lanes<1>(open_unit32(words[3]))));
-    const Eigen::Array3d push = exchange.push.transpose();
-    const Eigen::Array3d twist = exchange.twist.transpose();
-    motions_.col(first_).head<3>() -= push;
-    motions_.col(second_).head<3>() += push;
-    motions_.col(first_).tail<3>() -= kSolidSpin * twist;
-    motions_.col(second_).tail<3>() -= kSolidSpin * twist;
+    const ImpulsePair<1> exchange =
+        solid_collision<1>(law, g, spins,
+                           line_of_centres<1>(g, Lanes<1>(open_uniform32(words[2])),
+                                              Lanes<1>(open_uniform32(words[3]))));
+    const Eigen::Array3d impulse = exchange.impulse.transpose();
+    const Eigen::Array3d angular_impulse = exchange.angular_impulse.transpose();
+    motions_.col(first_).head<3>() -= impulse;
+    motions_.col(second_).head<3>() += impulse;
+    motions_.col(first_).tail<3>() -= kInverseInertia * angular_impulse;
+    motions_.col(second_).tail<3>() -= kInverseInertia * angular_impulse;
     return true;
   }
 
@@ -156,7 +157,7 @@ TEST(Group, KeepsMomentumToRoundingAndLosesEnergy) {
       (after.topRows(3).rowwise().sum() - motions.topRows(3).rowwise().sum()).abs().maxCoeff(),
       1e-10);
   const auto energy = [](const Motions& all) {
-    return all.topRows(3).square().sum() + all.bottomRows(3).square().sum() / kSolidSpin;
+    return all.topRows(3).square().sum() + all.bottomRows(3).square().sum() / kInverseInertia;
   };
   EXPECT_LT(energy(after), 0.8 * energy(motions));
 }

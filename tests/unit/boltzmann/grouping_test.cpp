@@ -26,7 +26,7 @@ TEST(Grouping, PutsEachParticleIntoOneGroupAndBackToOnePlace) {
       std::vector<Eigen::Index> all_then;
       std::vector<Eigen::Index> sources;
       std::vector<Eigen::Index> targets;
-      for (Eigen::Index group = 0; group < grouping.groups(); ++group) {
+      for (Eigen::Index group = 0; group < grouping.group_count(); ++group) {
         grouping.members(group, sources, targets);
         all_now.insert(all_now.end(), sources.begin(), sources.end());
         all_then.insert(all_then.end(), targets.begin(), targets.end());
@@ -50,7 +50,7 @@ TEST(Grouping, BringsAnyTwoBlocksTogetherEquallyOften) {
   std::vector<Eigen::Index> targets;
   for (int step = 0; step < kSteps; ++step) {
     grouping.shuffle(1, static_cast<std::uint64_t>(step));
-    for (Eigen::Index group = 0; group < grouping.groups(); ++group) {
+    for (Eigen::Index group = 0; group < grouping.group_count(); ++group) {
       grouping.members(group, sources, targets);
       for (std::size_t i = 0; i < sources.size(); i += kBlockSize) {
         for (std::size_t j = 0; j < i; j += kBlockSize) {

@@ -11,28 +11,29 @@ namespace {
 
 constexpr double kRounding = 1e-13;
 
-InitialCondition initial_condition(std::uint64_t particles, Initial initial, bool exact_moments,
-                                   bool quasi) {
-  return {.particles = particles,
-          .initial = initial,
+InitialCondition initial_condition(std::uint64_t particles, InitialDistribution initial,
+                                   bool exact_moments, bool quasi) {
+  return {.particle_count = particles,
+          .distribution = initial,
           .energy_ratio = 0.7,
           .exact_moments = exact_moments,
-          .quasi = quasi};
+          .quasi_random = quasi};
 }
 
 // 1/3 of the mean squares of velocity and spin.
 std::pair<double, double> mean_squares(const Gas& gas) {
-  const auto count = static_cast<double>(gas.particles());
+  const auto count = static_cast<double>(gas.particle_count());
   return {gas.motions.topRows<3>().square().sum() / (3 * count),
           gas.motions.bottomRows<3>().square().sum() / (3 * count)};
 }
 
 TEST(InitialCondition, HasExactMomentsWhereAskedForThem) {
-  for (const Initial initial : {Initial::gaussian, Initial::equal_energy}) {
+  for (const InitialDistribution initial :
+       {InitialDistribution::gaussian, InitialDistribution::equal_energy}) {
     for (const bool quasi : {false, true}) {
       for (const std::uint64_t particles : {3U, 4U, 1000U, 1001U, 4096U}) {
         const Gas gas = make_gas(initial_condition(particles, initial, true, quasi), 5);
-        ASSERT_EQ(gas.particles(), static_cast<Eigen::Index>(particles));
+        ASSERT_EQ(gas.particle_count(), static_cast<Eigen::Index>(particles));
         EXPECT_LT(gas.motions.rowwise().mean().abs().maxCoeff(), kRounding);
         const auto [velocity, spin] = mean_squares(gas);
         EXPECT_NEAR(velocity, 1, kRounding);
@@ -45,8 +46,8 @@ TEST(InitialCondition, HasExactMomentsWhereAskedForThem) {
 TEST(InitialCondition, GivesAllTheSameEnergyInCase2) {
   for (const bool exact_moments : {false, true}) {
     for (const std::uint64_t particles : {2U, 3U, 501U}) {
-      const Gas gas =
-          make_gas(initial_condition(particles, Initial::equal_energy, exact_moments, false), 5);
+      const Gas gas = make_gas(
+          initial_condition(particles, InitialDistribution::equal_energy, exact_moments, false), 5);
       for (const auto& motion : gas.motions.colwise()) {
         EXPECT_NEAR(motion.head<3>().matrix().norm(), std::sqrt(3.0), kRounding);
         EXPECT_NEAR(motion.tail<3>().matrix().norm(), std::sqrt(3 * 2.5 * 0.7), kRounding);
@@ -58,7 +59,7 @@ TEST(InitialCondition, GivesAllTheSameEnergyInCase2) {
 // Mean of the products of all pairs of components, in units of the standard deviation that it has
 // for independent particles.
 void expect_independent_components(const Gas& gas, double sigmas) {
-  const auto count = static_cast<double>(gas.particles());
+  const auto count = static_cast<double>(gas.particle_count());
   Eigen::Matrix<double, 6, 6> covariance =
       gas.motions.matrix() * gas.motions.matrix().transpose() / count;
   for (Eigen::Index a = 0; a < 6; ++a) {
@@ -70,7 +71,8 @@ void expect_independent_components(const Gas& gas, double sigmas) {
 }
 
 TEST(InitialCondition, HasIndependentComponents) {
-  for (const Initial initial : {Initial::gaussian, Initial::equal_energy}) {
+  for (const InitialDistribution initial :
+       {InitialDistribution::gaussian, InitialDistribution::equal_energy}) {
     for (const bool exact_moments : {false, true}) {
       expect_independent_components(
           make_gas(initial_condition(20'000, initial, exact_moments, false), 8), 4.5);
@@ -79,14 +81,16 @@ TEST(InitialCondition, HasIndependentComponents) {
 }
 
 TEST(InitialCondition, IsMoreEvenOnALatticeThanByChance) {
-  for (const Initial initial : {Initial::gaussian, Initial::equal_energy}) {
+  for (const InitialDistribution initial :
+       {InitialDistribution::gaussian, InitialDistribution::equal_energy}) {
     expect_independent_components(make_gas(initial_condition(16'384, initial, false, true), 8),
                                   0.5);
   }
 }
 
 TEST(InitialCondition, HasNormalVelocitiesAndSpinsInCase1) {
-  const Gas gas = make_gas(initial_condition(100'000, Initial::gaussian, false, false), 3);
+  const Gas gas =
+      make_gas(initial_condition(100'000, InitialDistribution::gaussian, false, false), 3);
   const auto count = static_cast<double>(gas.motions.size());
   Motions scaled = gas.motions;
   scaled.bottomRows<3>() /= std::sqrt(2.5 * 0.7);
@@ -97,14 +101,15 @@ TEST(InitialCondition, HasNormalVelocitiesAndSpinsInCase1) {
 }
 
 TEST(InitialCondition, MayHaveNoSpin) {
-  const Gas gas = make_gas({.particles = 10, .energy_ratio = 0}, 3);
+  const Gas gas = make_gas({.particle_count = 10, .energy_ratio = 0}, 3);
   EXPECT_EQ(gas.motions.bottomRows<3>().abs().maxCoeff(), 0);
 }
 
 TEST(InitialCondition, DependsOnTheSeedAndOnNothingElse) {
   for (const bool quasi : {false, true}) {
     const auto from = [&](std::uint64_t seed) {
-      return hash(make_gas(initial_condition(100, Initial::gaussian, true, quasi), seed));
+      return hash(
+          make_gas(initial_condition(100, InitialDistribution::gaussian, true, quasi), seed));
     };
     EXPECT_EQ(from(1), from(1));
     EXPECT_NE(from(1), from(2));
@@ -113,8 +118,8 @@ TEST(InitialCondition, DependsOnTheSeedAndOnNothingElse) {
 }
 
 TEST(InitialCondition, RefusesFewerThanTwoParticles) {
-  EXPECT_THROW(make_gas({.particles = 1}, 1), std::invalid_argument);
-  EXPECT_THROW(make_gas({.particles = 0}, 1), std::invalid_argument);
+  EXPECT_THROW(make_gas({.particle_count = 1}, 1), std::invalid_argument);
+  EXPECT_THROW(make_gas({.particle_count = 0}, 1), std::invalid_argument);
 }
 
 }  // namespace

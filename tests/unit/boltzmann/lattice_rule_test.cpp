@@ -11,7 +11,7 @@ namespace {
 
 std::vector<double> coordinates(const LatticeRule& rule, int dimension) {
   std::vector<double> result;
-  for (std::uint64_t point = 0; point < rule.points(); ++point) {
+  for (std::uint64_t point = 0; point < rule.point_count(); ++point) {
     result.push_back(rule.coordinate(point, dimension));
   }
   return result;
@@ -49,7 +49,7 @@ TEST(LatticeRule, GivesTheBeginningOfTheEmbeddedSequenceForOtherNumbers) {
 TEST(LatticeRule, AscendsInItsFirstDimensionUnshifted) {
   for (const std::uint64_t points : {1U, 2U, 3U, 1000U, 10'000U}) {
     const LatticeRule rule(points);
-    EXPECT_EQ(rule.points(), points);
+    EXPECT_EQ(rule.point_count(), points);
     const std::vector<double> values = coordinates(rule, 0);
     EXPECT_TRUE(std::is_sorted(values.begin(), values.end()));
   }
@@ -69,7 +69,7 @@ TEST(LatticeRule, StaysInsideTheUnitCube) {
 }
 
 TEST(LatticeRule, MovesByAnotherVectorForEachSeedStepAndGroup) {
-  const auto first = [](std::uint64_t seed, const random::Counter& place) {
+  const auto first = [](std::uint64_t seed, const random::DrawCounter& place) {
     LatticeRule rule(16);
     rule.shift(seed, place);
     return rule.coordinate(0, 0);
@@ -83,14 +83,14 @@ TEST(LatticeRule, MovesByAnotherVectorForEachSeedStepAndGroup) {
 // A product of all pairs of dimensions, mean 1: what the weights of order 2 are made for.
 double pairwise(const LatticeRule& rule) {
   double sum = 0;
-  for (std::uint64_t point = 0; point < rule.points(); ++point) {
+  for (std::uint64_t point = 0; point < rule.point_count(); ++point) {
     for (int a = 0; a < 6; ++a) {
       for (int b = 0; b < a; ++b) {
         sum += 4 * rule.coordinate(point, a) * rule.coordinate(point, b) / 15;
       }
     }
   }
-  return sum / static_cast<double>(rule.points());
+  return sum / static_cast<double>(rule.point_count());
 }
 
 TEST(LatticeRule, IntegratesPairsOfDimensionsFarBetterThanChance) {

@@ -10,7 +10,7 @@ namespace {
 
 constexpr Law kLaw = {.restitution = 0.5, .friction = 0.3, .roughness = 0};
 
-Process with(const Law& law) {
+Dynamics with(const Law& law) {
   return {.law = law, .scheme = Majorant{}, .shear_rate = 0};
 }
 
@@ -19,19 +19,19 @@ double energy(const Gas& gas) {
 }
 
 TEST(MajorantScheme, GivesTheSameBitsForAnyNumberOfThreads) {
-  Gas reference = make_gas({.particles = 50'000}, 5);
+  Gas reference = make_gas({.particle_count = 50'000}, 5);
   advance(reference, with(kLaw), 5, 2, 1);
   for (const int threads : {7, 3, 2}) {  // LLVM's OpenMP loses memory of a team that grows
-    Gas gas = make_gas({.particles = 50'000}, 5);
+    Gas gas = make_gas({.particle_count = 50'000}, 5);
     advance(gas, with(kLaw), 5, 2, threads);
     EXPECT_EQ(hash(gas), hash(reference)) << threads;
   }
 }
 
 TEST(MajorantScheme, GoesOnAfterAStopAsIfItHadNot) {
-  Gas whole = make_gas({.particles = 20'000}, 5);
+  Gas whole = make_gas({.particle_count = 20'000}, 5);
   advance(whole, with(kLaw), 5, 5, 1);
-  Gas gas = make_gas({.particles = 20'000}, 5);
+  Gas gas = make_gas({.particle_count = 20'000}, 5);
   for (int stops = 0; gas.time < 5; ++stops) {
     ASSERT_LT(stops, 100);
     advance(gas, with(kLaw), 5, 5, 1, [](const Gas&) { return false; });
@@ -40,7 +40,7 @@ TEST(MajorantScheme, GoesOnAfterAStopAsIfItHadNot) {
 }
 
 TEST(MajorantScheme, ArrivesAtTheTimeAskedFor) {
-  Gas gas = make_gas({.particles = 100}, 1);
+  Gas gas = make_gas({.particle_count = 100}, 1);
   for (const double time : {0.1, 0.3, 7.7}) {
     advance(gas, with(kLaw), 1, time, 1);
     EXPECT_EQ(gas.time, time);
@@ -53,7 +53,7 @@ TEST(MajorantScheme, ArrivesAtTheTimeAskedFor) {
 TEST(MajorantScheme, HeatsElasticSpheresInSlowShearAsTheirViscositySays) {
   constexpr double kShearRate = 0.05;
   constexpr double kTime = 60;
-  Gas gas = make_gas({.particles = 20'000, .energy_ratio = 0}, 3);
+  Gas gas = make_gas({.particle_count = 20'000, .energy_ratio = 0}, 3);
   const Law elastic = {.restitution = 1, .friction = 0, .roughness = 0};
   advance(gas, {.law = elastic, .scheme = Majorant{}, .shear_rate = kShearRate}, 3, kTime, 1);
   const double speed =
@@ -63,7 +63,7 @@ TEST(MajorantScheme, HeatsElasticSpheresInSlowShearAsTheirViscositySays) {
 }
 
 TEST(MajorantScheme, KeepsTheEnergyOfElasticSmoothSpheresTo1e10) {
-  Gas gas = make_gas({.particles = 20'000}, 2);
+  Gas gas = make_gas({.particle_count = 20'000}, 2);
   const double before = energy(gas);
   advance(gas, with({.restitution = 1, .friction = 0, .roughness = 0}), 2, 15, 1);
   EXPECT_NEAR(energy(gas) / before, 1, 1e-10);
@@ -72,24 +72,24 @@ TEST(MajorantScheme, KeepsTheEnergyOfElasticSmoothSpheresTo1e10) {
 }
 
 /// Collisions per particle and time at the initial_condition.
-double rate_at_start(Initial initial) {
+double rate_at_start(InitialDistribution initial) {
   constexpr double kTime = 0.02;
-  Gas gas = make_gas({.particles = 400'000, .initial = initial}, 3);
+  Gas gas = make_gas({.particle_count = 400'000, .distribution = initial}, 3);
   advance(gas, with({.restitution = 1, .friction = 0, .roughness = 0}), 3, kTime, 2);
   return gas.collisions_per_particle() / kTime;
 }
 
 TEST(MajorantScheme, CollidesAtTheRateOfAMaxwellianGas) {
   // sqrt(2 x 9000 collisions) / 9000 is 1.5 %; the clock has no noise of its own.
-  EXPECT_NEAR(rate_at_start(Initial::gaussian), 4 / std::sqrt(std::numbers::pi), 0.07);
+  EXPECT_NEAR(rate_at_start(InitialDistribution::gaussian), 4 / std::sqrt(std::numbers::pi), 0.07);
 }
 
 TEST(MajorantScheme, CollidesAtTheRateOfEqualEnergies) {
-  EXPECT_NEAR(rate_at_start(Initial::equal_energy), 4 * std::sqrt(3.0) / 3, 0.07);
+  EXPECT_NEAR(rate_at_start(InitialDistribution::equal_energy), 4 * std::sqrt(3.0) / 3, 0.07);
 }
 
 TEST(MajorantScheme, CarriesTwoParticlesToo) {
-  Gas gas = make_gas({.particles = 2}, 3);
+  Gas gas = make_gas({.particle_count = 2}, 3);
   advance(gas, with(kLaw), 3, 10, 2);
   EXPECT_EQ(gas.time, 10);
   EXPECT_TRUE(gas.motions.isFinite().all());

@@ -12,7 +12,7 @@ namespace {
 constexpr Law kPaper = {.restitution = 0.5, .friction = 0.3};
 
 Gas gas_of(std::uint64_t particles, std::uint64_t seed = 1) {
-  return make_gas({.particles = particles}, seed);
+  return make_gas({.particle_count = particles}, seed);
 }
 
 Gas advanced(Gas gas, const Law& law, const OgawaKato& scheme, double time, int threads = 1) {
@@ -26,7 +26,7 @@ double temperature(const Gas& gas) {
 
 TEST(OgawaKato, GivesTheSameBitsForAnyNumberOfThreads) {
   for (const bool quasi : {false, true}) {
-    const OgawaKato scheme = {.quasi = quasi};
+    const OgawaKato scheme = {.quasi_random = quasi};
     const std::uint64_t expected = hash(advanced(gas_of(1001), kPaper, scheme, 1.01));
     for (const int threads : {2, 3, 7}) {
       EXPECT_EQ(hash(advanced(gas_of(1001), kPaper, scheme, 1.01, threads)), expected);
@@ -38,8 +38,8 @@ TEST(OgawaKato, GivesOtherBitsForOtherSeeds) {
   for (const bool quasi : {false, true}) {
     Gas one = gas_of(1000);
     Gas other = one;
-    advance(one, {.law = kPaper, .scheme = OgawaKato{.quasi = quasi}}, 1, 1, 1);
-    advance(other, {.law = kPaper, .scheme = OgawaKato{.quasi = quasi}}, 2, 1, 1);
+    advance(one, {.law = kPaper, .scheme = OgawaKato{.quasi_random = quasi}}, 1, 1, 1);
+    advance(other, {.law = kPaper, .scheme = OgawaKato{.quasi_random = quasi}}, 2, 1, 1);
     EXPECT_NE(hash(one), hash(other));
   }
 }
@@ -114,8 +114,8 @@ TEST(OgawaKato, LeavesTheSpinsOfSmoothSpheresAlone) {
 TEST(OgawaKato, CoolsByTheSameLawOnALattice) {
   // Both within 4 standard deviations of a run, 1.3 % at 10 000 particles, of each other.
   for (const int partners : {10, 25}) {
-    const OgawaKato independent = {.partners = partners};
-    const OgawaKato lattice = {.partners = partners, .quasi = true};
+    const OgawaKato independent = {.partner_count = partners};
+    const OgawaKato lattice = {.partner_count = partners, .quasi_random = true};
     const double expected = temperature(advanced(gas_of(10'000), kPaper, independent, 2));
     const double found = temperature(advanced(gas_of(10'000), kPaper, lattice, 2));
     EXPECT_NEAR(found / expected, 1, 4 * std::numbers::sqrt2 * 0.013) << partners;
@@ -126,7 +126,7 @@ TEST(OgawaKato, HeatsWhatShouldKeepItsEnergyAsMuchAsExpected) {
   // A run of 50 000 particles scatters by 0.010 at time 5; the expectation holds to 0.003.
   const Law elastic = {.restitution = 1};
   for (const int partners : {1, 10}) {
-    const OgawaKato scheme = {.time_step = 0.1, .partners = partners};
+    const OgawaKato scheme = {.time_step = 0.1, .partner_count = partners};
     const double heating = temperature(advanced(gas_of(50'000), elastic, scheme, 5)) - 1;
     EXPECT_NEAR(heating, expected_heating(scheme, 5), 4 * 0.010 + 0.003) << partners;
   }
@@ -134,7 +134,7 @@ TEST(OgawaKato, HeatsWhatShouldKeepItsEnergyAsMuchAsExpected) {
 
 TEST(OgawaKato, IsExpectedToHeatByNineToTenPercentAsPrinted) {
   EXPECT_NEAR(expected_heating({}, 15), 0.098, 0.001);
-  EXPECT_EQ(expected_heating({.partners = 1}, 15), 0);
+  EXPECT_EQ(expected_heating({.partner_count = 1}, 15), 0);
   EXPECT_TRUE(std::isinf(expected_heating({.time_step = 0.1}, 50)));
 }
 
@@ -142,7 +142,7 @@ TEST(OgawaKato, RefusesStepsWithoutDurationAndParticlesWithoutPartners) {
   Gas gas = gas_of(10);
   EXPECT_THROW(advance(gas, {.law = kPaper, .scheme = OgawaKato{.time_step = 0}}, 1, 1, 1),
                std::invalid_argument);
-  EXPECT_THROW(advance(gas, {.law = kPaper, .scheme = OgawaKato{.partners = 0}}, 1, 1, 1),
+  EXPECT_THROW(advance(gas, {.law = kPaper, .scheme = OgawaKato{.partner_count = 0}}, 1, 1, 1),
                std::invalid_argument);
 }
 

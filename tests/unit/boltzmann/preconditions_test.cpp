@@ -16,9 +16,9 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 TEST(AGas, IsCarriedByAtLeastOneThreadToAFiniteTime) {
-  Gas gas = make_gas({.particles = 100}, 1);
+  Gas gas = make_gas({.particle_count = 100}, 1);
   for (const Scheme& scheme : {Scheme(Majorant{}), Scheme(OgawaKato{})}) {
-    const Process process = {.law = {}, .scheme = scheme};
+    const Dynamics process = {.law = {}, .scheme = scheme};
     EXPECT_THROW(advance(gas, process, 1, 0.1, 0), std::invalid_argument);
     EXPECT_THROW(advance(gas, process, 1, 0.1, -2), std::invalid_argument);
     EXPECT_THROW(advance(gas, process, 1, kNaN, 1), std::invalid_argument);
@@ -35,30 +35,31 @@ TEST(ALaw, HasNumbersInRange) {
   for (const Law& wrong :
        {Law{.restitution = -0.1}, Law{.restitution = 1.1}, Law{.restitution = kNaN},
         Law{.friction = -1}, Law{.friction = kNaN}, Law{.roughness = -2}, Law{.roughness = 2}}) {
-    EXPECT_THROW(check(wrong), std::invalid_argument);
-    EXPECT_THROW(closure(wrong, {}, 1), std::invalid_argument);
-    Gas gas = make_gas({.particles = 100}, 1);
+    EXPECT_THROW(check_valid(wrong), std::invalid_argument);
+    EXPECT_THROW(temperatures_after(wrong, {}, 1), std::invalid_argument);
+    Gas gas = make_gas({.particle_count = 100}, 1);
     EXPECT_THROW(advance(gas, {.law = wrong, .scheme = {}}, 1, 0.1, 1), std::invalid_argument);
   }
-  EXPECT_NO_THROW(check({.restitution = 0.9, .friction = kNoSlidingLimit, .roughness = -1}));
-  EXPECT_THROW(closure({}, {}, kNaN), std::invalid_argument);
-  EXPECT_THROW(closure({}, {}, kInfinity), std::invalid_argument);
+  EXPECT_NO_THROW(check_valid({.restitution = 0.9, .friction = kNoSlidingLimit, .roughness = -1}));
+  EXPECT_THROW(temperatures_after({}, {}, kNaN), std::invalid_argument);
+  EXPECT_THROW(temperatures_after({}, {}, kInfinity), std::invalid_argument);
 }
 
 TEST(AScheme, HasTimeStepsAndPartners) {
-  Gas gas = make_gas({.particles = 100}, 1);
-  for (const OgawaKato& wrong : {OgawaKato{.time_step = 0}, OgawaKato{.time_step = kNaN},
-                                 OgawaKato{.time_step = kInfinity}, OgawaKato{.partners = 0}}) {
+  Gas gas = make_gas({.particle_count = 100}, 1);
+  for (const OgawaKato& wrong :
+       {OgawaKato{.time_step = 0}, OgawaKato{.time_step = kNaN}, OgawaKato{.time_step = kInfinity},
+        OgawaKato{.partner_count = 0}}) {
     EXPECT_THROW(advance(gas, {.law = {}, .scheme = wrong}, 1, 0.1, 1), std::invalid_argument);
   }
 }
 
 TEST(ABeginning, HasARatioOfEnergiesThatIsNotNegative) {
   for (const double wrong : {-1.0, kNaN, kInfinity}) {
-    EXPECT_THROW(make_gas({.particles = 10, .energy_ratio = wrong}, 1), std::invalid_argument);
+    EXPECT_THROW(make_gas({.particle_count = 10, .energy_ratio = wrong}, 1), std::invalid_argument);
   }
-  EXPECT_THROW(make_gas({.particles = 1}, 1), std::invalid_argument);
-  EXPECT_THROW(make_gas({.particles = std::uint64_t{1} << 32U}, 1), std::invalid_argument);
+  EXPECT_THROW(make_gas({.particle_count = 1}, 1), std::invalid_argument);
+  EXPECT_THROW(make_gas({.particle_count = std::uint64_t{1} << 32U}, 1), std::invalid_argument);
 }
 
 TEST(Moments, AreOfAtLeastOneParticle) {

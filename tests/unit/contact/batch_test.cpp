@@ -23,8 +23,8 @@ struct Workload {
   std::vector<Batch> batches;
 };
 
-std::vector<Pair> many_pairs() {
-  std::vector<Pair> all;
+std::vector<PairCoefficients> many_pairs() {
+  std::vector<PairCoefficients> all;
   for (const int radius : {0, 1, 3, 60}) {
     for (const std::optional<int> other :
          {std::optional<int>(0), std::optional<int>(2), std::optional<int>()}) {
@@ -35,8 +35,8 @@ std::vector<Pair> many_pairs() {
 }
 
 /// Some lanes are empty; up to `fastest` and `strongest`.
-Workload any_workload(std::mt19937_64& random, const std::vector<Pair>& pairs, Number fastest,
-                      Number strongest) {
+Workload any_workload(std::mt19937_64& random, const std::vector<PairCoefficients>& pairs,
+                      Number fastest, Number strongest) {
   Workload load;
   for (std::size_t id = 1; id <= kGrains; ++id) {
     load.bodies[id] = {any_velocity(random, fastest)};
@@ -53,7 +53,7 @@ Workload any_workload(std::mt19937_64& random, const std::vector<Pair>& pairs, N
       }
       const UnitVector normal = any_normal(random);
       const std::size_t pair = random() % pairs.size();
-      batch.pair[lane] = static_cast<Number>(pair);
+      batch.pair_index[lane] = static_cast<Number>(pair);
       batch.upper[lane] = ids[2 * lane];
       batch.other[lane] = pairs[pair].other_inverse_mass == 0 ? kRestingBody : ids[2 * lane + 1];
       batch.normal_x[lane] = normal.x;
@@ -61,7 +61,7 @@ Workload any_workload(std::mt19937_64& random, const std::vector<Pair>& pairs, N
       batch.impulse.normal[lane] = std::abs(part(random));
       batch.impulse.shear[lane] = part(random);
       batch.impulse.rolling[lane] = part(random);
-      batch.bounce[lane] = std::abs(part(random)) / 4;
+      batch.bounce_velocity[lane] = std::abs(part(random)) / 4;
       batch.friction[lane] = ratio(random() % 5 == 0 ? 1e9 : 0.5);
     }
   }
@@ -81,7 +81,7 @@ TEST(PassFunction, GivesTheSameBitsInAnyWay) {
   std::mt19937_64 random(1);
   const PassFunction plain = plain_pass_function();
   const PassFunction fastest = fastest_pass_function();
-  const std::vector<Pair> pairs = many_pairs();
+  const std::vector<PairCoefficients> pairs = many_pairs();
   for (int trial = 0; trial < 3000; ++trial) {
     const bool extreme = trial % 3 == 0;
     Workload one = any_workload(random, pairs, extreme ? kMaxVelocity : kSpacing,
@@ -128,10 +128,10 @@ TEST(ContactSlots, HoldContactsThatShareNoGrainAndKeepTheOrderOfThoseThatDo) {
     const auto other = static_cast<std::uint32_t>((upper + 1 + random() % (kGrains - 1)) % kGrains);
     const bool on_wall = random() % 4 == 0;
     contacts.emplace_back(upper, on_wall ? upper : other);
-    slots.add({.upper = upper, .other = on_wall ? kFloor : grains::as_owner(other)}, {});
+    slots.add_contact({.upper = upper, .other = on_wall ? kFloor : grains::as_owner(other)}, {});
   }
   const auto batch_of = [&](std::size_t i) {
-    return slots.all()[i].lane / static_cast<int>(kLanes);
+    return slots.slots()[i].lane / static_cast<int>(kLanes);
   };
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
@@ -139,7 +139,7 @@ TEST(ContactSlots, HoldContactsThatShareNoGrainAndKeepTheOrderOfThoseThatDo) {
           contacts[i].first == contacts[j].first || contacts[i].first == contacts[j].second ||
           contacts[i].second == contacts[j].first || contacts[i].second == contacts[j].second;
       EXPECT_TRUE(!share || batch_of(j) < batch_of(i));
-      EXPECT_NE(slots.all()[i].lane, slots.all()[j].lane);
+      EXPECT_NE(slots.slots()[i].lane, slots.slots()[j].lane);
     }
   }
 }
@@ -150,12 +150,12 @@ TEST(ContactSlots, HaveNothingInALaneThatIsEmptied) {
   slots.clear(3);
   const Contact contact = {
       .upper = 0, .other = 1, .normal = {0, 1 << kUnitBits}, .impulse = {100, 20, 3}};
-  slots.add(contact, {});
+  slots.add_contact(contact, {});
   EXPECT_EQ(slots.contact(0), contact);
-  slots.remove(0);
+  slots.remove_contact(0);
   std::vector<AlignedVelocity> bodies(4, {{7, 8, 9}});
   bodies[kRestingBody] = {};
-  const Pair* pairs = bed.rule.pairs.data();
+  const PairCoefficients* pairs = bed.rule.pair_coefficients.data();
   for (const PassFunction carry_out_pass : {plain_pass_function(), fastest_pass_function()}) {
     for (const Pass pass : {Pass::warm_start, Pass::forwards}) {
       carry_out_pass(pass, slots.batches(), bodies.data(), pairs, {.rotates = true});

@@ -21,13 +21,13 @@ Pairing upright(int radius, std::optional<int> other) {
           .other = {},
           .normal_x = kUp.x,
           .normal_y = kUp.y,
-          .pair = pair_of(radius, other)};
+          .coefficients = pair_of(radius, other)};
 }
 
 Impulse<Number> solved(Pairing& at, double friction, const LawConstants& law = {},
                        Number bounce = 0) {
   Impulse<Number> impulse;
-  solve(impulse, at, bounce, ratio(friction), law);
+  solve_contact(impulse, at, bounce, ratio(friction), law);
   return impulse;
 }
 
@@ -75,7 +75,7 @@ TEST(APair, KeepsItsMomentum) {
                   .other = any_velocity(random, kSpacing),
                   .normal_x = normal.x,
                   .normal_y = normal.y,
-                  .pair = pair_of(radii[0], radii[1])};
+                  .coefficients = pair_of(radii[0], radii[1])};
     const double one = sites_of(radii[0]);
     const double other = sites_of(radii[1]);
     const auto momentum = [&] {
@@ -114,7 +114,7 @@ TEST(AMoment, TakesFromOneGrainWhatItGivesTheOther) {
     const double other = sites_of(radii[1]);
     const double before = spin_moment(at, one, other);
     const Number rolling = any_velocity(random, kSpacing).x;
-    apply(at, {.normal = 0, .shear = 0, .rolling = rolling}, true);
+    apply_impulse(at, {.normal = 0, .shear = 0, .rolling = rolling}, true);
     // What turns is held halved.
     const double inverse = std::ldexp(1.0, -kInverseMassBits) * std::abs(rolling);
     EXPECT_NEAR(spin_moment(at, one, other), before,
@@ -146,7 +146,7 @@ TEST(Friction, NeverExceedsItsCoefficientTimesTheNormalImpulse) {
                   .other = any_velocity(random, kSpacing),
                   .normal_x = normal.x,
                   .normal_y = normal.y,
-                  .pair = pair_of(1, static_cast<int>(random() % 4))};
+                  .coefficients = pair_of(1, static_cast<int>(random() % 4))};
     const double friction = static_cast<double>(random() % 1000) / 500;
     const Impulse<Number> impulse = solved(at, friction, {.rotates = turns});
     EXPECT_LE(std::abs(impulse.shear), most(friction, impulse.normal));
@@ -196,7 +196,7 @@ TEST(RollingResistance, NeverExceedsItsCoefficientTimesTheNormalImpulse) {
                   .other = any_velocity(random, kSpacing),
                   .normal_x = normal.x,
                   .normal_y = normal.y,
-                  .pair = pair_of(static_cast<int>(random() % 4), 2)};
+                  .coefficients = pair_of(static_cast<int>(random() % 4), 2)};
     const double friction = static_cast<double>(random() % 1000) / 500;
     const Impulse<Number> impulse = solved(
         at, 0.3, {.rotates = true, .resists_rolling = true, .rolling_friction = ratio(friction)});
@@ -212,7 +212,7 @@ TEST(AWall, IsNotMoved) {
                   .other = {},
                   .normal_x = normal.x,
                   .normal_y = normal.y,
-                  .pair = pair_of(static_cast<int>(random() % 4), std::nullopt)};
+                  .coefficients = pair_of(static_cast<int>(random() % 4), std::nullopt)};
     solved(at, 0.5, {.rotates = true, .resists_rolling = true, .rolling_friction = ratio(0.5)});
     EXPECT_EQ(at.other, Velocity<Number>());
     EXPECT_GE(separation_velocity(at), -kSpacing * 0x1p-9) << "nothing enters a wall";
@@ -227,7 +227,7 @@ TEST(ExtremeValues, StayWithinTheirBounds) {
     const std::array<Number, 3> values = {-most, 0, most};
     return values[random() % 3];
   };
-  std::vector<Pair> pairs;
+  std::vector<PairCoefficients> pairs;
   for (const int radius : {0, kLarge}) {
     for (const std::optional<int> other :
          {std::optional<int>(0), std::optional<int>(kLarge), std::optional<int>()}) {
@@ -244,8 +244,8 @@ TEST(ExtremeValues, StayWithinTheirBounds) {
                   .other = {extreme(kMaxVelocity), extreme(kMaxVelocity), extreme(kMaxVelocity)},
                   .normal_x = normal.x,
                   .normal_y = normal.y,
-                  .pair = pairs[random() % pairs.size()]};
-    if (at.pair.other_inverse_mass == 0) {
+                  .coefficients = pairs[random() % pairs.size()]};
+    if (at.coefficients.other_inverse_mass == 0) {
       at.other = {};
     }
     Impulse<Number> impulse = {std::max(0, extreme(kMaxImpulse)), extreme(kMaxImpulse),
@@ -254,9 +254,9 @@ TEST(ExtremeValues, StayWithinTheirBounds) {
                               .resists_rolling = true,
                               .rolling_friction = ratio(random() % 2 == 0 ? 1e9 : 0)};
     const Number closing = -separation_velocity(at);
-    apply(at, impulse, true);
-    solve(impulse, at, bounce_velocity(closing, ratio(0.99)), ratio(random() % 2 == 0 ? 1e9 : 0),
-          law);
+    apply_impulse(at, impulse, true);
+    solve_contact(impulse, at, bounce_velocity(closing, ratio(0.99)),
+                  ratio(random() % 2 == 0 ? 1e9 : 0), law);
     EXPECT_TRUE(within(at.upper) && within(at.other));
     EXPECT_GE(impulse.normal, 0);
     EXPECT_LE(std::max({impulse.normal, std::abs(impulse.shear), std::abs(impulse.rolling)}),

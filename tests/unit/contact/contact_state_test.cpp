@@ -52,7 +52,7 @@ std::string refusal_of(const std::function<void(State&)>& spoil) {
 
 TEST(TheContactModel, TakesAStateWithWallsSourcesAndContacts) {
   EXPECT_EQ(refusal(good_state()), "");
-  EXPECT_EQ(refusal(good_state(), kParameters, {.reference = true}), "");
+  EXPECT_EQ(refusal(good_state(), kParameters, {.use_reference = true}), "");
   EXPECT_EQ(refusal_of([](State& state) {
               state.contacts = {{.upper = 0, .other = kRightSide},
                                 {.upper = 1, .other = grains::wall_code(0)}};
@@ -169,7 +169,7 @@ TEST(NeededColumns, AreMoreThanTwiceThoseFromAGrainToOneThatItTouches) {
     for (const lattice::Shape& shape : shapes) {
       kinds.push_back({shape});
     }
-    return needed_columns(kinds);
+    return min_periodic_columns(kinds);
   };
   EXPECT_EQ(needed({lattice::Shape::hexagon(0)}), 4);
   EXPECT_EQ(needed({lattice::Shape::hexagon(1)}), 8);

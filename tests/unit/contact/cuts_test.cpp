@@ -83,7 +83,7 @@ TEST(ARemainder, IsCutToTwoSitesInEveryDirection) {
       bench.cut();
       const Vector& after = bench.state.remainders[0];
       for (const Direction direction : lattice::kDirections) {
-        EXPECT_LE(along(after, unit_of(direction)), 2 * kSpacing + 4);
+        EXPECT_LE(along(after, unit_vector(direction)), 2 * kSpacing + 4);
       }
       if (distance < 2) {
         EXPECT_EQ(after, before);

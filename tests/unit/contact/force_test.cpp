@@ -8,14 +8,14 @@ namespace clca::contact::force_test {
 namespace {
 
 Force between(std::uint32_t upper, grains::Owner other, const Eigen::Vector2d& normal,
-              double along_normal, double along_shear) {
+              double normal_force, double shear_force) {
   Force force;
   force.upper = upper;
   force.other = other;
   force.normal = normal;
   force.branch = 3 * normal;
-  force.along_normal = along_normal;
-  force.along_shear = along_shear;
+  force.normal_force = normal_force;
+  force.shear_force = shear_force;
   return force;
 }
 
@@ -25,15 +25,15 @@ TEST(ForceSums, AContactCountsAsZeroInStepsWithoutIt) {
   ForceSums sums;
   add(sums, std::vector{between(1, 0, kUp, 4, 2), between(0, kFloor, kUp, 1, 0)}, 1);
   add(sums, std::vector{between(0, kFloor, kUp, 3, 0)}, 1);
-  const std::vector<Force> result = means(sums);
+  const std::vector<Force> result = mean_forces(sums);
   ASSERT_EQ(result.size(), 2U);
   EXPECT_EQ(result[0].other, kFloor);
-  EXPECT_DOUBLE_EQ(result[0].along_normal, 2);
+  EXPECT_DOUBLE_EQ(result[0].normal_force, 2);
   EXPECT_DOUBLE_EQ(result[0].share, 1);
   EXPECT_EQ(result[1].upper, 1U);
   EXPECT_DOUBLE_EQ(result[1].share, 0.5);
   EXPECT_DOUBLE_EQ(result[1].along_normal, 2);
-  EXPECT_DOUBLE_EQ(result[1].along_shear, 1);
+  EXPECT_DOUBLE_EQ(result[1].shear_force, 1);
   EXPECT_EQ(result[1].branch, 3 * kUp);
 }
 
@@ -42,18 +42,18 @@ TEST(ForceSums, TwoGrainsThatChangePlacesKeepTheirForce) {
   const Eigen::Vector2d right(1, 0);
   add(sums, std::vector{between(1, 0, right, 4, 1)}, 1);
   add(sums, std::vector{between(0, 1, -right, 2, 3)}, 1);
-  const std::vector<Force> result = means(sums);
+  const std::vector<Force> result = mean_forces(sums);
   ASSERT_EQ(result.size(), 1U);
   EXPECT_EQ(result[0].upper, 0U);
-  EXPECT_DOUBLE_EQ(result[0].along_normal, 3);
-  EXPECT_DOUBLE_EQ(result[0].along_shear, 2);
+  EXPECT_DOUBLE_EQ(result[0].normal_force, 3);
+  EXPECT_DOUBLE_EQ(result[0].shear_force, 2);
 }
 
 TEST(ForceSums, TheMeanIsThatOfVectorsWhereTheNormalTurns) {
   ForceSums sums;
   add(sums, std::vector{between(1, 0, {1, 0}, 2, 0)}, 1);
   add(sums, std::vector{between(1, 0, kUp, 6, 0)}, 1);
-  const Force mean = means(sums).at(0);
+  const Force mean = mean_forces(sums).at(0);
   EXPECT_EQ(mean.normal, kUp);
   EXPECT_NEAR((mean.on_upper() - Eigen::Vector2d(1, 3)).norm(), 0, 1e-12);
 }
@@ -82,7 +82,7 @@ TEST(ForceSums, MeansAreInWeightsOfTheLastMeanMass) {
 }
 
 TEST(ForceSums, NoStepsHaveNoForces) {
-  EXPECT_TRUE(means({}).empty());
+  EXPECT_TRUE(mean_forces({}).empty());
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ class ImpactsTest : public ::testing::TestWithParam<bool> {
     }
     state.velocities.resize(state.grains.particles.size());
     state.remainders.resize(state.grains.particles.size());
-    return ContactModel(std::move(state), parameters(restitution), {.reference = GetParam()});
+    return ContactModel(std::move(state), parameters(restitution), {.use_reference = GetParam()});
   }
   static Parameters parameters(double restitution) {
     return {.friction = 0,
@@ -93,7 +93,7 @@ TEST_P(ImpactsTest, EnergyNeverRisesByMoreThanAStepOfFallingMayChangeIt) {
 /// The most that the energy grows above its lowest, over that at the start.
 double growth(const grains::State& empty, std::span<const std::size_t> counts,
               const Parameters& parameters, int steps, bool reference) {
-  ContactModel model({.grains = empty}, parameters, {.reference = reference});
+  ContactModel model({.grains = empty}, parameters, {.use_reference = reference});
   model.fill({0, 0, 1e3, 1e3}, counts);
   const double gravity = contact::gravity(parameters);
   const double start = energy(model.state(), gravity).sum();
@@ -234,10 +234,10 @@ struct Cluster {
         }};
     std::size_t count = 0;
     for (StepContact& touch : contacts) {
-      touch.bounce = 1;
+      touch.bounce_velocity = 1;
     }
     for (const std::vector<StepContact*>& impact :
-         active_groups(contacts, state.grains.particles.size())) {
+         active_small_groups(contacts, state.grains.particles.size())) {
       solve_impact(impact, bodies);
       count += impact.size();
     }

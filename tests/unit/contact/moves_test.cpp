@@ -45,12 +45,13 @@ struct Bench {
     Mover mover(all_of_engine, box_of_engine);
     mover.move_all(Direction::down, ids, {});
     EXPECT_EQ(all, all_of_engine);
-    EXPECT_THAT(mover.moves().moved(), ::testing::UnorderedElementsAreArray(moves.moved()));
+    EXPECT_THAT(mover.site_moves().moved_ids(),
+                ::testing::UnorderedElementsAreArray(moves.moved_ids()));
     state = all.grains;
     remainders = all.remainders;
     EXPECT_EQ(box.occupancy, grains::OccupancyTable(state));
     EXPECT_EQ(box_of_engine.occupancy, box.occupancy);
-    return moves.moved();
+    return moves.moved_ids();
   }
 };
 
@@ -113,7 +114,7 @@ TEST(AGrain, ThatWaitsGoesInTheStepInWhichItsWayIsFree) {
       grain.previous = grains::kRest;
     }
     mover.move_all(Direction::down, ids, {});
-    return mover.moves().moved();
+    return mover.site_moves().moved_ids();
   };
   for (int i = 0; i < 3; ++i) {
     EXPECT_THAT(step({0, 1, 2}), ::testing::IsEmpty());
@@ -122,7 +123,7 @@ TEST(AGrain, ThatWaitsGoesInTheStepInWhichItsWayIsFree) {
   EXPECT_THAT(step({0, 1, 2}), ::testing::UnorderedElementsAre(0U, 1U, 2U));
   all.remainders[1] = kDown;
   EXPECT_THAT(step({0, 1, 2}), ::testing::IsEmpty());
-  take_out(box, 0);
+  remove_particle(box, 0);
   mover.remove_grain(0);
   EXPECT_THAT(step({1, 2}), ::testing::ElementsAre(1U));
 }
@@ -151,7 +152,7 @@ TEST(TheDirections, ComeDownFirstAndUpLastWithSidesByACoin) {
   std::set<std::array<Direction, lattice::kDirectionCount>> seen;
   grains::State state = empty_state(4, 4);
   for (; state.step < 100; ++state.step) {
-    const auto order = order_of_directions(state, Direction::down);
+    const auto order = direction_order(state, Direction::down);
     EXPECT_EQ(order.front(), Direction::down);
     EXPECT_EQ(order.back(), Direction::up);
     EXPECT_EQ(std::set<Direction>(order.begin() + 1, order.begin() + 3),
@@ -165,33 +166,33 @@ constexpr UnitVector kGravity = {0, -(1 << kUnitBits)};
 
 TEST(ARemainder, GrowsWithTheVelocityButForAGrainThatRests) {
   Vector remainder = {1600, 800};
-  EXPECT_FALSE(advance(remainder, {100, -20, 0}, true, 50, kGravity));
+  EXPECT_FALSE(advance_remainder(remainder, {100, -20, 0}, true, 50, kGravity));
   EXPECT_EQ(remainder, (Vector{1700, 780}));
-  EXPECT_TRUE(advance(remainder, {30, 40, 900}, true, 50, kGravity))
+  EXPECT_TRUE(advance_remainder(remainder, {30, 40, 900}, true, 50, kGravity))
       << "spin is no motion from the spot";
   EXPECT_EQ(remainder, (Vector{1700 - 106, 780 - 48}));
-  EXPECT_FALSE(advance(remainder, {30, 40, 0}, false, 50, kGravity)) << "it flies";
+  EXPECT_FALSE(advance_remainder(remainder, {30, 40, 0}, false, 50, kGravity)) << "it flies";
   EXPECT_EQ(remainder, (Vector{1700 - 106 + 30, 780 - 48 + 40}));
 }
 
 TEST(ARemainder, IsKeptAlongGravityByRest) {
   Vector remainder = {1600, -3200};
-  EXPECT_TRUE(advance(remainder, {}, true, 50, kGravity));
+  EXPECT_TRUE(advance_remainder(remainder, {}, true, 50, kGravity));
   EXPECT_EQ(remainder, (Vector{1500, -3200}));
   for (const Direction gravity : lattice::kDirections) {
     for (const Direction direction : lattice::kDirections) {
       remainder = {};
       subtract_along(remainder, -kSpacing / 3, direction);
-      const std::int32_t before = along(remainder, unit_of(gravity));
-      EXPECT_TRUE(advance(remainder, {}, true, 50, unit_of(gravity)));
-      EXPECT_GE(along(remainder, unit_of(gravity)), before - 1) << "rest lifts no grain";
+      const std::int32_t before = along(remainder, unit_vector(gravity));
+      EXPECT_TRUE(advance_remainder(remainder, {}, true, 50, unit_vector(gravity)));
+      EXPECT_GE(along(remainder, unit_vector(gravity)), before - 1) << "rest lifts no grain";
     }
   }
 }
 
 TEST(ARemainder, StaysInRange) {
   Vector remainder = {kMaxRemainder, -kMaxRemainder};
-  advance(remainder, {kMaxVelocity, -kMaxVelocity, 0}, true, 50, kGravity);
+  advance_remainder(remainder, {kMaxVelocity, -kMaxVelocity, 0}, true, 50, kGravity);
   EXPECT_EQ(remainder, (Vector{kMaxRemainder, -kMaxRemainder}));
 }
 

@@ -31,7 +31,7 @@ class MovingWalls : public ::testing::TestWithParam<bool> {
       }
     }
     state.grains.walls = {wall};
-    ContactModel result(std::move(state), kParameters, {.reference = GetParam()});
+    ContactModel result(std::move(state), kParameters, {.use_reference = GetParam()});
     if (grains > 0) {
       EXPECT_TRUE(result
                       .fill({0, static_cast<double>(bottom + thick), 20, 1e3},
@@ -73,7 +73,7 @@ TEST_P(MovingWalls, AFloorThatIsLiftedDoesTheWorkThatItsBedGains) {
   constexpr double kWeight = 3 * 7;  // of 3 grains, in sites; no side of the box holds them
   ContactModel one = model({Direction::up, grains::Drive{20, 30}}, 3);
   settle(one);
-  one.set_motion(0, true);
+  one.set_wall_moving(0, true);
   double work = 0;
   for (int i = 0; i < 700; ++i) {
     one.step();
@@ -88,7 +88,7 @@ TEST_P(MovingWalls, AFloorLiftedSlowlyCarriesTheWeightOfItsBed) {
   constexpr double kGrains = 40;
   ContactModel one = model({Direction::up, grains::Drive{20, 30}}, 40);
   settle(one);
-  one.set_motion(0, true);
+  one.set_wall_moving(0, true);
   double sum = 0;
   double sides = 0;
   constexpr int kSteps = 400;
@@ -107,7 +107,7 @@ TEST_P(MovingWalls, AFloorLiftedSlowlyCarriesTheWeightOfItsBed) {
 
 TEST_P(MovingWalls, AFreeWallFollowsItsMotionWithinHalfASite) {
   ContactModel one = model({Direction::up, grains::Drive{7, 10}}, 0);
-  one.set_motion(0, true);
+  one.set_wall_moving(0, true);
   for (int i = 1; i <= 90; ++i) {
     EXPECT_FALSE(one.step().settled && i < 70);
     EXPECT_NEAR(travel(one).offset, std::min(10.0, i / 7.0), 0.51);
@@ -120,7 +120,7 @@ TEST_P(MovingWalls, AFreeWallFollowsItsMotionWithinHalfASite) {
 TEST_P(MovingWalls, AWallAgainstAFullColumnStallsAndOverlapsNothing) {
   ContactModel one = model({Direction::up, grains::Drive{5, 40}}, 20, 2, 2, 30);
   settle(one);
-  one.set_motion(0, true);
+  one.set_wall_moving(0, true);
   step(one, 600);
   EXPECT_GT(travel(one).stalls, 100U);
   EXPECT_TRUE(travel(one).stalled_since);
@@ -145,7 +145,7 @@ TEST_P(MovingWalls, AMotionThatTurnsBackIsNotHeldUpForGood) {
 
 TEST_P(MovingWalls, AWaveComesHomeAfterEachCycle) {
   ContactModel one = model({Direction::up, grains::Wave{.amplitude = 2, .period = 60}}, 0, 10);
-  one.set_motion(0, true);
+  one.set_wall_moving(0, true);
   for (std::uint64_t cycle = 1; cycle <= 3; ++cycle) {
     step(one, 60);
     EXPECT_EQ(travel(one).offset, 0);
@@ -158,7 +158,7 @@ TEST_P(MovingWalls, AShakeLiftsItsBedAndWaitsUntilThatHasSettled) {
   ContactModel one =
       model({Direction::up, grains::Shake{.amplitude = 3, .wait = {}, .period = 8}}, 30);
   settle(one);
-  one.set_motion(0, true);
+  one.set_wall_moving(0, true);
   std::int32_t highest = 0;
   int steps = 0;
   for (; travel(one).cycles < 2 && steps < 20'000; ++steps) {
@@ -178,8 +178,8 @@ TEST_P(MovingWalls, AWallThatHasWaitedMakesUpForIt) {
   state.grains.walls = {
       {.sites = {{5, 5}}, .motion = WallMotion{Direction::up, grains::Drive{5, 20}}},
       {.sites = {{5, 10}}}};
-  ContactModel one(std::move(state), kParameters, {.reference = GetParam()});
-  one.set_motion(0, true);
+  ContactModel one(std::move(state), kParameters, {.use_reference = GetParam()});
+  one.set_wall_moving(0, true);
   step(one, 60);
   EXPECT_EQ(travel(one).offset, 4);
   EXPECT_GT(travel(one).stalls, 0U);
@@ -211,10 +211,10 @@ TEST_P(MovingWalls, APlateInABedArrivesInTime) {
     }
     state.grains.walls = {plate};
     ContactModel model(std::move(state), {.rolling = Rolling::resistance, .fall_height = 80},
-                       {.reference = GetParam()});
+                       {.use_reference = GetParam()});
     ASSERT_TRUE(model.fill({0, 0, 110, 160}, std::vector<std::size_t>{280, 280}).complete);
     settle(model);
-    model.set_motion(0, true);
+    model.set_wall_moving(0, true);
     for (int steps = 0; travel(model).offset < kDistance && steps < 10 * kPeriod * kDistance;
          ++steps) {
       model.step();
@@ -236,7 +236,7 @@ TEST_P(MovingWalls, AreRefusedWhereTheyCannotBe) {
   state.wall_remainders = {};
   EXPECT_THROW(check_valid(state), std::invalid_argument);
   state.wall_remainders = {0};
-  state.grains.walls[0].passive = grains::Passive::overlap;
+  state.grains.walls[0].passive_rule = grains::PassiveRule::overlap;
   EXPECT_THROW(check_valid(state), std::invalid_argument);
 }
 

@@ -156,9 +156,9 @@ TEST(Discs, TouchAlongTheLineOfTheirCentres) {
 
 TEST(ReducedMasses, AreThoseOfTheTwoOrOfTheGrainAloneAtAWall) {
   const std::vector<grains::Kind> kinds = {{Shape::hexagon(1), 0}, {Shape::hexagon(2), 1}};
-  const std::vector<Pair> pairs = all_pairs(kinds);
-  const Pair& both = pairs[1];
-  const Pair& larger_at_wall = pairs[5];
+  const std::vector<PairCoefficients> pairs = all_pair_coefficients(kinds);
+  const PairCoefficients& both = pairs[1];
+  const PairCoefficients& larger_at_wall = pairs[5];
   const double unit = mass_unit(kinds);
   const double reduced = 7.0 * 19 / (7 + 19) / unit;
   const auto mass = [](std::int32_t value) { return std::ldexp(value, -kMassBits); };
@@ -166,7 +166,7 @@ TEST(ReducedMasses, AreThoseOfTheTwoOrOfTheGrainAloneAtAWall) {
   EXPECT_NEAR(mass(both.shear_mass), reduced * 2 / 7, 0x1p-11);
   EXPECT_NEAR(mass(larger_at_wall.mass), 19 / unit, 0x1p-11);
   EXPECT_EQ(larger_at_wall.other_inverse_mass, 0);
-  EXPECT_EQ(larger_at_wall.other_turning, 0);
+  EXPECT_EQ(larger_at_wall.other_rolling_response, 0);
   EXPECT_NEAR(std::ldexp(both.other_inverse_mass, -kInverseMassBits), unit / 19,
               std::ldexp(0.5, -kInverseMassBits));
 }

@@ -35,10 +35,10 @@ inline UnitVector any_normal(std::mt19937_64& random) {
 }
 
 /// Coefficients of hexagons of these radii; without the second those of a wall.
-inline Pair pair_of(int radius, std::optional<int> other) {
+inline PairCoefficients pair_of(int radius, std::optional<int> other) {
   std::vector<grains::Kind> kinds = {{lattice::Shape::hexagon(radius), 0},
                                      {lattice::Shape::hexagon(other.value_or(0)), 1}};
-  return all_pairs(kinds)[other ? 1 : 2];
+  return all_pair_coefficients(kinds)[other ? 1 : 2];
 }
 
 inline double sites_of(int radius) {

@@ -24,28 +24,28 @@ using testing::particle_at;
 const Eigen::Vector2d kNowhere = Eigen::Vector2d::Zero();
 
 TEST(AnAngle, IsOfDegreesAndGoesRound) {
-  EXPECT_EQ(angle_of(90), Angle{1} << 62U);
-  EXPECT_EQ(angle_of(-90), Angle{3} << 62U);
-  EXPECT_EQ(angle_of(360), 0U);
-  EXPECT_EQ(angle_of(450), angle_of(90));
+  EXPECT_EQ(angle_from_degrees(90), Angle{1} << 62U);
+  EXPECT_EQ(angle_from_degrees(-90), Angle{3} << 62U);
+  EXPECT_EQ(angle_from_degrees(360), 0U);
+  EXPECT_EQ(angle_from_degrees(450), angle_from_degrees(90));
   for (const double size : {-179.5, -30.0, 0.0, 1e-3, 77.7}) {
-    EXPECT_NEAR(degrees(angle_of(size)), size, 1e-9);
+    EXPECT_NEAR(to_degrees(angle_from_degrees(size)), size, 1e-9);
   }
-  EXPECT_THROW(angle_of(std::nan("")), std::invalid_argument);
+  EXPECT_THROW(angle_from_degrees(std::nan("")), std::invalid_argument);
 }
 
 TEST(Gravity, TurnsAgainstTheVessel) {
   for (int tenths = -1800; tenths < 1800; tenths += 7) {
     const double turned = tenths / 10.0;
     const double radians = turned * std::numbers::pi / 180;
-    const Eigen::Vector2d down = gravity_direction({.angle = angle_of(turned)});
+    const Eigen::Vector2d down = gravity_direction({.angle = angle_from_degrees(turned)});
     EXPECT_NEAR(down.x(), -std::sin(radians), 2e-9) << turned;
     EXPECT_NEAR(down.y(), -std::cos(radians), 2e-9) << turned;
   }
 }
 
 TEST(Down, IsTheDirectionOfTheLatticeNearestToGravity) {
-  const auto of = [](double turned) { return down({.angle = angle_of(turned)}); };
+  const auto of = [](double turned) { return down({.angle = angle_from_degrees(turned)}); };
   EXPECT_EQ(of(0), Direction::down);
   EXPECT_EQ(of(29.9), Direction::down);
   EXPECT_EQ(of(-29.9), Direction::down);
@@ -58,61 +58,63 @@ TEST(Down, IsTheDirectionOfTheLatticeNearestToGravity) {
 }
 
 TEST(AVessel, TiltsTheShorterWayInWholeStepsAndThenRests) {
-  const Vessel start = Vessel{.angle = angle_of(170)};
-  Vessel vessel = tilting(start, angle_of(-160), 4, kNowhere);
+  const Vessel start = Vessel{.angle = angle_from_degrees(170)};
+  Vessel vessel = with_tilting(start, angle_from_degrees(-160), 4, kNowhere);
   EXPECT_EQ(vessel.turn_steps, 8U);  // 30 degrees
-  EXPECT_NEAR(degrees(angle_after(vessel, 4)), -175, 1e-9);
+  EXPECT_NEAR(to_degrees(angle_after(vessel, 4)), -175, 1e-9);
   for (int step = 0; step < 8; ++step) {
-    EXPECT_TRUE(vessel.moves());
-    vessel = next(vessel);
+    EXPECT_TRUE(vessel.is_moving());
+    vessel = vessel_after_step(vessel);
   }
-  EXPECT_FALSE(vessel.moves());
-  EXPECT_NEAR(degrees(vessel.angle), -160, 1e-9);
-  EXPECT_EQ(next(vessel).angle, vessel.angle);
+  EXPECT_FALSE(vessel.is_moving());
+  EXPECT_NEAR(to_degrees(vessel.angle), -160, 1e-9);
+  EXPECT_EQ(vessel_after_step(vessel).angle, vessel.angle);
   EXPECT_EQ(angle_after(vessel, 1000), vessel.angle);
-  EXPECT_FALSE(tilting(vessel, vessel.angle, 1, kNowhere).moves());
+  EXPECT_FALSE(with_tilting(vessel, vessel.angle, 1, kNowhere).is_moving());
 }
 
 TEST(AVessel, CountsItsTurnsAndItsShakes) {
-  for (Vessel vessel : {rotating({}, -1.0 / 64, kNowhere), shaken({}, 1, 1.0 / 64, false)}) {
+  for (Vessel vessel :
+       {with_rotation({}, -1.0 / 64, kNowhere), with_shaking({}, 1, 1.0 / 64, false)}) {
     for (int step = 0; step < 64 * 3; ++step) {
       EXPECT_EQ(vessel.whole_cycles, static_cast<std::uint64_t>(step / 64));
-      vessel = next(vessel);
+      vessel = vessel_after_step(vessel);
     }
     EXPECT_EQ(vessel.whole_cycles, 3U);
-    EXPECT_TRUE(vessel.moves());
-    EXPECT_EQ(at_rest(vessel), (Vessel{.angle = vessel.angle}));
+    EXPECT_TRUE(vessel.is_moving());
+    EXPECT_EQ(without_motion(vessel), (Vessel{.angle = vessel.angle}));
   }
 }
 
 TEST(AVessel, ThatIsTooFastOrDoesNotMoveIsRefused) {
-  EXPECT_THROW(rotating({}, 1.0 / 60, kNowhere), std::invalid_argument);
-  EXPECT_THROW(rotating({}, 0, kNowhere), std::invalid_argument);
-  EXPECT_THROW(rotating({}, 1e-3, {1e8, 0}), std::invalid_argument);
-  EXPECT_THROW(tilting({}, angle_of(9), 0, kNowhere), std::invalid_argument);
-  EXPECT_THROW(tilting({}, angle_of(9), 6, kNowhere), std::invalid_argument);
-  EXPECT_THROW(tilting({}, angle_of(9), 1e-30, kNowhere), std::invalid_argument);
-  EXPECT_THROW(shaken({}, 1001, 1e-2, false), std::invalid_argument);
-  EXPECT_THROW(shaken({}, 1, 0.07, false), std::invalid_argument);
-  EXPECT_THROW(shaken({}, 1, 0, false), std::invalid_argument);
-  EXPECT_THROW(check_valid(Vessel{.turn = angle_of(6)}), std::invalid_argument);
+  EXPECT_THROW(with_rotation({}, 1.0 / 60, kNowhere), std::invalid_argument);
+  EXPECT_THROW(with_rotation({}, 0, kNowhere), std::invalid_argument);
+  EXPECT_THROW(with_rotation({}, 1e-3, {1e8, 0}), std::invalid_argument);
+  EXPECT_THROW(with_tilting({}, angle_from_degrees(9), 0, kNowhere), std::invalid_argument);
+  EXPECT_THROW(with_tilting({}, angle_from_degrees(9), 6, kNowhere), std::invalid_argument);
+  EXPECT_THROW(with_tilting({}, angle_from_degrees(9), 1e-30, kNowhere), std::invalid_argument);
+  EXPECT_THROW(with_shaking({}, 1001, 1e-2, false), std::invalid_argument);
+  EXPECT_THROW(with_shaking({}, 1, 0.07, false), std::invalid_argument);
+  EXPECT_THROW(with_shaking({}, 1, 0, false), std::invalid_argument);
+  EXPECT_THROW(check_valid(Vessel{.turn = angle_from_degrees(6)}), std::invalid_argument);
   EXPECT_THROW(check_valid(Vessel{.strength = -1}), std::invalid_argument);
   EXPECT_THROW(check_valid(Vessel{.phase_step = Angle{1} << 61U}), std::invalid_argument);
-  EXPECT_NO_THROW(check_valid(rotating({}, -1.0 / 64, kNowhere)));
+  EXPECT_NO_THROW(check_valid(with_rotation({}, -1.0 / 64, kNowhere)));
 }
 
 TEST(Shaking, AddsAndTakesGravityAsASine) {
   constexpr std::int32_t kGravity = 1000;
   const auto at = [](Vessel vessel, double cycles) {
-    vessel.phase = angle_of(360 * cycles);
+    vessel.phase = angle_from_degrees(360 * cycles);
     return acceleration(vessel, kGravity, false).gravity;
   };
-  const Vessel upright = shaken({}, 1.5, 0.01, false);
+  const Vessel upright = with_shaking({}, 1.5, 0.01, false);
   EXPECT_EQ(at(upright, 0), (Vector{0, -1000}));
   EXPECT_EQ(at(upright, 0.25), (Vector{0, 500}));
   EXPECT_EQ(at(upright, 0.75), (Vector{0, -2500}));
-  EXPECT_EQ(at(shaken({}, 1.5, 0.01, true), 0.25), (Vector{1500, -1000}));
-  const Vector tilted_down = at(shaken(Vessel{.angle = angle_of(90)}, 1.5, 0.01, false), 0.25);
+  EXPECT_EQ(at(with_shaking({}, 1.5, 0.01, true), 0.25), (Vector{1500, -1000}));
+  const Vector tilted_down =
+      at(with_shaking(Vessel{.angle = angle_from_degrees(90)}, 1.5, 0.01, false), 0.25);
   EXPECT_EQ(tilted_down, (Vector{500, 0}));
 }
 
@@ -134,7 +136,7 @@ class GrainsInAVessel : public ::testing::TestWithParam<bool> {
     return state;
   }
   static ContactModel model(const State& state) {
-    return ContactModel(state, kParameters, {.reference = GetParam()});
+    return ContactModel(state, kParameters, {.use_reference = GetParam()});
   }
 };
 
@@ -149,7 +151,7 @@ TEST_P(GrainsInAVessel, FlyStraightForWhoStandsOutside) {
   start.velocities[0] = {static_cast<std::int32_t>(seen.x() * kSpacing),
                          static_cast<std::int32_t>(seen.y() * kSpacing), 0};
   ContactModel one = model(start);
-  one.set_vessel(rotating({}, kTurnsPerStep, centre));
+  one.set_vessel(with_rotation({}, kTurnsPerStep, centre));
   const double fall = gravity(kParameters);
   for (int step = 1; step <= 240; ++step) {
     one.step();
@@ -163,9 +165,10 @@ TEST_P(GrainsInAVessel, FlyStraightForWhoStandsOutside) {
 
 TEST_P(GrainsInAVessel, GainInFreeFlightWhatTheVesselWorks) {
   const double fall = gravity(kParameters);
-  for (const Vessel& vessel : {rotating({}, -1.0 / 2400, Eigen::Vector2d(90, 100)),
-                               tilting({}, angle_of(70), 0.2, kNowhere),
-                               shaken({}, 2, 1.0 / 150, false), shaken({}, 2, 1.0 / 150, true)}) {
+  for (const Vessel& vessel :
+       {with_rotation({}, -1.0 / 2400, Eigen::Vector2d(90, 100)),
+        with_tilting({}, angle_from_degrees(70), 0.2, kNowhere),
+        with_shaking({}, 2, 1.0 / 150, false), with_shaking({}, 2, 1.0 / 150, true)}) {
     State start = state({particle_at(110, 130)}, 210, 220);
     start.velocities[0] = {-kSpacing / 8, kSpacing / 10, 0};
     ContactModel one = model(start);
@@ -187,7 +190,7 @@ TEST_P(GrainsInAVessel, SlideWhenItIsSteeperThanTheirFriction) {
   // Friction 0.4: 21.8 degrees. Anticlockwise is down to the left.
   for (const double turned : {-26.0, -18.0, 18.0, 26.0}) {
     ContactModel one = model(state({particle_at(50, 1)}, 101, 40));
-    one.set_vessel(Vessel{.angle = angle_of(turned)});
+    one.set_vessel(Vessel{.angle = angle_from_degrees(turned)});
     for (int step = 0; step < 2000; ++step) {
       one.step();
     }
@@ -199,16 +202,16 @@ TEST_P(GrainsInAVessel, SlideWhenItIsSteeperThanTheirFriction) {
 TEST_P(GrainsInAVessel, LeaveTheFloorWhenItIsShakenMoreStronglyThanGravity) {
   for (const double gamma : {0.9, 1.5}) {
     ContactModel one = model(state({particle_at(20, 1)}, 40, 60));
-    one.set_vessel(shaken({}, gamma, 1.0 / 200, false));
+    one.set_vessel(with_shaking({}, gamma, 1.0 / 200, false));
     bool moved = false;
     for (int step = 0; step < 400; ++step) {
       const grains::StepReport report = one.step();
-      moved = moved || report.moved > 0;
+      moved = moved || report.moved_count > 0;
       EXPECT_FALSE(report.settled);
     }
     EXPECT_EQ(moved, gamma > 1) << gamma;
     EXPECT_EQ(one.state().vessel.whole_cycles, 2U);
-    one.set_vessel(at_rest(one.state().vessel));
+    one.set_vessel(without_motion(one.state().vessel));
     int steps = 0;
     while (!one.step().settled && steps < 5000) {
       ++steps;
@@ -220,7 +223,7 @@ TEST_P(GrainsInAVessel, LeaveTheFloorWhenItIsShakenMoreStronglyThanGravity) {
 TEST_P(GrainsInAVessel, LieTheSameWayWhenItStandsOnItsHead) {
   // Two that stand one on the other, on the ceiling.
   ContactModel one = model(state({particle_at(20, 58), particle_at(20, 55)}, 40, 60));
-  one.set_vessel(Vessel{.angle = angle_of(180)});
+  one.set_vessel(Vessel{.angle = angle_from_degrees(180)});
   one.step();
   const std::vector<Contact>& contacts = one.state().contacts;
   ASSERT_EQ(contacts.size(), 2U);
@@ -229,7 +232,7 @@ TEST_P(GrainsInAVessel, LieTheSameWayWhenItStandsOnItsHead) {
   EXPECT_EQ(contacts[0].normal, (UnitVector{0, -(1 << kUnitBits)}));
   EXPECT_EQ(contacts[1].other, kCeiling);
   for (int step = 0; step < 200; ++step) {
-    EXPECT_EQ(one.step().moved, 0U);
+    EXPECT_EQ(one.step().moved_count, 0U);
   }
 }
 

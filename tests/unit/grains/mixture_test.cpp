@@ -26,7 +26,7 @@ double surface(const Automaton& automaton) {
   double sum = 0;
   for (int column = 0; column < lattice.columns(); ++column) {
     int row = lattice.rows() - 1;
-    while (row >= 0 && !occupancy.taken(lattice.index({column, row}))) {
+    while (row >= 0 && !occupancy.is_taken(lattice.index({column, row}))) {
       --row;
     }
     sum += lattice::position(lattice::Site{column, row}).y();
@@ -40,10 +40,10 @@ TEST(Mixture, FillsUntilTheNextParticleHasNoRoomInItsProportions) {
   for (const bool deposited : {false, true}) {
     Automaton automaton(box(150, 100));
     const FillResult result =
-        automaton.fill(kAll, Mixture{.parts = {{3, 1}}, .deposited = deposited});
+        automaton.fill(kAll, Mixture{.part_weights = {{3, 1}}, .deposited = deposited});
     EXPECT_TRUE(result.complete);
-    const auto small = static_cast<double>(result.placed[0]);
-    const auto large = static_cast<double>(result.placed[1]);
+    const auto small = static_cast<double>(result.placed_by_species[0]);
+    const auto large = static_cast<double>(result.placed_by_species[1]);
     const double share = small / (small + large);
     EXPECT_NEAR(share, 0.75, 4 * std::sqrt(0.75 * 0.25 / (small + large)));
     const double filling = (7 * small + 19 * large) / (150.0 * 100);
@@ -54,7 +54,7 @@ TEST(Mixture, FillsUntilTheNextParticleHasNoRoomInItsProportions) {
 
 TEST(Mixture, EndsAtItsLevel) {
   Automaton automaton(box(150, 100));
-  automaton.fill(kAll, Mixture{.parts = {{1, 1}}, .deposited = true, .level = 40});
+  automaton.fill(kAll, Mixture{.part_weights = {{1, 1}}, .deposited = true, .surface_level = 40});
   EXPECT_NEAR(surface(automaton), 40, 0.2);  // a particle raises the mean by less
   EXPECT_GE(surface(automaton), 40);
 }
@@ -62,8 +62,8 @@ TEST(Mixture, EndsAtItsLevel) {
 TEST(Mixture, LiesInThePartsOfItsPicture) {
   for (const bool deposited : {false, true}) {
     Automaton automaton(box(150, 100));
-    automaton.fill(kAll, Mixture{.parts = {{1, 0}, {0, 1}},
-                                 .rows = {"....", "ABA.", "BABA"},
+    automaton.fill(kAll, Mixture{.part_weights = {{1, 0}, {0, 1}},
+                                 .picture_rows = {"....", "ABA.", "BABA"},
                                  .deposited = deposited});
     const State& state = automaton.state();
     EXPECT_GT(state.particles.size(), 100U);
@@ -81,11 +81,13 @@ TEST(Mixture, LiesInThePartsOfItsPicture) {
 
 TEST(Mixture, NeedsWeightsForEachSpeciesAndAPictureForSeveralParts) {
   for (const Mixture& wrong :
-       {Mixture{}, Mixture{.parts = {{1}}}, Mixture{.parts = {{0, 0}}},
-        Mixture{.parts = {{1, 0}, {0, 1}}}, Mixture{.parts = {{1, 1}}, .rows = {"A", ""}}}) {
+       {Mixture{}, Mixture{.part_weights = {{1}}}, Mixture{.part_weights = {{0, 0}}},
+        Mixture{.part_weights = {{1, 0}, {0, 1}}},
+        Mixture{.part_weights = {{1, 1}}, .picture_rows = {"A", ""}}}) {
     Automaton fresh(box(20, 20));
     EXPECT_THROW(fresh.fill(kAll, wrong), std::invalid_argument);
-    EXPECT_NO_THROW(fresh.fill(kAll, Mixture{.parts = {{1, 1}}})) << "after what was refused";
+    EXPECT_NO_THROW(fresh.fill(kAll, Mixture{.part_weights = {{1, 1}}}))
+        << "after what was refused";
   }
 }
 

@@ -59,7 +59,7 @@ void expect_no_effect(AnyModel model) {
 
 TEST(WallsAsTheyAre, LeaveTheStateOfEveryModelAsItIs) {
   expect_no_effect(automaton::Automaton(box(), {}));
-  expect_no_effect(automaton::Automaton(box(), {}, {.reference = true}));
+  expect_no_effect(automaton::Automaton(box(), {}, {.use_reference = true}));
   expect_no_effect(voids::VoidModel(box(), {}));
   expect_no_effect(baxter::BaxterModel(box(), {}));
 }
@@ -70,7 +70,7 @@ TEST(WallsAsTheyAre, LeaveContactsAndRestAsTheyAre) {
     state.velocities.resize(2);
     state.remainders.resize(2);
     state.wall_remainders.resize(3);
-    contact::ContactModel model(state, {.fall_height = 20}, {.reference = reference});
+    contact::ContactModel model(state, {.fall_height = 20}, {.use_reference = reference});
     while (!model.step().settled) {
     }
     const std::uint64_t before = hash(model.state());
@@ -87,7 +87,7 @@ class Failing final : public Mechanics {
   Box& box() override { return box_; }
   lattice::Direction down() const override { return lattice::Direction::down; }
   bool advance(StepReport& /*report*/) override { throw std::bad_alloc(); }
-  std::vector<std::uint32_t> moved() const override { return {}; }
+  std::vector<std::uint32_t> moved_ids() const override { return {}; }
 
  private:
   State state_;
@@ -105,13 +105,13 @@ TEST(AModel, RefusesEveryChangeAfterOneThatFailedHalfway) {
   const std::vector<std::size_t> counts = {1, 1};
   EXPECT_THROW(model.step(), std::logic_error);
   EXPECT_THROW(model.fill({0, 0, 30, 30}, counts), std::logic_error);
-  EXPECT_THROW(model.fill({0, 0, 30, 30}, Mixture{.parts = {{1, 1}}}), std::logic_error);
+  EXPECT_THROW(model.fill({0, 0, 30, 30}, Mixture{.part_weights = {{1, 1}}}), std::logic_error);
   EXPECT_THROW(model.fill({0, 0, 30, 30}, counts, true), std::logic_error);
   EXPECT_THROW(model.remove_wall(0), std::logic_error);
   EXPECT_THROW(model.insert_wall(0), std::logic_error);
-  EXPECT_THROW(model.set_motion(0, true), std::logic_error);
-  EXPECT_THROW(model.set_source(0, true), std::logic_error);
-  EXPECT_THROW(model.mark_origins(), std::logic_error);
+  EXPECT_THROW(model.set_wall_moving(0, true), std::logic_error);
+  EXPECT_THROW(model.set_source_open(0, true), std::logic_error);
+  EXPECT_THROW(model.reset_origins(), std::logic_error);
 }
 
 TEST(AModel, CanBeInterruptedWhileItIsFilled) {
@@ -124,7 +124,7 @@ TEST(AModel, CanBeInterruptedWhileItIsFilled) {
          return model.fill({0, 0, 170, 200}, counts, true);
        },
        [](Model& model) {
-         return model.fill({0, 0, 170, 200}, Mixture{.parts = {{1, 1}}});
+         return model.fill({0, 0, 170, 200}, Mixture{.part_weights = {{1, 1}}});
        }});
   for (const auto& fill : fills) {
     State state = empty_state(200, 200);

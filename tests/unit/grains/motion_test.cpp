@@ -18,7 +18,8 @@ std::vector<std::int32_t> offsets(const WallMotion& motion, int steps) {
   Travel travel{.active = true};
   std::vector<std::int32_t> result;
   for (int step = 0; step < steps; ++step) {
-    take_step(motion, travel, desired_step(motion, travel), true, static_cast<std::uint64_t>(step));
+    record_step(motion, travel, desired_step(motion, travel), true,
+                static_cast<std::uint64_t>(step));
     end_step(motion, travel, false);
     result.push_back(travel.offset);
   }
@@ -34,15 +35,15 @@ TEST(Drive, DoesNotMakeUpForAStallAndIsOverAtItsDistanceOnly) {
   const WallMotion motion{.program = Drive{.period = 2, .distance = 1}};
   Travel travel{.active = true};
   for (std::uint64_t step = 0; step < 4; ++step) {  // due in steps 1 and 3: both fail
-    take_step(motion, travel, desired_step(motion, travel), false, step);
+    record_step(motion, travel, desired_step(motion, travel), false, step);
   }
   EXPECT_EQ(travel.stalls, 2U);
   EXPECT_EQ(travel.stalled_since, 1U);
   EXPECT_FALSE(is_over(motion, travel));
   EXPECT_EQ(desired_step(motion, travel), 0);
-  take_step(motion, travel, 0, false, 4);
+  record_step(motion, travel, 0, false, 4);
   EXPECT_EQ(desired_step(motion, travel), 1);
-  take_step(motion, travel, 1, true, 5);
+  record_step(motion, travel, 1, true, 5);
   EXPECT_EQ(travel.offset, 1);
   EXPECT_EQ(travel.stalls, 2U);
   EXPECT_FALSE(travel.stalled_since);
@@ -52,14 +53,14 @@ TEST(Drive, DoesNotMakeUpForAStallAndIsOverAtItsDistanceOnly) {
 TEST(Travel, StalledSinceStaysAtTheFirstOfAChainOfStalls) {
   const WallMotion motion{.program = Drive{.period = 1, .distance = 9}};
   Travel travel{.active = true};
-  take_step(motion, travel, 1, true, 10);
-  take_step(motion, travel, 1, false, 11);
-  take_step(motion, travel, 1, false, 12);
+  record_step(motion, travel, 1, true, 10);
+  record_step(motion, travel, 1, false, 11);
+  record_step(motion, travel, 1, false, 12);
   EXPECT_EQ(travel.stalled_since, 11U);
   EXPECT_EQ(travel.offset, 1);
   EXPECT_EQ(travel.clock, 3U);
-  take_step(motion, travel, 1, true, 13);
-  take_step(motion, travel, 1, false, 14);
+  record_step(motion, travel, 1, true, 13);
+  record_step(motion, travel, 1, false, 14);
   EXPECT_EQ(travel.stalled_since, 14U);
   EXPECT_EQ(travel.stalls, 3U);
 }
@@ -91,7 +92,7 @@ TEST(Wave, TheSineInIntegersIsNearTheRealOne) {
   const Wave wave{Waveform::sine, kAmplitude, 1001};
   for (std::uint64_t clock = 0; clock < 2002; ++clock) {
     const double angle = 2 * std::numbers::pi * static_cast<double>(clock) / 1001;
-    EXPECT_NEAR(target(wave, clock), kAmplitude * std::sin(angle), 0.002 * kAmplitude);
+    EXPECT_NEAR(target_offset(wave, clock), kAmplitude * std::sin(angle), 0.002 * kAmplitude);
   }
 }
 
@@ -102,7 +103,7 @@ TEST(Wave, NeverEndsAndNeverInsistsAndCountsItsPeriods) {
     EXPECT_EQ(travel.cycles, step / 8);
     EXPECT_FALSE(is_over(motion, travel));
     EXPECT_EQ(pending_step(motion, travel), 0);
-    take_step(motion, travel, desired_step(motion, travel), false, step);
+    record_step(motion, travel, desired_step(motion, travel), false, step);
   }
   EXPECT_EQ(travel.offset, 0);  // stalled all the time
 }
@@ -117,7 +118,7 @@ TEST(Shake, WithoutAWaitRisesAgainOnlyWhenNoParticleMoves) {
   const WallMotion motion{.program = Shake{.amplitude = 1, .wait = {}}};
   Travel travel{.active = true};
   const auto step = [&](bool particles_move) {
-    take_step(motion, travel, desired_step(motion, travel), true, 0);
+    record_step(motion, travel, desired_step(motion, travel), true, 0);
     end_step(motion, travel, particles_move);
   };
   step(true);
@@ -142,12 +143,12 @@ TEST(Shake, OfTheContactModelTakesItsPeriodForEachSite) {
     Travel travel{.active = true};
     std::int64_t position = 0;
     std::uint64_t steps = 0;
-    while (position < 2 * kMotionSpacing) {
+    while (position < 2 * kMotionUnitsPerSpacing) {
       position += velocity(motion, travel, position);
       ++steps;
     }
     EXPECT_EQ(steps, 2 * period);
-    EXPECT_EQ(position, 2 * kMotionSpacing);
+    EXPECT_EQ(position, 2 * kMotionUnitsPerSpacing);
     for (travel.phase = Phase::falling; position > 0; --steps) {
       position += velocity(motion, travel, position);
     }
@@ -159,8 +160,8 @@ TEST(Shake, OfTheContactModelTakesItsPeriodForEachSite) {
 TEST(Shake, ThatCannotRiseTriesAgainAndDoesNotTurn) {
   const WallMotion motion{.program = Shake{.amplitude = 2, .wait = 1}};
   Travel travel{.active = true};
-  take_step(motion, travel, 1, true, 0);
-  take_step(motion, travel, 1, false, 1);
+  record_step(motion, travel, 1, true, 0);
+  record_step(motion, travel, 1, false, 1);
   EXPECT_EQ(travel.phase, Phase::rising);
   EXPECT_EQ(desired_step(motion, travel), 1);
   EXPECT_NE(pending_step(motion, travel), 0);
@@ -170,7 +171,7 @@ TEST(Path, GoesStraightFromPointToPointAndRoundsHalvesAwayFromZero) {
   const Path path{{{4, 2}, {6, 2}, {10, -2}}};
   std::vector<std::int32_t> targets;
   for (std::uint64_t clock = 0; clock < 13; ++clock) {
-    targets.push_back(target(path, clock));
+    targets.push_back(target_offset(path, clock));
   }
   EXPECT_EQ(targets, (std::vector{0, 1, 1, 2, 2, 2, 2, 1, 0, -1, -2, -2, -2}));
   EXPECT_EQ(offsets({.program = path}, 12), (std::vector{1, 1, 2, 2, 2, 2, 1, 0, -1, -2, -2, -2}));
@@ -179,25 +180,25 @@ TEST(Path, GoesStraightFromPointToPointAndRoundsHalvesAwayFromZero) {
 TEST(Path, CatchesUpWhenItHasStalledAndInsistsOnlyAfterItsLastPoint) {
   const WallMotion motion{.program = Path{{{2, 2}}}};
   Travel travel{.active = true};
-  take_step(motion, travel, 1, false, 0);
+  record_step(motion, travel, 1, false, 0);
   EXPECT_EQ(pending_step(motion, travel), 0);
-  take_step(motion, travel, 1, false, 1);
+  record_step(motion, travel, 1, false, 1);
   EXPECT_NE(pending_step(motion, travel), 0);
   EXPECT_FALSE(is_over(motion, travel));
-  take_step(motion, travel, desired_step(motion, travel), true, 2);
-  take_step(motion, travel, desired_step(motion, travel), true, 3);
+  record_step(motion, travel, desired_step(motion, travel), true, 2);
+  record_step(motion, travel, desired_step(motion, travel), true, 3);
   EXPECT_EQ(travel.offset, 2);
   EXPECT_TRUE(is_over(motion, travel));
 }
 
 TEST(Path, WithoutPointsIsOverFromTheStart) {
   EXPECT_TRUE(is_over({.program = Path{}}, {}));
-  EXPECT_EQ(target(Path{}, 7), 0);
+  EXPECT_EQ(target_offset(Path{}, 7), 0);
 }
 
 TEST(WallMotion, RangeIsWhatTheOffsetCanReach) {
   const auto range = [](const WallMotion& motion) {
-    const OffsetRange found = range_of(motion);
+    const OffsetRange found = offset_range(motion);
     return std::pair(found.low, found.high);
   };
   EXPECT_EQ(range({.program = Drive{1, 5}}), std::pair(0, 5));

@@ -13,7 +13,7 @@ namespace {
 
 TEST(Direction, SixUnitStepsHaveLengthOneAndLieSixtyDegreesApart) {
   for (const Direction direction : kDirections) {
-    EXPECT_EQ(length(unit(direction)), 1);
+    EXPECT_EQ(length_in_steps(unit(direction)), 1);
     EXPECT_NEAR(position(unit(direction)).norm(), 1, 1e-12);
     EXPECT_NEAR(position(unit(direction)).dot(position(unit(rotated(direction, 1)))), 0.5, 1e-12);
     EXPECT_EQ(rotated_clockwise(unit(direction)), unit(rotated(direction, 1)));
@@ -36,15 +36,15 @@ TEST(Lattice, OffsetsLeadToTheSameMemoryAsSites) {
     const Lattice lattice(10, 130, periodic);
     for (const Site site : {Site{0, 3}, Site{1, 64}, Site{8, 129}, Site{9, 0}}) {
       for (const Axial vector : {Axial{1, 0}, Axial{-1, 1}, Axial{0, -1}, Axial{1, -1}}) {
-        const Offset offset = lattice.offset(vector, is_odd(site.column));
-        EXPECT_EQ(lattice.at(lattice.index(site), site.column, offset),
+        const IndexOffset offset = lattice.index_offset(vector, is_odd(site.column));
+        EXPECT_EQ(lattice.shifted_index(lattice.index(site), site.column, offset),
                   lattice.index(site + vector));
       }
       for (const int columns : {-34, -20, 13, 30}) {  // more than once around
         const Axial vector = {columns, -columns / 2};
-        const Offset offset = lattice.offset(vector, is_odd(site.column));
+        const IndexOffset offset = lattice.index_offset(vector, is_odd(site.column));
         if (periodic) {
-          EXPECT_EQ(lattice.at(lattice.index(site), site.column, offset),
+          EXPECT_EQ(lattice.shifted_index(lattice.index(site), site.column, offset),
                     lattice.index(site + vector));
         }
       }
@@ -69,7 +69,7 @@ TEST(Lattice, MemoryPlacesAndSitesCorrespondOneToOne) {
 TEST(Lattice, WhatIsNearInTwoColumnsIsNearInMemory) {
   const Lattice lattice(5, 100, false);
   EXPECT_EQ(lattice.index({2, 7}), lattice.index({1, 7}) + 1);
-  EXPECT_EQ(lattice.index({1, 8}), lattice.index({1, 7}) + Lattice::kRowPitch);
+  EXPECT_EQ(lattice.index({1, 8}), lattice.index({1, 7}) + Lattice::kRowStride);
 }
 
 TEST(Lattice, CoversTheAskedWidthAndHeight) {
@@ -94,9 +94,9 @@ TEST(Shape, HexagonsHaveTheCentredHexagonalNumbersOfSites) {
 
 TEST(Shape, LooksOfSmallHexagonsAreThreeAndFive) {
   for (const Direction direction : kDirections) {
-    EXPECT_EQ(Shape::hexagon(1).lead(direction).size(), 3U);
-    EXPECT_EQ(Shape::hexagon(2).lead(direction).size(), 5U);
-    EXPECT_EQ(Shape::hexagon(2).trail(direction).size(), 5U);
+    EXPECT_EQ(Shape::hexagon(1).lead_sites(direction).size(), 3U);
+    EXPECT_EQ(Shape::hexagon(2).lead_sites(direction).size(), 5U);
+    EXPECT_EQ(Shape::hexagon(2).trail_sites(direction).size(), 5U);
   }
 }
 
@@ -104,9 +104,9 @@ TEST(Shape, LeadAndTrailTurnAShapeIntoItsImageOneStepOn) {
   const Shape shape({{0, 0}, {1, 0}, {2, 0}, {2, -1}, {0, 1}});
   for (const Direction direction : kDirections) {
     std::vector<Axial> moved = shape.sites();
-    const auto lead = shape.lead(direction);
+    const auto lead = shape.lead_sites(direction);
     moved.insert(moved.end(), lead.begin(), lead.end());
-    for (const Axial site : shape.trail(direction)) {
+    for (const Axial site : shape.trail_sites(direction)) {
       std::erase(moved, site);
     }
     std::vector<Axial> image;
@@ -133,8 +133,8 @@ TEST(Shape, SixTurnsGiveTheShapeBackAndHexagonsNeverChange) {
   const Shape rod = Shape::rod(0, 3);
   EXPECT_EQ(rod.rotated(6), rod);
   EXPECT_EQ(rod.rotated(-1), rod.rotated(5));
-  EXPECT_TRUE(rod.congruent(rod.rotated(3)));
-  EXPECT_FALSE(rod.congruent(rod.rotated(1)));
+  EXPECT_TRUE(rod.is_congruent(rod.rotated(3)));
+  EXPECT_FALSE(rod.is_congruent(rod.rotated(1)));
   EXPECT_EQ(Shape::hexagon(3).rotated(1), Shape::hexagon(3));
 }
 
@@ -206,17 +206,17 @@ TEST(Region, NearestSiteIsTheNearest) {
 
 TEST(Lattice, APlaceOfAPeriodicBoxIsBroughtIntoIt) {
   const Lattice periodic(10, 10, true);
-  const double width = periodic.size().x();
-  const double left = Lattice::corner().x();
-  EXPECT_EQ(periodic.in_box({3, 50}), Eigen::Vector2d(3, 50));
-  EXPECT_EQ(periodic.in_box({left, 1}).x(), left);
-  EXPECT_NEAR(periodic.in_box({left + width, 1}).x(), left, 1e-12);
-  EXPECT_NEAR(periodic.in_box({3 + 7 * width, 1}).x(), 3, 1e-12);
-  EXPECT_NEAR(periodic.in_box({3 - 7 * width, 1}).x(), 3, 1e-12);
-  EXPECT_EQ(Lattice(10, 10, false).in_box({-50, 1}), Eigen::Vector2d(-50, 1));
+  const double width = periodic.extent().x();
+  const double left = Lattice::lower_left_corner().x();
+  EXPECT_EQ(periodic.image_in_box({3, 50}), Eigen::Vector2d(3, 50));
+  EXPECT_EQ(periodic.image_in_box({left, 1}).x(), left);
+  EXPECT_NEAR(periodic.image_in_box({left + width, 1}).x(), left, 1e-12);
+  EXPECT_NEAR(periodic.image_in_box({3 + 7 * width, 1}).x(), 3, 1e-12);
+  EXPECT_NEAR(periodic.image_in_box({3 - 7 * width, 1}).x(), 3, 1e-12);
+  EXPECT_EQ(Lattice(10, 10, false).image_in_box({-50, 1}), Eigen::Vector2d(-50, 1));
   for (int image = -1000; image <= 1000; ++image) {
     for (const double beside : {-1e-15, -1e-16, 0.0, 1e-16, 1e-15}) {
-      const double x = periodic.in_box({left + image * width + beside, 1}).x();
+      const double x = periodic.image_in_box({left + image * width + beside, 1}).x();
       EXPECT_GE(x, left);
       EXPECT_LT(x, left + width);
     }
@@ -229,7 +229,7 @@ TEST(NearestVector, LeadsToAnImageOfTheSiteNoFartherThanHalfTheBox) {
     for (int to = -30; to < 30; ++to) {
       const Site start{from, 4};
       const Site goal{to, 6};
-      const Axial way = box.nearest_vector(start, goal);
+      const Axial way = box.shortest_vector(start, goal);
       const Site end = start + way;
       EXPECT_LE(std::abs(way.x), 6);
       EXPECT_EQ(end.row, goal.row);
@@ -240,7 +240,7 @@ TEST(NearestVector, LeadsToAnImageOfTheSiteNoFartherThanHalfTheBox) {
 
 TEST(NearestVector, IsThePlainOneInABoxWithSides) {
   const Lattice box(12, 9, false);
-  EXPECT_EQ(box.nearest_vector({1, 4}, {11, 4}), (Site{11, 4} - Site{1, 4}));
+  EXPECT_EQ(box.shortest_vector({1, 4}, {11, 4}), (Site{11, 4} - Site{1, 4}));
 }
 
 }  // namespace

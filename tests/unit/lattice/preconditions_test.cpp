@@ -53,9 +53,10 @@ TEST(AShape, StaysWithinReach) {
 
 TEST(Offsets, ThatDoNotFitInto32BitsAreRefused) {
   const Lattice tall = Lattice::covering(10, 1e9, true);
-  EXPECT_EQ(tall.offset({2, -1}, false).linear, 2'000'000'128);  // rows are rounded up to words
-  EXPECT_THROW(tall.offset({4, 0}, false), std::invalid_argument);
-  EXPECT_THROW(tall.offset({-4, 0}, false), std::invalid_argument);
+  EXPECT_EQ(tall.index_offset({2, -1}, false).index,
+            2'000'000'128);  // rows are rounded up to words
+  EXPECT_THROW(tall.index_offset({4, 0}, false), std::invalid_argument);
+  EXPECT_THROW(tall.index_offset({-4, 0}, false), std::invalid_argument);
 }
 
 }  // namespace

@@ -160,7 +160,7 @@ std::set<Site> plain_wall(const Lattice& lattice, const Segment& segment) {
   }
   const Site first = nearest_site(segment.from);
   const Site last = nearest_site(segment.to);
-  const int steps = std::max(1, length(last - first));
+  const int steps = std::max(1, length_in_steps(last - first));
   const Eigen::Vector2d along = position(last) - position(first);
   for (int i = 0; i <= steps; ++i) {
     const Eigen::Vector2d nudge(1e-6, 2e-6);

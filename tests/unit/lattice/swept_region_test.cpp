@@ -58,13 +58,13 @@ TEST(SweptRegion, HoldsTheSitesThatSomeStepBringsIntoTheBox) {
   for (const Lattice& lattice : boxes()) {
     for (const Way& way : ways()) {
       const SweptRegion swept_region(lattice, way.direction, way.low, way.high);
-      const RowRange all = swept_region.all_rows();
+      const RowRange all = swept_region.enclosing_rows();
       for_each_site([&](Site site) {
         const bool inside = comes_in(lattice, way, site);
         ASSERT_EQ(swept_region.contains(site), inside)
             << site.column << ", " << site.row << " by " << way.low << " to " << way.high
             << " in direction " << index_of(way.direction) << (lattice.periodic() ? " round" : "");
-        ASSERT_TRUE(!inside || (all.first <= site.row && site.row < all.end));
+        ASSERT_TRUE(!inside || (all.first_row <= site.row && site.row < all.end_row));
       });
     }
   }

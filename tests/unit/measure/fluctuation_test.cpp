@@ -58,14 +58,16 @@ TEST(Fluctuations, OfNormalDisplacementsAreChiSquareUpToTheNoiseFloor) {
   ASSERT_EQ(fluctuations.samples(), 200U * 5 * (5 + 8 + 15 + 40));
   // The distance of equals is the floor times chi-square with about 18 degrees over 18: three times
   // the floor has odds of 1e-5.
-  const double floor = statistics::hellinger_floor(Fluctuations::kBins, fluctuations.samples());
+  const double floor =
+      statistics::expected_hellinger_distance(Fluctuations::kBins, fluctuations.samples());
   EXPECT_LT(distance(fluctuations.shares()), 3 * floor);
   EXPECT_LT(distance(fluctuations.local_shares()), 3 * floor);
 }
 
 TEST(Fluctuations, CellsOfUnequalHeatAreSeenOnlyOnTheScaleOfTheWindow) {
   const Fluctuations fluctuations = normal_windows(200, 3);
-  const double floor = statistics::hellinger_floor(Fluctuations::kBins, fluctuations.samples());
+  const double floor =
+      statistics::expected_hellinger_distance(Fluctuations::kBins, fluctuations.samples());
   EXPECT_GT(distance(fluctuations.shares()), 100 * floor);
   EXPECT_LT(distance(fluctuations.local_shares()), 3 * floor);
 }

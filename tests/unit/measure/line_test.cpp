@@ -115,7 +115,7 @@ TEST(Line, FollowsAPathAcrossThePeriodicBoundary) {
   State now = before;
   now.particles[0].column = 25;  // column 5 of the box
   now.particles[0].row = 4;      // through the line at column 1.7
-  const double width = now.lattice.size().x();
+  const double width = now.lattice.extent().x();
   EXPECT_NEAR(passed(seen(level(now, 0, 5), before, now), 5), 1, 1e-12);
   EXPECT_EQ(passed(seen(level(now, 5, width), before, now), width - 5), 0);
   State round = box_of({{60, 6}}, Shape::hexagon(0), true);  // in column 0, where the line starts

@@ -11,7 +11,7 @@ inline grains::Wall plate(std::vector<lattice::Site> sites,
                           lattice::Direction direction = lattice::Direction::down) {
   return {.sites = std::move(sites),
           .motion = grains::WallMotion{.direction = direction, .program = grains::Drive{}},
-          .passive = grains::Passive::overlap};
+          .passive_rule = grains::PassiveRule::overlap};
 }
 
 /// One row of sites, columns `first` to `last`.

@@ -19,14 +19,14 @@ grains::State column_of_two(bool periodic = false) {
 }
 
 contact::Force with_floor(const Eigen::Vector2d& place, const Eigen::Vector2d& branch,
-                          double along_normal, double along_shear) {
+                          double normal_force, double shear_force) {
   contact::Force force;
   force.other = contact::kFloor;
   force.point = place;
   force.normal = branch.normalized();
   force.branch = branch;
-  force.along_normal = along_normal;
-  force.along_shear = along_shear;
+  force.normal_force = normal_force;
+  force.shear_force = shear_force;
   return force;
 }
 
@@ -72,7 +72,7 @@ contact::State thrown(bool walls, bool rods) {
   state.kinds = {{lattice::Shape::hexagon(1), 0},
                  {rods ? lattice::Shape::rod(0, 6) : lattice::Shape::hexagon(2), 1}};
   if (walls) {
-    const double width = lattice.size().x();
+    const double width = lattice.extent().x();
     for (const lattice::Rectangle& place :
          {lattice::Rectangle{-1, 3, 2, 36}, lattice::Rectangle{width - 3, 3, width, 36},
           lattice::Rectangle{-1, -1, width, 3}, lattice::Rectangle{-1, 36, width, 41}}) {
@@ -126,7 +126,7 @@ TEST(StressField, TheCellsAtTheSidesCarryTheForceOnThemAndOnWallsThere) {
             .resolution = 0.2,
             .fall_height = 20};
         contact::ContactModel model(thrown(walls, rods), parameters);
-        model.set_vessel(contact::Vessel{.angle = contact::angle_of(tilt)});
+        model.set_vessel(contact::Vessel{.angle = contact::angle_from_degrees(tilt)});
         model.fill({2, 3, 31, 36}, std::array<std::size_t, 2>{25, 15});
         for (int step = 0; step < 300; ++step) {
           model.step();
@@ -139,8 +139,8 @@ TEST(StressField, TheCellsAtTheSidesCarryTheForceOnThemAndOnWallsThere) {
         for (const double cell : {0.4, rods ? 0.3 : 1.0}) {
           const Grid grid(state.lattice, cell);
           const auto cells = stress_field(state, forces, cell);
-          const double width = state.lattice.size().x() / static_cast<double>(grid.columns());
-          const double height = state.lattice.size().y() / static_cast<double>(grid.rows());
+          const double width = state.lattice.extent().x() / static_cast<double>(grid.columns());
+          const double height = state.lattice.extent().y() / static_cast<double>(grid.rows());
           SideForces found;
           for (std::size_t i = 0; i < cells.size(); ++i) {
             found.left += i % grid.columns() == 0 ? cells[i].xx * height : 0;
@@ -167,7 +167,7 @@ TEST(StressField, AWallInTheOpenCarriesAForceToItsFarSideOnly) {
   force.other = grains::wall_code(0);
   const auto cells = stress_field(state, std::vector{force}, 1);
   const Grid grid(state.lattice, 1);
-  const double width = state.lattice.size().x() / static_cast<double>(grid.columns());
+  const double width = state.lattice.extent().x() / static_cast<double>(grid.columns());
   const auto carried = [&](double y) {
     return width * cells[grid.index({6 * lattice::kColumnPitch, y})].yy;
   };

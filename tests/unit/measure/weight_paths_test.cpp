@@ -168,13 +168,13 @@ TEST(WeightPaths, ThePressureIsOverItsMeanAndOfTheBaseOnly) {
     forces.push_back({.other = contact::kFloor,
                       .point = {i + 0.5, 0},
                       .normal = {0, 1},
-                      .along_normal = i == 6 ? 5.0 : 2.0});
+                      .normal_force = i == 6 ? 5.0 : 2.0});
   }
   forces.push_back(
-      {.other = contact::kFloor, .point = {13.5, 0}, .normal = {0, 1}, .along_normal = 9});
+      {.other = contact::kFloor, .point = {13.5, 0}, .normal = {0, 1}, .normal_force = 9});
   forces.push_back(
-      {.other = contact::kLeftSide, .point = {0, 3}, .normal = {1, 0}, .along_shear = 9});
-  forces.push_back({.other = 3, .point = {6, 3}, .normal = {0, 1}, .along_normal = 9});
+      {.other = contact::kLeftSide, .point = {0, 3}, .normal = {1, 0}, .shear_force = 9});
+  forces.push_back({.other = 3, .point = {6, 3}, .normal = {0, 1}, .normal_force = 9});
   const std::vector<double> pressure = base_pressure(base, forces);
   ASSERT_EQ(pressure.size(), 13);
   EXPECT_DOUBLE_EQ(pressure[0], 2 * 13 / 29.0);
@@ -189,7 +189,7 @@ TEST(WeightPaths, BothEndsBelongToTheBaseAndHalfOfWhatIsBetweenTwoBinsToEach) {
       forces.push_back({.other = contact::kFloor,
                         .point = {lattice::kColumnPitch * column, 0},
                         .normal = {0, 1},
-                        .along_normal = 3});
+                        .normal_force = 3});
     }
     const std::vector<double> pressure =
         base_pressure({.left = 0, .right = lattice::kColumnPitch * (columns - 1)}, forces);
@@ -215,7 +215,7 @@ TEST(WeightPaths, RefusesParticlesThatMayOverlap) {
   state.walls = {{.sites = {{0, kHalf - 1}},
                   .motion = grains::WallMotion{.direction = lattice::Direction::down,
                                                .program = grains::Drive{}},
-                  .passive = grains::Passive::overlap}};
+                  .passive_rule = grains::PassiveRule::overlap}};
   EXPECT_THROW(supported_grains(state, Occupancy(state)), std::invalid_argument);
 }
 

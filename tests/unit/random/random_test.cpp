@@ -32,7 +32,7 @@ TEST(Draw, IsUniformOverSixteenBins) {
   constexpr int kDraws = 160'000;
   std::array<int, 16> counts{};
   for (std::uint32_t item = 0; item < kDraws; ++item) {
-    ++counts.at(below(draw(7, 3, item, Purpose::coin), 16));
+    ++counts.at(uniform_below(draw(7, 3, item, Purpose::coin), 16));
   }
   double chi_square = 0;
   for (const int count : counts) {
@@ -42,9 +42,9 @@ TEST(Draw, IsUniformOverSixteenBins) {
 }
 
 TEST(Below, ReachesBothEndsAndStaysBelow) {
-  EXPECT_EQ(below(0, 6), 0U);
-  EXPECT_EQ(below(~std::uint64_t{0}, 6), 5U);
-  EXPECT_EQ(below(~std::uint64_t{0}, 1), 0U);
+  EXPECT_EQ(uniform_below(0, 6), 0U);
+  EXPECT_EQ(uniform_below(~std::uint64_t{0}, 6), 5U);
+  EXPECT_EQ(uniform_below(~std::uint64_t{0}, 1), 0U);
 }
 
 TEST(Probability, ZeroNeverAcceptsAndOneAlwaysDoes) {

@@ -148,7 +148,7 @@ TEST(Fields, OfAStateAreHashedEachOne) {
 }
 
 TEST(Fields, OfAGasAreItsWholeState) {
-  const boltzmann::Gas gas = boltzmann::make_gas({.particles = 50}, 4);
+  const boltzmann::Gas gas = boltzmann::make_gas({.particle_count = 50}, 4);
   boltzmann::Gas decoded;
   decode(encode(gas), kMuch, decoded);
   EXPECT_EQ(boltzmann::hash(decoded), boltzmann::hash(gas));

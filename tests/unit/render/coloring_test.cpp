@@ -200,7 +200,7 @@ grains::State pushed_row() {
   grains::Wall wall;
   wall.sites = {{20, 4}, {21, 4}};
   wall.motion = grains::WallMotion{lattice::Direction::up, grains::Drive{1, 1000}};
-  wall.passive = grains::Passive::overlap;
+  wall.passive_rule = grains::PassiveRule::overlap;
   state.walls = {wall};
   state.pushes = {{1, 0, 0, lattice::Direction::up},
                   {3, 2, 0, lattice::Direction::up},

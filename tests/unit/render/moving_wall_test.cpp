@@ -35,7 +35,7 @@ grains::State with_moving_wall(bool periodic) {
 /// The state without motions.
 grains::State at_rest(grains::State state) {
   for (grains::Wall& wall : state.walls) {
-    wall.sites = grains::sites_now(state.lattice, wall);
+    wall.sites = grains::current_sites(state.lattice, wall);
     wall.motion.reset();
   }
   return state;
@@ -159,7 +159,7 @@ grains::State overlapping() {
     state.origins.push_back(site);
   }
   state.walls = {moving_wall(state, {14, 14, 30, 16})};
-  state.walls[0].passive = grains::Passive::overlap;
+  state.walls[0].passive_rule = grains::PassiveRule::overlap;
   state.pushes = {{1, 0, 0, lattice::Direction::up},
                   {2, grains::wall_code(0), 0, lattice::Direction::down}};
   return state;

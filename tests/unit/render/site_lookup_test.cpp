@@ -39,7 +39,7 @@ Owner whole_owner(const grains::State& state, const grains::Occupancy& occupancy
     return grains::kFree;
   }
   const Owner owner = occupancy.owner(lattice.index(site));
-  if (!grains::is_wall(owner)) {
+  if (!grains::is_obstacle(owner)) {
     return owner;
   }
   return is_moving_wall(state.walls[grains::wall_number(owner)]) ? kMovingWall : kSomeWall;
@@ -155,7 +155,7 @@ TEST(SiteLookup, ShowsMovingWallsAndTheFirstOwnerWhereTwoOverlap) {
   grains::Wall moving;
   moving.sites = lattice::sites_in(state.lattice, {14, 14, 30, 16});
   moving.motion = grains::WallMotion{lattice::Direction::up, grains::Drive{1, 1000}};
-  moving.passive = grains::Passive::overlap;
+  moving.passive_rule = grains::PassiveRule::overlap;
   state.walls = {moving, {lattice::sites_in(state.lattice, {2, 14, 5, 17})}};
   state.pushes = {{1, 0, 0, lattice::Direction::up},
                   {2, grains::wall_code(0), 0, lattice::Direction::down}};

@@ -168,11 +168,11 @@ TEST(ASource, DoesNotDriftAndKeepsTheUnitOfBinaryFractions) {
         std::tuple("=355/113", 355, 113), std::tuple("999.999", 999'999, 1000)}) {
     const grains::Source made = source(text);
     EXPECT_EQ(made.rate * static_cast<std::uint64_t>(steps),
-              made.unit * static_cast<std::uint64_t>(grains))
+              made.units_per_particle * static_cast<std::uint64_t>(grains))
         << text;
   }
   EXPECT_EQ(source("0.375").rate, std::uint64_t{3} << 29U);
-  EXPECT_EQ(source("0.375").unit, std::uint64_t{1} << 32U);
+  EXPECT_EQ(source("0.375").units_per_particle, std::uint64_t{1} << 32U);
 }
 
 // One grain falls, and lies on the floor from step 30 on or so.

@@ -124,8 +124,9 @@ TEST_F(GasRunTest, TheClosureStandsBesideTheSeries) {
   const auto closure = table("closure");
   EXPECT_THAT(closure.column_names, ElementsAre("time", "t_tr", "t_rot"));
   EXPECT_EQ(closure.column_numbers("time"), table("series").column_numbers("time"));
-  const auto expected = boltzmann::closure({.restitution = 0.5, .friction = 0.3, .roughness = 0},
-                                           {.translational = 1, .rotational = 2.5}, 2);
+  const auto expected =
+      boltzmann::temperatures_after({.restitution = 0.5, .friction = 0.3, .roughness = 0},
+                                    {.translational = 1, .rotational = 2.5}, 2);
   EXPECT_NEAR(closure.column_numbers("t_tr").back(), expected.translational, 1e-9);
   EXPECT_NEAR(closure.column_numbers("t_rot").back(), expected.rotational / 2.5, 1e-9);
 }
@@ -139,7 +140,7 @@ TEST_F(GasRunTest, ShearAddsTheStressesAndTheSteadyStateOfSmoothSpheres) {
   const auto closure = table("closure");
   EXPECT_THAT(closure.column_names, ElementsAre("time", "t_tr", "p_xx", "p_yy", "p_xy"));
   EXPECT_THAT(closure.column_numbers("time"), ElementsAre(0, 2));
-  EXPECT_EQ(closure.column_numbers("t_tr")[1], boltzmann::shear_flow(0.5, 0.5).temperature);
+  EXPECT_EQ(closure.column_numbers("t_tr")[1], boltzmann::steady_shear_flow(0.5, 0.5).temperature);
 }
 
 TEST_F(GasRunTest, ShearWithFrictionHasNoClosure) {
@@ -147,7 +148,7 @@ TEST_F(GasRunTest, ShearWithFrictionHasNoClosure) {
   EXPECT_FALSE(leaves("closure.csv"));
   run_gas({"boltzmann.shear_rate=0.5", "boltzmann.roughness=-1"});  // smooth, whatever the friction
   EXPECT_EQ(table("closure").column_numbers("t_tr")[1],
-            boltzmann::shear_flow(0.5, 0.5).temperature);
+            boltzmann::steady_shear_flow(0.5, 0.5).temperature);
 }
 
 TEST_F(GasRunTest, WithoutSpinsAtFirstTheirTemperatureIsRelativeToTheTranslationalOne) {

@@ -82,7 +82,8 @@ class OtherRunTest : public ::testing::Test {
   }
   model::ModelState end(const std::string& name) const {
     const SavedRun saved = load_run(path(name), kMuch, "1000000");
-    return model::saved_state(std::get<scene::Scene>(saved.scene), saved.checkpoint.fields, kMuch);
+    return model::state_from_checkpoint(std::get<scene::Scene>(saved.scene),
+                                        saved.checkpoint.fields, kMuch);
   }
 
   testing::ScratchFolder folder_;

@@ -88,7 +88,7 @@ TEST(Setup, GivesWallsTheirMotionAndLeavesOutThoseThatComeLater) {
   EXPECT_FALSE(state.walls[0].present);
   EXPECT_EQ(state.walls[0].motion,
             (grains::WallMotion{lattice::Direction::down, grains::Drive{1, 30}}));
-  EXPECT_EQ(state.walls[0].passive, grains::Passive::overlap);
+  EXPECT_EQ(state.walls[0].passive_rule, grains::PassiveRule::overlap);
   EXPECT_FALSE(state.walls[0].sites.empty()) << "outside the box at home";
   EXPECT_TRUE(state.walls[1].present);
   EXPECT_FALSE(state.walls[1].motion.has_value());

@@ -51,7 +51,7 @@ TEST(BoltzmannScene, FillsInTheDefaults) {
 TEST(BoltzmannScene, ReadsEverything) {
   const BoltzmannScene scene = gas_with(kEverything);
   EXPECT_EQ(scene.particles, 500U);
-  EXPECT_EQ(scene.initial, boltzmann::Initial::equal_energy);
+  EXPECT_EQ(scene.initial, boltzmann::InitialDistribution::equal_energy);
   EXPECT_FALSE(scene.exact_moments);
   EXPECT_TRUE(scene.quasi);
   EXPECT_THAT(scene.restitutions, ElementsAre(1, 0, 0.8349));
@@ -105,7 +105,7 @@ TEST(BoltzmannScene, TakesOverrides) {
       gas_with("", {"boltzmann.restitution=0.9", "boltzmann.scheme=ogawa-kato",
                     "boltzmann.partners=3", "output.bins=q30", "seed=7"});
   EXPECT_THAT(scene.restitutions, ElementsAre(0.9));
-  EXPECT_EQ(std::get<boltzmann::OgawaKato>(scene.scheme).partners, 3);
+  EXPECT_EQ(std::get<boltzmann::OgawaKato>(scene.scheme).partner_count, 3);
   EXPECT_EQ(std::get<QuantileBins>(scene.bins).count, 30);
   EXPECT_EQ(scene.seed, 7U);
 }

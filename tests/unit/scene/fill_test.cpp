@@ -23,9 +23,9 @@ TEST(Fill, OfAMixHasOnePartAndALevel) {
   const Scene scene = scene_with_fill("method: deposition, mix: {small: 2, large: 1}, level: 30");
   const auto mixture = mixture_of(*scene.stages[0].fill);
   ASSERT_TRUE(mixture);
-  EXPECT_EQ(mixture->parts, (std::vector<std::vector<std::uint32_t>>{{2, 1}}));
+  EXPECT_EQ(mixture->part_weights, (std::vector<std::vector<std::uint32_t>>{{2, 1}}));
   EXPECT_TRUE(mixture->deposited);
-  EXPECT_EQ(mixture->level, 30);
+  EXPECT_EQ(mixture->surface_level, 30);
   EXPECT_EQ(testing::reparsed(scene), to_yaml(scene));
 }
 
@@ -34,8 +34,8 @@ TEST(Fill, OfAPictureHasAPartForEachLetter) {
       scene_with_fill("picture: {rows: [X.B, BBX], pixels: {X: large, B: {small: 1, large: 3}}}");
   const auto mixture = mixture_of(*scene.stages[0].fill);
   ASSERT_TRUE(mixture);
-  EXPECT_EQ(mixture->rows, (std::vector<std::string>{"B.A", "AAB"}));
-  EXPECT_EQ(mixture->parts, (std::vector<std::vector<std::uint32_t>>{{1, 3}, {0, 1}}));
+  EXPECT_EQ(mixture->picture_rows, (std::vector<std::string>{"B.A", "AAB"}));
+  EXPECT_EQ(mixture->part_weights, (std::vector<std::vector<std::uint32_t>>{{1, 3}, {0, 1}}));
   EXPECT_EQ(testing::reparsed(scene), to_yaml(scene));
 }
 

@@ -72,9 +72,9 @@ TEST(ParseMotion, ReadsWavesDownToTheShortestPeriod) {
 TEST(ParseMotion, TheWidestAndLongestWaveStaysWithinItsAmplitude) {
   const WallMotion motion = motion_of("{wave: {amplitude: 10000, period: 10000000}}");
   const auto& wave = std::get<grains::Wave>(motion.program);
-  EXPECT_EQ(grains::target(wave, 2'500'000), 10'000);
-  EXPECT_EQ(grains::target(wave, 5'000'000), 0);
-  EXPECT_EQ(grains::target(wave, 7'500'000), -10'000);
+  EXPECT_EQ(grains::target_offset(wave, 2'500'000), 10'000);
+  EXPECT_EQ(grains::target_offset(wave, 5'000'000), 0);
+  EXPECT_EQ(grains::target_offset(wave, 7'500'000), -10'000);
 }
 
 TEST(ParseMotion, ReadsShakesThatWaitUntilSettledOrSoManySteps) {
@@ -97,9 +97,9 @@ TEST(ParseMotion, ReadsOneBodyOfSeveralPartsAndItsPassiveRule) {
   ASSERT_EQ(tray.parts.size(), 2U);
   EXPECT_EQ(std::get<lattice::Rectangle>(tray.parts[0]), (lattice::Rectangle{0, 0, 100, 2}));
   EXPECT_EQ(std::get<lattice::Segment>(tray.parts[1]), (lattice::Segment{{0, 2}, {0, 60}, 1}));
-  EXPECT_EQ(tray.passive, grains::Passive::overlap);
+  EXPECT_EQ(tray.passive, grains::PassiveRule::overlap);
   EXPECT_EQ(tray.location, "scene.yaml:9:5");
-  EXPECT_EQ(scene.walls[1].passive, grains::Passive::rigid);
+  EXPECT_EQ(scene.walls[1].passive, grains::PassiveRule::rigid);
   EXPECT_FALSE(scene.walls[2].motion.has_value());
 }
 

@@ -158,11 +158,11 @@ TEST(Parse, ReadsEveryRule) {
   using automaton::UpdateClass;
   EXPECT_EQ(scene.rules.inertia, 1);
   EXPECT_EQ(scene.rules.scatter, 0.25);
-  EXPECT_EQ(scene.rules.candidates, automaton::Candidates::all);
+  EXPECT_EQ(scene.rules.candidates, automaton::CandidateDirections::all);
   EXPECT_EQ(scene.rules.gravity, lattice::Direction::up_left);
   EXPECT_THAT(scene.rules.update_priority,
               ElementsAre(UpdateClass::gravity, UpdateClass::rest, UpdateClass::inertia));
-  EXPECT_EQ(scene.rules.ties, automaton::Ties::direction);
+  EXPECT_EQ(scene.rules.ties, automaton::TieBreaking::direction);
 }
 
 TEST(Parse, ReadsWallsOfBothForms) {

@@ -33,7 +33,7 @@ std::string refusal(const Scene& scene) {
 
 /// The sites of the box that are covered after some step, all tried one by one.
 std::set<Site> plain_way(const lattice::Lattice& lattice, const Wall& wall) {
-  const grains::OffsetRange range = grains::range_of(*wall.motion);
+  const grains::OffsetRange range = grains::offset_range(*wall.motion);
   const lattice::Axial step = lattice::unit(wall.motion->direction);
   std::set<Site> way;
   for (const Site home : wall_sites(lattice, wall)) {

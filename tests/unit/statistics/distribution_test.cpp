@@ -81,10 +81,10 @@ TEST(Bins, FindTheOneThatHoldsAValue) {
   for (const Bins& bins :
        {Bins::uniform(0.1, 20), Bins::equiprobable(20, 3), Bins::equiprobable(1000, 2)}) {
     for (std::size_t bin = 0; bin < bins.count(); ++bin) {
-      EXPECT_EQ(bins.find(bins.lower(bin)), bin);
-      EXPECT_EQ(bins.find(std::nextafter(bins.upper(bin), 0.0)), bin);
+      EXPECT_EQ(bins.bin_of(bins.lower(bin)), bin);
+      EXPECT_EQ(bins.bin_of(std::nextafter(bins.upper(bin), 0.0)), bin);
     }
-    EXPECT_EQ(bins.find(kInfinity), bins.count() - 1);
+    EXPECT_EQ(bins.bin_of(kInfinity), bins.count() - 1);
   }
 }
 
@@ -98,9 +98,9 @@ TEST(Shares, OfChiSquareSumToOne) {
 
 TEST(Shares, CountTheValuesInEachBin) {
   const std::vector<double> values = {0, 0.5, 1, 1.5, 7, 100};
-  EXPECT_THAT(shares(values, Bins::uniform(1, 2)),
+  EXPECT_THAT(bin_shares(values, Bins::uniform(1, 2)),
               ::testing::ElementsAre(2 / 6.0, 2 / 6.0, 2 / 6.0));
-  EXPECT_THAT(shares({}, Bins::uniform(1, 2)), ::testing::ElementsAre(0, 0, 0));
+  EXPECT_THAT(bin_shares({}, Bins::uniform(1, 2)), ::testing::ElementsAre(0, 0, 0));
 }
 
 TEST(HellingerDistance, IsNoneBetweenEqualsAndAllBetweenStrangers) {
@@ -131,7 +131,7 @@ TEST(HellingerDistance, IsSymmetricAndFromZeroToOne) {
 TEST(HellingerDistance, OfOneFullBinAmongTwentyIsKnown) {
   const Bins bins = Bins::equiprobable(20, 3);
   const std::vector<double> all_three(1000, 3.0);
-  EXPECT_NEAR(hellinger_distance(shares(all_three, bins), chi_square_shares(bins, 3)),
+  EXPECT_NEAR(hellinger_distance(bin_shares(all_three, bins), chi_square_shares(bins, 3)),
               1 - std::sqrt(1.0 / 20), 1e-14);
 }
 
@@ -152,9 +152,9 @@ TEST(HellingerDistance, OfAGaussianSampleIsTheFloorInTheMean) {
     const double scale = sum(values) / (3 * static_cast<double>(kValues));
     std::transform(values.begin(), values.end(), values.begin(),
                    [&](double value) { return value / scale; });
-    distances += hellinger_distance(shares(values, bins), expected);
+    distances += hellinger_distance(bin_shares(values, bins), expected);
   }
-  const double floor = hellinger_floor(bins.count(), kValues);
+  const double floor = expected_hellinger_distance(bins.count(), kValues);
   EXPECT_DOUBLE_EQ(floor, 18.0 / 40'000);
   EXPECT_NEAR(distances / kSamples, floor, 0.1 * floor);
 }
@@ -164,8 +164,8 @@ TEST(Distributions, AreComparedBinByBin) {
   const std::vector<double> one = {1};
   EXPECT_THROW(hellinger_distance(two, one), std::invalid_argument);
   EXPECT_THROW(hellinger_distance(one, two), std::invalid_argument);
-  EXPECT_THROW(hellinger_floor(20, 0), std::invalid_argument);
-  EXPECT_THROW(hellinger_floor(1, 10), std::invalid_argument);
+  EXPECT_THROW(expected_hellinger_distance(20, 0), std::invalid_argument);
+  EXPECT_THROW(expected_hellinger_distance(1, 10), std::invalid_argument);
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace {
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 TEST(Sample, HasMeanAndSpread) {
-  const SampleStatistics found = sample({2, 4, 4, 4, 5, 5, 7, 9});
+  const SampleStatistics found = sample_statistics({2, 4, 4, 4, 5, 5, 7, 9});
   EXPECT_DOUBLE_EQ(found.mean, 5);
   EXPECT_DOUBLE_EQ(found.standard_deviation, std::sqrt(32.0 / 7));
   EXPECT_DOUBLE_EQ(found.standard_error, std::sqrt(32.0 / 7 / 8));
@@ -21,41 +21,42 @@ TEST(Sample, HasMeanAndSpread) {
 }
 
 TEST(Sample, OfCountsWithAWholeMeanIsExact) {
-  EXPECT_EQ(sample({143, 165, 154, 121, 187}).mean, 154);
+  EXPECT_EQ(sample_statistics({143, 165, 154, 121, 187}).mean, 154);
 }
 
 TEST(Sample, LeavesOutWhatIsNoNumber) {
-  const SampleStatistics found = sample({1, kNan, 3, std::numeric_limits<double>::infinity()});
+  const SampleStatistics found =
+      sample_statistics({1, kNan, 3, std::numeric_limits<double>::infinity()});
   EXPECT_EQ(found.count, 2U);
   EXPECT_EQ(found.mean, 2);
 }
 
 TEST(Sample, HasNoSpreadThatIsInfinite) {
-  const SampleStatistics huge = sample({6e307, 7e307, 5e307});
+  const SampleStatistics huge = sample_statistics({6e307, 7e307, 5e307});
   EXPECT_DOUBLE_EQ(huge.mean, 6e307);
   EXPECT_TRUE(std::isnan(huge.standard_deviation));
   EXPECT_TRUE(std::isnan(huge.standard_error));
-  EXPECT_TRUE(std::isnan(sample({-1.7e308, 1.7e308}).mean));
+  EXPECT_TRUE(std::isnan(sample_statistics({-1.7e308, 1.7e308}).mean));
 }
 
 TEST(Sample, OfOneOrNoValueHasNoSpread) {
-  EXPECT_EQ(sample({4}).mean, 4);
-  EXPECT_TRUE(std::isnan(sample({4}).standard_deviation));
-  EXPECT_TRUE(std::isnan(sample({4}).standard_error));
-  EXPECT_TRUE(std::isnan(sample({}).mean));
-  EXPECT_TRUE(std::isnan(sample({}).least));
-  EXPECT_EQ(sample({}).count, 0U);
+  EXPECT_EQ(sample_statistics({4}).mean, 4);
+  EXPECT_TRUE(std::isnan(sample_statistics({4}).standard_deviation));
+  EXPECT_TRUE(std::isnan(sample_statistics({4}).standard_error));
+  EXPECT_TRUE(std::isnan(sample_statistics({}).mean));
+  EXPECT_TRUE(std::isnan(sample_statistics({}).least));
+  EXPECT_EQ(sample_statistics({}).count, 0U);
 }
 
 TEST(Sample, OfEqualValuesHasASpreadOfExactlyZero) {
-  EXPECT_EQ(sample(std::vector<double>(16, 0.1)).standard_deviation, 0);
-  EXPECT_EQ(sample(std::vector<double>(16, 0.1)).mean, 0.1);
+  EXPECT_EQ(sample_statistics(std::vector<double>(16, 0.1)).standard_deviation, 0);
+  EXPECT_EQ(sample_statistics(std::vector<double>(16, 0.1)).mean, 0.1);
 }
 
 TEST(ShareInterval, IsThatOfWilson) {
   // The ends are the shares p with (p - share)^2 = p (1 - p) / n.
   for (const double share : {0.0, 0.1, 0.5, 1.0}) {
-    const auto [low, high] = share_interval(share, 10);
+    const auto [low, high] = wilson_interval(share, 10);
     for (const double end : {low, high}) {
       EXPECT_NEAR((end - share) * (end - share), end * (1 - end) / 10, 1e-15) << share;
     }
@@ -63,7 +64,7 @@ TEST(ShareInterval, IsThatOfWilson) {
     EXPECT_GE(high, share);
     EXPECT_LT(low, high);
   }
-  EXPECT_TRUE(std::isnan(share_interval(kNan, 0).first));
+  EXPECT_TRUE(std::isnan(wilson_interval(kNan, 0).first));
 }
 
 }  // namespace

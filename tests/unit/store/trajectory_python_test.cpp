@@ -119,7 +119,7 @@ output: {trajectory: {contacts: true}}
   grains::State state = model::initial_state(scene);
   state.particles = {testing::particle_at(5, 5)};
   state.origins = {{5, 5}};
-  contact::Force force = {.other = contact::kFloor, .point = {5, 5}, .along_normal = 2.5};
+  contact::Force force = {.other = contact::kFloor, .point = {5, 5}, .normal_force = 2.5};
   ContactFrame frame = {.velocities = {{0, 0}}, .spins = {0}, .forces = {force, force}};
   frame.forces[1].other = contact::kLeftSide;
   TrajectoryWriter writer(OutputFolder(run()), scene, state, {});

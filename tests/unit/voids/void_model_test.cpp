@@ -25,7 +25,7 @@ grains::State box_with(const std::vector<grains::Particle>& particles) {
 TEST(VoidModel, LetsALoneGrainFallStraightToTheFloor) {
   VoidModel model(box_with({particle_at(4, 3)}));
   for (int row = 2; row >= 0; --row) {
-    EXPECT_EQ(model.step().moved, 1);
+    EXPECT_EQ(model.step().moved_count, 1);
     EXPECT_EQ(model.state().particles[0].site(), (lattice::Site{4, row}));
     EXPECT_EQ(model.state().particles[0].previous,
               static_cast<grains::Move>(lattice::Direction::down));
@@ -47,18 +47,18 @@ grains::State notch() {
 
 TEST(VoidModel, MovesOneOfThreeGrainsIntoAVoid) {
   VoidModel model(notch());
-  EXPECT_EQ(model.step().moved, 1);
-  EXPECT_TRUE(model.occupancy().taken(model.state().lattice.index({4, 0})));
+  EXPECT_EQ(model.step().moved_count, 1);
+  EXPECT_TRUE(model.occupancy().is_taken(model.state().lattice.index({4, 0})));
 }
 
 TEST(VoidModel, TakesTheGrainStraightAboveWhereItAloneHasAWeight) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     grains::State state = notch();
     state.seed = seed;
-    VoidModel straight(state, {.straight = 1, .sieve = {}});
+    VoidModel straight(state, {.straight_weight = 1, .sieve_factors = {}});
     straight.step();
     EXPECT_EQ(straight.state().particles[0].site(), (lattice::Site{4, 0}));
-    VoidModel beside(state, {.straight = 0, .sieve = {}});
+    VoidModel beside(state, {.straight_weight = 0, .sieve_factors = {}});
     beside.step();
     EXPECT_EQ(beside.state().particles[0].site(), (lattice::Site{4, 1}));
   }
@@ -69,7 +69,7 @@ TEST(VoidModel, NeverTakesAGrainOfWeightZero) {
   for (grains::Particle& particle : state.particles) {
     particle.kind = 1;
   }
-  VoidModel model(state, {.straight = 1.0 / 3, .sieve = {1, 0}});
+  VoidModel model(state, {.straight_weight = 1.0 / 3, .sieve_factors = {1, 0}});
   EXPECT_TRUE(model.step().settled);
   EXPECT_EQ(model.state().particles, state.particles);
 }
@@ -85,9 +85,12 @@ TEST(VoidModel, RefusesWhatItCannotRun) {
   EXPECT_THROW(VoidModel{moving}, std::invalid_argument);
 
   const grains::State right = box_with({});
-  EXPECT_THROW(VoidModel(right, {.straight = 1.5, .sieve = {}}), std::invalid_argument);
-  EXPECT_THROW(VoidModel(right, {.straight = 0.5, .sieve = {1, -1}}), std::invalid_argument);
-  EXPECT_THROW(VoidModel(right, {.straight = 0.5, .sieve = {1}}), std::invalid_argument);
+  EXPECT_THROW(VoidModel(right, {.straight_weight = 1.5, .sieve_factors = {}}),
+               std::invalid_argument);
+  EXPECT_THROW(VoidModel(right, {.straight_weight = 0.5, .sieve_factors = {1, -1}}),
+               std::invalid_argument);
+  EXPECT_THROW(VoidModel(right, {.straight_weight = 0.5, .sieve_factors = {1}}),
+               std::invalid_argument);
   EXPECT_THROW(VoidModel(right, {}, {.threads = 0}), std::invalid_argument);
 }
 
