@@ -84,12 +84,12 @@ inline void subtract_along(Vector& remainder, std::int32_t distance, lattice::Di
 }
 
 /// Adds a velocity to a remainder. If the grain is at rest (it touches something and its speed is
-/// at most `slow`), the remainder decays instead, except its part along gravity: to lift a
+/// at most `rest_speed`), the remainder decays instead, except its part along gravity: to lift a
 /// resting grain would add energy. Returns whether the grain is at rest.
 inline bool advance_remainder(Vector& remainder, const Velocity<>& velocity, bool touches,
-                              std::int32_t slow, const UnitVector& gravity) {
+                              std::int32_t rest_speed, const UnitVector& gravity) {
   constexpr std::int32_t kForgotten = 16;  // a sixteenth in each step
-  if (!touches || squared({velocity.x, velocity.y}) > product(slow, slow)) {
+  if (!touches || squared({velocity.x, velocity.y}) > product(rest_speed, rest_speed)) {
     remainder.x = clamped(remainder.x + velocity.x, -kMaxRemainder, kMaxRemainder);
     remainder.y = clamped(remainder.y + velocity.y, -kMaxRemainder, kMaxRemainder);
     return false;
@@ -104,13 +104,15 @@ inline bool advance_remainder(Vector& remainder, const Velocity<>& velocity, boo
 /// Calls advance() for the remainders of all grains. Returns whether all grains are at rest.
 /// `touches(id)`: whether a grain touches anything.
 template <class VelocityOf, class Touches>
-bool advance_remainders(State& state, std::int32_t slow, VelocityOf velocity, Touches touches) {
+bool advance_remainders(State& state, std::int32_t rest_speed, VelocityOf velocity,
+                        Touches touches) {
   const UnitVector gravity = gravity_unit_vector(state.vessel);
   bool at_rest = true;
   for (std::uint32_t id = 0; id < state.grains.particles.size(); ++id) {
     if (state.grains.particles[id].present) {
-      at_rest = advance_remainder(state.remainders[id], velocity(id), touches(id), slow, gravity) &&
-                at_rest;
+      at_rest =
+          advance_remainder(state.remainders[id], velocity(id), touches(id), rest_speed, gravity) &&
+          at_rest;
     }
   }
   return at_rest;

@@ -141,19 +141,21 @@ void reset_rest_counters(State& state) {
   state.quiet_steps = 0;
 }
 
-std::uint64_t unmoved_steps_at_rest(std::int32_t slow) {
+std::uint64_t unmoved_steps_at_rest(std::int32_t rest_speed) {
   // A remainder grows from -2 to 1/2 along some direction at most 30 degrees off before it moves.
   constexpr std::int64_t kFarthest = std::int64_t{3} * kSpacing;
-  return slow > 0 ? std::max(kSettlingSteps, static_cast<std::uint64_t>(kFarthest / slow))
-                  : std::numeric_limits<std::uint64_t>::max();
+  return rest_speed > 0
+             ? std::max(kSettlingSteps, static_cast<std::uint64_t>(kFarthest / rest_speed))
+             : std::numeric_limits<std::uint64_t>::max();
 }
 
-bool grains_are_at_rest(const State& state, std::int32_t slow) {
-  return state.quiet_steps >= kSettlingSteps || state.unmoved_steps >= unmoved_steps_at_rest(slow);
+bool grains_are_at_rest(const State& state, std::int32_t rest_speed) {
+  return state.quiet_steps >= kSettlingSteps ||
+         state.unmoved_steps >= unmoved_steps_at_rest(rest_speed);
 }
 
 void end_step(State& state, std::span<const WallMove> walls, const SiteMoves& moves,
-              std::int32_t slow, bool at_rest) {
+              std::int32_t rest_speed, bool at_rest) {
   bool walls_moved = state.vessel.is_moving();
   for (const WallMove& move : walls) {
     grains::Wall& wall = state.grains.walls[move.wall];
@@ -167,7 +169,7 @@ void end_step(State& state, std::span<const WallMove> walls, const SiteMoves& mo
       walls_moved || !moves.moved_ids().empty() || !at_rest ? 0 : state.quiet_steps + 1;
   for (const WallMove& move : walls) {
     grains::Wall& wall = state.grains.walls[move.wall];
-    grains::end_step(*wall.motion, wall.travel, !grains_are_at_rest(state, slow));
+    grains::end_step(*wall.motion, wall.travel, !grains_are_at_rest(state, rest_speed));
   }
   const lattice::Direction before = down(state.vessel);
   state.vessel = vessel_after_step(state.vessel);

@@ -16,20 +16,21 @@
 
 namespace clca::contact {
 
-/// Ends a step: updates walls and vessel. `slow`: the rest limit; `at_rest`: no grain is faster.
+/// Ends a step: updates walls and vessel. `rest_speed`: the rest limit; `at_rest`: no grain is
+/// faster.
 void end_step(State& state, std::span<const WallMove> walls, const SiteMoves& moves,
-              std::int32_t slow, bool at_rest);
+              std::int32_t rest_speed, bool at_rest);
 
 /// Counts steps at rest from 0 again, since something may move.
 void reset_rest_counters(State& state);
 
-/// State::unmoved_steps after which grains count as at rest. `slow`: the rest limit. Grains that
-/// are faster for so long without going anywhere are held up, though their contacts let them go on,
-/// or hop to and fro.
-std::uint64_t unmoved_steps_at_rest(std::int32_t slow);
+/// State::unmoved_steps after which grains count as at rest. `rest_speed`:
+/// Rule::rest_speed_limit(). Grains that are faster for so long without going anywhere are held up,
+/// though their contacts let them move, or hop about.
+std::uint64_t unmoved_steps_at_rest(std::int32_t rest_speed);
 
 /// Whether grains have come to rest.
-bool grains_are_at_rest(const State& state, std::int32_t slow);
+bool grains_are_at_rest(const State& state, std::int32_t rest_speed);
 
 /// A step but for the moves themselves: new grains, and the energy that is exchanged.
 class ContactMechanics : public grains::Mechanics {
