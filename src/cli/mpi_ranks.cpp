@@ -43,7 +43,7 @@ class MpiRanks : public tasks::Ranks {
 
   int rank() const override { return rank_; }
   int size() const override { return size_; }
-  int on_this_machine() const override { return on_this_machine_; }
+  int size_on_this_machine() const override { return on_this_machine_; }
 
   std::uint64_t next() override { return change_counter(1, MPI_SUM); }
   void reset_counter() override { change_counter(0, MPI_REPLACE); }

@@ -136,7 +136,7 @@ CLI::Validator part_validator(std::uint64_t most) {
 }
 
 CLI::Validator key_value_validator(const std::string& key) {
-  const std::vector<std::string> words = scene::words_of(key);
+  const std::vector<std::string> words = scene::allowed_words(key);
   return CLI::Validator(words.empty() ? "" : fmt::format("{{{}}}", fmt::join(words, ",")));
 }
 

@@ -74,7 +74,7 @@ int run_python_command(const std::string& command, const Json& options,
     return code;
   }
   try {
-    receive_answer(out.rewound(), file);
+    receive_answer(out.rewound_file(), file);
   } catch (const Json::exception&) {
     throw process::ProcessError(
         fmt::format("{} answers what clca does not understand", python.string()));

@@ -40,7 +40,7 @@ int threads_of(const RunCommandOptions& options, bool is_gas) {
 /// For a gas: those of all ranks on this machine, which share its memory.
 int threads_here(const RunCommandOptions& options) {
   return threads_of(options, true) *
-         (options.run.ranks != nullptr ? options.run.ranks->on_this_machine() : 1);
+         (options.run.ranks != nullptr ? options.run.ranks->size_on_this_machine() : 1);
 }
 
 /// Advances gases for rank 0, as another rank. Returns the exit code.

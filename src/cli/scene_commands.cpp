@@ -180,7 +180,7 @@ std::string text_of(const ExplainOptions& options) {
     return scene::json_schema();
   }
   if (options.format == "quantities") {
-    return record::quantities_table();
+    return record::quantities_markdown();
   }
   const SceneAdditions additions = scene_additions(options.scene);
   std::vector<std::string> keys = options.keys;
@@ -192,7 +192,7 @@ std::string text_of(const ExplainOptions& options) {
     keys.emplace_back();
   }
   if (options.format == "columns") {
-    return record::columns_table(keys.front());
+    return record::columns_markdown(keys.front());
   }
   if (options.format == "markdown") {
     return scene::markdown_table(keys);

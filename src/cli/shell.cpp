@@ -60,11 +60,11 @@ bool names_file(const std::string& type) {
 
 Candidates key_completions(const std::string& begun, const std::string& after_last) {
   Candidates candidates;
-  for (const scene::KeyName& key : scene::keys_beginning(begun)) {
+  for (const scene::KeySummary& key : scene::keys_with_prefix(begun)) {
     if (key.has_keys) {
       candidates.push_back({key.path + ".", key.about});
     }
-    if (!key.has_keys || !scene::words_of(key.path).empty()) {
+    if (!key.has_keys || !scene::allowed_words(key.path).empty()) {
       candidates.push_back({key.path + after_last, key.about});
     }
   }
@@ -78,7 +78,7 @@ Candidates assignment_completions(const std::string& begun) {
     return key_completions(begun, "=");
   }
   Candidates candidates;
-  for (const std::string& word : scene::words_of(begun.substr(0, equals))) {
+  for (const std::string& word : scene::allowed_words(begun.substr(0, equals))) {
     candidates.push_back({begun.substr(0, begun.find_last_of("=,") + 1) + word});
   }
   return candidates;

@@ -37,7 +37,7 @@ double memory_of_rank(const SweepCommandOptions& options) {
   const double limit = memory_limit_bytes(options.scene);
   const tasks::Ranks* ranks = options.sweep.ranks;
   const bool is_shared = ranks != nullptr && !options.scene.memory_limit;
-  return is_shared ? limit / ranks->on_this_machine() : limit;
+  return is_shared ? limit / ranks->size_on_this_machine() : limit;
 }
 
 sweep::Plan plan_of(const SweepCommandOptions& options) {

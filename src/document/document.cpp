@@ -79,7 +79,8 @@ class SourceText {
       fail(location(0), "a byte order mark; save the file as UTF-8 without it");
     }
     const bool line_end = text_.substr(position, 2) == "\r\n";
-    if (text::is_control(character) && character != '\n' && character != '\t' && !line_end) {
+    if (text::is_control_character(character) && character != '\n' && character != '\t' &&
+        !line_end) {
       fail(location(position), "the control character U+{:04X} is not allowed",
            static_cast<unsigned>(character));
     }
@@ -88,7 +89,7 @@ class SourceText {
   void check_characters() const {
     bool comment = false;
     for (std::size_t i = 0; i < text_.size();) {
-      const std::size_t length = text::character_length(text_, i);
+      const std::size_t length = text::character_bytes(text_, i);
       check_character(i, length);
       if (text_[i] == '\t' && !comment) {
         fail(location(i), "a tab; indent and align with spaces");

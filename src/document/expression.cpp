@@ -142,7 +142,7 @@ class Evaluator {
   /// Puts numbers for names that have one into an expression.
   void put_numbers_for_names(Value& value) const {
     value.expression = value.text;
-    value.text = with_numbers(value.text, [&](std::string_view name) {
+    value.text = with_names_replaced(value.text, [&](std::string_view name) {
       const auto& numbers = parser_.GetConst();
       const auto found = numbers.find(std::string(name));
       return found == numbers.end() ? std::nullopt : std::optional(found->second);
@@ -231,7 +231,7 @@ std::string canonical_value(const std::string& text) {
   }
 }
 
-std::string with_numbers(
+std::string with_names_replaced(
     std::string_view expression,
     const std::function<std::optional<double>(std::string_view name)>& number_of) {
   std::string result;
@@ -258,7 +258,7 @@ void check_expression(const Value& value) {
     return evaluator.is_known(std::string(name)) || name.ends_with('-') ? std::nullopt
                                                                         : std::optional(1.0);
   };
-  evaluator.result_of(with_numbers(value.text.substr(1), any_number), value);
+  evaluator.result_of(with_names_replaced(value.text.substr(1), any_number), value);
 }
 
 std::vector<std::string> names_in(std::string_view expression, const IsKnown& is_known) {
@@ -272,12 +272,13 @@ std::vector<std::string> names_in(std::string_view expression, const IsKnown& is
   return names;
 }
 
-std::optional<double> value_of(
+std::optional<double> expression_value(
     std::string_view expression,
     const std::function<std::optional<double>(std::string_view name)>& values) {
   Value value = Value::scalar(std::string(expression), {std::make_shared<const Origin>(), 1, 1});
   try {
-    const double result = Evaluator().result_of(with_numbers(expression.substr(1), values), value);
+    const double result =
+        Evaluator().result_of(with_names_replaced(expression.substr(1), values), value);
     return std::isfinite(result) ? std::optional(result) : std::nullopt;
   } catch (const Error&) {  // a name without a value, or a value that a function refuses
     return std::nullopt;

@@ -98,7 +98,7 @@ void apply_override(Value& root, const std::string& text, std::string_view optio
       fmt::format("{} {}{}", option, text::shortened(text.substr(0, equals)), value_shown), false});
   const TextLocation location = {origin, 1, 1};
   const std::string_view whole = text;
-  std::vector<std::string> parts = parts_of_path(whole.substr(0, equals));
+  std::vector<std::string> parts = path_parts(whole.substr(0, equals));
   if (equals == std::string::npos || parts.empty() || std::ranges::count(parts, "") > 0) {
     fail(location, "expected KEY=VALUE with a key like rules.inertia");
   }

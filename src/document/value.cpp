@@ -72,7 +72,7 @@ Value* Value::find(std::string_view key) {
 
 const Value* Value::find_path(std::string_view path) const {
   const Value* at = this;
-  for (const std::string& key : parts_of_path(path)) {
+  for (const std::string& key : path_parts(path)) {
     at = at != nullptr ? at->find(key) : nullptr;
   }
   return at;
@@ -93,7 +93,7 @@ std::string found(const Value& value) {
          (value.expression.empty() ? "" : ", the value of " + text::shown(value.expression));
 }
 
-std::vector<std::string> parts_of_path(std::string_view path) {
+std::vector<std::string> path_parts(std::string_view path) {
   std::vector<std::string> parts;
   for (std::size_t start = 0; !path.empty() && start <= path.size();) {
     const std::size_t dot = std::min(path.find('.', start), path.size());
@@ -157,11 +157,11 @@ std::string value_text(const Value& value, std::size_t indent, std::size_t colum
   const bool has_maps = std::ranges::any_of(
       value.entries, [](const Entry& entry) { return entry.value.is(Value::Kind::map); });
   const bool fits =
-      !value.in_lines && !(is_top && has_maps) && column + 1 + flow.size() <= kLineWidth;
+      !value.one_entry_per_line && !(is_top && has_maps) && column + 1 + flow.size() <= kLineWidth;
   if (value.is(Value::Kind::map) && !fits && !value.entries.empty()) {
     return "\n" + entries_text(value, indent);
   }
-  if (value.is(Value::Kind::list) && value.in_lines) {
+  if (value.is(Value::Kind::list) && value.one_entry_per_line) {
     std::string result = "\n";
     for (const Value& item : value.items) {
       const std::string lines = item.is(Value::Kind::map)

@@ -41,10 +41,10 @@ class Pictures : public record::Observer {
     saved.read(kPath, history_, now.model.state());
     if (scene::pictures_compare_positions(scene_) != history_.window.has_value() ||
         (history_.window && !history_.window->precedes(now.model.state()))) {
-      throw reflection::Mismatch("its velocities are of another run");
+      throw reflection::ColumnMismatch("its velocities are of another run");
     }
     if (!history_.stage.empty() && history_.stage != now.stage.name) {
-      throw reflection::Mismatch("its pictures are of another stage");
+      throw reflection::ColumnMismatch("its pictures are of another stage");
     }
   }
   void open(const store::RunFolder& folder, const grains::State& /*now*/) override {

@@ -128,7 +128,7 @@ std::vector<contact::Vessel> vessels(const scene::Scene& scene, const std::vecto
       vessel.angle = angle_after(result.back(), frame.step - start);
     }
     if (scene.model == scene::Model::contact) {
-      vessel = vessel_in(scene, scene.stages[frame.stage], vessel);
+      vessel = vessel_at_start(scene, scene.stages[frame.stage], vessel);
     }
     result.push_back(vessel);
     start = frame.step;

@@ -130,7 +130,7 @@ std::size_t local_bin(const CellMotion& cell, double energy) {
 
 class Walls {
  public:
-  explicit Walls(const grains::State& state) : state_(state), sites_(walled_sites(state)) {}
+  explicit Walls(const grains::State& state) : state_(state), sites_(wall_mask(state)) {}
 
   /// The path of a force on a wall to the centre of the grain, against the normal: through the wall
   /// to its far side, or to that of the box behind it. The branch if it misses the wall.
@@ -216,7 +216,7 @@ double fluctuation_energy(const std::vector<FieldCell>& cells) {
 std::vector<double> fillings(const grains::State& state,
                              std::span<const lattice::Rectangle> regions) {
   const lattice::Lattice& lattice = state.lattice;
-  const std::vector<bool> wall = walled_sites(state);
+  const std::vector<bool> wall = wall_mask(state);
   std::vector<bool> covered(lattice.index_count(), false);  // a site may have two owners
   for_each_site(state, [&](lattice::Site site) { covered[lattice.index(site)] = true; });
   std::vector<double> shares;

@@ -185,7 +185,7 @@ void Outflow::add_at_start(Discharge total) {
 }
 
 double Outflow::sites_per_step() const {
-  if (during_stage().particles < 2 || events_.empty()) {
+  if (stage_discharge().particles < 2 || events_.empty()) {
     return 0;
   }
   const auto total = static_cast<double>(events_.back().sites);
@@ -209,8 +209,8 @@ bool Outflow::precedes(Discharge now) const {
   const Event last = events_.empty() ? Event() : events_.back();
   return in_order && last_.particles == now.particles && last_.sites == now.sites &&
          begin_.particles <= last_.particles && begin_.sites <= last_.sites &&
-         during_stage().particles <= during_stage().sites && last.step <= steps_ &&
-         last.sites == during_stage().sites;
+         stage_discharge().particles <= stage_discharge().sites && last.step <= steps_ &&
+         last.sites == stage_discharge().sites;
 }
 
 bool clogged(const grains::State& state, const grains::Occupancy& occupancy, std::size_t outlet,

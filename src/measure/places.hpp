@@ -54,7 +54,7 @@ inline void check_occupancy(const grains::State& state, const grains::Occupancy&
 }
 
 /// Whether a present wall covers a site, by its index in the lattice.
-inline std::vector<bool> walled_sites(const grains::State& state) {
+inline std::vector<bool> wall_mask(const grains::State& state) {
   std::vector<bool> walled(state.lattice.index_count(), false);
   for (const grains::Wall& wall : state.walls) {
     if (wall.present) {

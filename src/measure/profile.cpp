@@ -146,7 +146,7 @@ ReposeAngle repose_angle(const std::vector<double>& profile) {
 
 std::optional<double> packing_fraction(const grains::State& state) {
   const std::vector<RowBounds> bounds = row_bounds_by_column(state);
-  const std::vector<bool> walled = walled_sites(state);
+  const std::vector<bool> walled = wall_mask(state);
   double available = 0;
   for (int column = 0; column < state.lattice.columns(); ++column) {
     const RowBounds bed = bounds[static_cast<std::size_t>(column)];

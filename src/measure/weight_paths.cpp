@@ -207,7 +207,7 @@ WeightPaths weight_paths(const grains::State& state, const std::vector<Supported
   return result;
 }
 
-Base base_of(const grains::State& state) {
+Base bed_base(const grains::State& state) {
   constexpr double kLeftOut = 0.01;               // of the sites, on either side
   std::vector<std::pair<double, double>> grains;  // position and sites
   double all = 0;
@@ -228,7 +228,7 @@ Base base_of(const grains::State& state) {
   return {end(grains.begin(), grains.end()), end(grains.rbegin(), grains.rend())};
 }
 
-std::vector<double> base_pressure(const Base& base, const std::vector<contact::Force>& forces) {
+std::vector<double> base_pressures(const Base& base, const std::vector<contact::Force>& forces) {
   std::vector<double> bins(Base::kBins, 0);
   for (const contact::Force& force : forces) {
     const double position = (force.point.x() - base.left) / base.width() * Base::kBins;

@@ -23,7 +23,7 @@ std::vector<ObservationTime> observation_times(const scene::BoltzmannScene& scen
   std::vector<ObservationTime> times;
   for (const SortedTime& next : all) {
     if (times.empty() ||
-        next.time.time - times.back().time > scene::kSameTime * scene.series_every) {
+        next.time.time - times.back().time > scene::kTimeTolerance * scene.series_every) {
       times.push_back(next.time);
       continue;
     }

@@ -177,7 +177,7 @@ contact::Vessel SceneModel::vessel() const {
 
 void SceneModel::set_vessel(const scene::Stage& stage) {
   if (auto* contact = std::get_if<contact::ContactModel>(&model_)) {
-    contact->set_vessel(vessel_in(scene_, stage, contact->state_with_old_contacts().vessel));
+    contact->set_vessel(vessel_at_start(scene_, stage, contact->state_with_old_contacts().vessel));
   }
 }
 

@@ -173,13 +173,13 @@ int OutputCapture::descriptor() const {
   return ::fileno(file_.get());
 }
 
-std::FILE* OutputCapture::rewound() const {
+std::FILE* OutputCapture::rewound_file() const {
   std::rewind(file_.get());
   return file_.get();
 }
 
 std::vector<std::uint8_t> OutputCapture::bytes() const {
-  rewound();
+  rewound_file();
   std::vector<std::uint8_t> all;
   std::vector<std::uint8_t> block(1U << 16U);
   while (const std::size_t count = std::fread(block.data(), 1, block.size(), file_.get())) {

@@ -19,7 +19,7 @@ namespace clca::python {
 LoadedScene::LoadedScene(const std::string& source, const std::optional<std::string>& given,
                          const std::vector<scene::Override>& overrides)
     : file(given ? source : run::scene_file(source)),
-      text(given ? *given : scene::scene_text(file)),
+      text(given ? *given : scene::read_scene_text(file)),
       absolute_path(std::filesystem::absolute(file)),
       scene(scene::parse_any(text, file, overrides)) {
   run::prepare_scene(scene, file, run::default_memory_limit(), run::machine_thread_count());

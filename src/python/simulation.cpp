@@ -117,7 +117,8 @@ py::dict datasets_now(const Simulation& simulation) {
 py::dict summary(const Simulation& simulation) {
   using py::literals::operator""_a;
   py::list kinds;
-  for (const int degrees : scene::degrees_of(simulation.scene(), simulation.state().kinds)) {
+  for (const int degrees :
+       scene::orientation_degrees(simulation.scene(), simulation.state().kinds)) {
     kinds.append(py::dict("degrees"_a = degrees));
   }
   py::dict result("kinds"_a = kinds);

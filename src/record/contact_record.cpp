@@ -175,8 +175,8 @@ std::vector<contact::Force> ContactRecord::shown_forces(const model::SceneModel&
   return forces;
 }
 
-ObserverKind contacts_observer() {
-  return observer_kind<ContactRecord>(is_contact);
+ObserverFactory contacts_observer() {
+  return observer_factory<ContactRecord>(is_contact);
 }
 
 double frame_bytes(const scene::Scene& scene, bool has_forces, double particles) {

@@ -16,7 +16,7 @@ TableOf<CycleRow> cycles_table(const scene::Scene& scene) {
            {{"cycle", "Cycle", "", "number of those completed in the stage; 0: before the first"},
             &CycleRow::cycle},
            {kStep, [](auto& row) { return row.state().step; }},
-           {kHeightMean, [](auto& row) { return height_of(row.profile); }},
+           {kHeightMean, [](auto& row) { return bed_height(row.profile); }},
            {kReposeAngle, [](auto& row) { return measure::repose_angle(row.profile).mean(); }},
            {kIntruderHeight, [](auto& row) { return measure::intruder_height(row.state()); }},
            {kSegregationIndex, [](auto& row) { return measure::segregation_index(row.state()); }},
@@ -38,14 +38,15 @@ TableOf<measure::Arrow> convection_table(const scene::Scene& /*scene*/) {
             &Arrow::weight}}};
 }
 
-Values convection(const StageView& stage) {
+MeasureValues convection(const StageView& stage) {
   const measure::Convection* convection = stage.observers.find<CycleRecord>()->convection();
   if (convection == nullptr) {
     return {};
   }
   const auto rolls = convection->rolls();
-  return rolls ? Values{rolls->centre_minus_wall, rolls->circulation_left, rolls->circulation_right}
-               : Values(3);
+  return rolls ? MeasureValues{rolls->centre_minus_wall, rolls->circulation_left,
+                               rolls->circulation_right}
+               : MeasureValues(3);
 }
 
 bool has_cycles(const scene::Scene& scene, const scene::Stage& stage) {
@@ -145,8 +146,8 @@ void CycleRecord::add_row(const StageView& now) {
                      .cell = cell_});
 }
 
-ObserverKind cycles_observer() {
-  return observer_kind<CycleRecord>(
+ObserverFactory cycles_observer() {
+  return observer_factory<CycleRecord>(
       [](const scene::Scene& /*scene*/) { return true; }, {cycles_table, convection_table},
       {{scene::Measure::convection,
         "a wall with a wave or shake",

@@ -7,13 +7,13 @@
 
 namespace clca::record {
 
-void RestWatch::begin_anew() {
+void UnsettledBedDetector::begin_anew() {
   movers_.clear();
   steps_ = 0;
   has_advanced_ = false;
 }
 
-void RestWatch::add_move(const grains::State& state, std::uint32_t id) {
+void UnsettledBedDetector::add_move(const grains::State& state, std::uint32_t id) {
   const grains::Particle& grain = state.particles[id];
   const auto mover = std::ranges::find(movers_, id, &Mover::id);
   const bool is_known = mover != movers_.end();
@@ -27,17 +27,18 @@ void RestWatch::add_move(const grains::State& state, std::uint32_t id) {
     }
     return;
   }
-  if (is_known || movers_.size() == kMostMovers) {
+  if (is_known || movers_.size() == kMaxMovers) {
     begin_anew();
   }
   movers_.push_back({id, grain.column, grain.row, grain.row, 1});
 }
 
-std::optional<std::string> RestWatch::add(const scene::Scene& scene, const grains::State& state,
-                                          std::size_t moved) {
+std::optional<std::string> UnsettledBedDetector::add(const scene::Scene& scene,
+                                                     const grains::State& state,
+                                                     std::size_t moved) {
   const bool has_left = std::ranges::any_of(
       movers_, [&](const Mover& mover) { return !state.particles[mover.id].present; });
-  if (has_warned_ || moved > kMostMovers || has_left) {
+  if (has_warned_ || moved > kMaxMovers || has_left) {
     begin_anew();
     return std::nullopt;
   }
@@ -66,8 +67,8 @@ std::optional<std::string> RestWatch::add(const scene::Scene& scene, const grain
   return text;
 }
 
-bool RestWatch::precedes(const grains::State& state) const {
-  return movers_.size() <= kMostMovers && std::ranges::all_of(movers_, [&](const Mover& mover) {
+bool UnsettledBedDetector::precedes(const grains::State& state) const {
+  return movers_.size() <= kMaxMovers && std::ranges::all_of(movers_, [&](const Mover& mover) {
            return mover.id < state.particles.size();
          });
 }
@@ -139,17 +140,17 @@ std::optional<double> EnergyRecord::growth() const {
   return is_closed_ ? std::optional(growth_) : std::nullopt;
 }
 
-ObserverKind energy_observer() {
-  return observer_kind<EnergyRecord>(
+ObserverFactory energy_observer() {
+  return observer_factory<EnergyRecord>(
       is_contact, {},
       {{{},
         "model `contact`, stages without sources in which neither walls nor the vessel move",
         {{"energy_growth", "Growth of the energy", "",
           "most that it has grown in the stage, as a share of that at its start"}},
-        [](const StageView& stage) -> Values {
+        [](const StageView& stage) -> MeasureValues {
           const auto* energy = stage.observers.find<EnergyRecord>();
           const auto growth = energy != nullptr ? energy->growth() : std::nullopt;
-          return growth ? Values{*growth} : Values{};
+          return growth ? MeasureValues{*growth} : MeasureValues{};
         }}});
 }
 

@@ -12,13 +12,13 @@
 namespace clca::record {
 
 /// Finds a bed that does not come to rest, by the few grains that move on.
-class RestWatch {
+class UnsettledBedDetector {
  public:
-  static constexpr std::size_t kMostMovers = 3;
+  static constexpr std::size_t kMaxMovers = 3;
   static constexpr std::uint64_t kSteps = 2000;
 
   /// After a step in which `moved` grains have moved. Once, what there is to warn of: for kSteps
-  /// steps the same grains, kMostMovers at most, have been the only ones that moved, none of them
+  /// steps the same grains, kMaxMovers at most, have been the only ones that moved, none of them
   /// has come lower or flies up, and one has gone farther than to a neighbouring site and back;
   /// else the bed settles by itself.
   std::optional<std::string> add(const scene::Scene& scene, const grains::State& state,
@@ -89,7 +89,7 @@ class EnergyRecord : public SavedObserver<EnergyRecord> {
   double growth_ = 0;  // greatest rise above it, as a share of the scale of add()
   bool has_warned_ = false;
   bool has_been_too_fast_ = false;
-  RestWatch rest_;  // of the stage
+  UnsettledBedDetector rest_;  // of the stage
 };
 
 }  // namespace clca::record

@@ -91,7 +91,7 @@ class FieldRecord : public SavedObserver<FieldRecord> {
   }
   std::vector<RunTable*> tables() override { return {&fields_table_, &fluctuation_table_}; }
 
-  Values measures() const {
+  MeasureValues measures() const {
     const auto distance = [&](const std::vector<double>& shares) {
       const auto reference = statistics::chi_square_shares(fluctuations_.bins(), 2);
       return fluctuations_.samples() > 0
@@ -161,8 +161,8 @@ class FieldRecord : public SavedObserver<FieldRecord> {
 
 }  // namespace
 
-ObserverKind fields_observer() {
-  return observer_kind<FieldRecord>(
+ObserverFactory fields_observer() {
+  return observer_factory<FieldRecord>(
       [](const scene::Scene& scene) { return scene.output.fields.has_value(); },
       {fields_table, fluctuation_table},
       {{{},
@@ -180,7 +180,7 @@ ObserverKind fields_observer() {
           "in cells of fewer than 5 particles"}},
         [](const StageView& stage) {
           const auto* fields = stage.observers.find<FieldRecord>();
-          return fields != nullptr ? fields->measures() : Values();
+          return fields != nullptr ? fields->measures() : MeasureValues();
         }}});
 }
 

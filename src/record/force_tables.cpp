@@ -373,8 +373,8 @@ class ForceTables : public Observer {
 
 }  // namespace
 
-ObserverKind force_tables_observer() {
-  return observer_kind<ForceTables>(
+ObserverFactory force_tables_observer() {
+  return observer_factory<ForceTables>(
       [](const scene::Scene& scene) {
         return requests(scene, scene::Measure::force) && (is_contact(scene) || has_overlaps(scene));
       },

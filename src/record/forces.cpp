@@ -42,14 +42,14 @@ constexpr Quantity kShareAboveMean = {"force_share_above_mean", "Contacts above 
 constexpr Quantity kTailBeta = {"force_tail_beta", "Tail of the forces, β", "",
                                 "of exp(-β f/⟨f⟩), which the forces above the mean f follow"};
 
-Values values_of(const std::optional<measure::ForceDistribution>& distribution) {
-  return distribution
-             ? Values{distribution->share_above_mean, store::value_or_null(distribution->beta)}
-             : Values(2);
+MeasureValues values_of(const std::optional<measure::ForceDistribution>& distribution) {
+  return distribution ? MeasureValues{distribution->share_above_mean,
+                                      store::value_or_null(distribution->beta)}
+                      : MeasureValues(2);
 }
 
 /// Of grains that touch.
-Values contact_forces(const StageView& stage) {
+MeasureValues contact_forces(const StageView& stage) {
   const auto* contacts = stage.observers.find<ContactRecord>();
   if (contacts == nullptr) {
     return {};
@@ -69,12 +69,12 @@ Values contact_forces(const StageView& stage) {
   const auto per_grain = [&](double sum) {
     return grains > 0 ? store::MeasureValue(sum / grains) : store::MeasureValue();
   };
-  const Values shape = values_of(normal_force_distribution(forces));
+  const MeasureValues shape = values_of(normal_force_distribution(forces));
   return {per_grain(touching), shape[0], shape[1], per_grain(residual), per_grain(floor)};
 }
 
 /// Of walls that overlap grains.
-Values overlap_forces(const StageView& stage) {
+MeasureValues overlap_forces(const StageView& stage) {
   const auto* overlaps = stage.observers.find<OverlapRecord>();
   if (overlaps == nullptr) {
     return {};
@@ -83,7 +83,7 @@ Values overlap_forces(const StageView& stage) {
   const grains::Occupancy& occupancy = stage.model.grains().occupancy();
   const auto contacts = measure::contacts(state, occupancy);
   const auto summary = measure::force_summary(state, occupancy, contacts);
-  const Values shape = values_of(overlaps->distribution(contacts));
+  const MeasureValues shape = values_of(overlaps->distribution(contacts));
   std::optional<double> depth;          // of the deepest wall
   std::optional<double> stalled_since;  // of the first to stall
   for (const measure::WallOverlap& overlap : summary.walls) {
@@ -110,8 +110,8 @@ Values overlap_forces(const StageView& stage) {
 
 }  // namespace
 
-ObserverKind overlaps_observer() {
-  return observer_kind<OverlapRecord>(has_overlaps);
+ObserverFactory overlaps_observer() {
+  return observer_factory<OverlapRecord>(has_overlaps);
 }
 
 std::vector<QuantityGroup> force_quantities() {
@@ -144,8 +144,8 @@ std::vector<QuantityGroup> force_quantities() {
        overlap_forces}};
 }
 
-std::vector<std::string> stall_lines(const scene::Scene& scene, const model::SceneModel& model,
-                                     const std::vector<double>& surface_at_start) {
+std::vector<std::string> stall_messages(const scene::Scene& scene, const model::SceneModel& model,
+                                        const std::vector<double>& surface_at_start) {
   const grains::State& state = model.state();
   const auto contacts = measure::contacts(state, model.grains().occupancy());
   std::vector<std::string> lines;

@@ -97,7 +97,7 @@ struct GasRow {
 TableOf<GasRow> gas_series_table(const GasScene& scene) {
   std::vector<ColumnGroup<GasRow>> columns = {
       {kWithList,
-       scene.lists_restitutions,
+       scene.has_restitution_list,
        {{kRestitution, [](auto& row) { return row.gases.restitution; }}}},
       {"", true, {{kGasTime, &GasRow::time}}}};
   for (const GasValue& value : gas_values()) {
@@ -121,7 +121,7 @@ struct GasBin {
 TableOf<GasBin> gas_histogram_table(const GasScene& scene) {
   return {{.name = "histogram", .kind = TableInfo::Kind::parts},
           {},
-          {{kWithList, scene.lists_restitutions, {{kRestitution, &GasBin::restitution}}},
+          {{kWithList, scene.has_restitution_list, {{kRestitution, &GasBin::restitution}}},
            {"",
             true,
             {{{"energy", "Energy", "", "`translational` or `rotational`"}, &GasBin::energy},
@@ -146,7 +146,7 @@ TableOf<GasClosure> gas_closure_table(const GasScene& scene) {
   return {
       {.name = "closure", .kind = TableInfo::Kind::whole},
       {},
-      {{kWithList, scene.lists_restitutions, {{kRestitution, &GasClosure::restitution}}},
+      {{kWithList, scene.has_restitution_list, {{kRestitution, &GasClosure::restitution}}},
        {"", true, {{kGasTime, &GasClosure::time}, {kTranslational, &GasClosure::translational}}},
        {"without shear", scene.shear_rate == 0, {{kRotational, &GasClosure::rotational}}},
        {kWithShear,
@@ -259,14 +259,14 @@ std::vector<const model::GasMember*> GasCase::members_with(std::size_t observati
   return those;
 }
 
-std::vector<store::TableSummary> gas_summary(const GasScene& scene) {
+std::vector<store::TableSummary> gas_table_summaries(const GasScene& scene) {
   return {{"series", GasSeries(scene, gas_series_table(scene)).summary()},
           {"histogram", GasHistogram(scene, gas_histogram_table(scene)).summary()},
           {"closure", Closure(scene, gas_closure_table(scene)).summary()}};
 }
 
-void write_tables(const GasScene& scene, const std::vector<GasCase>& cases,
-                  const store::OutputFolder& folder) {
+void write_gas_tables(const GasScene& scene, const std::vector<GasCase>& cases,
+                      const store::OutputFolder& folder) {
   const std::vector<model::ObservationTime> times = model::observation_times(scene);
   GasSeries series(scene, gas_series_table(scene));
   for (const GasCase& gas_case : cases) {

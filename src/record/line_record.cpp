@@ -129,8 +129,8 @@ class LineRecord : public SavedObserver<LineRecord> {
 
 }  // namespace
 
-ObserverKind lines_observer() {
-  return observer_kind<LineRecord>(
+ObserverFactory lines_observer() {
+  return observer_factory<LineRecord>(
       [](const scene::Scene& scene) { return !scene.lines.empty() && scene.output.series; },
       {lines_table});
 }

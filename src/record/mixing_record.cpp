@@ -56,7 +56,7 @@ class MixingRecord : public SavedObserver<MixingRecord> {
   TableWriter<MixingRow> table_;
 };
 
-Values mixing(const StageView& stage) {
+MeasureValues mixing(const StageView& stage) {
   const auto& fallen = stage.observers.find<MixingRecord>()->fallen();
   const auto at = [&](std::size_t diameters, double (measure::FallenPairs::*value)() const) {
     return diameters <= fallen.size() ? store::MeasureValue((fallen[diameters - 1].*value)())
@@ -68,8 +68,8 @@ Values mixing(const StageView& stage) {
 
 }  // namespace
 
-ObserverKind mixing_observer() {
-  return observer_kind<MixingRecord>(
+ObserverFactory mixing_observer() {
+  return observer_factory<MixingRecord>(
       [](const scene::Scene& scene) { return requests(scene, scene::Measure::mixing); },
       {mixing_table},
       {{scene::Measure::mixing,

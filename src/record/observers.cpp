@@ -6,23 +6,23 @@ namespace clca::record {
 
 // Where many sources are one, the functions may come before.
 // NOLINTBEGIN(readability-redundant-declaration)
-ObserverKind cycles_observer();
-ObserverKind fields_observer();
-ObserverKind lines_observer();
-ObserverKind mixing_observer();
-ObserverKind overlaps_observer();
-ObserverKind contacts_observer();
-ObserverKind energy_observer();
-ObserverKind series_observer();
-ObserverKind probes_observer();
-ObserverKind trajectory_observer();
-ObserverKind profile_observer();
-ObserverKind force_tables_observer();
-ObserverKind weight_paths_observer();
+ObserverFactory cycles_observer();
+ObserverFactory fields_observer();
+ObserverFactory lines_observer();
+ObserverFactory mixing_observer();
+ObserverFactory overlaps_observer();
+ObserverFactory contacts_observer();
+ObserverFactory energy_observer();
+ObserverFactory series_observer();
+ObserverFactory probes_observer();
+ObserverFactory trajectory_observer();
+ObserverFactory profile_observer();
+ObserverFactory force_tables_observer();
+ObserverFactory weight_paths_observer();
 // NOLINTEND(readability-redundant-declaration)
 
-const std::vector<ObserverKind>& observer_kinds() {
-  static const std::vector<ObserverKind> kAll = {
+const std::vector<ObserverFactory>& observer_factories() {
+  static const std::vector<ObserverFactory> kAll = {
       cycles_observer(),      fields_observer(),     lines_observer(),   mixing_observer(),
       overlaps_observer(),    contacts_observer(),   energy_observer(),  series_observer(),
       probes_observer(),      trajectory_observer(), profile_observer(), force_tables_observer(),
@@ -30,9 +30,9 @@ const std::vector<ObserverKind>& observer_kinds() {
   return kAll;
 }
 
-std::vector<std::unique_ptr<Observer>> observers_of(const scene::Scene& scene) {
+std::vector<std::unique_ptr<Observer>> make_observers(const scene::Scene& scene) {
   std::vector<std::unique_ptr<Observer>> all;
-  for (const ObserverKind& kind : observer_kinds()) {
+  for (const ObserverFactory& kind : observer_factories()) {
     if (auto observer = kind.make(scene)) {
       all.push_back(std::move(observer));
     }
@@ -42,7 +42,7 @@ std::vector<std::unique_ptr<Observer>> observers_of(const scene::Scene& scene) {
 
 double observer_bytes(const scene::Scene& scene, double particles) {
   double bytes = 0;
-  for (const ObserverKind& kind : observer_kinds()) {
+  for (const ObserverFactory& kind : observer_factories()) {
     bytes += kind.bytes ? kind.bytes(scene, particles) : 0;
   }
   return bytes;

@@ -45,7 +45,7 @@ Rates rates(const scene::Scene& scene, const measure::Outflow& outflow) {
     const double per_time = per_step / conversion->time_step;
     all.emplace_back(kPerTime, per_time);
     if (conversion->site) {
-      const measure::Discharge left = outflow.during_stage();
+      const measure::Discharge left = outflow.stage_discharge();
       const double sites =
           left.particles > 0 ? static_cast<double>(left.sites) / static_cast<double>(left.particles)
                              : 1;
@@ -58,9 +58,9 @@ Rates rates(const scene::Scene& scene, const measure::Outflow& outflow) {
 
 /// Of all outlets, `count` rates from `first` on, if the scene has them.
 template <std::size_t kFirst, std::size_t kCount>
-Values some_rates(const StageView& stage) {
+MeasureValues some_rates(const StageView& stage) {
   const Rates all = rates(stage.scene, stage.history.outflow);
-  Values values;
+  MeasureValues values;
   for (std::size_t i = kFirst; i < std::min(kFirst + kCount, all.size()); ++i) {
     values.emplace_back(all[i].second);
   }
@@ -79,12 +79,12 @@ std::vector<bool> clogged(const StageView& stage) {
   return clogged;
 }
 
-Values discharged(const StageView& stage) {
+MeasureValues discharged(const StageView& stage) {
   if (stage.model.state().outlets.empty()) {
     return {};
   }
   const std::vector<bool> outlets = clogged(stage);
-  return {static_cast<double>(stage.history.outflow.during_stage().particles),
+  return {static_cast<double>(stage.history.outflow.stage_discharge().particles),
           stage.history.discharged_share(), std::ranges::find(outlets, true) != outlets.end()};
 }
 

@@ -110,8 +110,8 @@ class Probes : public Observer {
 
 }  // namespace
 
-ObserverKind probes_observer() {
-  return observer_kind<Probes>(
+ObserverFactory probes_observer() {
+  return observer_factory<Probes>(
       [](const scene::Scene& scene) { return scene.output.series && !scene.probes.empty(); },
       {probes_table});
 }

@@ -42,8 +42,8 @@ class Profile : public Observer {
 
 }  // namespace
 
-ObserverKind profile_observer() {
-  return observer_kind<Profile>(
+ObserverFactory profile_observer() {
+  return observer_factory<Profile>(
       [](const scene::Scene& scene) { return requests(scene, scene::Measure::profile); },
       {profile_table});
 }

@@ -83,13 +83,13 @@ std::vector<TableInfo> sweep_tables() {
                     "since the stage began"},
                    {"runs", "Runs", "", "number of values"},
                    {"COLUMN", "Mean", "of the column", "of each column, over the seeds"}})};
-  all.back().columns.back().endings = {"", kErrorEnding};
+  all.back().columns.back().endings = {"", kErrorSuffix};
   return all;
 }
 
 /// What is declared of a kind of runs.
 struct Declared {
-  std::string prefix;  ///< of the names of its tables in columns_table(): `gas.`
+  std::string prefix;  ///< of the names of its tables in columns_markdown(): `gas.`
   std::string of;      ///< follows the name of a file: ` of a gas`
   std::string where;   ///< where its measures are: `run.json of a gas`
   std::vector<Quantity> measures = {};
@@ -101,7 +101,7 @@ Declared declared_of_grains() {
   for (const QuantityGroup& group : stage_quantities()) {
     all.measures.insert(all.measures.end(), group.quantities.begin(), group.quantities.end());
   }
-  for (const ObserverKind& kind : observer_kinds()) {
+  for (const ObserverFactory& kind : observer_factories()) {
     for (const auto& table : kind.tables) {
       all.tables.push_back(table({}));
     }
@@ -234,16 +234,16 @@ KnownQuantities known_quantities(const store::RunSummary& summary) {
           .derived = summary.derived_measures};
 }
 
-std::vector<store::ColumnSummary> sweep_summary(std::string_view table,
-                                                const std::vector<std::string>& columns,
-                                                const KnownQuantities& known) {
+std::vector<store::ColumnSummary> sweep_column_summaries(std::string_view table,
+                                                         const std::vector<std::string>& columns,
+                                                         const KnownQuantities& known) {
   const bool is_of_means = table.starts_with("mean-");
   const std::vector<TableInfo>& tables = declared(KnownQuantities::Kind::sweep).tables;
   const auto info =
       std::ranges::find(tables, is_of_means ? std::string_view("mean") : table, &TableInfo::name);
   std::vector<store::ColumnSummary> result;
   for (const std::string& key : columns) {
-    const std::size_t ending = key.ends_with(kErrorEnding) ? kErrorEnding.size() : 0;
+    const std::size_t ending = key.ends_with(kErrorSuffix) ? kErrorSuffix.size() : 0;
     const std::string of = key.substr(0, key.size() - ending);
     const Quantity* own = info != tables.end() ? find_column({&*info, 1}, key) : nullptr;
     auto found = own != nullptr ? std::optional(summary_of(key, *own, known.units))
@@ -258,7 +258,7 @@ std::vector<store::ColumnSummary> sweep_summary(std::string_view table,
   return result;
 }
 
-std::vector<std::string> sweep_measures() {
+std::vector<std::string> sweep_measure_names() {
   std::vector<std::string> keys;
   for (const Quantity& quantity : declared(KnownQuantities::Kind::sweep).measures) {
     keys.emplace_back(quantity.key);
@@ -266,7 +266,7 @@ std::vector<std::string> sweep_measures() {
   return keys;
 }
 
-std::vector<std::string> sweep_columns(
+std::vector<std::string> sweep_column_names(
     std::string_view table, const std::map<std::string_view, std::vector<std::string>>& names) {
   const std::vector<TableInfo>& tables = declared(KnownQuantities::Kind::sweep).tables;
   std::vector<std::string> columns;
@@ -322,7 +322,7 @@ std::vector<std::string> table_names() {
   return names;
 }
 
-std::string columns_table(std::string_view table) {
+std::string columns_markdown(std::string_view table) {
   if (table == kTrajectory) {
     return store::datasets_markdown_table();
   }
@@ -341,7 +341,7 @@ std::string columns_table(std::string_view table) {
     const Quantity& what = column.quantity;
     const std::string names = !column.of_each.empty()
                                   ? fmt::format("`{}.{}`", what.key, column.of_each)
-                              : column.endings.back() == kErrorEnding
+                              : column.endings.back() == kErrorSuffix
                                   ? fmt::format("`{}` (`_se`)", what.key)
                                   : fmt::format("`{}`", fmt::join(column.names(), "`, `"));
     text += fmt::format("| {} | {} | {}{}{} |\n", names, what.unit, described(what),
@@ -350,7 +350,7 @@ std::string columns_table(std::string_view table) {
   return text;
 }
 
-std::string quantities_table() {
+std::string quantities_markdown() {
   std::string table = "| measure | in run.json | unit | what |\n|---|---|---|---|\n";
   std::optional<scene::Measure> above;
   for (const QuantityGroup& group : stage_quantities()) {

@@ -404,8 +404,8 @@ class Series : public SavedObserver<Series> {
 
 }  // namespace
 
-ObserverKind series_observer() {
-  return observer_kind<Series>(
+ObserverFactory series_observer() {
+  return observer_factory<Series>(
       [](const scene::Scene& scene) { return scene.output.series.has_value(); }, {series_table});
 }
 

@@ -25,7 +25,7 @@ namespace {
 constexpr std::string_view kFlank =
     "straight line through the surface between 15 % and 80 % of its height";
 
-Values values_of(const measure::ReposeAngle& angle) {
+MeasureValues values_of(const measure::ReposeAngle& angle) {
   return {store::value_or_null(angle.mean()), store::value_or_null(angle.left.degrees),
           store::value_or_null(angle.right.degrees)};
 }
@@ -39,7 +39,7 @@ measure::ReposeAngle repose_in_gravity(const model::SceneModel& model) {
       measure::surface_profile(model.state(), contact::gravity_direction(model.vessel())));
 }
 
-Values axis_order(const StageView& stage) {
+MeasureValues axis_order(const StageView& stage) {
   if (stage.scene.model != scene::Model::baxter) {
     return {};
   }
@@ -54,7 +54,7 @@ std::vector<QuantityGroup> made_groups() {
        {kReposeAngle,
         {"repose_left_deg", "Slope, left flank", "degrees", kFlank, true},
         {"repose_right_deg", "Slope, right flank", "degrees", "as `repose_left_deg`", true}},
-       [](const StageView& stage) -> Values {
+       [](const StageView& stage) -> MeasureValues {
          return values_of(measure::repose_angle(measure::surface_profile(stage.model.state())));
        }},
       {Measure::repose,
@@ -63,10 +63,10 @@ std::vector<QuantityGroup> made_groups() {
         {"repose_gravity_left_deg", "Slope against gravity, left flank", "degrees", kFlank},
         {"repose_gravity_right_deg", "Slope against gravity, right flank", "degrees",
          "as `repose_gravity_left_deg`"}},
-       [](const StageView& stage) -> Values {
+       [](const StageView& stage) -> MeasureValues {
          return model::has_vessel(stage.scene) && !stage.model.state().lattice.periodic()
                     ? values_of(repose_in_gravity(stage.model))
-                    : Values{};
+                    : MeasureValues{};
        }},
       {Measure::runout,
        "",
@@ -74,26 +74,26 @@ std::vector<QuantityGroup> made_groups() {
          "how far the 99th percentile of its sites lies beyond its origins", true},
         {"runout_front", "Run-out of the front", "spacings",
          "how far the outermost site lies beyond the origins", true}},
-       [](const StageView& stage) -> Values {
+       [](const StageView& stage) -> MeasureValues {
          const auto runout = measure::runout(stage.model.state());
-         return runout ? Values{runout->percent_99, runout->front} : Values(2);
+         return runout ? MeasureValues{runout->percent_99, runout->front} : MeasureValues(2);
        }},
       {Measure::packing,
        "",
        {{"packing_fraction", "Packing fraction", "",
          "sites of particles over the sites that the bed could fill"},
         kHeightMean},
-       [](const StageView& stage) -> Values {
+       [](const StageView& stage) -> MeasureValues {
          const grains::State& state = stage.model.state();
          return {store::value_or_null(measure::packing_fraction(state)),
-                 store::value_or_null(height_of(measure::surface_profile(state)))};
+                 store::value_or_null(bed_height(measure::surface_profile(state)))};
        }},
       {Measure::moved,
        "",
        {{"moved_share", "Share moved", "",
          "of the particles, by more than the smallest diameter from where the stage began"},
         {"moved_share_2", "Share moved, 2 spacings", "", "by more than 2 spacings"}},
-       [](const StageView& stage) -> Values {
+       [](const StageView& stage) -> MeasureValues {
          const grains::State& state = stage.model.state();
          return {
              store::value_or_null(measure::moved_share(state, measure::smallest_diameter(state))),
@@ -107,7 +107,7 @@ std::vector<QuantityGroup> made_groups() {
   add({{Measure::segregation,
         "several species",
         {kSegregationIndex, kLaceyIndex},
-        [](const StageView& stage) -> Values {
+        [](const StageView& stage) -> MeasureValues {
           if (stage.scene.species.size() < 2) {
             return {};
           }
@@ -119,21 +119,24 @@ std::vector<QuantityGroup> made_groups() {
        {Measure::intruder,
         "a single particle of a species",
         {kIntruderHeight},
-        [](const StageView& stage) -> Values {
+        [](const StageView& stage) -> MeasureValues {
           const auto height = measure::intruder_height(stage.model.state());
-          return height ? Values{*height} : Values{};
+          return height ? MeasureValues{*height} : MeasureValues{};
         }},
        {Measure::axis_order,
         "with `model: baxter`",
         {{"axis_order", "Order of axes", "",
           "share of the pairs of neighbouring grains with the same axis; a third at random"}},
         axis_order},
-       {{}, "with a [vessel](#vessel)", {kVesselAngle}, [](const StageView& stage) -> Values {
+       {{},
+        "with a [vessel](#vessel)",
+        {kVesselAngle},
+        [](const StageView& stage) -> MeasureValues {
           return model::has_vessel(stage.scene)
-                     ? Values{contact::to_degrees(stage.model.vessel().angle)}
-                     : Values{};
+                     ? MeasureValues{contact::to_degrees(stage.model.vessel().angle)}
+                     : MeasureValues{};
         }}});
-  for (const ObserverKind& kind : observer_kinds()) {
+  for (const ObserverFactory& kind : observer_factories()) {
     add(kind.quantities);
   }
   return groups;
@@ -146,7 +149,7 @@ void add(std::vector<store::NamedMeasure>& results, const std::optional<scene::M
     if (group.measure != measure) {
       continue;
     }
-    const Values values = group.values(stage);
+    const MeasureValues values = group.values(stage);
     if (!values.empty() && values.size() != group.quantities.size()) {
       throw std::logic_error(fmt::format("the group of {} has {} values for {} quantities",
                                          group.quantities.front().key, values.size(),
@@ -217,8 +220,8 @@ void add_derived(std::vector<store::NamedMeasure>& results, const StageView& sta
                                                                   : std::nullopt;
   };
   for (const scene::DerivedMeasure& derived : stage.scene.derived) {
-    results.emplace_back(derived.name,
-                         store::value_or_null(document::value_of(derived.value, number_of)));
+    results.emplace_back(
+        derived.name, store::value_or_null(document::expression_value(derived.value, number_of)));
     note(results.back());
   }
 }
@@ -250,7 +253,7 @@ StageHistory::StageHistory(const scene::Scene& scene, const grains::State& state
 void StageHistory::begin(const grains::State& state) {
   add_discharge(*this, state, &measure::Outflow::add_at_start);
   profile_at_start = measure::surface_profile(state);
-  particles_at_start = grains::present_count(state) + outflow.during_stage().particles;
+  particles_at_start = grains::present_count(state) + outflow.stage_discharge().particles;
 }
 
 void StageHistory::add_step(const grains::StepReport& report, const grains::State& state) {
@@ -262,7 +265,7 @@ void StageHistory::add_step(const grains::StepReport& report, const grains::Stat
 
 double StageHistory::discharged_share() const {
   const auto all = static_cast<double>(particles_at_start + emitted);
-  return all > 0 ? static_cast<double>(outflow.during_stage().particles) / all : 0;
+  return all > 0 ? static_cast<double>(outflow.stage_discharge().particles) / all : 0;
 }
 
 std::vector<store::NamedMeasure> stage_measures(const StageView& stage) {

@@ -63,8 +63,8 @@ class TrajectoryObserver : public Observer {
 
 }  // namespace
 
-ObserverKind trajectory_observer() {
-  return observer_kind<TrajectoryObserver>(
+ObserverFactory trajectory_observer() {
+  return observer_factory<TrajectoryObserver>(
       [](const scene::Scene& scene) { return scene.output.trajectory.has_value(); });
 }
 

@@ -14,7 +14,7 @@ namespace {
 /// Pressures on the base at the end of a stage: by each rule; last, by forces of the contact model.
 struct BasePressures {
   measure::Base base;
-  std::vector<std::vector<double>> shares = {};  ///< measure::base_pressure
+  std::vector<std::vector<double>> shares = {};  ///< measure::base_pressures
   std::vector<std::size_t> outside = {};         ///< measure::WeightPaths, of the rules
   std::size_t unsupported = 0;
 };
@@ -22,9 +22,9 @@ struct BasePressures {
 BasePressures base_pressures(const StageView& stage) {
   const grains::State& state = stage.model.state();
   const auto supported = measure::supported_grains(state, stage.model.grains().occupancy());
-  BasePressures result = {.base = measure::base_of(state)};
+  BasePressures result = {.base = measure::bed_base(state)};
   const auto add = [&](const std::vector<contact::Force>& forces) {
-    result.shares.push_back(base_pressure(result.base, forces));
+    result.shares.push_back(base_pressures(result.base, forces));
   };
   for (const measure::WeightRule rule : measure::kWeightRules) {
     const measure::WeightPaths paths = weight_paths(state, supported, rule);
@@ -99,10 +99,10 @@ store::MeasureValue centre_minus_ring(const std::vector<double>& shares) {
   return shares.empty() ? store::MeasureValue() : measure::centre_minus_ring(shares);
 }
 
-Values values_of_weight_rules(const StageView& stage) {
+MeasureValues values_of_weight_rules(const StageView& stage) {
   const BasePressures pressures = base_pressures(stage);
   const auto grains = static_cast<double>(grains::present_count(stage.model.state()));
-  Values result;
+  MeasureValues result;
   for (std::size_t rule = 0; rule < measure::kWeightRules.size(); ++rule) {
     result.push_back(centre_minus_ring(pressures.shares[rule]));
   }
@@ -127,12 +127,12 @@ store::MeasureValue deviation(const std::vector<double>& one, const std::vector<
   return std::sqrt(squares / static_cast<double>(one.size()));
 }
 
-Values values_of_contact_forces(const StageView& stage) {
+MeasureValues values_of_contact_forces(const StageView& stage) {
   if (!is_contact(stage.scene)) {
     return {};
   }
   const BasePressures pressures = base_pressures(stage);
-  Values result = {centre_minus_ring(pressures.shares.back())};
+  MeasureValues result = {centre_minus_ring(pressures.shares.back())};
   for (std::size_t rule = 0; rule < measure::kWeightRules.size(); ++rule) {
     result.push_back(deviation(pressures.shares[rule], pressures.shares.back()));
   }
@@ -146,8 +146,8 @@ constexpr std::string_view kDeviation =
 
 }  // namespace
 
-ObserverKind weight_paths_observer() {
-  return observer_kind<WeightPathsRecord>(
+ObserverFactory weight_paths_observer() {
+  return observer_factory<WeightPathsRecord>(
       [](const scene::Scene& scene) { return requests(scene, scene::Measure::weight_paths); },
       {weight_paths_table},
       {{scene::Measure::weight_paths,

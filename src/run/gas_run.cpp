@@ -188,7 +188,7 @@ void GasRun::run_cases() {
       save_course();
     }
     finish_case(gas_case);
-    record::write_tables(scene_, course_.cases, folder().output_folder());
+    record::write_gas_tables(scene_, course_.cases, folder().output_folder());
   }
 }
 
@@ -204,7 +204,7 @@ void GasRun::run_case(record::GasCase& gas_case) {
   }
   forecast_ = record::TimeEstimate();
   const std::vector<GasShare> shares = shares_of(gas_case);
-  ranks_.hand_out([&](int rank) {
+  ranks_.hand_out_work([&](int rank) {
     return message_bytes(shares[static_cast<std::size_t>(rank)], scene::to_yaml(scene_));
   });
   tasks::Pool<bool> pool(threads_.gases, ranks_, shares[0].shared, work(gas_case),
@@ -364,7 +364,7 @@ void GasRun::complete_summary(store::RunSummary& summary) const {
   summary.ranks = ranks_.size();
   summary.particles = scene_.particles * scene_.ensemble;
   summary.steps = steps_;
-  summary.table_descriptions = record::gas_summary(scene_);
+  summary.table_descriptions = record::gas_table_summaries(scene_);
   summary.step_seconds = summary.wall_seconds;
   summary.rate_per_second = collisions() / std::max(summary.wall_seconds, kMinSeconds);
   summary.state_hash = hash_.value();
@@ -388,7 +388,7 @@ void advance(GasShare share, const scene::BoltzmannScene& scene, const RunOption
   for (const auto& [number, _] : share.begun) {
     pool.add(number);
   }
-  tasks::serve(pool, *options.ranks);
+  tasks::send_results(pool, *options.ranks);
 }
 
 }  // namespace

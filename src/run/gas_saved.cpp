@@ -12,11 +12,11 @@ namespace {
 
 void require_of_run(bool holds, const char* reason) {
   if (!holds) {
-    throw reflection::Mismatch(reason);
+    throw reflection::ColumnMismatch(reason);
   }
 }
 
-/// Throws reflection::Mismatch unless a run of the scene can have saved it.
+/// Throws reflection::ColumnMismatch unless a run of the scene can have saved it.
 void check(const SavedGasRun& course, const scene::BoltzmannScene& scene) {
   const std::vector<model::ObservationTime> times = model::observation_times(scene);
   const std::size_t lasting = model::lasting_time_count(scene);
@@ -105,7 +105,7 @@ SavedGasRun saved_gas_run(const SavedRun& saved) {
   try {
     reflection::decode(kGasesPath, checkpoint.fields, saved.max_bytes, course);
     check(course, old_scene);
-  } catch (const reflection::Mismatch& error) {
+  } catch (const reflection::ColumnMismatch& error) {
     throw mismatched_checkpoint(saved.folder.path(), error.what());
   }
   if (old_scene.until != std::get<scene::BoltzmannScene>(saved.scene).until) {

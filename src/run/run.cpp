@@ -30,7 +30,7 @@ namespace {
 /// Pictures see a moment last.
 record::Observers observers_of(const scene::Scene& scene, const grains::State& state,
                                const RunOptions& options) {
-  auto all = record::observers_of(scene);
+  auto all = record::make_observers(scene);
   if (scene.output.frames && options.pictures != WantedPictures::none) {
     all.push_back(drawing::pictures_observer(scene, state, options.threads,
                                              options.pictures == WantedPictures::last));
@@ -205,7 +205,7 @@ void Run::end_stage(StageEnd end) {
   for (const std::string& note : stage_summaries().back().notes) {
     info(fmt::format("stage {}: {}", stage().name, note));
   }
-  for (const std::string& line : record::stall_lines(scene_, model_, history.profile_at_start)) {
+  for (const std::string& line : record::stall_messages(scene_, model_, history.profile_at_start)) {
     info(line);
   }
   if (end == StageEnd::bound) {
@@ -258,7 +258,7 @@ void Run::complete_summary(store::RunSummary& summary) const {
   summary.derived_measures = scene_.derived;
   summary.table_descriptions = course_.observers.summary();
   const auto& kinds = model_.state().kinds;
-  const std::vector<int> degrees = scene::degrees_of(scene_, kinds);
+  const std::vector<int> degrees = scene::orientation_degrees(scene_, kinds);
   for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
     summary.kinds.push_back({scene_.species[kinds[kind].species].name, degrees[kind]});
   }
@@ -284,7 +284,7 @@ std::unique_ptr<Run> resumed_run(const scene::Scene& scene, RunOptions options,
   try {
     options.pictures = wanted_pictures_of(saved);
     return std::make_unique<Run>(scene, options, events, saved, saved_parts(scene, saved));
-  } catch (const reflection::Mismatch& error) {
+  } catch (const reflection::ColumnMismatch& error) {
     throw mismatched_checkpoint(folder, error.what());
   } catch (const std::invalid_argument& error) {
     throw mismatched_checkpoint(folder, error.what());

@@ -129,12 +129,12 @@ SavedParts saved_parts(const scene::Scene& scene, const SavedRun& saved) {
   const grains::State& grains = model::grains_of(parts.state);
   const auto columns_of_lattice = static_cast<std::size_t>(grains.lattice.columns());
   if (!is_possible_outflow(parts.history, grains, scene.species.size())) {
-    throw reflection::Mismatch("the numbers of discharged particles do not belong to this run");
+    throw reflection::ColumnMismatch("the numbers of discharged particles do not belong to this run");
   }
   if (parts.counters.stage >= scene.stages.size() ||
       parts.ended_stages.size() != parts.counters.stage ||
       parts.history.profile_at_start.size() != columns_of_lattice) {
-    throw reflection::Mismatch("its stages differ from those of the scene");
+    throw reflection::ColumnMismatch("its stages differ from those of the scene");
   }
   if (saved.new_end && parts.counters.stage + 1 == scene.stages.size()) {
     require_end_not_passed(*saved.new_end, scene.stages.back(), parts.history);

@@ -38,7 +38,8 @@ struct SavedParts {
   std::vector<store::StageSummary> ended_stages = {};  ///< those that have ended
 };
 
-/// Throws reflection::Mismatch or std::invalid_argument if no run of the scene can have saved it.
+/// Throws reflection::ColumnMismatch or std::invalid_argument if no run of the scene can have saved
+/// it.
 SavedParts saved_parts(const scene::Scene& scene, const SavedRun& saved);
 
 store::UnusableCheckpointError mismatched_checkpoint(const std::filesystem::path& folder,

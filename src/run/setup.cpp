@@ -113,8 +113,8 @@ void prepare_scene(scene::AnyScene& scene, const std::string& file, double limit
     record::check_derived(*grains);
     resolve_begin(*grains, limit);
   }
-  scene::check_resolved(std::visit([](const auto& held) { return scene::to_yaml(held); }, scene),
-                        file);
+  scene::check_resolved_size(
+      std::visit([](const auto& held) { return scene::to_yaml(held); }, scene), file);
   check_memory(scene, limit, threads);
 }
 

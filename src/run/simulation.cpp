@@ -43,7 +43,7 @@ struct Simulation::Impl {
         observed_scene(without_files(scene)),
         course{.scene = scene,
                .model = model.get(),
-               .observers = record::Observers(record::observers_of(observed_scene))} {
+               .observers = record::Observers(record::make_observers(observed_scene))} {
     begin_stage();
   }
 

@@ -90,7 +90,7 @@ bool finds_room(const lattice::Lattice& lattice, const lattice::Rectangle& recta
                 const Species& species, Free free) {
   const lattice::SweptRegion box(lattice);
   return std::ranges::any_of(species.orientations, [&](int degrees) {
-    const lattice::Shape shape = species.shape.rotated(degrees / kDegreesPerSixth);
+    const lattice::Shape shape = species.shape.rotated(degrees / kOrientationStepDegrees);
     return any_site(box, rectangle, [&](lattice::Site at) {
       return lies_free(lattice, shape, shape.sites().front(), at, [&](lattice::Site site) {
         return rectangle.contains(lattice::position(site)) && free(site);
@@ -130,7 +130,7 @@ void check_fill(const Scene& scene, const lattice::Lattice& lattice, const Stage
     if (!fill.counts.empty()) {
       wanted += static_cast<double>(fill.counts[i]) * static_cast<double>(species.shape.size());
     }
-    if (has_species(fill, i) && !finds_room(lattice, fill.region, species, free)) {
+    if (places_species(fill, i) && !finds_room(lattice, fill.region, species, free)) {
       throw_error(fill.location,
                   fmt::format("stages.{}.fill: no {} fits into the region; enlarge it", stage.name,
                               species.name));
@@ -199,7 +199,7 @@ void check_source(const Scene& scene, const lattice::Lattice& lattice, std::size
     const Species& species = scene.species[i];
     for (const int degrees : source.weights[i] > 0 ? species.orientations : std::vector<int>()) {
       const lattice::Shape shape =
-          lattice::centred(species.shape.rotated(degrees / kDegreesPerSixth));
+          lattice::centred(species.shape.rotated(degrees / kOrientationStepDegrees));
       const bool fits = std::ranges::any_of(sites, [&](lattice::Site at) {
         return lies_free(lattice, shape, {0, 0}, at,
                          [&](lattice::Site site) { return !covered[lattice.index(site)]; });

@@ -68,7 +68,7 @@ void check_periodic_width(const PlacedValue& box) {
   std::vector<grains::Kind> kinds;
   for (const Species& species : scene.species) {
     for (const int degrees : species.orientations) {
-      kinds.push_back({lattice::centred(species.shape.rotated(degrees / kDegreesPerSixth))});
+      kinds.push_back({lattice::centred(species.shape.rotated(degrees / kOrientationStepDegrees))});
     }
   }
   const int columns = lattice_of(scene.box).columns();
@@ -93,7 +93,7 @@ void check_vessels(const PlacedValue& stages) {
            "deposition needs a vessel that stands upright; use 'method: random'");
     }
     try {
-      vessel = vessel_in(scene, stage, vessel);
+      vessel = vessel_at_start(scene, stage, vessel);
     } catch (const std::invalid_argument& error) {
       fail(fields.at("vessel"), "{}; a step takes {}", error.what(),
            conversion(scene)->time_text(1));
@@ -140,7 +140,7 @@ bool wall_stands_or_moves(const Scene& scene, std::size_t wall) {
 
 bool fill_has_species(const Scene& scene, std::size_t species) {
   return std::ranges::any_of(scene.stages, [species](const Stage& stage) {
-    return stage.fill && has_species(*stage.fill, species);
+    return stage.fill && places_species(*stage.fill, species);
   });
 }
 
@@ -153,7 +153,7 @@ bool species_appears(const Scene& scene, std::size_t species) {
 
 }  // namespace
 
-bool lets_overlap(const Scene& scene) {
+bool walls_may_overlap(const Scene& scene) {
   return std::ranges::any_of(
       scene.walls, [](const Wall& wall) { return wall.passive == grains::PassiveRule::overlap; });
 }
@@ -162,10 +162,10 @@ void check_weight_paths(const PlacedValue& place) {
   const Scene& scene = place.scene;
   const bool turns = std::ranges::any_of(
       scene.stages, [](const Stage& stage) { return stage.vessel.has_value(); });
-  if (lets_overlap(scene) || turns) {
+  if (walls_may_overlap(scene) || turns) {
     fail(place, "no paths of weight {}",
-         lets_overlap(scene) ? "with a wall that moves with passive: overlap"
-                             : "in a vessel that tilts or moves");
+         walls_may_overlap(scene) ? "with a wall that moves with passive: overlap"
+                                  : "in a vessel that tilts or moves");
   }
 }
 
@@ -201,7 +201,7 @@ void check_time_step(const PlacedValue& root) {
   check_vessels(root.at("stages"));
 }
 
-void check_history(const PlacedValue& list) {
+void check_stage_order(const PlacedValue& list) {
   const Scene& scene = list.scene;
   std::set<std::string_view> known;
   for (std::size_t i = 0; i < scene.stages.size(); ++i) {
@@ -261,7 +261,7 @@ void check_history(const PlacedValue& list) {
   }
 }
 
-void check_use(const PlacedValue& root) {
+void check_unused_items(const PlacedValue& root) {
   const Scene& scene = root.scene;
   require_use(root, "walls", "name it under move in a stage", wall_stands_or_moves);
   for (std::size_t i = 0; i < scene.walls.size(); ++i) {

@@ -159,7 +159,7 @@ class Expansion {
     const std::string path = join_path("species", entry.key);
     check_name(entry.key, entry.location, "species");
     SizedSpecies& sized = sized_species_[entry.key];
-    const Sizes law = sizes_type().read({sizes, join_path(path, "sizes"), scene});
+    const SizeDistribution law = sizes_type().read({sizes, join_path(path, "sizes"), scene});
     sized.kinds = size_classes(law);
     // Blue, vermilion and green of the palette.
     constexpr std::array<image::Rgb, 3> kColors = {{{0, 114, 178}, {213, 94, 0}, {0, 158, 115}}};

@@ -58,7 +58,7 @@ std::vector<FoundKey> found_keys(std::string_view path) {
   const bool gas_only = path.starts_with(kGasOnly);
   path.remove_suffix(path.size() > 1 && path.ends_with('.') && !path.ends_with("..") ? 1 : 0);
   const std::vector<std::string> parts =
-      document::parts_of_path(path.substr(gas_only ? kGasOnly.size() : 0));
+      document::path_parts(path.substr(gas_only ? kGasOnly.size() : 0));
   const std::vector<AnyKeys> tops = gas_only
                                         ? std::vector{boltzmann_type().keys}
                                         : std::vector{scene_type().keys, boltzmann_type().keys};
@@ -195,14 +195,14 @@ std::string explain(std::string_view path) {
   return text;
 }
 
-std::vector<KeyName> keys_beginning(std::string_view begun) {
+std::vector<KeySummary> keys_with_prefix(std::string_view begun) {
   if (begun.starts_with('.')) {
     return {};
   }
   const std::size_t length = begun.rfind('.') + 1;  // 0 without a dot
   const std::vector<std::string> parents =
-      document::parts_of_path(begun.substr(0, std::max<std::size_t>(length, 1) - 1));
-  std::vector<KeyName> names;
+      document::path_parts(begun.substr(0, std::max<std::size_t>(length, 1) - 1));
+  std::vector<KeySummary> names;
   for (const AnyKeys& top : {scene_type().keys, boltzmann_type().keys}) {
     const FoundKey found = find(top, parents);
     const bool name_follows =
@@ -213,7 +213,7 @@ std::vector<KeyName> keys_beginning(std::string_view begun) {
     for (const AnyKey& key : *found.keys) {
       const std::string path = std::string(begun.substr(0, length)) + key.name;
       const bool is_known =
-          std::ranges::any_of(names, [&](const KeyName& name) { return name.path == path; });
+          std::ranges::any_of(names, [&](const KeySummary& name) { return name.path == path; });
       if (path.starts_with(begun) && !is_known) {
         names.push_back({path, meaning(key), key.type->keys != nullptr});
       }
@@ -222,10 +222,10 @@ std::vector<KeyName> keys_beginning(std::string_view begun) {
   return names;
 }
 
-std::vector<std::string> words_of(std::string_view path) {
+std::vector<std::string> allowed_words(std::string_view path) {
   std::vector<std::string> words;
   for (const AnyKeys& top : {scene_type().keys, boltzmann_type().keys}) {
-    const FoundKey found = find(top, document::parts_of_path(path));
+    const FoundKey found = find(top, document::path_parts(path));
     if (found.key != nullptr) {
       add_words(Json::parse(found.key->type->schema), words);
     }

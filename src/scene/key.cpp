@@ -206,7 +206,7 @@ bool may_be_none(const AnyKey& key) {
          (key.default_phrase == "none" || key.default_phrase.starts_with("none:"));
 }
 
-void leave_out_none(Value& value, const std::vector<AnyKey>& keys) {
+void remove_none_entries(Value& value, const std::vector<AnyKey>& keys) {
   for (const AnyKey& key : keys) {
     Value* given = value.find(key.name);
     if (given == nullptr) {
@@ -216,14 +216,14 @@ void leave_out_none(Value& value, const std::vector<AnyKey>& keys) {
       std::erase_if(value.entries, [&](const Entry& entry) { return entry.key == key.name; });
     } else if (const AnyKeys& inner = key.type->keys; inner != nullptr) {
       if (!key.type->is_collection) {
-        leave_out_none(*given, *inner);
+        remove_none_entries(*given, *inner);
       }
       for (Value& item : given->items) {
-        leave_out_none(item, *inner);
+        remove_none_entries(item, *inner);
       }
       for (Entry& named : given->entries) {
         if (key.type->is_collection) {
-          leave_out_none(named.value, *inner);
+          remove_none_entries(named.value, *inner);
         }
       }
     }
@@ -266,7 +266,7 @@ AnyKey any_key(std::string_view name, const Access& access, const AnyType& type,
   return key;
 }
 
-Access composed(const Access& first, const Access& second) {
+Access composed_access(const Access& first, const Access& second) {
   return [=](void* object, bool make) {
     void* between = first(object, make);
     return between != nullptr ? second(between, make) : nullptr;

@@ -40,7 +40,7 @@ Schema scalar_schema(std::string_view pattern);
 Schema word_schema(std::string_view word);
 
 /// Of an array without equal items.
-inline constexpr std::string_view kUnique = R"("uniqueItems": true)";
+inline constexpr std::string_view kUniqueItems = R"("uniqueItems": true)";
 
 Schema any_of(const std::vector<Schema>& schemas);
 Schema array_schema(const Schema& items);
@@ -97,8 +97,8 @@ auto any_text(const Text& text) {
 /// A type with functions of its own: `read(place)`, and `text(value)` or `text(value, scene)`; with
 /// `keys` if values may be maps.
 template <class T, class Read, class Text>
-Type<T> own_type(std::string_view allowed, const Schema& schema, const Read& read, const Text& text,
-                 const AnyKeys& keys = {}) {
+Type<T> custom_type(std::string_view allowed, const Schema& schema, const Read& read,
+                    const Text& text, const AnyKeys& keys = {}) {
   return Type<T>(
       AnyType{.allowed = std::string(allowed),
               .schema = schema,
@@ -158,7 +158,7 @@ struct Key : AnyKey {
     model = only;
     return *this;
   }
-  Key& is_required() {
+  Key& mark_required() {
     required = true;
     return *this;
   }
@@ -224,7 +224,7 @@ std::string path_suggestion(const AnyKeys& top, std::string_view name);
 /// Whether the value `none` is as if the key is left out.
 bool may_be_none(const AnyKey& key);
 /// Removes entries whose value is `none` and whose key may_be_none(), at any depth.
-void leave_out_none(Value& value, const std::vector<AnyKey>& keys);
+void remove_none_entries(Value& value, const std::vector<AnyKey>& keys);
 
 /// Without backticks and addresses of links.
 std::string without_markup(std::string text);
@@ -236,15 +236,15 @@ AnyKey any_key(std::string_view name, const Access& access, const AnyType& type,
                std::string_view about, const void* default_value = nullptr);
 
 /// The second access, to what the first one returns.
-Access composed(const Access& first, const Access& second);
+Access composed_access(const Access& first, const Access& second);
 template <class Owner, class T>
-Access to_member(T Owner::*member) {
+Access member_access(T Owner::*member) {
   return [member](void* owner, bool /*make*/) -> void* {
     return &(static_cast<Owner*>(owner)->*member);
   };
 }
 template <class T>
-Access to_optional() {
+Access optional_access() {
   return [](void* object, bool make) -> void* {
     auto& value = *static_cast<std::optional<T>*>(object);
     if (make) {
@@ -255,7 +255,7 @@ Access to_optional() {
 }
 /// To `T` of the variant; if it `stays`, only where that is what the variant has.
 template <class Variant, class T>
-Access to_alternative(bool stays = false) {
+Access alternative_access(bool stays = false) {
   return [stays](void* object, bool make) -> void* {
     auto& variant = *static_cast<Variant*>(object);
     if (make && !stays) {
@@ -267,9 +267,9 @@ Access to_alternative(bool stays = false) {
 
 /// A member of the Owner that is always given.
 template <class Owner, class T>
-Key<Owner> required(std::string_view name, T Owner::*member, const Type<T>& type,
-                    std::string_view about) {
-  return Key<Owner>(any_key(name, to_member(member), type, about)).is_required();
+Key<Owner> required_key(std::string_view name, T Owner::*member, const Type<T>& type,
+                        std::string_view about) {
+  return Key<Owner>(any_key(name, member_access(member), type, about)).mark_required();
 }
 
 /// A member of the Owner, whose default is that of the struct.
@@ -277,14 +277,15 @@ template <class Owner, class T>
 Key<Owner> key(std::string_view name, T Owner::*member, const Type<T>& type,
                std::string_view about) {
   const Owner defaults;
-  return Key<Owner>(any_key(name, to_member(member), type, about, &(defaults.*member)));
+  return Key<Owner>(any_key(name, member_access(member), type, about, &(defaults.*member)));
 }
 
 /// A member of the Owner that may have no value.
 template <class Owner, class T>
 Key<Owner> key(std::string_view name, std::optional<T> Owner::*member, const Type<T>& type,
                std::string_view about) {
-  return Key<Owner>(any_key(name, composed(to_member(member), to_optional<T>()), type, about));
+  return Key<Owner>(
+      any_key(name, composed_access(member_access(member), optional_access<T>()), type, about));
 }
 
 /// A list that may be left out, and is where it is empty.
@@ -300,24 +301,24 @@ Key<Owner> list_key(std::string_view name, std::vector<T> Owner::*member,
 
 /// One of several keys of which exactly one is given: `T` of the variant.
 template <class Variant, class T>
-Key<Variant> alternative(std::string_view name, const Type<T>& type, std::string_view about) {
-  return Key<Variant>(any_key(name, to_alternative<Variant, T>(), type, about));
+Key<Variant> alternative_key(std::string_view name, const Type<T>& type, std::string_view about) {
+  return Key<Variant>(any_key(name, alternative_access<Variant, T>(), type, about));
 }
 
 /// One of several keys of which exactly one is given: `T` of a variant that is a member.
 template <class Owner, class Variant, class T>
-Key<Owner> alternative(std::string_view name, Variant Owner::*member, const Type<T>& type,
-                       std::string_view about) {
-  const Access access = composed(to_member(member), to_alternative<Variant, T>());
+Key<Owner> alternative_key(std::string_view name, Variant Owner::*member, const Type<T>& type,
+                           std::string_view about) {
+  const Access access = composed_access(member_access(member), alternative_access<Variant, T>());
   return Key<Owner>(any_key(name, access, type, about));
 }
 
 /// Keys of the part that `access` returns, as keys of the Owner itself.
 template <class Owner>
-Keys<Owner> inlined(const Access& access, std::vector<AnyKey> keys) {
+Keys<Owner> inlined_keys(const Access& access, std::vector<AnyKey> keys) {
   for (AnyKey& key : keys) {
     if (key.access) {
-      key.access = composed(access, key.access);
+      key.access = composed_access(access, key.access);
     }
   }
   return Keys<Owner>(std::move(keys));
@@ -327,14 +328,15 @@ Keys<Owner> inlined(const Access& access, std::vector<AnyKey> keys) {
 /// another one.
 template <class Owner, class Variant, class Part>
 Key<Owner> inlined_alternative(Variant Owner::*member, const Key<Part>& part) {
-  const Access access = composed(to_member(member), to_alternative<Variant, Part>(true));
-  return Key<Owner>(inlined<Owner>(access, {part}).front());
+  const Access access =
+      composed_access(member_access(member), alternative_access<Variant, Part>(true));
+  return Key<Owner>(inlined_keys<Owner>(access, {part}).front());
 }
 
 /// A key with a function of its own, if any, that reads it. Not written unless `written_as`.
 template <class Owner>
-Key<Owner> own_key(std::string_view name, const AnyType& type, std::string_view about,
-                   Action<Owner> read = nullptr) {
+Key<Owner> custom_key(std::string_view name, const AnyType& type, std::string_view about,
+                      Action<Owner> read = nullptr) {
   return Key<Owner>(any_key(name, {}, type, about)).with_action(read);
 }
 
@@ -349,7 +351,7 @@ Type<Owner> type_of(const Map<Owner>& map) {
 
 /// A map of which all that is left out is as in a member of the scene.
 template <class Owner>
-Type<Owner> with_defaults_of(Owner Scene::*member, Keys<Owner> keys) {
+Type<Owner> type_with_scene_defaults(Owner Scene::*member, Keys<Owner> keys) {
   for (AnyKey& key : keys) {
     key.describe_default("as in the scene");
   }
@@ -363,14 +365,14 @@ Type<Owner> with_defaults_of(Owner Scene::*member, Keys<Owner> keys) {
 
 /// A map that is read into the same Owner.
 template <class Owner>
-Key<Owner> section(std::string_view name, const Map<Owner>& map, std::string_view about) {
+Key<Owner> section_key(std::string_view name, const Map<Owner>& map, std::string_view about) {
   return Key<Owner>(any_key(
       name, [](void* owner, bool /*make*/) { return owner; }, type_of(map), about));
 }
 
 /// The type of a struct that is written as the value of one of its members.
 template <class Owner, class T>
-Type<Owner> as(T Owner::*member, const Type<T>& type) {
+Type<Owner> single_member_type(T Owner::*member, const Type<T>& type) {
   Type<Owner> result(type);
   result.read_into = [member, read = type.read_into](const PlacedValue& place, void* owner) {
     read(place, &(static_cast<Owner*>(owner)->*member));
@@ -383,7 +385,7 @@ Type<Owner> as(T Owner::*member, const Type<T>& type) {
 
 /// A map with exactly one of the keys.
 template <class Variant>
-Type<Variant> one_of(const Keys<Variant>& keys) {
+Type<Variant> one_of_type(const Keys<Variant>& keys) {
   return Type<Variant>(map_type(keys, text::names_of<std::string>(keys), {}, {}));
 }
 

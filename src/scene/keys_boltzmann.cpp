@@ -21,28 +21,29 @@ constexpr double kMaxUniformBins = 10'000;
 constexpr double kMaxEnergy = 1e6;  // where uniform bins end at the most
 
 void read_restitutions(const PlacedValue& fields, BoltzmannScene& scene) {
-  const Type<double> restitution = number(0, 1);
+  const Type<double> restitution = number_type(0, 1);
   const PlacedValue place = fields.at("restitution");
-  scene.lists_restitutions = place.value.is(Value::Kind::list);
+  scene.has_restitution_list = place.value.is(Value::Kind::list);
   scene.restitutions =
-      scene.lists_restitutions
-          ? set_of(restitution, 1, kMaxRestitutions, found, "; name each value once").read(place)
+      scene.has_restitution_list
+          ? set_type(restitution, 1, kMaxRestitutions, found, "; name each value once").read(place)
           : std::vector<double>{restitution.read(place)};
 }
 
 Key<BoltzmannScene> restitution_key() {
-  const Type<double> one = number(0, 1);
-  const auto several = set_of(one, 1, kMaxRestitutions);
-  return own_key<BoltzmannScene>(
+  const Type<double> one = number_type(0, 1);
+  const auto several = set_type(one, 1, kMaxRestitutions);
+  return custom_key<BoltzmannScene>(
              "restitution",
              {.allowed =
                   fmt::format("0 to 1, or a list of 1 to {} different ones", kMaxRestitutions),
               .schema = any_of({one.schema, several.schema})},
              "ε, normal restitution; of a list, one run for each, in that order", read_restitutions)
-      .is_required()
+      .mark_required()
       .written_as([=](const BoltzmannScene& scene, const Scene& none) {
-        return std::optional(scene.lists_restitutions ? several.text(scene.restitutions, none)
-                                                      : one.text(scene.restitutions.front(), none));
+        return std::optional(scene.has_restitution_list
+                                 ? several.text(scene.restitutions, none)
+                                 : one.text(scene.restitutions.front(), none));
       });
 }
 
@@ -59,7 +60,7 @@ void refuse_key(const PlacedValue& fields, std::string_view key, const Boltzmann
 }
 
 Type<boltzmann::Scheme> scheme_type() {
-  const Type<std::size_t> index = choice(kSchemeNames);
+  const Type<std::size_t> index = choice_type(kSchemeNames);
   return converted<boltzmann::Scheme>(
       index.allowed, index,
       [](std::size_t scheme) { return scheme == 0 ? boltzmann::Scheme() : boltzmann::OgawaKato(); },
@@ -83,7 +84,7 @@ void read_histograms(const PlacedValue& fields, BoltzmannScene& scene) {
   if (fields.find("histograms") == nullptr) {
     return;
   }
-  const double apart = kSameTime * scene.series_every;
+  const double apart = kTimeTolerance * scene.series_every;
   std::vector<double>& times = scene.histograms;
   times.clear();
   const auto time = [&](const PlacedValue& place) {
@@ -113,10 +114,10 @@ QuantileBins read_quantiles(const PlacedValue& place) {
 
 Type<UniformBins> uniform_bins() {
   return type_of<UniformBins>(
-      {.keys = {required("width", &UniformBins::width, above_zero(kMaxEnergy),
-                         fmt::format("at most `end`, and at most {} bins", kMaxUniformBins)),
-                required("end", &UniformBins::end, above_zero(kMaxEnergy),
-                         "where the last bin begins, which has no end")},
+      {.keys = {required_key("width", &UniformBins::width, positive_number_type(kMaxEnergy),
+                             fmt::format("at most `end`, and at most {} bins", kMaxUniformBins)),
+                required_key("end", &UniformBins::end, positive_number_type(kMaxEnergy),
+                             "where the last bin begins, which has no end")},
        .check = [](const PlacedValue& fields, UniformBins& bins) {
          if (bins.width > bins.end || bins.end > kMaxUniformBins * bins.width) {
            fail(fields.at("width"),
@@ -142,12 +143,12 @@ Type<BinsSpec> bins_type() {
 }
 
 Key<BoltzmannScene> histograms_key() {
-  const auto times = list_of(number(0, kMaxTime), 0, kMaxHistograms);
-  return own_key<BoltzmannScene>(
+  const auto times = list_type(number_type(0, kMaxTime), 0, kMaxHistograms);
+  return custom_key<BoltzmannScene>(
              "histograms",
              {.allowed = fmt::format("list of at most {}", kMaxHistograms),
-              .schema = with(array_schema(number(0, kMaxTime).schema),
-                             fmt::format(R"("maxItems": {}, {})", kMaxHistograms, kUnique))},
+              .schema = with(array_schema(number_type(0, kMaxTime).schema),
+                             fmt::format(R"("maxItems": {}, {})", kMaxHistograms, kUniqueItems))},
              "times, ascending, from 0 to `until`, at which the distributions of both energies are "
              "written; `[]` for none",
              read_histograms)
@@ -159,28 +160,30 @@ Key<BoltzmannScene> histograms_key() {
 
 }  // namespace
 
-Key<BoltzmannScene> boltzmann_block() {
+Key<BoltzmannScene> boltzmann_block_key() {
   using B = BoltzmannScene;
   Map<B> map = {
       .keys =
-          {key("particles", &B::particles, count(2, 100'000'000), "size of the sample"),
-           key("initial", &B::initial, choice(kInitialNames),
+          {key("particles", &B::particles, count_type(2, 100'000'000), "size of the sample"),
+           key("initial", &B::initial, choice_type(kInitialNames),
                "velocities and spins normal and independent, or the same speed and the same spin "
                "for all, directions isotropic"),
-           key("exact_moments", &B::exact_moments, yes_or_no(),
+           key("exact_moments", &B::exact_moments, bool_type(),
                "shifts and scales the sample so that both means are zero and both mean squares "
                "exact"),
-           key("sampling", &B::quasi, choice(kSamplingNames),
+           key("sampling", &B::quasi, choice_type(kSamplingNames),
                "draws of the beginning, and all draws of `ogawa-kato`: independent, or from a "
                "randomly shifted lattice"),
            restitution_key(),
-           key("friction", &B::friction, number(0, kMaxFriction), "η of Coulomb, of rough spheres")
+           key("friction", &B::friction, number_type(0, kMaxFriction),
+               "η of Coulomb, of rough spheres")
                .defaults_to("nothing slides")
                .written_if(
                    [](const B& scene) { return scene.friction != boltzmann::kNoSlidingLimit; }),
-           key("roughness", &B::roughness, number(-1, 1),
+           key("roughness", &B::roughness, number_type(-1, 1),
                "β, tangential restitution where nothing slides: -1 smooth, 1 reversed"),
-           key("energy_ratio", &B::energy_ratio, number(0, 1e6), "C_e = I⟨ω²⟩/(m⟨v²⟩) at time 0"),
+           key("energy_ratio", &B::energy_ratio, number_type(0, 1e6),
+               "C_e = I⟨ω²⟩/(m⟨v²⟩) at time 0"),
            key("scheme", &B::scheme, scheme_type(),
                "pairs in continuous time; or the time steps of the paper, which are biased")
                .with_action([](const PlacedValue& fields, B& scene) {
@@ -191,11 +194,11 @@ Key<BoltzmannScene> boltzmann_block() {
                  }
                }),
            inlined_alternative(&B::scheme, key("time_step", &boltzmann::OgawaKato::time_step,
-                                               above_zero(1), "of `ogawa-kato` only")),
+                                               positive_number_type(1), "of `ogawa-kato` only")),
            inlined_alternative(
-               &B::scheme, key("partners", &boltzmann::OgawaKato::partner_count, integer(1, 1000),
+               &B::scheme, key("partners", &boltzmann::OgawaKato::partner_count, integer_type(1, 1000),
                                "of `ogawa-kato` only: how many each particle draws in a step")),
-           key("shear_rate", &B::shear_rate, number(0, 100),
+           key("shear_rate", &B::shear_rate, number_type(0, 100),
                "of `majorant` only: velocity gradient of uniform shear flow, per unit of time")
                .with_action([](const PlacedValue& fields, B& scene) {
                  if (!is_majorant(scene)) {
@@ -203,8 +206,8 @@ Key<BoltzmannScene> boltzmann_block() {
                  }
                })
                .written_if(is_majorant),
-           key("until", &B::until, above_zero(kMaxTime), "time at the end"),
-           key("ensemble", &B::ensemble, count(1, 10'000),
+           key("until", &B::until, positive_number_type(kMaxTime), "time at the end"),
+           key("ensemble", &B::ensemble, count_type(1, 10'000),
                "runs with seeds derived from `seed`, for means and their errors")},
       .check = check_block,
       .schema_members = R"(
@@ -214,21 +217,21 @@ Key<BoltzmannScene> boltzmann_block() {
           "partners": {"required": ["scheme"], "properties": {"scheme": {"const": "ogawa-kato"}}},
           "shear_rate": {"not": {"required": ["scheme"],
                                  "properties": {"scheme": {"const": "ogawa-kato"}}}}})"};
-  return section("boltzmann", map,
-                 "the gas, what a collision does, and for how long: [boltzmann](#boltzmann)")
-      .is_required();
+  return section_key("boltzmann", map,
+                     "the gas, what a collision does, and for how long: [boltzmann](#boltzmann)")
+      .mark_required();
 }
 
-Key<BoltzmannScene> boltzmann_output() {
+Key<BoltzmannScene> boltzmann_output_key() {
   using B = BoltzmannScene;
   const Map<B> series = {
       .keys = {
-          key("every", &B::series_every, above_zero(kMaxTime),
+          key("every", &B::series_every, positive_number_type(kMaxTime),
               fmt::format("time from one row to the next; at most {} rows in all", kMaxRows))}};
-  return section<B>(
+  return section_key<B>(
       "output",
       {.keys =
-           {section("series", series, "table of what changes over time"), histograms_key(),
+           {section_key("series", series, "table of what changes over time"), histograms_key(),
             key("bins", &B::bins, bins_type(),
                 "bins of the energies in their present scale: so many that are equally probable "
                 "under chi-square, or bins of one width from 0 to an end, and one beyond"),
@@ -237,7 +240,7 @@ Key<BoltzmannScene> boltzmann_output() {
       "what is written during the run: [output of a Boltzmann run](#output-of-a-boltzmann-run)");
 }
 
-void check_rows(const PlacedValue& root, const BoltzmannScene& scene) {
+void check_series_rows(const PlacedValue& root, const BoltzmannScene& scene) {
   if (scene.until <= kMaxRows * scene.series_every) {
     return;
   }

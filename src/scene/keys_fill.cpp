@@ -74,7 +74,7 @@ void read_file(const PlacedValue& fields, FillPicture& picture) {
 
 /// Read with the file.
 Key<FillPicture> colors_key() {
-  return own_key<FillPicture>(
+  return custom_key<FillPicture>(
              "colors",
              {.allowed = "map of colours",
               .schema = with(object_schema(part_type().schema, "^#[0-9A-Fa-f]{6}$"),
@@ -88,7 +88,7 @@ using Parts = std::map<char, Weights>;
 
 Type<Parts> pixels_type() {
   const Type<Weights> part = part_type();
-  return own_type<Parts>(
+  return custom_type<Parts>(
       "map of letters", with(object_schema(part.schema, "^[A-Z]$"), R"("minProperties": 1)"),
       [=](const PlacedValue& place) {
         Parts weights;
@@ -178,9 +178,10 @@ void check_keys_of_fill(const PlacedValue& fields, Fill& fill) {
 
 Type<Fill> fill_type() {
   return type_of<Fill>(
-      {.keys = {key("method", &Fill::method, choice(kFillMethodNames),
+      {.keys = {key("method", &Fill::method, choice_type(kFillMethodNames),
                     "a rain that falls in the steps that follow, or a packing at rest"),
-                required("region", &Fill::region, region(), "where: no particle sticks out of it"),
+                required_key("region", &Fill::region, region_type(),
+                             "where: no particle sticks out of it"),
                 list_key("counts", &Fill::counts, counts_type(kMaxParticles),
                          "number of particles; 0 for species that are not named")
                     .with_condition("one of these three"),
@@ -191,7 +192,7 @@ Type<Fill> fill_type() {
                     "covers the region and says where which species are; each part is filled until "
                     "the next particle has no room")
                     .with_condition("one of these three"),
-                key("level", &Fill::level, length(number(0, kMaxBoxHeight)),
+                key("level", &Fill::level, length_type(number_type(0, kMaxBoxHeight)),
                     "of a `mix` with `method: deposition`: mean height of its surface where the "
                     "filling ends")
                     .defaults_to("until the region is full")},
@@ -223,7 +224,7 @@ std::optional<grains::Mixture> mixture_of(const Fill& fill) {
   return mixture;
 }
 
-bool has_species(const Fill& fill, std::size_t species) {
+bool places_species(const Fill& fill, std::size_t species) {
   if (fill.picture) {
     return std::ranges::any_of(fill.picture->weights,
                                [&](const auto& part) { return part.second[species] > 0; });

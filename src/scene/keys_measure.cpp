@@ -26,17 +26,17 @@ std::string read_expression(const PlacedValue& place) {
 }
 
 Type<std::string> expression_type() {
-  return own_type<std::string>("`=` and an expression", text_schema("^="), read_expression,
-                               [](const std::string& text) { return Value::quoted_text(text); });
+  return custom_type<std::string>("`=` and an expression", text_schema("^="), read_expression,
+                                  [](const std::string& text) { return Value::quoted_text(text); });
 }
 
 Type<DerivedMeasure> derived_type() {
   const Type<std::string> expression = expression_type();
   Type<DerivedMeasure> type = type_of<DerivedMeasure>(
       {.keys = {
-           required("value", &DerivedMeasure::value, expression,
-                    "an [expression](#expressions) of measures of the stage, of those derived "
-                    "before, of numbers under `let` and of keys of the scene by their paths"),
+           required_key("value", &DerivedMeasure::value, expression,
+                        "an [expression](#expressions) of measures of the stage, of those derived "
+                        "before, of numbers under `let` and of keys of the scene by their paths"),
            key("unit", &DerivedMeasure::unit, text_line_type(), "its unit; of a pure number 1"),
            key("about", &DerivedMeasure::about, text_line_type(),
                "what it is, as axes and reports name it")
@@ -91,7 +91,7 @@ void read_measures(const PlacedValue& fields, Scene& scene) {
     read_derived(place, scene);
     return;
   }
-  const Type<Measure> word = choice(kMeasureNames);
+  const Type<Measure> word = choice_type(kMeasureNames);
   scene.measures.clear();
   for (const PlacedValue& item : read_list(place, 0, kMeasureNames.size() + kMaxDerived,
                                            [&](auto& item) { word.read(item); })) {
@@ -129,7 +129,7 @@ std::optional<Value> measures_text(const Scene& scene) {
 }  // namespace
 
 Key<Scene> measure_key() {
-  const Type<Measure> word = choice(kMeasureNames);
+  const Type<Measure> word = choice_type(kMeasureNames);
   const Type<DerivedMeasure> derived = derived_type();
   const Schema by_name = with(object_schema(derived.schema, kExpressionNamePattern),
                               fmt::format(R"("maxProperties": {})", kMaxDerived));
@@ -137,12 +137,12 @@ Key<Scene> measure_key() {
       .allowed = "list of " + word.allowed +
                  " and of maps of [derived measures](#derived-measures) by name, or such a map "
                  "beside the default",
-      .schema = any_of({with(array_schema(any_of({word.schema, by_name})), kUnique), by_name}),
+      .schema = any_of({with(array_schema(any_of({word.schema, by_name})), kUniqueItems), by_name}),
       .keys = derived.keys,
       .is_collection = true};
-  return own_key<Scene>("measure", type,
-                        "what is measured at the end of each stage: [measures](#measures)",
-                        read_measures)
+  return custom_key<Scene>("measure", type,
+                           "what is measured at the end of each stage: [measures](#measures)",
+                           read_measures)
       .defaults_to("all but `mixing` and `weight_paths`")
       .written_as(measures_text);
 }
@@ -153,7 +153,7 @@ void put_numbers_into_derived(Scene& scene) {
   }
   const Value whole = scene_type().text(scene, scene);
   for (DerivedMeasure& derived : scene.derived) {
-    derived.value = document::with_numbers(derived.value, [&](std::string_view name) {
+    derived.value = document::with_names_replaced(derived.value, [&](std::string_view name) {
       const Value* value =
           name.find('.') != std::string_view::npos ? whole.find_path(name) : nullptr;
       return value != nullptr ? number_in<double>(value->text) : std::nullopt;

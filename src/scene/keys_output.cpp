@@ -20,7 +20,7 @@ bool moves_in_cycles(const Scene& scene) {
 
 /// In the automaton there are forces only where walls enter particles.
 void require_overlap(const PlacedValue& place, std::string_view what) {
-  if (!lets_overlap(place.scene)) {
+  if (!walls_may_overlap(place.scene)) {
     fail(place, "no {} without a wall that moves with passive: overlap", what);
   }
 }
@@ -78,7 +78,8 @@ void check_frames(const PlacedValue& fields, Frames& frames) {
 
 Type<statistics::Range> color_bar_ends() {
   using statistics::Range;
-  const auto type = list_of_members("`[low, high]`", number(-1e9, 1e9), &Range::low, &Range::high);
+  const auto type =
+      list_of_members("`[low, high]`", number_type(-1e9, 1e9), &Range::low, &Range::high);
   return type.checked([](const statistics::Range& range, const PlacedValue& place) {
     if (range.low >= range.high) {
       fail(place, "expected [low, high] with low < high, found [{}, {}]", range.low, range.high);
@@ -87,50 +88,52 @@ Type<statistics::Range> color_bar_ends() {
 }
 
 Type<Frames> frames_type() {
-  const Type<int> pixels = integer(16, 65'536);
+  const Type<int> pixels = integer_type(16, 65'536);
   return type_of<Frames>(
       {.keys =
-           {key("every", &Frames::every, count(1, kMaxSteps), "steps from one picture to the next"),
+           {key("every", &Frames::every, count_type(1, kMaxSteps),
+                "steps from one picture to the next"),
             key("width", &Frames::width, pixels, "pixels").defaults_to("follows the view"),
             key("height", &Frames::height, pixels, "pixels").defaults_to("follows the view"),
-            key("color_by", &Frames::color_by, choice(kColorByNames),
+            key("color_by", &Frames::color_by, choice_type(kColorByNames),
                 "what the colour of a particle means"),
             key("range", &Frames::range, color_bar_ends(),
                 "values at the ends of the colour bar, in its unit; a mark at an end says that "
                 "there are values outside the range")
                 .defaults_to("`[0, high]`, `high` from the scene"),
-            key("layers", &Frames::layers, integer(1, 256), "number of layers for `stage_layer`"),
-            key("view", &Frames::view, rectangle().checked(check_view),
+            key("layers", &Frames::layers, integer_type(1, 256),
+                "number of layers for `stage_layer`"),
+            key("view", &Frames::view, rectangle_type().checked(check_view),
                 "the part of the plane to show")
                 .defaults_to("`output.view`"),
-            key("drawing", &Frames::drawing, choice(kDrawingNames),
+            key("drawing", &Frames::drawing, choice_type(kDrawingNames),
                 "by looking up the sites around each sample (`auto` too), or as polygons by "
                 "OpenGL, slower; nearly the same picture"),
-            key("supersampling", &Frames::supersampling, integer(1, 4),
+            key("supersampling", &Frames::supersampling, integer_type(1, 4),
                 "samples per pixel along each side"),
-            key("caption", &Frames::caption, yes_or_no(),
+            key("caption", &Frames::caption, bool_type(),
                 "title, stage, step or time, legend, scale bar"),
-            key("style", &Frames::style, choice(kPictureStyleNames),
+            key("style", &Frames::style, choice_type(kPictureStyleNames),
                 "for papers (`print`): without title, stage and step or time"),
-            key("upright", &Frames::upright, yes_or_no(),
+            key("upright", &Frames::upright, bool_type(),
                 "turned as the vessel is, so that gravity points down; corners of the view may "
                 "go out of the picture")
                 .of(Model::contact),
-            key("force_scale", &Frames::force_scale, above_zero(1e9),
+            key("force_scale", &Frames::force_scale, positive_number_type(1e9),
                 "the force drawn as the widest line, by `weight_...` and with `model: contact`, in "
                 "grain weights, or in newtons with `units.density`; there the colours of `force` "
                 "end at twice it, those of `pressure` at it over the mean diameter")
                 .defaults_to("from the fall height"),
-            key("velocity_cell", &Frames::velocity_cell, length(number(1, kMaxCellSide)),
+            key("velocity_cell", &Frames::velocity_cell, length_type(number_type(1, kMaxCellSide)),
                 "side of the cells of `overlay: velocity` in lattice spacings")
                 .defaults_to("from grains and view"),
-            key("velocity_scale", &Frames::velocity_scale, above_zero(1e9),
+            key("velocity_scale", &Frames::velocity_scale, positive_number_type(1e9),
                 "the speed drawn as an arrow 0.9 cells long (without it: by each picture); the "
                 "colours of `speed` end at twice it, those of `spin` where grains of mean diameter "
                 "roll at half of it: spacings per step, or with `model: contact` m/s "
                 "(√(spacing·gravity) without `units`)")
                 .defaults_to("from the model"),
-            key("overlay", &Frames::overlay, choice(kOverlayNames),
+            key("overlay", &Frames::overlay, choice_type(kOverlayNames),
                 "what is drawn over the particles: forces between them, arrows from cycle to "
                 "cycle, the mean velocity since the last picture, or weight that is passed on by a "
                 "[rule](#paths-of-weight)")},
@@ -139,9 +142,9 @@ Type<Frames> frames_type() {
 
 Type<Series> series_type() {
   return type_of<Series>(
-      {.keys = {key("every", &Series::every, count(1, kMaxSteps),
+      {.keys = {key("every", &Series::every, count_type(1, kMaxSteps),
                     "a row at each step *of the whole run* that this divides"),
-                key("forces", &Series::forces, yes_or_no(),
+                key("forces", &Series::forces, bool_type(),
                     "force and torque on each wall and side of the box, means over the steps "
                     "since the last row")
                     .of(Model::contact)}});
@@ -149,9 +152,9 @@ Type<Series> series_type() {
 
 Type<Fields> fields_type() {
   return type_of<Fields>(
-      {.keys = {key("cell", &Fields::cell, length(number(1, kMaxCellSide)),
+      {.keys = {key("cell", &Fields::cell, length_type(number_type(1, kMaxCellSide)),
                     "side of a cell in lattice spacings"),
-                key("every", &Fields::every, count(1, kMaxSteps), "steps of a window")}});
+                key("every", &Fields::every, count_type(1, kMaxSteps), "steps of a window")}});
 }
 
 void check_contacts(const PlacedValue& fields, Contacts& contacts) {
@@ -167,9 +170,9 @@ void check_contacts(const PlacedValue& fields, Contacts& contacts) {
 
 Type<Contacts> contacts_type() {
   return type_of<Contacts>(
-      {.keys = {key("every", &Contacts::every, count(1, kMaxSteps),
+      {.keys = {key("every", &Contacts::every, count_type(1, kMaxSteps),
                     "steps from one sample to the next; with `model: contact` at most `window`"),
-                key("window", &Contacts::window, count(1, kMaxSteps),
+                key("window", &Contacts::window, count_type(1, kMaxSteps),
                     "steps of a mean of the forces, at the end of a stage and before each picture")
                     .of(Model::contact)},
        .check = check_contacts});
@@ -177,22 +180,22 @@ Type<Contacts> contacts_type() {
 
 Type<TrajectoryOutput> trajectory_type() {
   return type_of<TrajectoryOutput>(
-      {.keys = {key("every", &TrajectoryOutput::every, count(1, kMaxSteps),
+      {.keys = {key("every", &TrajectoryOutput::every, count_type(1, kMaxSteps),
                     "steps from one frame to the next, counted from the start of each stage"),
-                key("contacts", &TrajectoryOutput::contacts, yes_or_no(),
+                key("contacts", &TrajectoryOutput::contacts, bool_type(),
                     "contacts and their forces, too, for `clca render` and `clca export`; about 50 "
                     "bytes a contact and frame")
                     .of(Model::contact)}});
 }
 
 Key<Checkpoints> seconds_key() {
-  return key("seconds", &Checkpoints::seconds, above_zero(1e9),
+  return key("seconds", &Checkpoints::seconds, positive_number_type(1e9),
              "seconds by the clock from one checkpoint to the next; nothing of the result depends "
              "on it");
 }
 
 Type<Checkpoints> checkpoint_type() {
-  return type_of<Checkpoints>({.keys = {key("every", &Checkpoints::every, count(1, kMaxSteps),
+  return type_of<Checkpoints>({.keys = {key("every", &Checkpoints::every, count_type(1, kMaxSteps),
                                             "steps from one checkpoint to the next"),
                                         seconds_key()},
                                .check =
@@ -207,14 +210,14 @@ Type<Checkpoints> checkpoint_type() {
 }  // namespace
 
 Type<Checkpoints> gas_checkpoint_type() {
-  return type_of<Checkpoints>({.keys = {seconds_key().is_required()}});
+  return type_of<Checkpoints>({.keys = {seconds_key().mark_required()}});
 }
 
 Type<Output> output_type() {
   return type_of<Output>(
       {.keys = {key("frames", &Output::frames, or_none(frames_type()),
                     "pictures: [output.frames](#outputframes)"),
-                key("view", &Output::view, rectangle().checked(check_view),
+                key("view", &Output::view, rectangle_type().checked(check_view),
                     "the part of the plane that pictures show without a `view` of their own, also "
                     "those drawn later; `--set output.frames=none` keeps that of `frames` here")
                     .defaults_to("the whole box"),

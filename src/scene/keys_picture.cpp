@@ -81,7 +81,7 @@ void read_rows(const PlacedValue& file, Rows& rows,
 
 Type<Rows> rows_type(bool (*allowed)(char letter), const std::string& about,
                      const std::string& pattern) {
-  return own_type<Rows>(
+  return custom_type<Rows>(
       "list of texts", with(array_schema(text_schema(pattern)), R"("minItems": 1)"),
       [=](const PlacedValue& place) {
         Rows rows;
@@ -101,7 +101,7 @@ Type<Rows> rows_type(bool (*allowed)(char letter), const std::string& about,
       },
       [](const Rows& rows) {
         Value list = Value::list();
-        list.in_lines = true;
+        list.one_entry_per_line = true;
         std::ranges::transform(rows, std::back_inserter(list.items), Value::quoted_text);
         return list;
       });
@@ -116,7 +116,7 @@ Type<Picture> picture_type() {
                 key("rows", &Picture::rows, rows_type(allowed, "the characters # and .", "^[#.]+$"),
                     "the same as text, from the top: `#` for dark pixels, `.` for others")
                     .with_condition("this or `file`"),
-                required("box", &Picture::box, rectangle(), "what the picture covers")},
+                required_key("box", &Picture::box, rectangle_type(), "what the picture covers")},
        .one_of = {"file", "rows"}});
 }
 

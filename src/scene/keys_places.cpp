@@ -60,16 +60,16 @@ void check_source(const PlacedValue& fields, Source& source) {
 Type<std::vector<Source>> sources_type() {
   return by_name<Source>(
       "sources",
-      {.keys = {alternative("at", &Source::position, point(),
-                            "emits at the site nearest to this point")
+      {.keys = {alternative_key("at", &Source::position, point_type(),
+                                "emits at the site nearest to this point")
                     .with_condition("this or `region`"),
-                alternative("region", &Source::position, region(),
-                            "emits at any site of this region of the box")
+                alternative_key("region", &Source::position, region_type(),
+                                "emits at any site of this region of the box")
                     .with_condition("this or `at`"),
                 key("species", &Source::weights, weights_type(), "weights of what is emitted")
                     .defaults_to("all alike"),
-                required("rate", &Source::rate, number(1e-6, 1000), "particles per step"),
-                key("count", &Source::count, count(1, kMaxParticles),
+                required_key("rate", &Source::rate, number_type(1e-6, 1000), "particles per step"),
+                key("count", &Source::count, count_type(1, kMaxParticles),
                     "closes for good after so many")
                     .defaults_to("no end")},
        .one_of = {"at", "region"},
@@ -77,17 +77,17 @@ Type<std::vector<Source>> sources_type() {
 }
 
 Type<std::vector<Outlet>> outlets_type() {
-  return by_name<Outlet>("outlets",
-                         {.keys = {required("region", &Outlet::region, region(),
-                                            "where particles are removed that lie wholly inside")},
-                          .check = [](const PlacedValue& fields, Outlet& outlet) {
-                            outlet.location = location_text(fields.at("region"));
-                          }});
+  return by_name<Outlet>(
+      "outlets", {.keys = {required_key("region", &Outlet::region, region_type(),
+                                        "where particles are removed that lie wholly inside")},
+                  .check = [](const PlacedValue& fields, Outlet& outlet) {
+                    outlet.location = location_text(fields.at("region"));
+                  }});
 }
 
 Type<std::vector<Probe>> probes_type() {
-  const Type<lattice::Rectangle> edges = region().checked(check_region);
-  auto type = by_name("probes", as(&Probe::region, edges));
+  const Type<lattice::Rectangle> edges = region_type().checked(check_region);
+  auto type = by_name("probes", single_member_type(&Probe::region, edges));
   type.allowed = edges.allowed + " by name";
   return type;
 }
@@ -95,10 +95,11 @@ Type<std::vector<Probe>> probes_type() {
 Type<std::vector<Line>> lines_type() {
   return by_name<Line>(
       "lines",
-      {.keys = {required("from", &Line::from, point(), "start of the line, in the box"),
-                required("to", &Line::to, point(),
-                         "its end; what passes to the right of this direction counts as positive"),
-                key("parts", &Line::parts, integer(1, 1000),
+      {.keys = {required_key("from", &Line::from, point_type(), "start of the line, in the box"),
+                required_key(
+                    "to", &Line::to, point_type(),
+                    "its end; what passes to the right of this direction counts as positive"),
+                key("parts", &Line::parts, integer_type(1, 1000),
                     "of equal length, each with a row in the table")},
        .check = check_line});
 }

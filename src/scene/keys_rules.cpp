@@ -15,7 +15,7 @@ constexpr double kMaxSpacing = 1e3;   // metres
 using Priority = std::array<automaton::UpdateClass, 3>;
 
 Type<Priority> priority_type() {
-  const auto list = set_of(choice(kUpdateClassNames), 3, 3, found, "; name each class once");
+  const auto list = set_type(choice_type(kUpdateClassNames), 3, 3, found, "; name each class once");
   return converted<Priority>(
       "`rest`, `inertia`, `gravity`, each once", list,
       [](const std::vector<automaton::UpdateClass>& order) {
@@ -26,17 +26,17 @@ Type<Priority> priority_type() {
 
 Keys<automaton::Rules> rules_keys() {
   using automaton::Rules;
-  return {key("inertia", &Rules::inertia, number(0, 1),
+  return {key("inertia", &Rules::inertia, number_type(0, 1),
               "probability to keep the direction of the last step, if free"),
-          key("scatter", &Rules::scatter, number(0, 1),
+          key("scatter", &Rules::scatter, number_type(0, 1),
               "probability to take any free candidate, all alike, instead"),
-          key("candidates", &Rules::candidates, choice(kCandidateNames),
+          key("candidates", &Rules::candidates, choice_type(kCandidateNames),
               "directions a particle may take by itself: gravity and its neighbours, or all six"),
-          key("gravity", &Rules::gravity, choice(kDirectionNames), "direction of gravity"),
+          key("gravity", &Rules::gravity, choice_type(kDirectionNames), "direction of gravity"),
           key("update_priority", &Rules::update_priority, priority_type(),
               "who moves first: those at rest, those that keep their direction, those that fall "
               "straight"),
-          key("ties", &Rules::ties, choice(kTiesNames),
+          key("ties", &Rules::ties, choice_type(kTiesNames),
               "order within a class: by a draw for each particle, or for each direction")};
 }
 
@@ -53,14 +53,14 @@ double read_spacing(const PlacedValue& place) {
 }
 
 Type<double> spacing() {
-  return own_type<double>(
+  return custom_type<double>(
       fmt::format("{} m to {} m: a number and `m`, `cm`, `mm` or `um`", kMinSpacing, kMaxSpacing),
       text_schema("^[0-9.][0-9.eE+-]* *(m|cm|mm|um)$"), read_spacing,
       [](double length) { return Value::scalar(fmt::format("{} m", length)); });
 }
 
 Type<int> sweeps() {
-  Type<int> type = integer(2, 64);
+  Type<int> type = integer_type(2, 64);
   type.allowed += ", even";
   type.schema = with(type.schema, R"("multipleOf": 2)");
   return type.checked([](const int& sweeps, const PlacedValue& place) {
@@ -73,7 +73,7 @@ Type<int> sweeps() {
 
 /// 0 for `auto`.
 Type<double> fall_height() {
-  const auto type = word_or_value("auto", length(above_zero(kMaxFallHeight)),
+  const auto type = word_or_value("auto", length_type(positive_number_type(kMaxFallHeight)),
                                   fmt::format("a number above 0 and up to {}", kMaxFallHeight));
   return converted<double>(
       type.allowed, type, [](std::optional<double> height) { return height.value_or(0); },
@@ -83,14 +83,14 @@ Type<double> fall_height() {
 /// What may differ from stage to stage.
 Keys<contact::Parameters> stage_contact_keys() {
   using P = contact::Parameters;
-  const Type<double> friction = number(0, contact::kMaxFriction);
+  const Type<double> friction = number_type(0, contact::kMaxFriction);
   return {key("friction", &P::friction, friction,
               "between particles: greatest tangential force over normal force"),
           key("wall_friction", &P::wall_friction, friction,
               "the same at the box, and at walls without a `friction` of their own"),
           key("rolling_friction", &P::rolling_friction, friction,
               "for `rolling: resistance`: greatest moment over normal force times radius"),
-          key("restitution", &P::restitution, number(0, 0.99),
+          key("restitution", &P::restitution, number_type(0, 0.99),
               "normal velocity after a collision over that before")};
 }
 
@@ -98,13 +98,13 @@ Type<contact::Parameters> contact_type() {
   using P = contact::Parameters;
   Keys<P> keys = stage_contact_keys();
   keys.insert(keys.begin() + 2,
-              key("rolling", &P::rolling, choice(kRollingNames),
+              key("rolling", &P::rolling, choice_type(kRollingNames),
                   "how particles turn: not at all, against a moment that resists rolling, or "
                   "freely; only hexagons and discs turn"));
   keys.add(
       {key("sweeps", &P::sweeps, sweeps(),
            "sweeps over all contacts in a step, forwards and backwards in turn"),
-       key("resolution", &P::resolution, number(0.01, 1),
+       key("resolution", &P::resolution, number_type(0.01, 1),
            "sites a step of a particle that has fallen by `fall_height`; sets the time step, which "
            "is not adaptive"),
        key("fall_height", &P::fall_height, fall_height(),
@@ -114,7 +114,7 @@ Type<contact::Parameters> contact_type() {
 
 Type<voids::Rules> voids_type() {
   return type_of<voids::Rules>(
-      {.keys = {key("straight", &voids::Rules::straight_weight, number(0, 1),
+      {.keys = {key("straight", &voids::Rules::straight_weight, number_type(0, 1),
                     "weight of the grain straight above a void; the two beside it share the "
                     "rest: 1/3 is equal chances")}});
 }
@@ -122,11 +122,11 @@ Type<voids::Rules> voids_type() {
 Type<baxter::Rules> baxter_type() {
   using baxter::Rules;
   return type_of<Rules>(
-      {.keys = {key("power", &Rules::exponent, integer(0, baxter::kMaxPower),
+      {.keys = {key("power", &Rules::exponent, integer_type(0, baxter::kMaxPower),
                     "α: power of the energy of neighbours with unlike velocities"),
-                key("gravity", &Rules::gravity, number(0, baxter::kMaxGravity),
+                key("gravity", &Rules::gravity, number_type(0, baxter::kMaxGravity),
                     "E_G: energy of a grain that does not go down where it can"),
-                key("like_axes", &Rules::like_axes_factor, number(0, 1),
+                key("like_axes", &Rules::like_axes_factor, number_type(0, 1),
                     "s: factor of the energy of neighbours with equal axes; with 1, axes do not "
                     "matter (β = 0)")}});
 }
@@ -134,21 +134,22 @@ Type<baxter::Rules> baxter_type() {
 }  // namespace
 
 Type<automaton::Rules> stage_rules_type() {
-  return with_defaults_of(&Scene::rules, rules_keys());
+  return type_with_scene_defaults(&Scene::rules, rules_keys());
 }
 
 Type<Units> units_type() {
   return type_of<Units>(
-      {.keys = {required("spacing", &Units::spacing, spacing(), "length of one lattice spacing"),
-                key("gravity", &Units::gravity, number(1e-6, 1e6), "gravity in m/s²"),
-                key("density", &Units::density, number(1e-9, 1e9),
-                    "mass of a square metre of grains in kg/m²: density of the material times the "
-                    "depth of the layer; then masses and forces are in SI units, too")
-                    .defaults_to("none")}});
+      {.keys = {
+           required_key("spacing", &Units::spacing, spacing(), "length of one lattice spacing"),
+           key("gravity", &Units::gravity, number_type(1e-6, 1e6), "gravity in m/s²"),
+           key("density", &Units::density, number_type(1e-9, 1e9),
+               "mass of a square metre of grains in kg/m²: density of the material times the "
+               "depth of the layer; then masses and forces are in SI units, too")
+               .defaults_to("none")}});
 }
 
 Type<contact::Parameters> stage_contact_type() {
-  return with_defaults_of(&Scene::contact, stage_contact_keys());
+  return type_with_scene_defaults(&Scene::contact, stage_contact_keys());
 }
 
 Keys<Scene> model_blocks() {

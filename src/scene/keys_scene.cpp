@@ -38,7 +38,7 @@ std::uint64_t read_hash(const PlacedValue& place) {
 }
 
 Type<std::uint64_t> hash_type() {
-  return own_type<std::uint64_t>(
+  return custom_type<std::uint64_t>(
       fmt::format("{} hexadecimal digits, in quotes", kHashDigits),
       text_schema("^[0-9A-Fa-f]{16}$"), read_hash,
       [](std::uint64_t hash) { return Value::quoted_text(fmt::format("{:016x}", hash)); });
@@ -47,10 +47,12 @@ Type<std::uint64_t> hash_type() {
 Type<Box> box_type() {
   return type_of<Box>(
       {.keys =
-           {required("width", &Box::width, length(number(1, 866'025)),  // at most 1,000,000 columns
-                     "width; columns stand 0.866 apart"),
-            required("height", &Box::height, length(number(1, kMaxBoxHeight)), "height"),
-            key("periodic", &Box::periodic, yes_or_no(),
+           {required_key("width", &Box::width,
+                         length_type(number_type(1, 866'025)),  // at most 1,000,000 columns
+                         "width; columns stand 0.866 apart"),
+            required_key("height", &Box::height, length_type(number_type(1, kMaxBoxHeight)),
+                         "height"),
+            key("periodic", &Box::periodic, bool_type(),
                 "what leaves on the right comes back on the left; the number of columns is made "
                 "even")},
        .check = [](const PlacedValue& fields, Box& box) { box.location = location_text(fields); }});
@@ -58,10 +60,10 @@ Type<Box> box_type() {
 
 Type<Begin> begin_type() {
   return type_of<Begin>(
-      {.keys = {required("run", &Begin::run, file_path_type(),
-                         "folder of the run; a relative one begins at the folder of the scene"),
+      {.keys = {required_key("run", &Begin::run, file_path_type(),
+                             "folder of the run; a relative one begins at the folder of the scene"),
                 key("step", &Begin::step,
-                    word_or_value("last", count(0, kMaxSteps),
+                    word_or_value("last", count_type(0, kMaxSteps),
                                   fmt::format("a whole number from 0 to {}", kMaxSteps)),
                     "its end, or a step of its trajectory"),
                 key("state", &Begin::state, hash_type(),
@@ -85,35 +87,37 @@ Keys<AScene> first_keys() {
     }
   };
   return {
-      own_key<AScene>("clca",
-                      {.allowed = fmt::format("`{}`", kVersionText),
-                       .schema = fmt::format(R"({{"const": {}}})", kVersionText)},
-                      "version of the format, without quotes", check_version)
-          .is_required()
+      custom_key<AScene>("clca",
+                         {.allowed = fmt::format("`{}`", kVersionText),
+                          .schema = fmt::format(R"({{"const": {}}})", kVersionText)},
+                         "version of the format, without quotes", check_version)
+          .mark_required()
           .written_as(
               [](const AScene& /*scene*/) { return std::optional(Value::scalar(kVersionText)); }),
-      own_key<AScene>("let",
-                      {.allowed = "numbers by name",
-                       .schema = object_schema(R"({"type": "number"})", kExpressionNamePattern)},
-                      "numbers with names, for [expressions](#expressions) in the place of numbers")
+      custom_key<AScene>(
+          "let",
+          {.allowed = "numbers by name",
+           .schema = object_schema(R"({"type": "number"})", kExpressionNamePattern)},
+          "numbers with names, for [expressions](#expressions) in the place of numbers")
           .defaults_to("none"),
       key("title", &AScene::title, text_line_type(), "one line for captions, figures and reports")
           .defaults_to("name of the file"),
-      key("seed", &AScene::seed, count(0, std::numeric_limits<std::uint64_t>::max()),
+      key("seed", &AScene::seed, count_type(0, std::numeric_limits<std::uint64_t>::max()),
           "seed of all draws: the same scene and seed give the same run, bit for bit")};
 }
 
 Keys<Scene> scene_keys() {
   Keys<Scene> keys = first_keys<Scene>();
-  keys.add({key("model", &Scene::model, choice(kModelNames),
-                "what moves the grains: rules, velocities and the friction of contacts, voids that "
-                "rise, or energies of velocities and axes; [model](#model)"),
-            key("begin", &Scene::begin, begin_type(),
-                "the state of another run that this one begins with: [begin](#begin)")
-                .defaults_to("an empty box"),
-            required("box", &Scene::box, box_type(), "the [box](#box) that everything happens in"),
-            required("species", &Scene::species, species_type(),
-                     "kinds of particles, by name: [species](#species)")});
+  keys.add(
+      {key("model", &Scene::model, choice_type(kModelNames),
+           "what moves the grains: rules, velocities and the friction of contacts, voids that "
+           "rise, or energies of velocities and axes; [model](#model)"),
+       key("begin", &Scene::begin, begin_type(),
+           "the state of another run that this one begins with: [begin](#begin)")
+           .defaults_to("an empty box"),
+       required_key("box", &Scene::box, box_type(), "the [box](#box) that everything happens in"),
+       required_key("species", &Scene::species, species_type(),
+                    "kinds of particles, by name: [species](#species)")});
   keys.add(model_blocks());
   keys.add({list_key("walls", &Scene::walls, walls_type(),
                      "obstacles, standing or moving, by name: [walls](#walls)"),
@@ -125,8 +129,8 @@ Keys<Scene> scene_keys() {
                      "regions of the box that are observed, by name: [probes](#probes)"),
             list_key("lines", &Scene::lines, lines_type(),
                      "lines across which flux and velocity are measured, by name: [lines](#lines)"),
-            required("stages", &Scene::stages, stages_type(),
-                     "what happens, one after the other: [stages](#stages)"),
+            required_key("stages", &Scene::stages, stages_type(),
+                         "what happens, one after the other: [stages](#stages)"),
             measure_key(),
             key("output", &Scene::output, output_type(),
                 "pictures, tables, trajectory and checkpoints: [output](#output)")
@@ -151,7 +155,7 @@ std::string model_schema_members() {
 }  // namespace
 
 Type<std::string> text_line_type() {
-  return own_type<std::string>(
+  return custom_type<std::string>(
       fmt::format("1 to {} characters", kMaxLineLength),
       fmt::format(R"({{"type": ["string", "number", "boolean"], "minLength": 1, "maxLength": {}}})",
                   kMaxLineLength),
@@ -168,7 +172,7 @@ const Type<Scene>& scene_type() {
 const Type<BoltzmannScene>& boltzmann_type() {
   static const Type<BoltzmannScene> kType = [] {
     Keys<BoltzmannScene> keys = first_keys<BoltzmannScene>();
-    keys.add({boltzmann_block(), boltzmann_output()});
+    keys.add({boltzmann_block_key(), boltzmann_output_key()});
     return type_of<BoltzmannScene>({.keys = keys});
   }();
   return kType;

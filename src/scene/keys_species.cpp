@@ -23,39 +23,46 @@ constexpr double kMaxLength = 1000;  // spacings, of a shape
 /// Of `[x, q]`, each once.
 Type<std::vector<lattice::Axial>> sites(std::size_t least, std::size_t most) {
   const auto site =
-      list_of_members("", integer(-1000, 1000), &lattice::Axial::x, &lattice::Axial::q);
-  auto type = set_of(site, least, most, flow_text);
+      list_of_members("", integer_type(-1000, 1000), &lattice::Axial::x, &lattice::Axial::q);
+  auto type = set_type(site, least, most, flow_text);
   type.allowed = fmt::format("{} to {} `[x, q]`", least, most);
   return type;
 }
 
 Type<RodSpec> rod() {
   return type_of<RodSpec>(
-      {.keys = {
-           required("radius", &RodSpec::radius, integer(0, kMaxRadius), "radius of the hexagons"),
-           required("length", &RodSpec::length, integer(1, 1000), "number of sites on the line")}});
+      {.keys = {required_key("radius", &RodSpec::radius, integer_type(0, kMaxRadius),
+                             "radius of the hexagons"),
+                required_key("length", &RodSpec::length, integer_type(1, 1000),
+                             "number of sites on the line")}});
 }
 
 Type<ShapeSpec> shape() {
-  return one_of<ShapeSpec>(
-      {alternative<ShapeSpec>(
-           "hexagon", as(&HexagonSpec::radius, integer(0, kMaxRadius)),
+  return one_of_type<ShapeSpec>(
+      {alternative_key<ShapeSpec>(
+           "hexagon", single_member_type(&HexagonSpec::radius, integer_type(0, kMaxRadius)),
            "all sites within that many steps of the centre: 0 is a single site, 1 has 7, 2 has 19"),
-       alternative<ShapeSpec>("disc", as(&DiscSpec::radius, length(number(0, kMaxRadius))),
-                              "all sites within that many spacings of the centre"),
-       alternative<ShapeSpec>("rectangle",
-                              list_of_members("`[width, height]`", length(above_zero(kMaxLength)),
-                                              &RectangleSpec::width, &RectangleSpec::height),
-                              "an upright rectangle, to the nearest number of columns and of sites "
-                              "in each"),
-       alternative<ShapeSpec>("outline",
-                              as(&OutlineSpec::corners, list_of(point(kMaxLength), 3, kMaxCorners)),
-                              "all sites whose centre lies on or inside the outline with these "
-                              "corners, in spacings to the right and upwards"),
-       alternative<ShapeSpec>("sites", as(&SitesSpec::sites, sites(1, kMaxSites)), "these sites"),
-       alternative<ShapeSpec>("polygon", as(&PolygonSpec::corners, sites(3, kMaxCorners)),
-                              "all sites on and inside the outline with these sites as corners"),
-       alternative<ShapeSpec>("rod", rod(), "hexagons on an upright line of sites")});
+       alternative_key<ShapeSpec>(
+           "disc", single_member_type(&DiscSpec::radius, length_type(number_type(0, kMaxRadius))),
+           "all sites within that many spacings of the centre"),
+       alternative_key<ShapeSpec>(
+           "rectangle",
+           list_of_members("`[width, height]`", length_type(positive_number_type(kMaxLength)),
+                           &RectangleSpec::width, &RectangleSpec::height),
+           "an upright rectangle, to the nearest number of columns and of sites "
+           "in each"),
+       alternative_key<ShapeSpec>(
+           "outline",
+           single_member_type(&OutlineSpec::corners,
+                              list_type(point_type(kMaxLength), 3, kMaxCorners)),
+           "all sites whose centre lies on or inside the outline with these "
+           "corners, in spacings to the right and upwards"),
+       alternative_key<ShapeSpec>(
+           "sites", single_member_type(&SitesSpec::sites, sites(1, kMaxSites)), "these sites"),
+       alternative_key<ShapeSpec>(
+           "polygon", single_member_type(&PolygonSpec::corners, sites(3, kMaxCorners)),
+           "all sites on and inside the outline with these sites as corners"),
+       alternative_key<ShapeSpec>("rod", rod(), "hexagons on an upright line of sites")});
 }
 
 lattice::Shape build(const HexagonSpec& spec) {
@@ -152,15 +159,15 @@ lattice::Shape build_checked(const ShapeSpec& spec) {
 
 Type<std::vector<int>> orientations() {
   static const std::vector<int> kAll = {0, 60, 120, 180, 240, 300};
-  Type<int> angle =
-      integer(0, 360 - kDegreesPerSixth).checked([](const int& degrees, const PlacedValue& place) {
-        if (degrees % kDegreesPerSixth != 0) {
-          fail(place, "expected a multiple of 60, found {}", degrees);
-        }
-      });
+  Type<int> angle = integer_type(0, 360 - kOrientationStepDegrees)
+                        .checked([](const int& degrees, const PlacedValue& place) {
+                          if (degrees % kOrientationStepDegrees != 0) {
+                            fail(place, "expected a multiple of 60, found {}", degrees);
+                          }
+                        });
   angle.schema = R"({"enum": [0, 60, 120, 180, 240, 300]})";
-  const auto list = set_of(angle, 1, kAll.size(), flow_text);
-  return own_type<std::vector<int>>(
+  const auto list = set_type(angle, 1, kAll.size(), flow_text);
+  return custom_type<std::vector<int>>(
       "list of 0, 60, 120, 180, 240, 300, or `any`", any_of({word_schema("any"), list.schema}),
       [=](const PlacedValue& place) {
         if (place.value.text == "any") {
@@ -198,7 +205,7 @@ void check_width(const Species& species, const PlacedValue& fields) {
   const int columns = lattice_of(box).columns();
   for (const int degrees : species.orientations) {
     const std::vector<lattice::Axial> sites =
-        species.shape.rotated(degrees / kDegreesPerSixth).sites();
+        species.shape.rotated(degrees / kOrientationStepDegrees).sites();
     const int width = sites.back().x - sites.front().x + 1;
     if (width >= columns) {
       fail(fields, "{} columns wide at {} degrees, too wide for a periodic box of {} columns",
@@ -210,27 +217,27 @@ void check_width(const Species& species, const PlacedValue& fields) {
 }  // namespace
 
 Type<image::Rgb> color_type() {
-  return own_type<image::Rgb>("`\"#rrggbb\"`, in quotes", text_schema("^#[0-9A-Fa-f]{6}$"),
-                              read_color, [](const image::Rgb& color) {
-                                return Value::quoted_text(fmt::format(
-                                    "#{:02x}{:02x}{:02x}", color.red, color.green, color.blue));
-                              });
+  return custom_type<image::Rgb>("`\"#rrggbb\"`, in quotes", text_schema("^#[0-9A-Fa-f]{6}$"),
+                                 read_color, [](const image::Rgb& color) {
+                                   return Value::quoted_text(fmt::format(
+                                       "#{:02x}{:02x}{:02x}", color.red, color.green, color.blue));
+                                 });
 }
 
 Type<std::vector<Species>> species_type() {
   Map<Species> map = {
-      .keys = {Key<Species>(any_key("shape", to_member(&Species::shape_spec), shape(),
+      .keys = {Key<Species>(any_key("shape", member_access(&Species::shape_spec), shape(),
                                     "the sites of a particle"))
                    .with_condition("this or `sizes`"),
                // Replaced by species with shapes before the keys are read; see expand_sizes.
-               own_key<Species>("sizes", sizes_type(),
-                                "round particles whose sizes follow a law: [sizes](#sizes)")
+               custom_key<Species>("sizes", sizes_type(),
+                                   "round particles whose sizes follow a law: [sizes](#sizes)")
                    .with_condition("this or `shape`"),
                key("orientations", &Species::orientations, orientations(),
                    "angles it may start with, clockwise; one of them at random"),
                key("color", &Species::color, color_type(), "colour for `color_by: species`")
                    .defaults_to("palette"),
-               key("sieve", &Species::sieve, number(0, 1),
+               key("sieve", &Species::sieve, number_type(0, 1),
                    "factor of the chance that a void takes such a grain and not another beside it")
                    .of(Model::voids)},
       .one_of = {"shape", "sizes"}};

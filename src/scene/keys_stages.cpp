@@ -15,11 +15,12 @@ constexpr double kMaxVesselRate = 1e6;  // degrees of a tilt, or turns, per unit
 
 /// An angle, or a map with the angle and how fast it is reached.
 Type<Tilt> tilt() {
-  const Type<double> angle = number(-180, 180);
-  const auto turn = type_of<Tilt>(
-      {.keys = {required("to", &Tilt::to, angle, "degrees"),
-                key("rate", &Tilt::rate, above_zero(kMaxVesselRate), "degrees per unit of time")
-                    .is_required()}});
+  const Type<double> angle = number_type(-180, 180);
+  const auto turn =
+      type_of<Tilt>({.keys = {required_key("to", &Tilt::to, angle, "degrees"),
+                              key("rate", &Tilt::rate, positive_number_type(kMaxVesselRate),
+                                  "degrees per unit of time")
+                                  .mark_required()}});
   return or_map(
       angle.allowed, angle.schema, turn,
       [=](const PlacedValue& place) { return Tilt{.to = angle.read(place), .rate = {}}; },
@@ -30,9 +31,9 @@ Type<Tilt> tilt() {
 
 Type<Rotate> rotate() {
   return type_of<Rotate>(
-      {.keys = {required("rate", &Rotate::rate, number(-kMaxVesselRate, kMaxVesselRate),
-                         "turns per unit of time: anticlockwise, or clockwise below 0"),
-                key("centre", &Rotate::centre, point(), "what it turns about")
+      {.keys = {required_key("rate", &Rotate::rate, number_type(-kMaxVesselRate, kMaxVesselRate),
+                             "turns per unit of time: anticlockwise, or clockwise below 0"),
+                key("centre", &Rotate::centre, point_type(), "what it turns about")
                     .defaults_to("the middle of the box")},
        .check = [](const PlacedValue& fields, Rotate& rotate) {
          if (fields.scene.box.periodic) {
@@ -46,11 +47,11 @@ Type<Rotate> rotate() {
 
 Type<VesselShake> vessel_shake() {
   return type_of<VesselShake>(
-      {.keys = {required("gamma", &VesselShake::gamma, above_zero(1000),
-                         "greatest acceleration over that of gravity"),
-                required("amplitude", &VesselShake::amplitude, length(above_zero(1000)),
-                         "spacings to either side"),
-                key("direction", &VesselShake::sideways, choice(kShakeDirectionNames),
+      {.keys = {required_key("gamma", &VesselShake::gamma, positive_number_type(1000),
+                             "greatest acceleration over that of gravity"),
+                required_key("amplitude", &VesselShake::amplitude,
+                             length_type(positive_number_type(1000)), "spacings to either side"),
+                key("direction", &VesselShake::sideways, choice_type(kShakeDirectionNames),
                     "along gravity, beginning upwards, or across it, beginning to the right")}});
 }
 
@@ -170,16 +171,17 @@ void check_until(const PlacedValue& fields, const Stage& stage) {
 /// `{steps: N}` and so on: every `until` but the word `settled`.
 Type<Until> until_map_type() {
   const auto end = [](std::string_view name, const auto& type, std::string_view about) {
-    return alternative<Until>(name, type, about);
+    return alternative_key<Until>(name, type, about);
   };
-  return one_of<Until>(
-      {end("steps", as(&UntilSteps::steps, count(1, kMaxSteps)), "after N steps, at rest or not"),
-       end("discharged", as(&UntilDischarged::share, above_zero(1)),
+  return one_of_type<Until>(
+      {end("steps", single_member_type(&UntilSteps::steps, count_type(1, kMaxSteps)),
+           "after N steps, at rest or not"),
+       end("discharged", single_member_type(&UntilDischarged::share, positive_number_type(1)),
            "when this share of the particles has left through the outlets"),
-       end("cycles", as(&UntilCycles::cycles, count(1, kMaxSteps)),
+       end("cycles", single_member_type(&UntilCycles::cycles, count_type(1, kMaxSteps)),
            "after so many cycles of each wall with a wave or a shake, and of a vessel that turns "
            "or is shaken"),
-       end("time", as(&UntilTime::time, above_zero(kMaxTime)),
+       end("time", single_member_type(&UntilTime::time, positive_number_type(kMaxTime)),
            "after this time: in seconds where the scene has [`units`](#units), else in "
            "√(spacing/gravity)")
            .of(Model::contact)});
@@ -197,12 +199,13 @@ UntilSettled read_settled(const PlacedValue& place) {
 }
 
 Type<VesselMotion> vessel_type() {
-  return one_of<VesselMotion>(
-      {alternative<VesselMotion>("tilt", tilt(),
-                                 "stands at this angle from upright, in degrees anticlockwise: at "
-                                 "once, or turned to it the shorter way"),
-       alternative<VesselMotion>("rotate", rotate(), "turns without end"),
-       alternative<VesselMotion>("shake", vessel_shake(), "swings as a sine")});
+  return one_of_type<VesselMotion>(
+      {alternative_key<VesselMotion>(
+           "tilt", tilt(),
+           "stands at this angle from upright, in degrees anticlockwise: at "
+           "once, or turned to it the shorter way"),
+       alternative_key<VesselMotion>("rotate", rotate(), "turns without end"),
+       alternative_key<VesselMotion>("shake", vessel_shake(), "swings as a sine")});
 }
 
 Type<Until> until_type() {
@@ -226,37 +229,38 @@ void check_stage(const PlacedValue& fields, Stage& stage) {
 }
 
 Map<Stage> stage_map() {
-  const auto walls = references("wall", [](const Scene& scene) { return names_of(scene.walls); });
+  const auto walls =
+      references_type("wall", [](const Scene& scene) { return names_of(scene.walls); });
   const auto sources =
-      references("source", [](const Scene& scene) { return names_of(scene.sources); });
-  return {
-      .keys = {required("name", &Stage::name, name_type(), "unique; part of the names of files"),
-               key("fill", &Stage::fill, fill_type(),
-                   "particles placed at the start: [fill](#fill)")
-                   .defaults_to("none"),
-               list_key("remove", &Stage::remove, walls, "walls to take away at the start"),
-               list_key("insert", &Stage::insert, walls,
-                        "walls to put in at the start; they are absent until then"),
-               list_key("move", &Stage::move, walls,
-                        "walls in motion during this stage; all others stand"),
-               list_key("sources", &Stage::sources, sources,
-                        "sources that are open during this stage; all others are closed"),
-               key("vessel", &Stage::vessel, vessel_type(),
-                   "how the [vessel](#vessel) stands and moves")
-                   .of(Model::contact)
-                   .defaults_to("none: it rests as it stands"),
-               key("rules", &Stage::rules, stage_rules_type(),
-                   "during this stage in place of those of the scene")
-                   .of(Model::automaton)
-                   .defaults_to("[rules](#rules)"),
-               key("contact", &Stage::contact, stage_contact_type(),
-                   "friction and restitution during this stage in place of those of the scene")
-                   .of(Model::contact)
-                   .defaults_to("[contact](#contact)"),
-               key("until", &Stage::until, until_type(), "when the stage ends"),
-               key("max_steps", &Stage::max_steps, count(1, kMaxSteps),
-                   "ends the stage in any case")},
-      .check = check_stage};
+      references_type("source", [](const Scene& scene) { return names_of(scene.sources); });
+  return {.keys = {required_key("name", &Stage::name, name_type(),
+                                "unique; part of the names of files"),
+                   key("fill", &Stage::fill, fill_type(),
+                       "particles placed at the start: [fill](#fill)")
+                       .defaults_to("none"),
+                   list_key("remove", &Stage::remove, walls, "walls to take away at the start"),
+                   list_key("insert", &Stage::insert, walls,
+                            "walls to put in at the start; they are absent until then"),
+                   list_key("move", &Stage::move, walls,
+                            "walls in motion during this stage; all others stand"),
+                   list_key("sources", &Stage::sources, sources,
+                            "sources that are open during this stage; all others are closed"),
+                   key("vessel", &Stage::vessel, vessel_type(),
+                       "how the [vessel](#vessel) stands and moves")
+                       .of(Model::contact)
+                       .defaults_to("none: it rests as it stands"),
+                   key("rules", &Stage::rules, stage_rules_type(),
+                       "during this stage in place of those of the scene")
+                       .of(Model::automaton)
+                       .defaults_to("[rules](#rules)"),
+                   key("contact", &Stage::contact, stage_contact_type(),
+                       "friction and restitution during this stage in place of those of the scene")
+                       .of(Model::contact)
+                       .defaults_to("[contact](#contact)"),
+                   key("until", &Stage::until, until_type(), "when the stage ends"),
+                   key("max_steps", &Stage::max_steps, count_type(1, kMaxSteps),
+                       "ends the stage in any case")},
+          .check = check_stage};
 }
 
 }  // namespace
@@ -275,7 +279,7 @@ std::uint64_t least_steps(const Stage& stage, const Scene& scene) {
         std::max(longest, static_cast<double>(min_cycle_steps(scene.walls[wall], scene.model)));
   }
   if (vessel_has_cycles(stage)) {
-    const contact::Vessel vessel = vessel_in(scene, stage, {});
+    const contact::Vessel vessel = vessel_at_start(scene, stage, {});
     longest = std::max(longest, 0x1p64 / static_cast<double>(vessel.phase_step));
   }
   return steps_in_bounds(static_cast<double>(cycles->cycles) * longest);
@@ -307,13 +311,13 @@ std::string stage_path(const Value& value, std::size_t number) {
 }
 
 Type<std::vector<Stage>> stages_type() {
-  auto type = list_of(
+  auto type = list_type(
       type_of(stage_map()), 1, kMaxItems,
       [](const PlacedValue& item, std::size_t index) { return stage_path(item.value, index); });
   type.allowed = fmt::format("list of 1 to {} maps", kMaxItems);
   type.text_of = [text = type.text_of](const void* stages, const Scene& scene) {
     Value list = text(stages, scene);
-    list.in_lines = true;
+    list.one_entry_per_line = true;
     return list;
   };
   return type;

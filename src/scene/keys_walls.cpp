@@ -29,12 +29,13 @@ void check_wave(const PlacedValue& fields, grains::Wave& wave) {
 Type<grains::Wave> wave() {
   using grains::Wave;
   return type_of<Wave>(
-      {.keys = {key("form", &Wave::form, choice(kWaveformNames), "offset over time"),
+      {.keys = {key("form", &Wave::form, choice_type(kWaveformNames), "offset over time"),
                 // The limits of amplitude and period: a sine takes 4 x amplitude x period squared
                 // in 64 bits.
-                required("amplitude", &Wave::amplitude, integer(1, 10'000), "sites to either side"),
-                required(
-                    "period", &Wave::period, count(1, 10'000'000),
+                required_key("amplitude", &Wave::amplitude, integer_type(1, 10'000),
+                             "sites to either side"),
+                required_key(
+                    "period", &Wave::period, count_type(1, 10'000'000),
                     fmt::format("steps of a cycle: at least {} for each site of amplitude of a "
                                 "sine, {} of a triangle",
                                 grains::kSineStepsPerSite, grains::kTriangleStepsPerSite))},
@@ -43,13 +44,13 @@ Type<grains::Wave> wave() {
 
 Type<grains::Shake> shake() {
   using grains::Shake;
-  const auto wait = word_or_value("settled", count(1, kMaxSteps),
+  const auto wait = word_or_value("settled", count_type(1, kMaxSteps),
                                   fmt::format("a whole number from 1 to {}", kMaxSteps));
-  auto period = key("period", &Shake::period, count(1, 1'000'000), "steps for each site")
+  auto period = key("period", &Shake::period, count_type(1, 1'000'000), "steps for each site")
                     .of(Model::contact)
                     .defaults_to("10");
   return type_of<Shake>(
-      {.keys = {required("amplitude", &Shake::amplitude, integer(1, kMaxOffset), "sites"),
+      {.keys = {required_key("amplitude", &Shake::amplitude, integer_type(1, kMaxOffset), "sites"),
                 key("wait", &Shake::wait, wait, "until no particle moves, or so many steps"),
                 period}});
 }
@@ -79,8 +80,8 @@ grains::Path read_points(const PlacedValue& place) {
 Type<grains::Path> path_type() {
   const Schema point =
       fmt::format(R"({{"type": "array", "items": [{}, {}], "minItems": 2, "maxItems": 2}})",
-                  count(1, kMaxSteps).schema, integer(-kMaxOffset, kMaxOffset).schema);
-  return own_type<grains::Path>(
+                  count_type(1, kMaxSteps).schema, integer_type(-kMaxOffset, kMaxOffset).schema);
+  return custom_type<grains::Path>(
       fmt::format("list of 1 to {} `[step, offset]`", kMaxPoints),
       array_schema(point, 1, kMaxPoints), read_points, [](const grains::Path& path) {
         Value list = Value::list();
@@ -111,20 +112,20 @@ void check_program(const PlacedValue& fields, WallMotion& motion) {
 
 Type<WallMotion> motion_type() {
   return type_of<WallMotion>(
-      {.keys = {key("direction", &WallMotion::direction, choice(kDirectionNames),
+      {.keys = {key("direction", &WallMotion::direction, choice_type(kDirectionNames),
                     "where to; required with `distance`"),
                 inlined_alternative(&WallMotion::program,
-                                    key("period", &grains::Drive::period, count(1, kMaxSteps),
+                                    key("period", &grains::Drive::period, count_type(1, kMaxSteps),
                                         "steps for each site of the distance"))
                     .defaults_to("1"),
-                inlined_alternative(&WallMotion::program,
-                                    key("distance", &grains::Drive::distance,
-                                        integer(1, kMaxOffset), "sites in all, then it stands"))
+                inlined_alternative(&WallMotion::program, key("distance", &grains::Drive::distance,
+                                                              integer_type(1, kMaxOffset),
+                                                              "sites in all, then it stands"))
                     .defaults_to(""),
-                alternative("wave", &WallMotion::program, wave(), "to and fro about home"),
-                alternative("shake", &WallMotion::program, shake(),
-                            "lifted, dropped back home, then a wait; again and again"),
-                alternative(
+                alternative_key("wave", &WallMotion::program, wave(), "to and fro about home"),
+                alternative_key("shake", &WallMotion::program, shake(),
+                                "lifted, dropped back home, then a wait; again and again"),
+                alternative_key(
                     "path", &WallMotion::program, path_type(),
                     "from point to point, straight between them: steps increase, and nowhere is "
                     "it steeper than one site a step, counted from `[0, 0]`")},
@@ -137,10 +138,10 @@ Type<WallMotion> motion_type() {
 
 Type<lattice::Segment> line() {
   using lattice::Segment;
-  return type_of<Segment>({.keys = {required("from", &Segment::from, point(), "one end"),
-                                    required("to", &Segment::to, point(), "the other end"),
+  return type_of<Segment>({.keys = {required_key("from", &Segment::from, point_type(), "one end"),
+                                    required_key("to", &Segment::to, point_type(), "the other end"),
                                     key("thickness", &Segment::thickness,
-                                        length(number(0, kMaxThickness)), "thickness")},
+                                        length_type(number_type(0, kMaxThickness)), "thickness")},
                            .check = [](const PlacedValue& fields, Segment& segment) {
                              if (segment.from == segment.to) {
                                fail(fields.at("to").value.location,
@@ -150,17 +151,18 @@ Type<lattice::Segment> line() {
 }
 
 Type<Disc> disc() {
-  return type_of<Disc>(
-      {.keys = {required("centre", &Disc::centre, point(), "centre"),
-                required("radius", &Disc::radius, length(above_zero(kMaxCoordinate)),
-                         "all sites at most this far from the centre")}});
+  return type_of<Disc>({.keys = {required_key("centre", &Disc::centre, point_type(), "centre"),
+                                 required_key("radius", &Disc::radius,
+                                              length_type(positive_number_type(kMaxCoordinate)),
+                                              "all sites at most this far from the centre")}});
 }
 
 Keys<Ring> ring_keys() {
-  return {required("centre", &Ring::centre, point(), "centre"),
-          required("radius", &Ring::radius, length(above_zero(kMaxCoordinate)), "inner radius"),
+  return {required_key("centre", &Ring::centre, point_type(), "centre"),
+          required_key("radius", &Ring::radius, length_type(positive_number_type(kMaxCoordinate)),
+                       "inner radius"),
           // A thinner ring would let sites through.
-          key("thickness", &Ring::thickness, length(number(1, kMaxThickness)),
+          key("thickness", &Ring::thickness, length_type(number_type(1, kMaxThickness)),
               "outer radius less the inner one")};
 }
 
@@ -174,31 +176,31 @@ void check_arc(const PlacedValue& fields, Arc& arc) {
 }
 
 Type<Arc> arc() {
-  const Type<double> angle = number(-360, 360);
-  Keys<Arc> keys = inlined<Arc>(to_member(&Arc::ring), ring_keys());
+  const Type<double> angle = number_type(-360, 360);
+  Keys<Arc> keys = inlined_keys<Arc>(member_access(&Arc::ring), ring_keys());
   keys.add(
-      {required("from", &Arc::from, angle, "one end, in degrees anticlockwise from the x axis"),
-       required("to", &Arc::to, angle,
-                "the other end, anticlockwise of `from` by less than 360 degrees")});
+      {required_key("from", &Arc::from, angle, "one end, in degrees anticlockwise from the x axis"),
+       required_key("to", &Arc::to, angle,
+                    "the other end, anticlockwise of `from` by less than 360 degrees")});
   return type_of<Arc>({.keys = keys, .check = check_arc});
 }
 
 const Keys<WallPart>& forms() {
   static const Keys<WallPart> kForms = {
-      alternative<WallPart>("box", rectangle(), "all sites in this rectangle"),
-      alternative<WallPart>("line", line(),
-                            "all sites along a straight line; nothing leaks through"),
-      alternative<WallPart>("disc", disc(), "all sites in a circle"),
-      alternative<WallPart>("ring", type_of<Ring>({.keys = ring_keys()}),
-                            "a drum: all sites between two circles"),
-      alternative<WallPart>("arc", arc(), "a part of a ring"),
-      alternative<WallPart>("picture", picture_type(), "all sites on dark pixels")};
+      alternative_key<WallPart>("box", rectangle_type(), "all sites in this rectangle"),
+      alternative_key<WallPart>("line", line(),
+                                "all sites along a straight line; nothing leaks through"),
+      alternative_key<WallPart>("disc", disc(), "all sites in a circle"),
+      alternative_key<WallPart>("ring", type_of<Ring>({.keys = ring_keys()}),
+                                "a drum: all sites between two circles"),
+      alternative_key<WallPart>("arc", arc(), "a part of a ring"),
+      alternative_key<WallPart>("picture", picture_type(), "all sites on dark pixels")};
   return kForms;
 }
 
 Type<std::vector<WallPart>> parts() {
   auto type =
-      list_of(one_of(forms()), 1, kMaxItems, [](const PlacedValue& item, std::size_t index) {
+      list_type(one_of_type(forms()), 1, kMaxItems, [](const PlacedValue& item, std::size_t index) {
         return join_path(item.path, std::to_string(index));
       });
   type.allowed = fmt::format("list of 1 to {} of these forms", kMaxItems);
@@ -246,17 +248,17 @@ Type<std::vector<Wall>> walls_type() {
     std::vector<WallPart>& parts = static_cast<Wall*>(wall)->parts;
     return make ? &parts.emplace_back() : parts.size() == 1 ? parts.data() : nullptr;
   };
-  Keys<Wall> keys = inlined<Wall>(single, forms());
+  Keys<Wall> keys = inlined_keys<Wall>(single, forms());
   keys.add({key("parts", &Wall::parts, parts(), "one body of several pieces")
                 .defaults_to("")
                 .written_if([](const Wall& wall) { return wall.parts.size() > 1; }),
             key("motion", &Wall::motion, motion_type(), "how it moves: [motion](#motion)")
                 .defaults_to("none: it stands"),
-            key("passive", &Wall::passive, choice(kPassiveNames),
+            key("passive", &Wall::passive, choice_type(kPassiveNames),
                 "of one that moves: whether particles in its way are pushed, or entered and "
                 "left to the passive rule")
                 .written_if([](const Wall& wall) { return wall.motion.has_value(); }),
-            key("friction", &Wall::friction, number(0, contact::kMaxFriction),
+            key("friction", &Wall::friction, number_type(0, contact::kMaxFriction),
                 "between particles and this wall")
                 .of(Model::contact)
                 .defaults_to("`contact.wall_friction`")});

@@ -129,7 +129,7 @@ double fill_bytes(const Scene& scene, const lattice::Lattice& lattice) {
     double all = 0;
     for (std::size_t i = 0; tries && i < scene.species.size(); ++i) {
       const auto kinds = static_cast<double>(scene.species[i].orientations.size());
-      const double sites = has_species(*stage.fill, i) ? max_sites(box, stage.fill->region) : 0;
+      const double sites = places_species(*stage.fill, i) ? max_sites(box, stage.fill->region) : 0;
       const double bytes = grains::fill_trial_bytes(sites, kinds);
       all = stage.fill->counts.empty() ? all + bytes : std::max(all, bytes);
     }
@@ -202,7 +202,7 @@ Size size_of(const Scene& scene) {
   const double awake = particles - (1 - kAwakeOfDeposited) * deposited;
   const auto index_count = static_cast<double>(lattice.index_count());
   const double model =
-      grains::OccupancyTable::bytes_for(index_count, lets_overlap(scene)) +
+      grains::OccupancyTable::bytes_for(index_count, walls_may_overlap(scene)) +
       grains::kParticleBytes * particles +
       (scene.model == Model::contact ? contact::step_bytes(particles)
                                      : automaton::step_bytes(index_count, particles, awake));

@@ -91,10 +91,10 @@ Scene read_scene(Value root, const std::string& file) {
     scene.output.series = Series();  // probes and lines are observed at its steps
   }
   check_model(place);
-  check_history(place.at("stages"));
+  check_stage_order(place.at("stages"));
   check_time_step(place);
   set_max_steps(scene, *root.find("stages"));
-  check_use(place);
+  check_unused_items(place);
   put_numbers_into_derived(scene);
   return scene;
 }
@@ -105,7 +105,7 @@ BoltzmannScene read_boltzmann_scene(const Value& root, const std::string& file) 
   const Scene none;
   const PlacedValue place = {root, "", none};
   boltzmann_type().read_into(place, &scene);
-  check_rows(place, scene);
+  check_series_rows(place, scene);
   const auto block = std::ranges::find_if(
       root.entries, [](const Entry& entry) { return entry.key == "boltzmann"; });
   scene.location = to_string(block->location);
@@ -142,14 +142,14 @@ AnyScene parse_any(std::string_view text, const std::string& file,
   std::ranges::copy(names_of(*boltzmann_type().keys), std::back_inserter(keys));
   document::evaluate_expressions(root, keys, /*text=*/"title", /*open=*/"measure");
   const bool gas = is_boltzmann(root);
-  leave_out_none(root, gas ? *boltzmann_type().keys : *scene_type().keys);
+  remove_none_entries(root, gas ? *boltzmann_type().keys : *scene_type().keys);
   if (gas) {
     return read_boltzmann_scene(root, file);
   }
   return read_scene(std::move(root), file);
 }
 
-std::string scene_text(const std::filesystem::path& file) {
+std::string read_scene_text(const std::filesystem::path& file) {
   try {
     const auto bytes = text::read_file(file, document::kMaxBytes);
     return {bytes.begin(), bytes.end()};
@@ -161,7 +161,7 @@ std::string scene_text(const std::filesystem::path& file) {
 }
 
 AnyScene parse_any_file(const std::filesystem::path& file, const std::vector<Override>& overrides) {
-  return parse_any(scene_text(file), file.string(), overrides);
+  return parse_any(read_scene_text(file), file.string(), overrides);
 }
 
 Scene parse(std::string_view text, const std::string& file,
@@ -181,7 +181,7 @@ std::string to_yaml(const BoltzmannScene& scene) {
   return block_text(boltzmann_type().text(scene, Scene()));
 }
 
-void check_resolved(std::string_view yaml, std::string_view file) {
+void check_resolved_size(std::string_view yaml, std::string_view file) {
   const document::Origin origin = {text::printable(file) + ", with all defaults", true};
   document::check_text(yaml, std::make_shared<const document::Origin>(origin));
 }

@@ -64,8 +64,8 @@ const std::string& read_text(const PlacedValue& place) {
 std::optional<std::size_t> line_length(std::string_view text) {
   std::size_t characters = 0;
   for (std::size_t i = 0; i < text.size(); ++characters) {
-    const std::size_t length = text::character_length(text, i);
-    if (length == 0 || text::is_control(text::character_at(text, i))) {
+    const std::size_t length = text::character_bytes(text, i);
+    if (length == 0 || text::is_control_character(text::character_at(text, i))) {
       return std::nullopt;
     }
     i += length;

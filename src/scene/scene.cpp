@@ -45,16 +45,16 @@ bool pictures_compare_positions(const Scene& scene) {
                     (frames->color_by == ColorBy::speed && scene.model != Model::contact));
 }
 
-std::vector<int> degrees_of(const Scene& scene, const std::vector<grains::Kind>& kinds) {
+std::vector<int> orientation_degrees(const Scene& scene, const std::vector<grains::Kind>& kinds) {
   std::vector<int> result;
   for (const grains::Kind& kind : kinds) {
     const Species& species = scene.species[kind.species];
     if (scene.model == Model::baxter) {
-      result.push_back(kDegreesPerSixth * static_cast<int>(result.size() % baxter::kAxisCount));
+      result.push_back(kOrientationStepDegrees * static_cast<int>(result.size() % baxter::kAxisCount));
       continue;
     }
     const auto found = std::ranges::find_if(species.orientations, [&](int degrees) {
-      return species.shape.rotated(degrees / kDegreesPerSixth).is_congruent(kind.shape);
+      return species.shape.rotated(degrees / kOrientationStepDegrees).is_congruent(kind.shape);
     });
     result.push_back(found != species.orientations.end() ? *found : 0);
   }

@@ -36,10 +36,10 @@ Key<Scene> measure_key();
 Type<Output> output_type();
 /// Checkpoints of a gas: by seconds only.
 Type<Checkpoints> gas_checkpoint_type();
-Key<BoltzmannScene> boltzmann_block();
-Key<BoltzmannScene> boltzmann_output();
+Key<BoltzmannScene> boltzmann_block_key();
+Key<BoltzmannScene> boltzmann_output_key();
 /// Refuses a series of too many rows.
-void check_rows(const PlacedValue& root, const BoltzmannScene& scene);
+void check_series_rows(const PlacedValue& root, const BoltzmannScene& scene);
 
 /// Sets `max_steps` of stages, and the steps of those until a time, once all that the time step
 /// follows from has been read. `list` is what the stages were read from.
@@ -51,9 +51,9 @@ void put_numbers_into_derived(Scene& scene);
 
 /// Across stages: names are unique, and walls come, move and go in an order that can be. `list` is
 /// what the stages were read from.
-void check_history(const PlacedValue& list);
+void check_stage_order(const PlacedValue& list);
 /// Whether a wall lets particles overlap.
-bool lets_overlap(const Scene& scene);
+bool walls_may_overlap(const Scene& scene);
 /// Refuses paths of weight where particles may overlap or gravity may turn.
 void check_weight_paths(const PlacedValue& place);
 /// Refuses what the model cannot do.
@@ -62,6 +62,6 @@ void check_model(const PlacedValue& root);
 void check_time_step(const PlacedValue& root);
 /// Refuses species, sources, moving walls, probes and lines that nothing uses, walls that have the
 /// number of a particle as name, and a scene without particles.
-void check_use(const PlacedValue& root);
+void check_unused_items(const PlacedValue& root);
 
 }  // namespace clca::scene

@@ -49,7 +49,7 @@ std::vector<Diameter> classes(double low, double high, std::uint64_t count, Belo
   return result;
 }
 
-std::vector<Diameter> diameters_of(const Sizes& sizes) {
+std::vector<Diameter> diameters_of(const SizeDistribution& sizes) {
   std::vector<Diameter> result;
   if (sizes.law == SizeLaw::list) {
     for (std::size_t i = 0; i < sizes.diameters.size(); ++i) {
@@ -80,7 +80,7 @@ std::vector<Diameter> diameters_of(const Sizes& sizes) {
 }
 
 /// Of the classes of the law.
-double largest_diameter(const Sizes& sizes) {
+double largest_diameter(const SizeDistribution& sizes) {
   double largest = 0;
   for (const Diameter& diameter : diameters_of(sizes)) {
     largest = std::max(largest, diameter.value);
@@ -129,17 +129,17 @@ std::vector<SizeClass> discs(double largest) {
   return kinds;
 }
 
-constexpr auto kLawNames = in_order<SizeLaw::list>("uniform", "lognormal", "list");
-constexpr auto kSharesByNames = in_order<SharesBy::area>("number", "area");
-constexpr auto kRoundShapeNames = in_order<RoundShape::disc>("hexagon", "disc");
+constexpr auto kLawNames = names_in_order<SizeLaw::list>("uniform", "lognormal", "list");
+constexpr auto kSharesByNames = names_in_order<SharesBy::area>("number", "area");
+constexpr auto kRoundShapeNames = names_in_order<RoundShape::disc>("hexagon", "disc");
 
 Type<std::vector<double>> list(const Type<double>& number) {
-  auto type = list_of(number, 1, kMaxKinds);
+  auto type = list_type(number, 1, kMaxKinds);
   type.allowed = "list of numbers " + number.allowed;
   return type;
 }
 
-void check(const PlacedValue& fields, Sizes& sizes) {
+void check(const PlacedValue& fields, SizeDistribution& sizes) {
   const bool list = sizes.law == SizeLaw::list;
   for (const char* key : {"mean", "sd", "kinds", "diameters", "shares"}) {
     const bool of_list = key == std::string_view("diameters") || key == std::string_view("shares");
@@ -173,7 +173,7 @@ void check(const PlacedValue& fields, Sizes& sizes) {
 
 }  // namespace
 
-std::vector<SizeClass> size_classes(const Sizes& sizes) {
+std::vector<SizeClass> size_classes(const SizeDistribution& sizes) {
   const double largest = largest_diameter(sizes);
   std::vector<SizeClass> kinds =
       sizes.shape == RoundShape::disc ? discs(largest) : hexagons(largest);
@@ -211,25 +211,26 @@ std::vector<SizeClass> size_classes(const Sizes& sizes) {
   return kinds;
 }
 
-Type<Sizes> sizes_type() {
-  const Type<double> diameter = length(above_zero(kMaxDiameter));
-  return type_of<Sizes>(
-      {.keys = {required("law", &Sizes::law, choice(kLawNames), "how diameters are distributed"),
-                key("mean", &Sizes::mean, diameter,
+Type<SizeDistribution> sizes_type() {
+  const Type<double> diameter = length_type(positive_number_type(kMaxDiameter));
+  return type_of<SizeDistribution>(
+      {.keys = {required_key("law", &SizeDistribution::law, choice_type(kLawNames),
+                             "how diameters are distributed"),
+                key("mean", &SizeDistribution::mean, diameter,
                     "mean diameter, in spacings: that of the circle of the same area")
                     .with_condition("required but for a list"),
-                key("sd", &Sizes::sd, diameter, "standard deviation of the diameter")
+                key("sd", &SizeDistribution::sd, diameter, "standard deviation of the diameter")
                     .with_condition("required but for a list"),
-                key("by", &Sizes::by, choice(kSharesByNames),
+                key("by", &SizeDistribution::by, choice_type(kSharesByNames),
                     "whether the law is that of the number of particles or of the area they cover"),
-                key("kinds", &Sizes::kinds, count(1, kMaxKinds),
+                key("kinds", &SizeDistribution::kinds, count_type(1, kMaxKinds),
                     "classes of equal width that the law is divided into, at most"),
-                key("diameters", &Sizes::diameters, list(diameter), "of a list")
+                key("diameters", &SizeDistribution::diameters, list(diameter), "of a list")
                     .with_condition("required for a list"),
-                key("shares", &Sizes::shares, list(above_zero(1e9)),
+                key("shares", &SizeDistribution::shares, list(positive_number_type(1e9)),
                     "of a list: one for each diameter, of any sum")
                     .with_condition("required for a list"),
-                key("shape", &Sizes::shape, choice(kRoundShapeNames),
+                key("shape", &SizeDistribution::shape, choice_type(kRoundShapeNames),
                     "hexagons, or discs: of more sizes, but notched")},
        .check = check});
 }

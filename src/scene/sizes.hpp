@@ -14,7 +14,7 @@ enum class SharesBy : std::uint8_t { number, area };
 enum class RoundShape : std::uint8_t { hexagon, disc };
 
 /// Diameters are those of circles of the same area, in lattice spacings.
-struct Sizes {
+struct SizeDistribution {
   SizeLaw law = SizeLaw::lognormal;
   std::optional<double> mean;  ///< of uniform and lognormal
   std::optional<double> sd;    ///< standard deviation, likewise
@@ -38,9 +38,9 @@ struct SizeClass {
 /// diameter, with the same mean (by number or by area, as the law). The classes have equal width;
 /// of lognormal, the outermost take half a percent more at each end. Those with the same sites are
 /// one.
-std::vector<SizeClass> size_classes(const Sizes& sizes);
+std::vector<SizeClass> size_classes(const SizeDistribution& sizes);
 
-Type<Sizes> sizes_type();
+Type<SizeDistribution> sizes_type();
 /// Replaces each species with `sizes` by one species for each of its kinds, NAME-1 the smallest,
 /// and its counts and weights in fills and sources by theirs. Kinds of which no fill gets any are
 /// left out. The scene has the units.

@@ -28,7 +28,7 @@ template <class T>
 Type<T> ranged(const std::string& allowed, std::string_view type, const Json& lowest,
                const Json& highest, T low, T high) {
   const Json schema = {{"type", type}, {"minimum", lowest}, {"maximum", highest}};
-  return own_type<T>(
+  return custom_type<T>(
       allowed, schema.dump(),
       [=](const PlacedValue& place) { return read_number(place, low, high); }, kPlainText);
 }
@@ -63,9 +63,10 @@ std::string read_name(const PlacedValue& place) {
 
 template <class Number>
 Type<std::vector<Number>> by_species(std::uint64_t high) {
-  return own_type<std::vector<Number>>(
+  return custom_type<std::vector<Number>>(
       fmt::format("0 to {} by species", high),
-      fmt::format(R"({{"type": "object", "additionalProperties": {}}})", count(0, high).schema),
+      fmt::format(R"({{"type": "object", "additionalProperties": {}}})",
+                  count_type(0, high).schema),
       [high](const PlacedValue& place) {
         std::vector<Number> numbers(place.scene.species.size(), 0);
         for (const Entry& entry : read_map(place)) {
@@ -92,11 +93,11 @@ std::size_t read_species(const PlacedValue& place) {
   return read_reference(place, "species", names_of(place.scene.species));
 }
 
-Type<double> number(double low, double high) {
+Type<double> number_type(double low, double high) {
   return ranged(range(low, high), "number", low, high, low, high);
 }
 
-Type<double> above_zero(double high) {
+Type<double> positive_number_type(double high) {
   const auto read = [high](const PlacedValue& place) {
     const auto number = number_in<double>(place.value);
     if (!number || *number <= 0 || *number > high) {
@@ -105,8 +106,8 @@ Type<double> above_zero(double high) {
     return *number;
   };
   const Json schema = {{"type", "number"}, {"exclusiveMinimum", 0}, {"maximum", high}};
-  return own_type<double>(fmt::format("above 0, up to {}", limit_text(high)), schema.dump(), read,
-                          kPlainText);
+  return custom_type<double>(fmt::format("above 0, up to {}", limit_text(high)), schema.dump(),
+                             read, kPlainText);
 }
 
 std::optional<double> metres(std::string_view text) {
@@ -121,7 +122,7 @@ std::optional<double> metres(std::string_view text) {
   return std::nullopt;
 }
 
-Type<double> length(const Type<double>& number) {
+Type<double> length_type(const Type<double>& number) {
   Type<double> type = number;
   type.schema = with(number.schema, R"("pattern": "^-?[0-9.][0-9.eE+-]* *(m|cm|mm|um)$")");
   type.read_into = [number](const PlacedValue& place, void* result) {
@@ -153,11 +154,11 @@ Type<double> length(const Type<double>& number) {
   return type;
 }
 
-Type<int> integer(int low, int high) {
+Type<int> integer_type(int low, int high) {
   return ranged(range(low, high), "integer", low, high, low, high);
 }
 
-Type<std::uint64_t> count(std::uint64_t low, std::uint64_t high) {
+Type<std::uint64_t> count_type(std::uint64_t low, std::uint64_t high) {
   constexpr std::uint64_t kMaxExact = std::uint64_t{1} << 53U;  // of a double
   // Readers of schemas take whole numbers as signed ones.
   constexpr std::uint64_t kMaxSigned = std::numeric_limits<std::int64_t>::max();
@@ -167,7 +168,7 @@ Type<std::uint64_t> count(std::uint64_t low, std::uint64_t high) {
                 low, high);
 }
 
-Type<bool> yes_or_no() {
+Type<bool> bool_type() {
   const auto read = [](const PlacedValue& place) {
     const Value& value = place.value;
     if (value.quoted || (value.text != "true" && value.text != "false")) {
@@ -175,12 +176,12 @@ Type<bool> yes_or_no() {
     }
     return value.text == "true";
   };
-  return own_type<bool>("`true`, `false`", R"({"type": "boolean"})", read, kPlainText);
+  return custom_type<bool>("`true`, `false`", R"({"type": "boolean"})", read, kPlainText);
 }
 
-Type<Eigen::Vector2d> point(double most) {
+Type<Eigen::Vector2d> point_type(double most) {
   return converted<Eigen::Vector2d>(
-      "`[x, y]`", list_of(length(number(-most, most)), 2, 2),
+      "`[x, y]`", list_type(length_type(number_type(-most, most)), 2, 2),
       [](const std::vector<double>& pair) { return Eigen::Vector2d(pair[0], pair[1]); },
       [](const Eigen::Vector2d& pair) {
         return std::vector<double>{pair.x(), pair.y()};
@@ -190,7 +191,7 @@ Type<Eigen::Vector2d> point(double most) {
 Type<lattice::Rectangle> rectangle() {
   using lattice::Rectangle;
   const auto type = list_of_members(
-      "`[left, bottom, right, top]`", length(number(-kMaxCoordinate, kMaxCoordinate)),
+      "`[left, bottom, right, top]`", length_type(number_type(-kMaxCoordinate, kMaxCoordinate)),
       &Rectangle::left, &Rectangle::bottom, &Rectangle::right, &Rectangle::top);
   return type.checked([](const lattice::Rectangle& edges, const PlacedValue& place) {
     if (edges.left >= edges.right || edges.bottom >= edges.top) {
@@ -214,7 +215,7 @@ void require_site(const lattice::Rectangle& region, const PlacedValue& place) {
 }
 
 Type<lattice::Rectangle> region() {
-  return rectangle().checked(require_site);
+  return rectangle_type().checked(require_site);
 }
 
 std::string absolute_path(const std::string& folder, const std::string& path) {
@@ -228,15 +229,15 @@ std::string absolute_path(const std::string& folder, const std::string& path) {
 }
 
 Type<std::string> file_path_type() {
-  return own_type<std::string>(
+  return custom_type<std::string>(
       "a path",
       fmt::format(R"({{"type": "string", "minLength": 1, "maxLength": {}}})", kMaxPathLength),
       read_path, [](const std::string& file) { return Value::quoted_text(file); });
 }
 
 Type<std::string> name_type() {
-  return own_type<std::string>("a name", scalar_schema(kNamePattern), read_name,
-                               [](const std::string& name) { return Value::name(name); });
+  return custom_type<std::string>("a name", scalar_schema(kNamePattern), read_name,
+                                  [](const std::string& name) { return Value::name(name); });
 }
 
 Type<std::vector<std::size_t>> counts_type(std::uint64_t high) {
@@ -253,16 +254,16 @@ Type<std::vector<std::uint32_t>> weights_type() {
   });
 }
 
-Type<std::vector<std::size_t>> references(
+Type<std::vector<std::size_t>> references_type(
     const std::string& kind, std::vector<std::string_view> (*names)(const Scene& scene)) {
-  const auto reference = own_type<std::size_t>(
+  const auto reference = custom_type<std::size_t>(
       "", name_type().schema,
       [=](const PlacedValue& place) { return read_reference(place, kind, names(place.scene)); },
       [=](std::size_t number, const Scene& scene) { return Value::name(names(scene)[number]); });
-  auto type = set_of(reference, 0, kMaxItems);
+  auto type = set_type(reference, 0, kMaxItems);
   type.allowed = fmt::format("names of {}s", kind);
   type.schema = with(array_schema(reference.schema),
-                     fmt::format(R"({}, "maxItems": {})", kUnique, kMaxItems));
+                     fmt::format(R"({}, "maxItems": {})", kUniqueItems, kMaxItems));
   return type;
 }
 

@@ -23,24 +23,24 @@ inline constexpr std::uint64_t kMaxParticles = std::numeric_limits<std::int32_t>
 inline constexpr std::uint64_t kMaxSpeciesWeight = 1'000'000;  ///< of a fill or source
 inline constexpr double kMaxTime = 1e9;
 
-Type<double> number(double low, double high);
-Type<double> above_zero(double high);
+Type<double> number_type(double low, double high);
+Type<double> positive_number_type(double high);
 /// In lattice spacings: such a number or, in a scene with `units`, a number with a unit of length.
-Type<double> length(const Type<double>& number);
-Type<int> integer(int low, int high);
-Type<std::uint64_t> count(std::uint64_t low, std::uint64_t high);
-Type<bool> yes_or_no();
+Type<double> length_type(const Type<double>& number);
+Type<int> integer_type(int low, int high);
+Type<std::uint64_t> count_type(std::uint64_t low, std::uint64_t high);
+Type<bool> bool_type();
 
 /// [x, y], each from `-most` to `most`.
-Type<Eigen::Vector2d> point(double most = kMaxCoordinate);
+Type<Eigen::Vector2d> point_type(double most = kMaxCoordinate);
 /// [left, bottom, right, top], not empty.
-Type<lattice::Rectangle> rectangle();
+Type<lattice::Rectangle> rectangle_type();
 /// `[left, bottom, right, top]`
 std::string shown(const lattice::Rectangle& edges);
 /// Refuses a rectangle that holds no site of the box. Throws SceneError.
 void require_site(const lattice::Rectangle& region, const PlacedValue& place);
 /// A rectangle that holds at least one site of the box.
-Type<lattice::Rectangle> region();
+Type<lattice::Rectangle> region_type();
 
 /// The path of a file or folder, as an absolute one: relative ones begin at the folder of the
 /// scene.
@@ -56,7 +56,7 @@ Type<image::Rgb> color_type();
 Type<std::string> name_type();
 /// A list of names, each at most once, as indices of the things of this `kind`: `names` of the
 /// scene.
-Type<std::vector<std::size_t>> references(
+Type<std::vector<std::size_t>> references_type(
     const std::string& kind, std::vector<std::string_view> (*names)(const Scene& scene));
 
 /// The species of this name.
@@ -74,10 +74,10 @@ void read_rows(const PlacedValue& file, std::vector<std::string>& rows,
 /// The key of such a file, in the place of `rows`: a run folder has no other file.
 template <class Owner>
 Key<Owner> picture_file_key(Action<Owner> read) {
-  return own_key<Owner>("file", file_path_type(),
-                        "a PNG of up to 1000000 pixels; a relative path begins at the folder of "
-                        "the scene",
-                        read)
+  return custom_key<Owner>("file", file_path_type(),
+                           "a PNG of up to 1000000 pixels; a relative path begins at the folder of "
+                           "the scene",
+                           read)
       .with_condition("this or `rows`");
 }
 /// Texts of one length, of characters for which `allowed` holds; `about` names them in messages,
@@ -91,7 +91,7 @@ template <class T>
 Type<std::optional<T>> or_word(const std::string& word, std::string_view between,
                                const Type<T>& type,
                                const std::function<bool(const PlacedValue& place)>& is_word) {
-  return own_type<std::optional<T>>(
+  return custom_type<std::optional<T>>(
       fmt::format("`{}`{}{}", word, between, type.allowed),
       any_of({word_schema(word), type.schema}),
       [=](const PlacedValue& place) {
@@ -113,8 +113,8 @@ using PathOfItem = std::string (*)(const PlacedValue& item, std::size_t index);
 /// A list of `least` to `most` such values; `path_of` an item in messages is that of the list
 /// unless it is given.
 template <class T>
-Type<std::vector<T>> list_of(const Type<T>& item, std::size_t least, std::size_t most,
-                             PathOfItem path_of = nullptr) {
+Type<std::vector<T>> list_type(const Type<T>& item, std::size_t least, std::size_t most,
+                               PathOfItem path_of = nullptr) {
   AnyType type = {.allowed = {}, .schema = array_schema(item.schema, least, most)};
   // Into the list of the scene itself, as items may look at those before them.
   type.read_into = [=](const PlacedValue& place, void* result) {
@@ -145,7 +145,8 @@ Type<std::vector<Owner>> by_name(const std::string& section, const Type<Owner>& 
       .schema = with(object_schema(thing.schema, kNamePattern),
                      fmt::format(R"("maxProperties": {}{})", kMaxItems,
                                  least > 0 ? fmt::format(R"(, "minProperties": {})", least) : ""))};
-  type.read_into = [=](const PlacedValue& place, void* result) {  // into the list, as in list_of()
+  type.read_into = [=](const PlacedValue& place,
+                       void* result) {  // into the list, as in list_type()
     auto& things = *static_cast<std::vector<Owner>*>(result);
     for (const Entry& entry : read_named(place)) {
       Owner& added = things.emplace_back();
@@ -159,7 +160,7 @@ Type<std::vector<Owner>> by_name(const std::string& section, const Type<Owner>& 
   type.text_of =
       any_text<std::vector<Owner>>([=](const std::vector<Owner>& things, const Scene& scene) {
         Value result = Value::map();
-        result.in_lines = thing.keys != nullptr;
+        result.one_entry_per_line = thing.keys != nullptr;
         for (const Owner& value : things) {
           result.add(value.name, thing.text(value, scene));
         }
@@ -179,7 +180,7 @@ Type<std::vector<Owner>> by_name(const std::string& section, const Map<Owner>& m
 template <class T, class Other, class From, class To>
 Type<T> converted(std::string_view allowed, const Type<Other>& type, const From& from,
                   const To& to) {
-  return own_type<T>(
+  return custom_type<T>(
       allowed, type.schema, [=](const PlacedValue& place) { return from(type.read(place)); },
       [=](const T& value, const Scene& scene) { return type.text(to(value), scene); }, type.keys);
 }
@@ -189,7 +190,7 @@ template <class Owner, class T, class... Members>
 Type<Owner> list_of_members(std::string_view allowed, const Type<T>& item,
                             Members Owner::*... members) {
   return converted<Owner>(
-      allowed, list_of(item, sizeof...(members), sizeof...(members)),
+      allowed, list_type(item, sizeof...(members), sizeof...(members)),
       [=](const std::vector<T>& values) {
         Owner owner;
         std::size_t index = 0;
@@ -203,7 +204,7 @@ Type<Owner> list_of_members(std::string_view allowed, const Type<T>& item,
 template <class T, class Read>
 Type<T> or_map(std::string_view allowed, const Schema& other, const Type<T>& map, const Read& read,
                std::type_identity_t<std::optional<Value> (*)(const T& value)> text = nullptr) {
-  return own_type<T>(
+  return custom_type<T>(
       fmt::format("{}, or map", allowed), any_of({other, map.schema}),
       [=](const PlacedValue& place) {
         return place.value.is(Value::Kind::map) ? map.read(place) : T(read(place));
@@ -218,11 +219,11 @@ Type<T> or_map(std::string_view allowed, const Schema& other, const Type<T>& map
 /// A list of `least` to `most` different values; messages have what `shown` makes of one that
 /// stands twice, and an advice.
 template <class T>
-Type<std::vector<T>> set_of(const Type<T>& item, std::size_t least, std::size_t most,
-                            std::string (*shown)(const Value& item) = found,
-                            const std::string& advice = {}) {
-  Type<std::vector<T>> type = list_of(item, least, most);
-  type.schema = with(type.schema, kUnique);
+Type<std::vector<T>> set_type(const Type<T>& item, std::size_t least, std::size_t most,
+                              std::string (*shown)(const Value& item) = found,
+                              const std::string& advice = {}) {
+  Type<std::vector<T>> type = list_type(item, least, most);
+  type.schema = with(type.schema, kUniqueItems);
   type.read_into = [=](const PlacedValue& place, void* result) {
     std::set<T> known;
     for (const PlacedValue& entry :
@@ -247,9 +248,9 @@ Type<std::optional<T>> word_or_value(const std::string& word, const Type<T>& typ
 
 /// One of the words.
 template <class T, std::size_t kCount>
-Type<T> choice(const std::array<Named<T>, kCount>& names) {
+Type<T> choice_type(const std::array<Named<T>, kCount>& names) {
   const auto all = words(names);
-  return own_type<T>(
+  return custom_type<T>(
       fmt::format("`{}`", fmt::join(all, "`, `")),
       fmt::format(R"({{"enum": ["{}"]}})", fmt::join(all, R"(", ")")),
       [&names](const PlacedValue& place) { return names[read_word(place, words(names))].value; },

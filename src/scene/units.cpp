@@ -102,7 +102,8 @@ std::optional<Eigen::Vector2d> turning_centre(const Scene& scene, const Stage& s
   return rotate != nullptr ? rotate->centre.value_or(middle) : middle;
 }
 
-contact::Vessel vessel_in(const Scene& scene, const Stage& stage, const contact::Vessel& before) {
+contact::Vessel vessel_at_start(const Scene& scene, const Stage& stage,
+                                const contact::Vessel& before) {
   const double step = conversion(scene)->time_step;
   if (!stage.vessel) {
     return without_motion(before);

@@ -82,7 +82,7 @@ RunCurves read_curves(const AveragedTable& what, const fs::path& file,
   RunCurves result;
   for (const std::string& name : table.column_names) {
     if (!has_name(what.groups, name) && !has_name(what.positions, name) &&
-        !has_name(what.others, name) && !name.ends_with(record::kErrorEnding)) {
+        !has_name(what.others, name) && !name.ends_with(record::kErrorSuffix)) {
       result.columns[name] = table.column_numbers(name);
     }
   }
@@ -223,8 +223,8 @@ std::optional<store::Table> mean_table(const AveragedTable& what, const Names& k
   if (has_time) {
     position.emplace_back("time");
   }
-  const Names heads =
-      record::sweep_columns("mean", {{"KEY", keys}, {"ROW", position}, {"COLUMN", means.columns}});
+  const Names heads = record::sweep_column_names(
+      "mean", {{"KEY", keys}, {"ROW", position}, {"COLUMN", means.columns}});
   if (means.columns.empty() || std::set(heads.begin(), heads.end()).size() < heads.size()) {
     return std::nullopt;
   }

@@ -141,7 +141,7 @@ Plan plan(Request request, double max_bytes, const std::function<void()>& interr
   check_keys(request);
   const std::size_t count = combination_count(request);
   const std::string text =
-      request.scene_text ? *request.scene_text : scene::scene_text(request.scene_file);
+      request.scene_text ? *request.scene_text : scene::read_scene_text(request.scene_file);
   Plan result = {std::move(request), {}};
   const std::vector<std::string> keys = result.varied_keys();
   for (std::size_t number = 0; number < count; ++number) {

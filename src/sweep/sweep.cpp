@@ -217,7 +217,7 @@ class Sweep {
   }
 
   void carry_out(const std::vector<std::size_t>& runs) {
-    ranks_.hand_out([&](int /*rank*/) { return Json::to_cbor(runs); });
+    ranks_.hand_out_work([&](int /*rank*/) { return Json::to_cbor(runs); });
     constexpr std::chrono::milliseconds kPause(100);
     const std::size_t wanted = std::min(runs.size(), static_cast<std::size_t>(options_.jobs));
     Pool pool(
@@ -335,11 +335,12 @@ class Sweep {
     for (const auto* list : {&tables, &means}) {
       for (const auto& [name, table] : *list) {
         files_.write(store::table_name(name), table.to_csv());
-        summaries.emplace_back(name, record::sweep_summary(name, table.column_names(), known));
+        summaries.emplace_back(name, record::sweep_column_summaries(name, table.column_names(), known));
       }
     }
-    files_.write(kRequestFile, to_json(plan_, summaries,
-                                       record::sweep_summary("", record::sweep_measures(), known)));
+    files_.write(kRequestFile,
+                 to_json(plan_, summaries,
+                         record::sweep_column_summaries("", record::sweep_measure_names(), known)));
   }
 
   /// Every so often, and never for more than a small part of the time.
@@ -411,7 +412,7 @@ void work_for_rank_0(const Plan& plan, const Options& options) {
     };
     tasks::Pool<tasks::Bytes> pool(jobs, *options.ranks, runs, {.carry_out = execute_one},
                                    options.stop_signal);
-    tasks::serve(pool, *options.ranks);
+    tasks::send_results(pool, *options.ranks);
   }
 }
 

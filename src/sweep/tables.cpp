@@ -144,7 +144,7 @@ NamedTable runs_table(const Plan& plan, const std::vector<RunResult>& results) {
     names.push_back(fmt::format("{}.{}", stage, measure));
   }
   store::Table table(
-      record::sweep_columns("runs", {{"KEY", plan.varied_keys()}, {"STAGE.MEASURE", names}}));
+      record::sweep_column_names("runs", {{"KEY", plan.varied_keys()}, {"STAGE.MEASURE", names}}));
   for (std::size_t run = 0; run < results.size(); ++run) {
     const auto& [status, summary, error] = results[run];
     const bool done = status == Status::done;
@@ -164,7 +164,7 @@ NamedTable runs_table(const Plan& plan, const std::vector<RunResult>& results) {
 }
 
 NamedTable measures_table(const Plan& plan, const std::vector<RunResult>& results) {
-  store::Table table(record::sweep_columns("measures", {{"KEY", plan.varied_keys()}}));
+  store::Table table(record::sweep_column_names("measures", {{"KEY", plan.varied_keys()}}));
   const std::size_t seeds = plan.request.seeds.size();
   for (std::size_t i = 0; i < plan.variants.size(); ++i) {
     add_statistics(table, plan.variants[i].values, std::span(results).subspan(i * seeds, seeds));

@@ -36,7 +36,7 @@ void Ranks::begin(const std::string& command, const std::string& failure) {
   }
 }
 
-void Ranks::hand_out(const std::function<Bytes(int rank)>& work) {
+void Ranks::hand_out_work(const std::function<Bytes(int rank)>& work) {
   reset_counter();
   for (int other = 1; other < size() && !is_dismissed_; ++other) {
     send(other, 0, work(other));

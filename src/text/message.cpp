@@ -42,7 +42,7 @@ std::size_t edits(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-bool is_control(char32_t character) {
+bool is_control_character(char32_t character) {
   return character < 0x20 || (character >= 0x7F && character < 0xA0) || character == 0x2028 ||
          character == 0x2029 || (character & 0xFFFE) == 0xFFFE;
 }
@@ -50,12 +50,12 @@ bool is_control(char32_t character) {
 std::string printable(std::string_view text) {
   std::string result;
   for (std::size_t i = 0; i < text.size();) {
-    const std::size_t length = character_length(text, i);
+    const std::size_t length = character_bytes(text, i);
     if (length == 0) {
       result += fmt::format("\\x{:02x}", static_cast<unsigned char>(text[i]));
     } else if (const char32_t character = character_at(text, i); character == '\n') {
       result += "\\n";
-    } else if (is_control(character)) {
+    } else if (is_control_character(character)) {
       result += fmt::format("\\x{:02x}", static_cast<unsigned>(character));
     } else {
       result += text.substr(i, length);
@@ -68,7 +68,7 @@ std::string printable(std::string_view text) {
 std::string_view first_characters(std::string_view text, std::size_t count) {
   std::size_t end = 0;
   for (std::size_t i = 0; end < text.size() && i < count; ++i) {
-    end += std::max<std::size_t>(character_length(text, end), 1);
+    end += std::max<std::size_t>(character_bytes(text, end), 1);
   }
   return text.substr(0, end);
 }

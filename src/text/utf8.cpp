@@ -4,7 +4,7 @@
 
 namespace clca::text {
 
-std::size_t character_length(std::string_view text, std::size_t position) {
+std::size_t character_bytes(std::string_view text, std::size_t position) {
   const char* const begin = text.data() + position;
   const char* end = begin;
   try {
@@ -22,8 +22,8 @@ char32_t character_at(std::string_view text, std::size_t position) {
 std::u32string decode_utf8(std::string_view text) {
   std::u32string result;
   for (std::size_t i = 0; i < text.size();) {
-    const std::size_t length = character_length(text, i);
-    result.push_back(length == 0 ? kReplacement : character_at(text, i));
+    const std::size_t length = character_bytes(text, i);
+    result.push_back(length == 0 ? kReplacementCharacter : character_at(text, i));
     i += length == 0 ? 1 : length;
   }
   return result;

@@ -122,8 +122,8 @@ RC_GTEST_PROP(MirrorProperty, OfTheBase, ()) {
   const Beds beds = any_beds();
   const auto pressure = [](const State& state, measure::WeightRule rule) {
     const auto grains = measure::supported_grains(state, grains::Occupancy(state));
-    return measure::base_pressure(measure::base_of(state),
-                                  measure::weight_paths(state, grains, rule).forces);
+    return measure::base_pressures(measure::bed_base(state),
+                                   measure::weight_paths(state, grains, rule).forces);
   };
   for (const auto rule : {measure::WeightRule::inner, measure::WeightRule::outer}) {
     RC_ASSERT(are_mirrored(pressure(beds.after, rule), pressure(beds.mirrored_after, rule)));

@@ -29,7 +29,7 @@ class ThreadRanks {
     Rank(ThreadRanks& all, int number) : all_(all), number_(number) {}
     int rank() const override { return number_; }
     int size() const override { return static_cast<int>(all_.boxes_.size()); }
-    int on_this_machine() const override { return size(); }
+    int size_on_this_machine() const override { return size(); }
     std::uint64_t next() override {
       const std::lock_guard lock(all_.mutex_);
       return all_.next_++;

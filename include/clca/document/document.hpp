@@ -33,7 +33,7 @@ std::vector<std::string> names_in(
 
 /// The value of an expression, `values` of whose names are known; none if one of them has no value,
 /// or the result is not a finite number.
-std::optional<double> value_of(
+std::optional<double> expression_value(
     std::string_view expression,
     const std::function<std::optional<double>(std::string_view name)>& values);
 

@@ -39,7 +39,7 @@ class Outflow {
   /// Call after each step with the totals. Throws std::invalid_argument if they decrease.
   void add(Discharge total);
 
-  Discharge during_stage() const {
+  Discharge stage_discharge() const {
     return {last_.particles - begin_.particles, last_.sites - begin_.sites};
   }
   /// Steady discharge rate: sites per step between 20 % and 70 % of the final discharge. 0 if fewer

@@ -74,14 +74,14 @@ struct Base {
 
   double width() const { return right - left; }
 };
-Base base_of(const grains::State& state);
+Base bed_base(const grains::State& state);
 
 /// The force down on floor and walls in each bin, by contact points, over the mean of the bins. Of
 /// contacts whose normal points up. Both ends belong to the base; a point between two bins counts
 /// half in each. Empty if that mean is 0.
-std::vector<double> base_pressure(const Base& base, const std::vector<contact::Force>& forces);
+std::vector<double> base_pressures(const Base& base, const std::vector<contact::Force>& forces);
 
-/// Of a base_pressure that is not empty: the bin in the middle, less the mean of the three next to
+/// Of a base_pressures that is not empty: the bin in the middle, less the mean of the three next to
 /// it on either side.
 double centre_minus_ring(const std::vector<double>& pressure);
 

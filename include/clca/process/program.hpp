@@ -35,7 +35,7 @@ class OutputCapture {
   /// Everything written so far.
   std::vector<std::uint8_t> bytes() const;
   /// To read it from the beginning.
-  std::FILE* rewound() const;
+  std::FILE* rewound_file() const;
 
  private:
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;

@@ -24,7 +24,7 @@ struct Quantity {
 };
 
 /// Ends the names of columns with standard errors of means, in the units of these.
-inline constexpr std::string_view kErrorEnding = "_se";
+inline constexpr std::string_view kErrorSuffix = "_se";
 
 /// A name in run.json or in tables, and what it stands for.
 struct NamedQuantity {
@@ -57,11 +57,11 @@ KnownQuantities known_quantities(const store::RunSummary& summary);
 
 /// The columns of a table of a sweep over runs, or its measures where `table` is empty: `known` of
 /// the runs.
-std::vector<store::ColumnSummary> sweep_summary(std::string_view table,
-                                                const std::vector<std::string>& columns,
-                                                const KnownQuantities& known);
+std::vector<store::ColumnSummary> sweep_column_summaries(std::string_view table,
+                                                         const std::vector<std::string>& columns,
+                                                         const KnownQuantities& known);
 /// Measures that only a sweep has.
-std::vector<std::string> sweep_measures();
+std::vector<std::string> sweep_measure_names();
 
 /// Checks that the names in derived measures are those of measures that the scene takes. Throws
 /// scene::SceneError for the first that is not.
@@ -78,16 +78,16 @@ std::string body_name(const scene::Scene& scene, grains::Owner owner);
 std::vector<grains::Owner> walls_and_sides(const scene::Scene& scene);
 
 /// The measures of a stage as a table in Markdown: measure, name in run.json, unit, what.
-std::string quantities_table();
+std::string quantities_markdown();
 /// The columns of a table of a run, such as `series`, of a gas `gas.series`, of a sweep
 /// `sweep.runs`, or the datasets of the `trajectory`, likewise. Throws text::InputError for one
 /// that there is not.
-std::string columns_table(std::string_view table);
-/// All that columns_table() takes.
+std::string columns_markdown(std::string_view table);
+/// All that columns_markdown() takes.
 std::vector<std::string> table_names();
 /// The names of the columns of `runs`, `measures` or `mean`, a table of a sweep, with `names` in
 /// place of those that are declared in capitals.
-std::vector<std::string> sweep_columns(
+std::vector<std::string> sweep_column_names(
     std::string_view table, const std::map<std::string_view, std::vector<std::string>>& names);
 
 }  // namespace clca::record

@@ -25,7 +25,7 @@ using Column =
 using Columns = std::map<std::string, Column>;  ///< by path
 
 /// Columns that do not belong to the value: one is missing, too short, of other numbers.
-class Mismatch : public std::runtime_error {
+class ColumnMismatch : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
@@ -48,7 +48,7 @@ using Stored = decltype(stored(T()));
 
 /// What is added to the path of a container for its elements.
 template <class T>
-constexpr const char* item_name() {
+constexpr const char* item_suffix() {
   if constexpr (Leaf<T>) {
     return "/values";
   } else {
@@ -71,7 +71,7 @@ void add_items(T& container, std::vector<Item*>& items) {
 }
 
 /// Goes through many values of one type at once, given by their addresses, down to numbers and
-/// containers, which `Self` handles in contents().
+/// containers, which `Self` handles in visit_contents().
 template <class Self>
 class Walk {
  public:
@@ -93,7 +93,7 @@ class Walk {
       walk_parts(path + "/x", values, [](T& value) { return value.data(); });
       walk_parts(path + "/y", values, [](T& value) { return value.data() + 1; });
     } else {
-      static_cast<Self*>(this)->contents(path, values);
+      static_cast<Self*>(this)->visit_contents(path, values);
     }
   }
 
@@ -104,7 +104,7 @@ class Walk {
     for (T* container : containers) {
       add_items(*container, items);
     }
-    walk(path + item_name<std::remove_const_t<Item>>(), items);
+    walk(path + item_suffix<std::remove_const_t<Item>>(), items);
   }
 
  private:
@@ -122,7 +122,7 @@ class Encoder : public Walk<Encoder> {
   explicit Encoder(Columns& columns) : columns_(columns) {}
 
   template <Leaf T>
-  void contents(const std::string& path, const std::vector<const T*>& values) {
+  void visit_contents(const std::string& path, const std::vector<const T*>& values) {
     std::vector<Stored<T>> column(values.size());
     std::transform(values.begin(), values.end(), column.begin(),
                    [](const T* value) { return stored(*value); });
@@ -130,7 +130,7 @@ class Encoder : public Walk<Encoder> {
   }
 
   template <class T>
-  void contents(const std::string& path, const std::vector<const T*>& values) {
+  void visit_contents(const std::string& path, const std::vector<const T*>& values) {
     std::vector<std::uint64_t> sizes;
     for (const T* value : values) {
       if constexpr (Optional<T>) {
@@ -144,7 +144,7 @@ class Encoder : public Walk<Encoder> {
   }
 
   template <DynamicArray T>
-  void contents(const std::string& path, const std::vector<const T*>& values) {
+  void visit_contents(const std::string& path, const std::vector<const T*>& values) {
     std::vector<std::uint64_t> sizes;
     std::vector<typename T::Scalar> numbers;
     for (const T* value : values) {
@@ -164,7 +164,7 @@ class Decoder : public Walk<Decoder> {
   Decoder(const Columns& columns, double max_bytes) : columns_(columns), bytes_left_(max_bytes) {}
 
   template <Leaf T>
-  void contents(const std::string& path, const std::vector<T*>& values) {
+  void visit_contents(const std::string& path, const std::vector<T*>& values) {
     const auto& column = find<Stored<T>>(path, values.size());
     for (std::size_t i = 0; i < values.size(); ++i) {
       if constexpr (std::same_as<T, bool>) {
@@ -175,7 +175,7 @@ class Decoder : public Walk<Decoder> {
   }
 
   template <Vector T>
-  void contents(const std::string& path, const std::vector<T*>& values) {
+  void visit_contents(const std::string& path, const std::vector<T*>& values) {
     const auto sizes = read_sizes(path, values.size(), sizeof(typename T::value_type));
     for (std::size_t i = 0; i < values.size(); ++i) {
       values[i]->resize(sizes[i]);
@@ -184,7 +184,7 @@ class Decoder : public Walk<Decoder> {
   }
 
   template <Map T>
-  void contents(const std::string& path, const std::vector<T*>& values) {
+  void visit_contents(const std::string& path, const std::vector<T*>& values) {
     constexpr std::size_t kNodeBytes = 64;
     using Item = std::pair<typename T::key_type, typename T::mapped_type>;
     const auto sizes = read_sizes(path, values.size(), 2 * sizeof(Item) + kNodeBytes);
@@ -200,7 +200,7 @@ class Decoder : public Walk<Decoder> {
   }
 
   template <Optional T>
-  void contents(const std::string& path, const std::vector<T*>& values) {
+  void visit_contents(const std::string& path, const std::vector<T*>& values) {
     const auto sizes = read_sizes(path, values.size(), 0);
     for (std::size_t i = 0; i < values.size(); ++i) {
       require(sizes[i] <= 1, path, "is there more than once");
@@ -218,7 +218,7 @@ class Decoder : public Walk<Decoder> {
   }
 
   template <DynamicArray T>
-  void contents(const std::string& path, const std::vector<T*>& values) {
+  void visit_contents(const std::string& path, const std::vector<T*>& values) {
     using Number = typename T::Scalar;
     constexpr auto kRows = static_cast<std::size_t>(T::RowsAtCompileTime);
     const auto sizes = read_sizes(path, values.size(), kRows * sizeof(Number));
@@ -235,7 +235,7 @@ class Decoder : public Walk<Decoder> {
  private:
   static void require(bool holds, const std::string& path, const char* reason) {
     if (!holds) {
-      throw Mismatch(path + " " + reason);
+      throw ColumnMismatch(path + " " + reason);
     }
   }
   static std::size_t sum(const std::vector<std::uint64_t>& sizes) {
@@ -284,7 +284,7 @@ Columns encode(const T& value) {
 
 /// Sets all fields of a value from its columns; vectors are resized, so that what else their
 /// elements hold stays, and so it does in what is optional and there already. Allocates no more
-/// than `max_bytes`. Throws Mismatch; the value is then only partly set.
+/// than `max_bytes`. Throws ColumnMismatch; the value is then only partly set.
 template <class T>
 void decode(const std::string& path, const Columns& columns, double max_bytes, T& value) {
   detail::Decoder(columns, max_bytes).walk(path, std::vector<T*>{&value});

@@ -123,7 +123,7 @@ SavedRun load_run(const std::filesystem::path& folder, double max_bytes,
                   const std::optional<std::string>& until = {});
 
 /// Which pictures a saved run draws; `all` if it begins with its first step. Throws
-/// reflection::Mismatch.
+/// reflection::ColumnMismatch.
 WantedPictures wanted_pictures_of(const SavedRun& saved);
 
 /// Continues a run to its end, with the same bits as an uninterrupted run. Ignores the folder of

@@ -24,7 +24,7 @@ struct UniformBins {
 using BinsSpec = std::variant<QuantileBins, UniformBins>;
 
 /// Observation times that differ by less than this share of `series_every` are equal.
-inline constexpr double kSameTime = 1e-9;
+inline constexpr double kTimeTolerance = 1e-9;
 
 struct BoltzmannScene {
   std::string name;   ///< of the file, without folder and ending
@@ -36,7 +36,7 @@ struct BoltzmannScene {
   bool quasi = false;                      ///< sampling: quasi
   std::vector<double> restitutions = {1};  ///< one run for each, in this order
   /// Whether the file has a list (even of one): tables then have a column for it.
-  bool lists_restitutions = false;
+  bool has_restitution_list = false;
   double friction = 0;   ///< boltzmann::kNoSlidingLimit where the file gives a roughness only
   double roughness = 0;  ///< as in boltzmann::Law
   double energy_ratio = 1;

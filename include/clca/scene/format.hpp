@@ -21,17 +21,17 @@ class UnknownKeyError : public text::InputError {
 /// (`inertia`); empty: the top of a scene. Throws UnknownKeyError.
 std::string explain(std::string_view path);
 
-struct KeyName {
+struct KeySummary {
   std::string path;  ///< as for `--set`
   std::string about;
   bool has_keys = false;  ///< the value is a map
 };
 
 /// The keys whose paths, as for `--set`, begin like this, without those below them.
-std::vector<KeyName> keys_beginning(std::string_view begun);
+std::vector<KeySummary> keys_with_prefix(std::string_view begun);
 
 /// The words that the value of this key may be; none if there is no such key.
-std::vector<std::string> words_of(std::string_view path);
+std::vector<std::string> allowed_words(std::string_view path);
 
 /// A Markdown table of the keys of these maps, at least one; those of the second and further ones
 /// have their path in front, from the first map where they are inside it. Throws UnknownKeyError.

@@ -33,7 +33,7 @@ AnyScene parse_any(std::string_view text, const std::string& file,
                    const std::vector<Override>& varied = {});
 
 /// The text of a scene. Throws SceneError if the file cannot be read.
-std::string scene_text(const std::filesystem::path& file);
+std::string read_scene_text(const std::filesystem::path& file);
 
 /// Reads and parses a file. Throws SceneError, also if it cannot be read.
 AnyScene parse_any_file(const std::filesystem::path& file,
@@ -49,7 +49,7 @@ std::string to_yaml(const Scene& scene);
 std::string to_yaml(const BoltzmannScene& scene);
 /// A run saves that text, which `clca resume` reads. Throws SceneError where it is larger than a
 /// scene may be; `file` is that of the scene.
-void check_resolved(std::string_view yaml, std::string_view file);
+void check_resolved_size(std::string_view yaml, std::string_view file);
 
 /// What the model of a scene needs.
 struct Size {

@@ -25,7 +25,7 @@
 namespace clca::scene {
 
 /// Degrees between neighbouring orientations of a particle.
-inline constexpr int kDegreesPerSixth = 360 / lattice::kDirectionCount;
+inline constexpr int kOrientationStepDegrees = 360 / lattice::kDirectionCount;
 
 struct Box {
   double width = 0;
@@ -188,7 +188,7 @@ using Until = std::variant<UntilSettled, UntilSteps, UntilDischarged, UntilCycle
 /// The mixture of a fill; none if it has counts.
 std::optional<grains::Mixture> mixture_of(const Fill& fill);
 /// Whether the fill places particles of the species.
-bool has_species(const Fill& fill, std::size_t species);
+bool places_species(const Fill& fill, std::size_t species);
 
 /// Number of steps, for ends given by steps or time.
 std::optional<std::uint64_t> steps_of(const Until& until);
@@ -284,6 +284,6 @@ bool pictures_show_forces(const Scene& scene);
 bool pictures_compare_positions(const Scene& scene);
 
 /// Orientations of kinds of particles, clockwise: the first of the species that looks like this.
-std::vector<int> degrees_of(const Scene& scene, const std::vector<grains::Kind>& kinds);
+std::vector<int> orientation_degrees(const Scene& scene, const std::vector<grains::Kind>& kinds);
 
 }  // namespace clca::scene

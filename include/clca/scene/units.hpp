@@ -82,6 +82,7 @@ std::optional<Eigen::Vector2d> turning_centre(const Scene& scene, const Stage& s
 
 /// The vessel at the start of a stage; the previous stage left it as `before`. Throws
 /// std::invalid_argument for a motion too fast or too slow for the time step.
-contact::Vessel vessel_in(const Scene& scene, const Stage& stage, const contact::Vessel& before);
+contact::Vessel vessel_at_start(const Scene& scene, const Stage& stage,
+                                const contact::Vessel& before);
 
 }  // namespace clca::scene

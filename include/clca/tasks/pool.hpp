@@ -251,7 +251,7 @@ class Pool {
 
 /// What a rank that is not rank 0 does with its pool: sends the results to rank 0. If it is stopped
 /// all are.
-inline void serve(Pool<Bytes>& pool, Ranks& ranks) {
+inline void send_results(Pool<Bytes>& pool, Ranks& ranks) {
   constexpr std::chrono::milliseconds kPause(100);
   while (!pool.finished()) {
     for (const auto& [task, result] : pool.take_finished(kPause)) {

@@ -43,7 +43,7 @@ class Ranks {
   /// Number of all processes.
   virtual int size() const = 0;
   /// Number of those on this machine.
-  virtual int on_this_machine() const = 0;
+  virtual int size_on_this_machine() const = 0;
 
   /// The next number of a counter that all ranks share, from 0 on.
   virtual std::uint64_t next() = 0;
@@ -63,7 +63,7 @@ class Ranks {
 
   /// For rank 0: sends each other rank what `work` says, and sets the counter to 0. Nothing after
   /// dismiss().
-  void hand_out(const std::function<Bytes(int rank)>& work);
+  void hand_out_work(const std::function<Bytes(int rank)>& work);
   /// For rank 0: there is no more to do, and what others do is to be stopped. Once is enough.
   void dismiss();
   /// For rank 0: whether this is not about a task but says that another rank is stopped.
@@ -93,7 +93,7 @@ class OneRank : public Ranks {
  public:
   int rank() const override { return 0; }
   int size() const override { return 1; }
-  int on_this_machine() const override { return 1; }
+  int size_on_this_machine() const override { return 1; }
   std::uint64_t next() override { return next_++; }
   void reset_counter() override { next_ = 0; }
   void send(int /*to*/, std::uint64_t /*number*/, const Bytes& /*bytes*/) override {}

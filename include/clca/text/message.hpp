@@ -10,7 +10,7 @@
 namespace clca::text {
 
 /// True for the characters that move a terminal's cursor rather than print.
-bool is_control(char32_t character);
+bool is_control_character(char32_t character);
 
 /// `text` with control characters and invalid bytes written as escapes.
 std::string printable(std::string_view text);

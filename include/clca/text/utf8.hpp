@@ -7,10 +7,10 @@
 
 namespace clca::text {
 
-inline constexpr char32_t kReplacement = 0xFFFD;
+inline constexpr char32_t kReplacementCharacter = 0xFFFD;
 
 /// Bytes of the UTF-8 character that begins at `position`; 0 when none does.
-std::size_t character_length(std::string_view text, std::size_t position);
+std::size_t character_bytes(std::string_view text, std::size_t position);
 
 /// The character at `position`, which must be valid.
 char32_t character_at(std::string_view text, std::size_t position);

@@ -37,7 +37,7 @@ struct Value {
 
   Kind kind = Kind::nothing;
   bool quoted = false;
-  bool in_lines = false;  ///< to be written with each entry on a line of its own
+  bool one_entry_per_line = false;  ///< to be written with each entry on a line of its own
   TextLocation location;
   std::string text;            ///< of a scalar; else empty
   std::string expression;      ///< that the text is the value of; empty if it was written so
@@ -92,7 +92,7 @@ std::string flow_text(const Value& value);
 std::string block_text(const Value& map);
 
 /// What stands between the dots of a path.
-std::vector<std::string> parts_of_path(std::string_view path);
+std::vector<std::string> path_parts(std::string_view path);
 /// `path.key`, or `key` alone at the top.
 std::string join_path(std::string_view path, std::string_view key);
 
@@ -136,7 +136,7 @@ void evaluate_expressions(Value& root, const std::vector<std::string_view>& take
 /// Error.
 void check_expression(const Value& value);
 /// The expression with numbers for the names that have one.
-std::string with_numbers(
+std::string with_names_replaced(
     std::string_view expression,
     const std::function<std::optional<double>(std::string_view name)>& number_of);
 /// Whether names in expressions may be like this, of up to kMaxNameLength letters.

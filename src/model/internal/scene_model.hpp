@@ -24,8 +24,8 @@ std::uint64_t hash(const ModelState& state);
 
 /// The initial state of a scene, without particles.
 ModelState empty_state(const scene::Scene& scene);
-/// The state in a checkpoint. Throws reflection::Mismatch or std::invalid_argument if no run of the
-/// scene can have saved it.
+/// The state in a checkpoint. Throws reflection::ColumnMismatch or std::invalid_argument if no run
+/// of the scene can have saved it.
 ModelState state_from_checkpoint(const scene::Scene& scene, const reflection::Columns& columns,
                                  double max_bytes);
 

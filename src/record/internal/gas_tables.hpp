@@ -27,9 +27,9 @@ struct GasCase {
 
 /// Writes series.csv, histogram-TIME.csv and, if closed forms exist, closure.csv. Throws
 /// store::StoreError.
-void write_tables(const scene::BoltzmannScene& scene, const std::vector<GasCase>& cases,
-                  const store::OutputFolder& folder);
-std::vector<store::TableSummary> gas_summary(const scene::BoltzmannScene& scene);
+void write_gas_tables(const scene::BoltzmannScene& scene, const std::vector<GasCase>& cases,
+                      const store::OutputFolder& folder);
+std::vector<store::TableSummary> gas_table_summaries(const scene::BoltzmannScene& scene);
 
 /// The last row of the series and further results of a case.
 std::vector<store::NamedMeasure> gas_measures(const scene::BoltzmannScene& scene,

@@ -68,7 +68,7 @@ struct SavedColumns {
   const reflection::Columns& columns;
   double max_bytes;
 
-  /// Throws reflection::Mismatch, also for what no run that reached `now` can have recorded.
+  /// Throws reflection::ColumnMismatch, also for what no run that reached `now` can have recorded.
   template <class T>
   void read(const std::string& path, T& value, const grains::State& now) const {
     reflection::decode(path, columns, max_bytes, value);
@@ -79,7 +79,7 @@ struct SavedColumns {
       fits = !value || value->precedes(now);
     }
     if (!fits) {
-      throw reflection::Mismatch(path + " is not of this run");
+      throw reflection::ColumnMismatch(path + " is not of this run");
     }
   }
 };
@@ -98,7 +98,7 @@ class Observer {
 
   /// Saves what load() needs, with all that was written on the disk.
   virtual void save(reflection::Columns& /*columns*/) {}
-  /// Goes on with a stage. Throws reflection::Mismatch for what no run can have saved.
+  /// Goes on with a stage. Throws reflection::ColumnMismatch for what no run can have saved.
   virtual void load(const SavedColumns& /*saved*/, const StageView& /*now*/) {}
 
   /// Tables that it adds rows to; their rows are saved and loaded.
@@ -165,7 +165,7 @@ class Observers {
   std::vector<RunTable*> tables_;
 };
 
-using Values = std::vector<store::MeasureValue>;
+using MeasureValues = std::vector<store::MeasureValue>;
 
 /// Quantities that are taken together at the end of a stage.
 struct QuantityGroup {
@@ -173,12 +173,12 @@ struct QuantityGroup {
   std::string_view condition;             ///< Markdown: when there are values; empty: always
   std::vector<Quantity> quantities;
   /// In the order of the quantities; none where the condition does not hold.
-  Values (*values)(const StageView& stage);
+  MeasureValues (*values)(const StageView& stage);
   /// Some of the values of each outlet or species, named; may be null.
   std::vector<store::NamedMeasure> (*values_of_each)(const StageView& stage) = nullptr;
 };
 
-struct ObserverKind {
+struct ObserverFactory {
   /// Null if the scene does not need it.
   std::function<std::unique_ptr<Observer>(const scene::Scene& scene)> make;
   /// Of a scene.
@@ -190,13 +190,14 @@ struct ObserverKind {
 
 /// Kind of an observer made of the scene alone, if it is `wanted`; it may have a function `bytes`.
 template <class T>
-ObserverKind observer_kind(bool (*wanted)(const scene::Scene& scene),
-                           std::vector<std::function<TableInfo(const scene::Scene&)>> tables = {},
-                           std::vector<QuantityGroup> quantities = {}) {
-  ObserverKind kind = {[wanted](const scene::Scene& scene) -> std::unique_ptr<Observer> {
-                         return wanted(scene) ? std::make_unique<T>(scene) : nullptr;
-                       },
-                       std::move(tables), std::move(quantities)};
+ObserverFactory observer_factory(
+    bool (*wanted)(const scene::Scene& scene),
+    std::vector<std::function<TableInfo(const scene::Scene&)>> tables = {},
+    std::vector<QuantityGroup> quantities = {}) {
+  ObserverFactory kind = {[wanted](const scene::Scene& scene) -> std::unique_ptr<Observer> {
+                            return wanted(scene) ? std::make_unique<T>(scene) : nullptr;
+                          },
+                          std::move(tables), std::move(quantities)};
   if constexpr (requires(const scene::Scene& scene) { T::bytes(scene, 0.0); }) {
     kind.bytes = [wanted](const scene::Scene& scene, double particles) {
       return wanted(scene) ? T::bytes(scene, particles) : 0;
@@ -206,10 +207,10 @@ ObserverKind observer_kind(bool (*wanted)(const scene::Scene& scene),
 }
 
 /// Kinds of all observers but pictures, in the order in which they observe.
-const std::vector<ObserverKind>& observer_kinds();
+const std::vector<ObserverFactory>& observer_factories();
 
 /// The observers that the scene needs.
-std::vector<std::unique_ptr<Observer>> observers_of(const scene::Scene& scene);
+std::vector<std::unique_ptr<Observer>> make_observers(const scene::Scene& scene);
 /// Memory that these observers take at most, with their share of a checkpoint.
 double observer_bytes(const scene::Scene& scene, double particles);
 

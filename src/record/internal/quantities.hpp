@@ -30,7 +30,7 @@ inline constexpr Quantity kLaceyIndex = {"lacey_index", "Lacey’s index of mixi
                                          "0 separated, 1 as random"};
 
 /// Value of kHeightMean; none without particles.
-inline std::optional<double> height_of(const std::vector<double>& profile) {
+inline std::optional<double> bed_height(const std::vector<double>& profile) {
   const double height = measure::mean_height(profile);
   return height > 0 ? std::optional(height) : std::nullopt;
 }
@@ -52,8 +52,8 @@ std::vector<store::NamedMeasure> stage_measures(scene::Measure wanted, const Sta
 std::vector<std::string> measure_notes(const scene::Scene& scene, const model::SceneModel& model);
 
 /// One line per stalled wall: since when, its travel, its overlaps.
-std::vector<std::string> stall_lines(const scene::Scene& scene, const model::SceneModel& model,
-                                     const std::vector<double>& surface_at_start);
+std::vector<std::string> stall_messages(const scene::Scene& scene, const model::SceneModel& model,
+                                        const std::vector<double>& surface_at_start);
 
 /// `discharged.OUTLET` where there are several outlets, each followed by
 /// `discharged.OUTLET.SPECIES` where there are several species. None if they are so many that

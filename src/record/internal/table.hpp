@@ -59,7 +59,7 @@ struct ColumnInfo {
 template <class Value>
 std::vector<std::string_view> column_endings() {
   if constexpr (std::is_same_v<Value, statistics::SampleStatistics>) {
-    return {"", kErrorEnding};
+    return {"", kErrorSuffix};
   } else if constexpr (std::is_same_v<Value, Eigen::Vector2d> ||
                        std::is_same_v<Value, std::optional<Eigen::Vector2d>>) {
     return {"x", "y"};
@@ -238,7 +238,7 @@ class TableWriter : public RunTable {
 
  private:
   bool lacks_error(const Column<Row>& column) const {
-    return !has_errors() && column.endings.back() == kErrorEnding;
+    return !has_errors() && column.endings.back() == kErrorSuffix;
   }
   bool has_time(const Column<Row>& column) const {
     return conversion() && column.quantity.key == kStep.key;

@@ -238,7 +238,7 @@ TEST(Outflow, IsTheRateOfTheSteadyPart) {
     outflow.add({.particles = 10 + sites / 7, .sites = 70 + sites});
   }
   EXPECT_NEAR(outflow.sites_per_step(), 12, 0.1);
-  EXPECT_EQ(outflow.during_stage().sites, sites);
+  EXPECT_EQ(outflow.stage_discharge().sites, sites);
 }
 
 TEST(Outflow, TheSteadyPartIsFrom20To70PercentOfWhatLeaves) {

@@ -175,11 +175,11 @@ TEST(WeightPaths, ThePressureIsOverItsMeanAndOfTheBaseOnly) {
   forces.push_back(
       {.other = contact::kLeftSide, .point = {0, 3}, .normal = {1, 0}, .shear_force = 9});
   forces.push_back({.other = 3, .point = {6, 3}, .normal = {0, 1}, .normal_force = 9});
-  const std::vector<double> pressure = base_pressure(base, forces);
+  const std::vector<double> pressure = base_pressures(base, forces);
   ASSERT_EQ(pressure.size(), 13);
   EXPECT_DOUBLE_EQ(pressure[0], 2 * 13 / 29.0);
   EXPECT_DOUBLE_EQ(centre_minus_ring(pressure), 3 * 13 / 29.0);
-  EXPECT_TRUE(base_pressure(base, {}).empty());
+  EXPECT_TRUE(base_pressures(base, {}).empty());
 }
 
 TEST(WeightPaths, BothEndsBelongToTheBaseAndHalfOfWhatIsBetweenTwoBinsToEach) {
@@ -192,7 +192,7 @@ TEST(WeightPaths, BothEndsBelongToTheBaseAndHalfOfWhatIsBetweenTwoBinsToEach) {
                         .normal_force = 3});
     }
     const std::vector<double> pressure =
-        base_pressure({.left = 0, .right = lattice::kColumnPitch * (columns - 1)}, forces);
+        base_pressures({.left = 0, .right = lattice::kColumnPitch * (columns - 1)}, forces);
     const double end = columns == 13 ? 1 : 1.5 * 13 / 14;  // the whole of one, half of the next
     EXPECT_NEAR(pressure.front(), end, 1e-12) << columns;
     EXPECT_NEAR(pressure.back(), end, 1e-12) << columns;
@@ -201,7 +201,7 @@ TEST(WeightPaths, BothEndsBelongToTheBaseAndHalfOfWhatIsBetweenTwoBinsToEach) {
 
 TEST(WeightPaths, TheBaseLeavesOutAHundredthOfTheSitesOnEitherSide) {
   const grains::State state = wedge();
-  const Base base = base_of(state);
+  const Base base = bed_base(state);
   std::size_t left = 0;
   for (const grains::Particle& grain : state.particles) {
     left += lattice::kColumnPitch * grain.column < base.left ? 1U : 0U;

@@ -25,7 +25,7 @@ std::string page(const char* name) {
 }
 
 TEST(Quantity, TheTableOfTheDocumentationIsThatOfTheDeclarations) {
-  EXPECT_THAT(page("scene-format.md"), HasSubstr("<!-- quantities -->\n" + quantities_table() +
+  EXPECT_THAT(page("scene-format.md"), HasSubstr("<!-- quantities -->\n" + quantities_markdown() +
                                                  "<!-- end of quantities -->\n"))
       << "call scripts/update-format";
 }
@@ -34,14 +34,14 @@ TEST(Quantity, TheDocumentsHaveTheColumnsOfEachTable) {
   const std::string documents =
       page("scene-format.md") + page("boltzmann.md") + page("sweep.md") + page("trajectory.md");
   for (const std::string& table : table_names()) {
-    EXPECT_THAT(documents, HasSubstr("<!-- columns: " + table + " -->\n" + columns_table(table) +
+    EXPECT_THAT(documents, HasSubstr("<!-- columns: " + table + " -->\n" + columns_markdown(table) +
                                      "<!-- end of columns -->\n"))
         << "call scripts/update-format; a new table needs a place in one of them first";
   }
 }
 
 TEST(Quantity, ATableThatThereIsNotIsRefusedWithTheNamesOfAll) {
-  EXPECT_THAT([] { columns_table("serie"); },
+  EXPECT_THAT([] { columns_markdown("serie"); },
               ::testing::ThrowsMessage<text::InputError>(AllOf(
                   HasSubstr("no table 'serie'"), HasSubstr("series, "), HasSubstr("profile"))));
 }
@@ -49,7 +49,7 @@ TEST(Quantity, ATableThatThereIsNotIsRefusedWithTheNamesOfAll) {
 TEST(Quantity, OfAVectorOrAMeanHasTwoColumns) {
   EXPECT_EQ(find_quantity("vx"), find_quantity("vy"));
   EXPECT_EQ(find_quantity("flux_se")->unit, "sites/(step·spacing)");
-  EXPECT_THAT(columns_table("lines"), HasSubstr("| `flux` (`_se`) |"));
+  EXPECT_THAT(columns_markdown("lines"), HasSubstr("| `flux` (`_se`) |"));
 }
 
 TEST(Quantity, IsFoundByItsKeyAlsoOfOneOutlet) {

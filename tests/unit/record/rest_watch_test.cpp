@@ -62,35 +62,36 @@ class RestWatchTest : public ::testing::Test {
 
   scene::Scene scene_ = scene::parse(kBed, "bed.yaml");
   grains::State state_ = bed(scene_);
-  RestWatch watch_;
+  UnsettledBedDetector watch_;
 };
 
 TEST_F(RestWatchTest, WarnsOnceOfGrainsThatAloneMoveOn) {
-  EXPECT_FALSE(warns({1, 3}, 3, RestWatch::kSteps - 1));
+  EXPECT_FALSE(warns({1, 3}, 3, UnsettledBedDetector::kSteps - 1));
   EXPECT_THAT(step({1, 3}, 0).value_or(""),
               AllOf(HasSubstr("for 2000 steps nothing has moved but particle 1 (grain) at x ="),
                     HasSubstr(", particle 3 (grain) at x =")));
-  EXPECT_FALSE(warns({1, 3}, 3, 2 * RestWatch::kSteps));
+  EXPECT_FALSE(warns({1, 3}, 3, 2 * UnsettledBedDetector::kSteps));
 }
 
 TEST_F(RestWatchTest, DoesNotWarnOfWhatSettles) {
-  EXPECT_FALSE(warns({2}, 2, 2 * RestWatch::kSteps)) << "to a neighbouring site and back";
-  EXPECT_FALSE(warns({0, 1, 2, 3}, 3, 2 * RestWatch::kSteps)) << "too many";
-  EXPECT_FALSE(warns({}, 1, 2 * RestWatch::kSteps)) << "nothing moves";
+  EXPECT_FALSE(warns({2}, 2, 2 * UnsettledBedDetector::kSteps))
+      << "to a neighbouring site and back";
+  EXPECT_FALSE(warns({0, 1, 2, 3}, 3, 2 * UnsettledBedDetector::kSteps)) << "too many";
+  EXPECT_FALSE(warns({}, 1, 2 * UnsettledBedDetector::kSteps)) << "nothing moves";
 }
 
 TEST_F(RestWatchTest, BeginsAnewWithOtherGrainsAndWithOneThatComesLower) {
-  EXPECT_FALSE(warns({0, 1, 2}, 3, RestWatch::kSteps - 1));
-  EXPECT_FALSE(warns({3}, 3, RestWatch::kSteps - 1));
+  EXPECT_FALSE(warns({0, 1, 2}, 3, UnsettledBedDetector::kSteps - 1));
+  EXPECT_FALSE(warns({3}, 3, UnsettledBedDetector::kSteps - 1));
   --state_.particles[3].row;
-  EXPECT_FALSE(warns({3}, 3, RestWatch::kSteps - 1));
+  EXPECT_FALSE(warns({3}, 3, UnsettledBedDetector::kSteps - 1));
   EXPECT_TRUE(warns({3}, 3, 10));
 }
 
 TEST_F(RestWatchTest, BeginsAnewWithAGrainThatFlies) {
-  EXPECT_FALSE(warns({3}, 3, RestWatch::kSteps - 1));
+  EXPECT_FALSE(warns({3}, 3, UnsettledBedDetector::kSteps - 1));
   state_.particles[3].row += 4;
-  EXPECT_FALSE(warns({3}, 3, RestWatch::kSteps - 1));
+  EXPECT_FALSE(warns({3}, 3, UnsettledBedDetector::kSteps - 1));
   EXPECT_TRUE(warns({3}, 3, 10));
 }
 

@@ -57,7 +57,7 @@ std::string mismatch(const Columns& columns, double max_bytes = kMuch) {
   try {
     Outer outer;
     decode(columns, max_bytes, outer);
-  } catch (const Mismatch& error) {
+  } catch (const ColumnMismatch& error) {
     return error.what();
   }
   return "";

@@ -55,7 +55,7 @@ TEST(BoltzmannScene, ReadsEverything) {
   EXPECT_FALSE(scene.exact_moments);
   EXPECT_TRUE(scene.quasi);
   EXPECT_THAT(scene.restitutions, ElementsAre(1, 0, 0.8349));
-  EXPECT_TRUE(scene.lists_restitutions);
+  EXPECT_TRUE(scene.has_restitution_list);
   EXPECT_EQ(scene.friction, 1e-7);
   EXPECT_EQ(scene.roughness, -0.25);
   EXPECT_EQ(scene.energy_ratio, 1e6);
@@ -74,8 +74,8 @@ TEST(BoltzmannScene, WithARoughnessAloneSlidesNowhere) {
 }
 
 TEST(BoltzmannScene, KeepsAListOfOne) {
-  EXPECT_TRUE(gas_with("boltzmann: {restitution: [1], friction: 0}").lists_restitutions);
-  EXPECT_FALSE(gas_with("boltzmann: {restitution: 1, friction: 0}").lists_restitutions);
+  EXPECT_TRUE(gas_with("boltzmann: {restitution: [1], friction: 0}").has_restitution_list);
+  EXPECT_FALSE(gas_with("boltzmann: {restitution: 1, friction: 0}").has_restitution_list);
 }
 
 TEST(BoltzmannScene, TakesTheLastValuesThatAreAllowed) {

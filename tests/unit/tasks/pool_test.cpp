@@ -61,14 +61,14 @@ class PoolTest : public ::testing::Test {
         for (const std::size_t task : own) {
           pool.add(task);
         }
-        serve(pool, *ranks);
+        send_results(pool, *ranks);
       }
     });
   }
   /// Carries out all tasks, with all ranks.
   std::map<std::size_t, std::size_t> results(std::size_t threads, Ranks& ranks) {
     std::map<std::size_t, std::size_t> found;
-    ranks.hand_out([](int /*rank*/) { return Bytes(); });
+    ranks.hand_out_work([](int /*rank*/) { return Bytes(); });
     Pool<std::size_t> pool(threads, ranks, all_tasks(), {.carry_out = square, .result = number_of},
                            nullptr);
     while (!pool.finished()) {
@@ -213,7 +213,7 @@ TEST_F(PoolTest, AStopEndsTasksUnderWayHereAndElsewhere) {
     });
   }
   const auto ranks = all_.seen_from(0);
-  ranks->hand_out([](int /*rank*/) { return Bytes(); });
+  ranks->hand_out_work([](int /*rank*/) { return Bytes(); });
   Pool<std::size_t> pool(1, *ranks, all_tasks(), {.carry_out = until_stopped, .result = number_of},
                          &stop);
   std::size_t ended = 0;
@@ -266,7 +266,7 @@ TEST_F(PoolTest, ARankThatIsStoppedTellsAtOnceWhateverItsTasksTake) {
   start_rank(2);
   start_rank(3);
   const auto ranks = all_.seen_from(0);
-  ranks->hand_out([](int /*rank*/) { return Bytes(); });
+  ranks->hand_out_work([](int /*rank*/) { return Bytes(); });
   Pool<std::size_t> pool(1, *ranks, {}, {.carry_out = square, .result = number_of}, nullptr);
   while (!pool.finished()) {
     pool.take_finished(kPause);

@@ -24,9 +24,9 @@ TEST(Utf8, ReplacesBytesThatAreNone) {
 TEST(CharacterLength, RefusesWhatIsNotUtf8) {
   for (const std::string_view bad : {"\x80", "\xC1\x81", "\xC3", "\xC3x", "\xE0\x80\x80",
                                      "\xED\xA0\x80", "\xF4\x90\x80\x80", "\xF5\x80\x80\x80"}) {
-    EXPECT_EQ(character_length(bad, 0), 0) << bad;
+    EXPECT_EQ(character_bytes(bad, 0), 0) << bad;
   }
-  EXPECT_EQ(character_length("\xF0\x9F\x8F\x94", 0), 4);
+  EXPECT_EQ(character_bytes("\xF0\x9F\x8F\x94", 0), 4);
 }
 
 }  // namespace
