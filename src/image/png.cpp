@@ -72,7 +72,7 @@ PngText texts_of(std::span<const std::uint8_t> bytes) {
   refuse_file("it is cut off");
 }
 
-/// As iTXt chunks, not compressed, without language and translated keyword.
+/// Writes iTXt chunks, not compressed, without language and translated keyword.
 std::vector<std::uint8_t> text_chunks(const PngText& text) {
   constexpr std::size_t kMaxKeyword = 79;
   std::vector<std::uint8_t> chunks;

@@ -17,10 +17,10 @@ class UnsettledBedDetector {
   static constexpr std::size_t kMaxMovers = 3;
   static constexpr std::uint64_t kSteps = 2000;
 
-  /// After a step in which `moved` grains have moved. Once, what there is to warn of: for kSteps
-  /// steps the same grains, kMaxMovers at most, have been the only ones that moved, none of them
-  /// has come lower or flies up, and one has gone farther than to a neighbouring site and back;
-  /// else the bed settles by itself.
+  /// Call after a step in which `moved` grains have moved. Returns a warning once, if for kSteps
+  /// steps the same grains (at most kMaxMovers) were the only ones that moved, none has gone down
+  /// or flown up, and one has moved beyond a neighbouring site and back; other beds settle by
+  /// themselves.
   std::optional<std::string> add(const scene::Scene& scene, const grains::State& state,
                                  std::size_t moved);
 

@@ -167,7 +167,7 @@ TableOf<measure::StressCell> stress_table(const scene::Scene& /*scene*/) {
            {{"pressure", "Pressure", kUnit, "half of xx + yy"}, &Cell::pressure}}};
 }
 
-/// Of a particle, without its balance of forces.
+/// Row of a particle, without its balance of forces.
 LoadRow load_row(const StageView& now, std::size_t id, double contacts, double load) {
   const grains::State& state = now.model.state();
   const grains::Particle& particle = state.particles[id];

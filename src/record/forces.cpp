@@ -48,7 +48,7 @@ MeasureValues values_of(const std::optional<measure::ForceDistribution>& distrib
                       : MeasureValues(2);
 }
 
-/// Of grains that touch.
+/// Measures of the forces between touching grains.
 MeasureValues contact_forces(const StageView& stage) {
   const auto* contacts = stage.observers.find<ContactRecord>();
   if (contacts == nullptr) {
@@ -73,7 +73,7 @@ MeasureValues contact_forces(const StageView& stage) {
   return {per_grain(touching), shape[0], shape[1], per_grain(residual), per_grain(floor)};
 }
 
-/// Of walls that overlap grains.
+/// Measures of walls that overlap grains.
 MeasureValues overlap_forces(const StageView& stage) {
   const auto* overlaps = stage.observers.find<OverlapRecord>();
   if (overlaps == nullptr) {

@@ -16,7 +16,7 @@ bool has_overlaps(const scene::Scene& scene);
 /// Overlaps of a stage, averaged over steps.
 class OverlapRecord : public SavedObserver<OverlapRecord> {
  public:
-  /// With scene::Output::contacts, contacts are averaged over time.
+  /// Averages contacts over time if the scene has Output::contacts.
   explicit OverlapRecord(const scene::Scene& scene) : sampling_(scene.output.contacts) {}
 
   void after_step(const StageView& now) override {

@@ -37,7 +37,7 @@ constexpr Quantity kClogged = {"clogged", "Clogged", "",
 
 using Rates = std::vector<std::pair<Quantity, double>>;
 
-/// Those that the units of the scene allow.
+/// The rates that the units of the scene allow.
 Rates rates(const scene::Scene& scene, const measure::Outflow& outflow) {
   const double per_step = outflow.sites_per_step();
   Rates all = {{kPerStep, per_step}};
@@ -56,7 +56,7 @@ Rates rates(const scene::Scene& scene, const measure::Outflow& outflow) {
   return all;
 }
 
-/// Of all outlets, `count` rates from `first` on, if the scene has them.
+/// `count` rates of all outlets together, from `first` on, if the scene has them.
 template <std::size_t kFirst, std::size_t kCount>
 MeasureValues some_rates(const StageView& stage) {
   const Rates all = rates(stage.scene, stage.history.outflow);
@@ -67,7 +67,7 @@ MeasureValues some_rates(const StageView& stage) {
   return values;
 }
 
-/// Of each outlet.
+/// Whether each outlet is clogged.
 std::vector<bool> clogged(const StageView& stage) {
   const model::SceneModel& model = stage.model;
   std::vector<bool> clogged;

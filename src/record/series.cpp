@@ -32,7 +32,7 @@ Eigen::Vector2d middle(const lattice::Lattice& box) {
   return lattice::Lattice::lower_left_corner() + box.extent() / 2;
 }
 
-/// Of a side of the box.
+/// The middle of a side of the box.
 Eigen::Vector2d middle(const lattice::Lattice& box, grains::Owner side) {
   const double x = side == contact::kLeftSide ? -0.5 : side == contact::kRightSide ? 0.5 : 0;
   const double y = side == contact::kFloor ? -0.5 : side == contact::kCeiling ? 0.5 : 0;
@@ -296,7 +296,7 @@ TableOf<SeriesRow> series_table(const scene::Scene& scene) {
           [](auto& row) { return contact::to_degrees(row.now.model.vessel().angle); }}}}}};
 }
 
-/// Of each wall and outlet, KEY.NAME.
+/// Columns KEY.NAME of each wall and outlet.
 std::vector<std::string> names_of_each(const scene::Scene& scene) {
   std::vector<std::string> names;
   for (const scene::Wall& wall : scene.walls) {

@@ -120,8 +120,7 @@ template <class Items>
 void require_none(const Items& items, const PlacedValue& root, const char* key, const char* what) {
   if (!items.empty()) {
     fail(root.at(key),
-         "nothing would be written; they {} at the steps of output.series, so remove its none, or "
-         "them",
+         "nothing would be written; they {} at the steps of output.series: set it, or remove them",
          what);
   }
 }

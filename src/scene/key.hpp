@@ -30,7 +30,7 @@ struct AnyKey;
 /// Shared, since types and keys are copied into each other.
 using AnyKeys = std::shared_ptr<const std::vector<AnyKey>>;
 
-/// The schema with more members: what is between the brackets of an object.
+/// The schema with more members, given as the text between the brackets of a JSON object.
 Schema with(const Schema& schema, std::string_view more);
 
 /// Text that matches the pattern.
@@ -39,7 +39,7 @@ Schema text_schema(std::string_view pattern);
 Schema scalar_schema(std::string_view pattern);
 Schema word_schema(std::string_view word);
 
-/// Of an array without equal items.
+/// Member of a schema: the array has no equal items.
 inline constexpr std::string_view kUniqueItems = R"("uniqueItems": true)";
 
 Schema any_of(const std::vector<Schema>& schemas);
@@ -52,10 +52,10 @@ Schema object_schema(const Schema& value, std::string_view pattern);
 struct AnyType {
   std::string allowed;  ///< Markdown: which values, such as `0 to 1`
   Schema schema;
-  /// Into a default value of the type. Throws SceneError.
+  /// Reads into a default value of the type. Throws SceneError.
   std::function<void(const PlacedValue& place, void* result)> read_into = {};
   std::function<Value(const void* value, const Scene& scene)> text_of = {};
-  AnyKeys keys = {};           ///< of the map that a value is; null: none
+  AnyKeys keys = {};           ///< keys of the value if it is a map; else null
   bool is_collection = false;  ///< a value has names or numbers above the keys
 };
 
@@ -71,7 +71,7 @@ struct Type : AnyType {
   }
   Value text(const T& value, const Scene& scene) const { return text_of(&value, scene); }
 
-  /// With a check of the values that have been read.
+  /// The same type, which also checks the values that it has read.
   Type checked(void (*check)(const T& result, const PlacedValue& place)) const {
     Type type = *this;
     type.read_into = [read = read_into, check](const PlacedValue& place, void* result) {
@@ -123,8 +123,8 @@ AnyAction any_action(Action<Owner> action) {
   };
 }
 
-/// From an object to a part of it; `make` puts a default one there first, if there is none. Null
-/// where it is not, or cannot be.
+/// Function from an object to a part of it, null if the part is missing. `make`: first puts a
+/// default part there.
 using Access = std::function<void*(void* object, bool make)>;
 
 /// A key of a map that is read into an owner. Texts are Markdown.
@@ -135,11 +135,11 @@ struct AnyKey {
   Access access = {};  ///< from the owner to the value; null: only `action` reads, `text` writes it
   std::string default_phrase = {};          ///< what holds if the key is left out, or a condition
   bool is_condition = false;                ///< `default_phrase` says when the key is given
-  std::optional<Value> default_value = {};  ///< that of `default_phrase`, if it is a value
+  std::optional<Value> default_value = {};  ///< the same, if it is a value
   bool required = false;
-  std::optional<Model> model = {};  ///< the only one that has it
+  std::optional<Model> model = {};  ///< the only one that has the key
   AnyAction action = {};            ///< before the value is read; reads it where `access` is null
-  /// Its value where that of the type is not written; none if it is left out.
+  /// Written in place of the value; none: the key is left out.
   std::function<std::optional<Value>(const void* owner, const Scene& scene)> text = {};
 
   void describe_default(std::string_view phrase) {
@@ -162,12 +162,12 @@ struct Key : AnyKey {
     required = true;
     return *this;
   }
-  /// Described by a phrase, where the default is no value or follows from other keys.
+  /// Describes a default that is no value or follows from other keys.
   Key& defaults_to(std::string_view phrase) {
     describe_default(phrase);
     return *this;
   }
-  /// Which other keys are given in its place, or with it.
+  /// Describes which other keys are given in its place, or with it.
   Key& with_condition(std::string_view phrase) {
     describe_default(phrase);
     is_condition = true;
@@ -206,7 +206,7 @@ template <class Owner>
 struct Map {
   Keys<Owner> keys = {};
   std::vector<std::string> one_of = {};  ///< of these keys exactly one is given
-  /// What depends on several keys, once they have been read.
+  /// Checks that depend on several keys, after reading.
   Action<Owner> check = nullptr;
   std::string_view schema_members = {};  ///< of JSON Schema: what it can say of `check`
 };
@@ -226,7 +226,7 @@ bool may_be_none(const AnyKey& key);
 /// Removes entries whose value is `none` and whose key may_be_none(), at any depth.
 void remove_none_entries(Value& value, const std::vector<AnyKey>& keys);
 
-/// Without backticks and addresses of links.
+/// The text without backticks and addresses of links.
 std::string without_markup(std::string text);
 /// What the key is for, without markup.
 std::string meaning(const AnyKey& key);
@@ -324,8 +324,8 @@ Keys<Owner> inlined_keys(const Access& access, std::vector<AnyKey> keys) {
   return Keys<Owner>(std::move(keys));
 }
 
-/// The key of an alternative of a member as a key of the Owner itself; not read where that has
-/// another one.
+/// The key of an alternative of a member, as a key of the Owner; not read if the member has
+/// another alternative.
 template <class Owner, class Variant, class Part>
 Key<Owner> inlined_alternative(Variant Owner::*member, const Key<Part>& part) {
   const Access access =
@@ -349,7 +349,7 @@ Type<Owner> type_of(const Map<Owner>& map) {
   return Type<Owner>(map_type(map.keys, map.one_of, any_action(map.check), map.schema_members));
 }
 
-/// A map of which all that is left out is as in a member of the scene.
+/// A map whose missing keys have the values of a member of the scene.
 template <class Owner>
 Type<Owner> type_with_scene_defaults(Owner Scene::*member, Keys<Owner> keys) {
   for (AnyKey& key : keys) {

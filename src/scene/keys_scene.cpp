@@ -67,7 +67,7 @@ Type<Begin> begin_type() {
                                   fmt::format("a whole number from 0 to {}", kMaxSteps)),
                     "its end, or a step of its trajectory"),
                 key("state", &Begin::state, hash_type(),
-                    "hash of the state there: another one is refused. Runs note it in their "
+                    "expected hash of that state; any other is refused. A run records it in its "
                     "`scene.yaml`")
                     .defaults_to("any state")},
        .check = [](const PlacedValue& fields, Begin& begin) {

@@ -32,7 +32,7 @@ using document::throw_error;
 using document::Value;
 using text::names_of;
 
-/// Of species, walls, parts of a wall, sources, outlets and stages, each.
+/// Largest number of species, walls, parts of a wall, sources, outlets and stages, each.
 inline constexpr std::size_t kMaxItems = 1000;
 
 /// A value of the text of a scene while it is read, with its path.
@@ -43,7 +43,7 @@ struct PlacedValue {
 
   /// The value of a key; null where it is not given.
   const Value* find(std::string_view key) const { return value.find(key); }
-  /// Refuses a map without the key.
+  /// The value of a key. Refuses a map without it.
   PlacedValue at(std::string_view key) const;
   /// The value of an entry.
   PlacedValue inside(const Entry& entry) const;

@@ -16,7 +16,7 @@ const Type<BoltzmannScene>& boltzmann_type();
 Type<std::string> text_line_type();
 /// The block of each model, and other keys of one model.
 Keys<Scene> model_blocks();
-/// Of a stage: what is left out is as in the scene.
+/// Rules of a stage; missing keys have the values of the scene.
 Type<automaton::Rules> stage_rules_type();
 Type<contact::Parameters> stage_contact_type();
 Type<Units> units_type();
@@ -31,7 +31,7 @@ Type<std::vector<Line>> lines_type();
 std::string stage_path(const Value& value, std::size_t number);
 Type<Fill> fill_type();
 Type<std::vector<Stage>> stages_type();
-/// `measure`: which there are, and those derived from them.
+/// `measure`: requested and derived measures.
 Key<Scene> measure_key();
 Type<Output> output_type();
 /// Checkpoints of a gas: by seconds only.
@@ -41,16 +41,15 @@ Key<BoltzmannScene> boltzmann_output_key();
 /// Refuses a series of too many rows.
 void check_series_rows(const PlacedValue& root, const BoltzmannScene& scene);
 
-/// Sets `max_steps` of stages, and the steps of those until a time, once all that the time step
-/// follows from has been read. `list` is what the stages were read from.
+/// Sets `max_steps` of stages, and the steps of those that end at a time; needs the time step.
+/// `list` is the value that the stages were read from.
 void set_max_steps(Scene& scene, const Value& list);
 
-/// Puts the numbers of keys that derived measures name into their expressions, once all has been
-/// read.
+/// In the expressions of derived measures, replaces names of keys by their numbers.
 void put_numbers_into_derived(Scene& scene);
 
-/// Across stages: names are unique, and walls come, move and go in an order that can be. `list` is
-/// what the stages were read from.
+/// Checks that names of stages are unique, and that walls are inserted, moved and removed in a
+/// possible order. `list` is the value that the stages were read from.
 void check_stage_order(const PlacedValue& list);
 /// Whether a wall lets particles overlap.
 bool walls_may_overlap(const Scene& scene);

@@ -16,34 +16,32 @@ enum class RoundShape : std::uint8_t { hexagon, disc };
 /// Diameters are those of circles of the same area, in lattice spacings.
 struct SizeDistribution {
   SizeLaw law = SizeLaw::lognormal;
-  std::optional<double> mean;  ///< of uniform and lognormal
+  std::optional<double> mean;  ///< for uniform and lognormal
   std::optional<double> sd;    ///< standard deviation, likewise
   SharesBy by = SharesBy::number;
   std::uint64_t kinds = 8;
-  std::vector<double> diameters;  ///< of a list
+  std::vector<double> diameters;  ///< for SizeLaw::list
   std::vector<double> shares;     ///< likewise
   RoundShape shape = RoundShape::hexagon;
 };
 
 struct SizeClass {
   double radius = 0;         ///< as in DiscSpec or HexagonSpec
-  double weight_in_law = 1;  ///< of a particle: its sites if the law is by area, else 1
-  /// Of the circle of equal area, spacings, as lattice::Shape::diameter(); not twice the radius.
-  double diameter = 0;
-  double share = 0;  ///< of the particles, by number; the sum is 1 but for rounding
+  double weight_in_law = 1;  ///< its number of sites if the law is by area, else 1
+  double diameter = 0;       ///< lattice::Shape::diameter(), in spacings; not twice the radius
+  double share = 0;          ///< of all particles, by number
 };
 
-/// The kinds of particles of the law, from the smallest to the largest. Of a list: those nearest to
-/// its diameters. Of uniform and lognormal: of each of `kinds` classes, the two around its mean
-/// diameter, with the same mean (by number or by area, as the law). The classes have equal width;
-/// of lognormal, the outermost take half a percent more at each end. Those with the same sites are
-/// one.
+/// Size classes from the smallest to the largest, each once. List: the lattice sizes nearest to its
+/// diameters. Uniform and lognormal: the range is divided into equal classes (lognormal: without
+/// half a percent at each end); each is represented by the two lattice sizes around its mean
+/// diameter, weighted to keep that mean (by number or by area, as the law).
 std::vector<SizeClass> size_classes(const SizeDistribution& sizes);
 
 Type<SizeDistribution> sizes_type();
-/// Replaces each species with `sizes` by one species for each of its kinds, NAME-1 the smallest,
-/// and its counts and weights in fills and sources by theirs. Kinds of which no fill gets any are
-/// left out. The scene has the units.
+/// Replaces each species with `sizes` by one species for each size class, NAME-1 the smallest, and
+/// divides its counts and weights in fills and sources among them. Classes of which no fill gets a
+/// particle are left out. `scene` gives the units.
 void expand_sizes(Value& root, const Scene& scene);
 
 }  // namespace clca::scene

@@ -15,17 +15,17 @@ namespace clca::scene {
 
 inline constexpr std::uint64_t kVersion = 1;
 inline constexpr const char* kNamePattern = "^[A-Za-z0-9_-]{1,64}$";
-/// Of what expressions can name.
+/// Pattern of names that expressions can use.
 inline constexpr const char* kExpressionNamePattern = "^[A-Za-z_][A-Za-z0-9_]*$";
 inline constexpr double kMaxBoxHeight = 1'000'000;
 inline constexpr double kMaxCoordinate = 1'000'000;  ///< in lattice spacings
 inline constexpr std::uint64_t kMaxParticles = std::numeric_limits<std::int32_t>::max();
-inline constexpr std::uint64_t kMaxSpeciesWeight = 1'000'000;  ///< of a fill or source
+inline constexpr std::uint64_t kMaxSpeciesWeight = 1'000'000;  ///< in a fill or source
 inline constexpr double kMaxTime = 1e9;
 
 Type<double> number_type(double low, double high);
 Type<double> positive_number_type(double high);
-/// In lattice spacings: such a number or, in a scene with `units`, a number with a unit of length.
+/// A length in lattice spacings or, in a scene with `units`, with a unit of length.
 Type<double> length_type(const Type<double>& number);
 Type<int> integer_type(int low, int high);
 Type<std::uint64_t> count_type(std::uint64_t low, std::uint64_t high);
@@ -116,7 +116,7 @@ template <class T>
 Type<std::vector<T>> list_type(const Type<T>& item, std::size_t least, std::size_t most,
                                PathOfItem path_of = nullptr) {
   AnyType type = {.allowed = {}, .schema = array_schema(item.schema, least, most)};
-  // Into the list of the scene itself, as items may look at those before them.
+  // Reads into the list of the scene itself, as items may look at those before them.
   type.read_into = [=](const PlacedValue& place, void* result) {
     std::size_t index = 0;
     for (PlacedValue& entry : read_list(place, least, most, [&](auto& one) { item.read(one); })) {

@@ -20,7 +20,7 @@ char lowered(char letter) {
 
 /// Letters to change, insert, leave out or swap with their neighbour to make `a` of `b`.
 std::size_t edits(std::string_view a, std::string_view b) {
-  // Those of the first letters: of i of `a` and j of `b`.
+  // Edit distances between the first i letters of `a` and the first j letters of `b`.
   std::vector<std::vector<std::size_t>> least(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
   for (std::size_t i = 0; i <= a.size(); ++i) {
     for (std::size_t j = 0; j <= b.size(); ++j) {

@@ -21,8 +21,8 @@ class Error : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The text of a value as one that is the same for all texts that mean the same: `0.5` of 0.50 and
-/// =1/2. What is no YAML, or depends on names under `let`, stays as it is.
+/// One text for all texts with the same value: `0.5` for 0.50 and =1/2. Text that is no YAML, or
+/// depends on names under `let`, stays as it is.
 std::string canonical_value(const std::string& text);
 
 /// The names in an expression, as they come: all but functions and constants. One with '-' behind a
@@ -31,8 +31,8 @@ std::vector<std::string> names_in(
     std::string_view expression, const std::function<bool(std::string_view name)>& is_known =
                                      [](std::string_view /*name*/) { return false; });
 
-/// The value of an expression, `values` of whose names are known; none if one of them has no value,
-/// or the result is not a finite number.
+/// The value of an expression; `values` gives those of its names. None if a name has no value, or
+/// the result is not finite.
 std::optional<double> expression_value(
     std::string_view expression,
     const std::function<std::optional<double>(std::string_view name)>& values);

@@ -15,8 +15,8 @@ struct Rgb {
   bool operator==(const Rgb&) const = default;
 };
 
-/// A rectangle of pixels, the upper left one first; of samples where it is said, with the lower
-/// left one first.
+/// A rectangle of pixels; x, y is the upper left one. Where it is said, a rectangle of samples; x,
+/// y is the lower left one.
 struct PixelBox {
   int x = 0;
   int y = 0;

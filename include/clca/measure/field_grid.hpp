@@ -45,11 +45,11 @@ std::vector<FieldCell> fields(const Snapshot& begin, const grains::State& now, d
 /// Mean fluctuation over cells, weighted by their particles; 0 if there are none.
 double fluctuation_energy(const std::vector<FieldCell>& cells);
 
-/// Of each region, share of its sites without walls that particles cover; 0 if walls cover all.
+/// For each region, the share of its sites without walls that particles cover; 0 if there are none.
 std::vector<double> fillings(const grains::State& state,
                              std::span<const lattice::Rectangle> regions);
 
-/// Of displacements in `steps` steps; lattice spacings per step. None if no particle starts there.
+/// Motion from displacements in `steps` steps; none if no particle starts in the region.
 std::optional<RegionMotion> motion_in(const lattice::Rectangle& region,
                                       const std::vector<Displacement>& displacements, double steps);
 
@@ -76,11 +76,11 @@ class Fluctuations {
   void add(const std::vector<Displacement>& displacements, const Grid& grid);
 
   const statistics::Bins& bins() const { return bins_; }
-  /// With T of the whole window, as in a homogeneous gas: over particles that are neither sparse
-  /// nor at rest. Zeros without samples.
+  /// Shares of the bins, with T of the whole window, as in a homogeneous gas: over particles that
+  /// are neither sparse nor at rest. Zeros without samples.
   std::vector<double> shares() const { return shares_of(counts_); }
-  /// With T of each cell, so that only differences inside a cell count. X is transformed to be
-  /// chi-square even for small n.
+  /// The same with T of each cell, so that only differences inside a cell count. X is transformed
+  /// to be chi-square even for small n.
   std::vector<double> local_shares() const { return shares_of(local_counts_); }
 
   /// Particles counted, summed over the windows.
@@ -106,7 +106,7 @@ class Fluctuations {
   std::uint64_t sparse_ = 0;
 };
 
-/// In weights of a grain of mean mass per lattice spacing; compression is positive.
+/// Stress in weights of a grain of mean mass per lattice spacing; compression is positive.
 struct StressCell {
   Eigen::Vector2d centre = Eigen::Vector2d::Zero();  ///< lattice spacings
   double xx = 0;
@@ -118,8 +118,8 @@ struct StressCell {
 
 /// Contact stress 1/A sum(force x branch vector) on a Grid of side `cell` (lattice spacings).
 /// Each cell takes the part of a branch inside it (Irving & Kirkwood 1950), so that yy averaged
-/// over a row of cells is the weight carried there. A wall carries a force on, against the normal,
-/// to its far side or to the side of the box behind it. The kinetic part is left out.
+/// over a row of cells is the weight carried there. The branch of a wall contact is extended
+/// through the wall, against the normal, to its far side. The kinetic part is left out.
 std::vector<StressCell> stress_field(const grains::State& state,
                                      std::span<const contact::Force> forces, double cell);
 

@@ -24,7 +24,7 @@ struct OverlapContact {
   int depth = 0;
   /// Centroid of the shared sites, in the box, in lattice spacings.
   Eigen::Vector2d point = Eigen::Vector2d::Zero();
-  std::optional<std::uint32_t> source = {};  ///< wall where the push began
+  std::optional<std::uint32_t> source = {};  ///< wall from which the grain was pushed
 };
 
 /// All pairs that share sites, sorted by `first`, then `second` (walls before particles).
@@ -43,17 +43,17 @@ struct WallOverlap {
   std::int32_t travel = 0;  ///< sites from the initial position along the direction of the motion
   std::optional<std::uint64_t> stalled_since = {};  ///< step
   std::uint64_t stalls = 0;
-  std::size_t particles = 0;      ///< that share sites with the wall itself
-  std::uint64_t sites = 0;        ///< that the wall itself shares with particles
-  std::uint64_t chain_sites = 0;  ///< shared in all contacts that began at the wall
-  std::size_t jammed = 0;         ///< particles pushed from this wall that are at rest
+  std::size_t particles = 0;      ///< those that share sites with the wall
+  std::uint64_t sites = 0;        ///< of the wall and particles
+  std::uint64_t chain_sites = 0;  ///< shared sites of all contacts that began at the wall
+  std::size_t jammed = 0;         ///< pushed from this wall, and at rest
 };
 
 struct ForceSummary {
   int depth_max = 0;         ///< unit moves
   std::uint64_t sites = 0;   ///< shared, over all contacts
   std::size_t contacts = 0;  ///< pairs
-  std::size_t jammed = 0;    ///< particles that were pushed onto and are at rest
+  std::size_t jammed = 0;    ///< pushed onto others, and at rest
   /// Share of the sites shared between particles that lie in a cone of 45 degrees ahead of the wall
   /// where their push began; none if particles share no sites.
   /// "Ahead" is the direction of the push. At distance a from the foremost site of the wall the
@@ -82,7 +82,7 @@ struct ForceBin {
   double low = 0;  ///< sites
   double high = 0;
   std::size_t count = 0;
-  double density = 0;  ///< of f/<f>: over all bins it integrates to 1
+  double density = 0;  ///< probability density of f/<f>
 };
 
 struct ForceDistribution {
@@ -109,7 +109,7 @@ class ForceAverage {
     std::uint32_t first = 0;
     grains::Owner second = 0;
     double sites = 0;  ///< mean over all samples
-    double share = 0;  ///< of the samples in which the contact was there
+    double share = 0;  ///< share of the samples that have the contact
 
     bool operator==(const Mean&) const = default;
   };

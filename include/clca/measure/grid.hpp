@@ -34,7 +34,7 @@ class Grid {
   std::size_t rows() const { return rows_; }
   std::size_t size() const { return columns_ * rows_; }
 
-  /// In squared lattice spacings.
+  /// Area of a cell, in squared lattice spacings.
   double cell_area() const { return extents_.prod() / static_cast<double>(size()); }
 
   /// Index of the cell that contains a point (lattice spacings); wraps at a periodic boundary. An
@@ -42,8 +42,8 @@ class Grid {
   std::size_t index(const Eigen::Vector2d& point) const { return cells(point)[1]; }
   /// The cells left and right of the edge that a point is on; else its cell twice.
   std::array<std::size_t, 2> cells(const Eigen::Vector2d& point) const;
-  /// Calls visit(cell, share) for them, half to each: the mirror image of a bed has the mirror
-  /// image of its fields.
+  /// Calls visit(cell, share) for these cells, half to each, so that mirrored beds have mirrored
+  /// fields.
   template <class Visit>
   void share_out(const Eigen::Vector2d& point, const Visit& visit) const {
     const auto [left, right] = cells(point);
@@ -54,7 +54,7 @@ class Grid {
 
   struct Part {
     std::size_t cell = 0;
-    double share = 0;  ///< of the length
+    double share = 0;  ///< of the length of the path
   };
   /// The parts of the straight path from `from` to `from + path` (lattice spacings), each in one
   /// cell.

@@ -21,10 +21,10 @@ struct LinePartSums {
   double open = 0;      ///< points that no wall covers, times steps
   double covered = 0;   ///< of these, those that a particle covers
   double followed = 0;  ///< of these, those that a particle of known velocity covers
-  /// Of the followed points, times velocity: across the line, and along it.
+  /// Sum of the velocities at followed points times steps: across the line, and along it.
   Eigen::Vector2d displacement = Eigen::Vector2d::Zero();
-  double sites = 0;      ///< that have passed to the right, less those to the left
-  double particles = 0;  ///< whose centre has passed, either way
+  double sites = 0;      ///< passed to the right, less those to the left
+  double particles = 0;  ///< whose centres have passed, either way
 
   CLCA_FIELDS(open, covered, followed, displacement, sites, particles);
 };
@@ -67,21 +67,21 @@ class LineSums {
 /// Across: positive to the right of its direction. Of each SampleStatistics only mean and standard
 /// error are set.
 struct LinePart {
-  double position = 0;     ///< of its middle, from the start of the line
+  double position = 0;     ///< distance of its middle from the start of the line
   Eigen::Vector2d middle;  ///< of the part
   /// Sites that pass, per step and spacing; to the right less to the left.
   statistics::SampleStatistics flux;
   statistics::SampleStatistics across;  ///< velocity, spacings per step
   statistics::SampleStatistics along;   ///< likewise, positive in the direction of the line
-  double filling = 0;    ///< share that particles cover of what no wall covers; 0 if walls do all
-  double particles = 0;  ///< whose centre has passed, either way
+  double filling = 0;                   ///< by particles, of what no wall covers; else 0
+  double particles = 0;                 ///< whose centres have passed, either way
 };
 
 /// A line in a box, cut into parts of equal length. Its end does not belong to it; an edge between
 /// two parts belongs half to each.
 class Line {
  public:
-  /// In the box of the state, for particles of its kinds. Throws std::invalid_argument unless the
+  /// A line in the box of the state. Throws std::invalid_argument unless the
   /// line has a length and at least one part.
   Line(const grains::State& state, const Eigen::Vector2d& from, const Eigen::Vector2d& to,
        std::size_t parts);

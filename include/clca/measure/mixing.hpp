@@ -39,8 +39,8 @@ struct FallenPairs {
   double spread = 0;       ///< squared differences of their displacements in x
 
   double kept_share() const { return static_cast<double>(kept) / static_cast<double>(pairs); }
-  /// Of one grain relative to the other, over the distance fallen instead of time: the mean of
-  /// (dx_1 - dx_2)^2 over four times the mean distance, lattice spacings.
+  /// Diffusion of one grain relative to the other per distance fallen, lattice spacings: the mean
+  /// of (dx_1 - dx_2)^2 over four times the mean distance.
   double diffusion() const { return spread / (4 * fallen); }
   CLCA_FIELDS(pairs, kept, fallen, spread);
 };
@@ -62,8 +62,7 @@ class Mixing {
                         kPairs * grains::kListCapacityRatio * sizeof(NeighbourPair));
   }
 
-  /// Without pairs.
-  Mixing() = default;
+  Mixing() = default;  ///< without pairs
   explicit Mixing(const grains::State& state);
 
   /// Call after each step. Throws std::invalid_argument for a state of another run.
@@ -72,7 +71,7 @@ class Mixing {
   /// Mean diameter of the particles at the start, see lattice::Shape::diameter.
   double diameter() const { return diameter_; }
   const std::vector<NeighbourPair>& pairs() const { return pairs_; }
-  /// Element i is of pairs that have fallen i + 1 mean diameters.
+  /// Element i: sums over the pairs that have fallen i + 1 mean diameters.
   const std::vector<FallenPairs>& fallen() const { return fallen_; }
 
   /// False if this cannot have been recorded in a run that reached `now`.

@@ -55,7 +55,7 @@ inline double weight_paths_bytes(double particles) {
 }
 
 struct WeightPaths {
-  /// In weights of a grain of mean mass, from the top; each along its normal, without shear.
+  /// Forces in weights of a grain of mean mass, from the top; each along its normal, without shear.
   std::vector<contact::Force> forces = {};
   std::size_t outside = 0;      ///< grains with no support on one side of their force
   std::size_t unsupported = 0;  ///< grains with no support at all, where their force ends
@@ -76,13 +76,13 @@ struct Base {
 };
 Base bed_base(const grains::State& state);
 
-/// The force down on floor and walls in each bin, by contact points, over the mean of the bins. Of
-/// contacts whose normal points up. Both ends belong to the base; a point between two bins counts
-/// half in each. Empty if that mean is 0.
+/// Downward force on floor and walls in each bin over the mean of the bins, from the contacts whose
+/// normal points up. Both ends belong to the base; a contact point between two bins counts half in
+/// each. Empty if that mean is 0.
 std::vector<double> base_pressures(const Base& base, const std::vector<contact::Force>& forces);
 
-/// Of a base_pressures that is not empty: the bin in the middle, less the mean of the three next to
-/// it on either side.
+/// The pressure of the middle bin, less the mean of the three bins on either side of it.
+/// `pressure` is not empty.
 double centre_minus_ring(const std::vector<double>& pressure);
 
 }  // namespace clca::measure

@@ -34,7 +34,7 @@ class OutputCapture {
   int descriptor() const;
   /// Everything written so far.
   std::vector<std::uint8_t> bytes() const;
-  /// To read it from the beginning.
+  /// The file, to be read from its beginning.
   std::FILE* rewound_file() const;
 
  private:
@@ -48,8 +48,8 @@ class StoppedError : public ProcessError {
 };
 
 struct ProgramOptions {
-  std::filesystem::path folder = ".";  ///< to run in
-  const OutputCapture* out = nullptr;  ///< none: that of this program
+  std::filesystem::path folder = ".";  ///< working directory of the program
+  const OutputCapture* out = nullptr;  ///< null: standard output of this program
   const OutputCapture* err = nullptr;
   /// Standard input: what feed() writes, else empty.
   bool fed = false;

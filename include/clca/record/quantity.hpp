@@ -18,25 +18,25 @@ namespace clca::record {
 struct Quantity {
   std::string_view key;      ///< in run.json, or the name of a column
   std::string_view name;     ///< in words
-  std::string_view unit;     ///< as for shown_unit; of a pure number empty
+  std::string_view unit;     ///< as for shown_unit; empty: a pure number
   std::string_view meaning;  ///< may be empty
-  bool of_floor = false;  ///< along or above the floor of the vessel: says little if it is turned
+  bool of_floor = false;  ///< measured from the floor of the vessel: of little use if it is turned
 };
 
-/// Ends the names of columns with standard errors of means, in the units of these.
+/// Suffix of columns with standard errors of means.
 inline constexpr std::string_view kErrorSuffix = "_se";
 
 /// A name in run.json or in tables, and what it stands for.
 struct NamedQuantity {
   std::string name;
   const Quantity* quantity;
-  std::string where;        ///< as `series.csv`
+  std::string where;        ///< such as `series.csv`
   bool is_of_each = false;  ///< there may be NAME.OUTLET or NAME.WALL, too
 };
 /// All that are declared; a name may come several times.
 std::vector<NamedQuantity> named_quantities();
 
-/// What is known of the quantities of one run or sweep.
+/// The quantities of one run or sweep.
 struct KnownQuantities {
   enum class Kind : std::uint8_t { run, gas, sweep };
 
@@ -44,7 +44,7 @@ struct KnownQuantities {
   std::optional<scene::Conversion> units = {};
   std::vector<scene::DerivedMeasure> derived = {};
 
-  /// One that is declared, or that the scene derives.
+  /// The quantity of this key, declared or derived by the scene.
   std::optional<store::ColumnSummary> find(std::string_view key) const;
 };
 

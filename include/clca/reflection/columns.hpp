@@ -282,9 +282,9 @@ Columns encode(const T& value) {
   return columns;
 }
 
-/// Sets all fields of a value from its columns; vectors are resized, so that what else their
-/// elements hold stays, and so it does in what is optional and there already. Allocates no more
-/// than `max_bytes`. Throws ColumnMismatch; the value is then only partly set.
+/// Sets all fields of a value from its columns. Vectors are resized; members that are no fields
+/// keep their values, also in elements and in optionals that have a value. Allocates no more than
+/// `max_bytes`. Throws ColumnMismatch; the value is then only partly set.
 template <class T>
 void decode(const std::string& path, const Columns& columns, double max_bytes, T& value) {
   detail::Decoder(columns, max_bytes).walk(path, std::vector<T*>{&value});

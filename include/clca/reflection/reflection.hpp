@@ -84,7 +84,7 @@ concept Map = detail::kIsInstance<T, std::map>;
 /// std::vector or std::string.
 template <class T>
 concept Vector = detail::kIsInstance<T, std::vector> || std::same_as<T, std::string>;
-/// Of numbers, with a size that is known only when it runs.
+/// An Eigen array or vector of numbers whose size is known only at run time.
 template <class T>
 concept DynamicArray = requires {
   requires std::derived_from<T, Eigen::DenseBase<T>>;

@@ -37,9 +37,9 @@ struct BoltzmannScene {
   std::vector<double> restitutions = {1};  ///< one run for each, in this order
   /// Whether the file has a list (even of one): tables then have a column for it.
   bool has_restitution_list = false;
-  double friction = 0;   ///< boltzmann::kNoSlidingLimit where the file gives a roughness only
-  double roughness = 0;  ///< as in boltzmann::Law
-  double energy_ratio = 1;
+  double friction = 0;      ///< boltzmann::kNoSlidingLimit where the file gives a roughness only
+  double roughness = 0;     ///< as in boltzmann::Law
+  double energy_ratio = 1;  ///< initial, rotational over translational
   boltzmann::Scheme scheme;
   double shear_rate = 0;
   double until = 15;
@@ -51,9 +51,9 @@ struct BoltzmannScene {
   std::string location;  ///< FILE:LINE:COLUMN of the block `boltzmann`, for messages
 };
 
-/// What each gas of the ensemble begins with.
+/// Initial condition of each gas of the ensemble.
 boltzmann::InitialCondition initial_condition(const BoltzmannScene& scene);
-/// How it goes on.
+/// Law of collision and driving of each gas.
 boltzmann::Dynamics process(const BoltzmannScene& scene, double restitution);
 
 }  // namespace clca::scene

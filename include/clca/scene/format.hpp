@@ -27,17 +27,17 @@ struct KeySummary {
   bool has_keys = false;  ///< the value is a map
 };
 
-/// The keys whose paths, as for `--set`, begin like this, without those below them.
+/// The keys whose paths begin with this text, without the keys below them.
 std::vector<KeySummary> keys_with_prefix(std::string_view begun);
 
-/// The words that the value of this key may be; none if there is no such key.
+/// The words that a key allows as its value; none if there is no such key.
 std::vector<std::string> allowed_words(std::string_view path);
 
 /// A Markdown table of the keys of these maps, at least one; those of the second and further ones
 /// have their path in front, from the first map where they are inside it. Throws UnknownKeyError.
 std::string markdown_table(const std::vector<std::string>& paths);
 
-/// As scenes write them: `repose`, `contact`.
+// Words of the scene format: `repose`, `contact`.
 std::string_view name_of_measure(Measure measure);
 std::string_view name_of_model(Model model);
 

@@ -30,7 +30,7 @@ enum class Measure : std::uint8_t {
 struct DerivedMeasure {
   std::string name;
   std::string value;                 ///< an expression of measures and numbers, after `=`
-  std::string unit = "1";            ///< of a pure number 1
+  std::string unit = "1";            ///< 1: a pure number
   std::optional<std::string> about;  ///< what it is, in words
   std::string location;              ///< of the value
 };
@@ -70,14 +70,14 @@ struct Frames {
   std::optional<int> width = {};  ///< pixels; none: follows the aspect of the view
   std::optional<int> height = {};
   ColorBy color_by = ColorBy::species;
-  std::optional<statistics::Range> range = {};  ///< of the colour bar; none: from the scene
+  std::optional<statistics::Range> range = {};  ///< ends of the colour bar; none: from the scene
   int layers = 8;                               ///< for ColorBy::stage_layer
   std::optional<lattice::Rectangle> view = {};  ///< none: the whole box
   Drawing drawing = Drawing::automatic;
   int supersampling = 2;
   bool caption = true;
   PictureStyle style = PictureStyle::screen;
-  bool upright = false;  ///< of Model::contact: turned as the vessel is
+  bool upright = false;  ///< Model::contact: shows the vessel turned, gravity down
   /// Force of the widest line, in grain weights, with Units::density in newtons; none: estimated.
   std::optional<double> force_scale = {};
   /// Side of a cell of Overlay::velocity; none: from grains and view.
@@ -93,7 +93,7 @@ struct Frames {
 /// Rows of series.csv.
 struct Series {
   std::uint64_t every = 1;
-  bool forces = false;  ///< of Model::contact: on each wall and side of the box
+  bool forces = false;  ///< Model::contact: columns of forces on walls and sides
 };
 
 /// Means over square cells of the plane.
@@ -111,13 +111,13 @@ struct Contacts {
 /// Trajectory frames: at the start and end of each stage and at regular intervals.
 struct TrajectoryOutput {
   std::uint64_t every = 10;
-  bool contacts = false;  ///< of Model::contact: with the forces of each contact
+  bool contacts = false;  ///< Model::contact: saves the forces of each contact
 };
 
 /// When to save checkpoints, besides at the end or interruption of a run.
 struct Checkpoints {
-  std::optional<std::uint64_t> every;  ///< steps; a gas counts none
-  std::optional<double> seconds;       ///< by the clock
+  std::optional<std::uint64_t> every;  ///< steps; not for a gas
+  std::optional<double> seconds;       ///< wall-clock time
 };
 
 /// Default if the scene does not specify it.
@@ -125,7 +125,7 @@ inline constexpr Checkpoints kDefaultCheckpoints = {.every = {}, .seconds = 60};
 
 struct Output {
   std::optional<Frames> frames;
-  std::optional<lattice::Rectangle> view;  ///< of pictures that do not give theirs
+  std::optional<lattice::Rectangle> view;  ///< for pictures without a view
   std::optional<Series> series;
   std::optional<Fields> fields;
   std::optional<Contacts> contacts;

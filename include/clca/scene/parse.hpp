@@ -47,22 +47,22 @@ Scene parse_file(const std::filesystem::path& file, const std::vector<Override>&
 /// YAML that parses to the same scene.
 std::string to_yaml(const Scene& scene);
 std::string to_yaml(const BoltzmannScene& scene);
-/// A run saves that text, which `clca resume` reads. Throws SceneError where it is larger than a
-/// scene may be; `file` is that of the scene.
+/// Throws SceneError if this text, which a run saves and `clca resume` reads, is larger than a
+/// scene may be. `file`: of the scene.
 void check_resolved_size(std::string_view yaml, std::string_view file);
 
-/// What the model of a scene needs.
+/// Size of the model of a scene.
 struct Size {
   int columns = 0;
   int rows = 0;
-  std::uint64_t particles = 0;  ///< filled and emitted at the most
+  std::uint64_t particles = 0;  ///< filled and emitted at most
   double bytes = 0;  ///< estimated from above; run::estimated_run_bytes() is that of a run
 };
 
 Size size_of(const Scene& scene);
 
-/// Memory for the gases that a Boltzmann run keeps at its end so that the end can be moved: 0 if
-/// more than 1 GiB, or without checkpoints.
+/// Memory in bytes for the final gases that a Boltzmann run keeps, so that it can be continued: 0
+/// if more than 1 GiB, or without checkpoints.
 double retained_gas_bytes(const BoltzmannScene& scene);
 
 /// Upper estimate of the memory of a Boltzmann run on `threads` threads, in bytes.

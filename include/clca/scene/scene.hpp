@@ -66,7 +66,7 @@ struct Species {
   lattice::Shape shape = lattice::Shape::hexagon(0);
   std::vector<int> orientations = {0};  ///< degrees clockwise, multiples of 60
   std::optional<image::Rgb> color;      ///< none: from the default palette
-  double sieve = 1;                     ///< of Model::voids, see voids::Rules
+  double sieve = 1;                     ///< for Model::voids, see voids::Rules
 };
 
 /// The model that moves the grains.
@@ -146,16 +146,16 @@ struct Line {
 };
 
 /// Random sequential addition (grains then fall), or sequential deposition (a packing at rest); see
-/// automaton::Automaton::fill and deposit.
+/// grains::Model::fill.
 enum class FillMethod : std::uint8_t { random, deposition };
 
 /// Divides the region of a fill into parts, one for each letter of the picture.
 struct FillPicture {
-  std::vector<std::string> rows;                       ///< as in grains::Mixture
-  std::map<char, std::vector<std::uint32_t>> weights;  ///< of species, by letter
+  std::vector<std::string> rows;                       ///< of letters, see grains::Mixture
+  std::map<char, std::vector<std::uint32_t>> weights;  ///< by species
 };
 
-/// Has counts, or a mix, or a picture: without counts the region is filled until it is full.
+/// Has counts, weights or a picture; without counts the region is filled until it is full.
 struct Fill {
   FillMethod method = FillMethod::random;
   lattice::Rectangle region;
@@ -174,14 +174,14 @@ struct UntilSteps {
 struct UntilDischarged {
   double share = 0;
 };
-/// Ends when all periodic walls have completed this many cycles.
+/// Ends when all periodic walls and the vessel have completed this many cycles.
 struct UntilCycles {
   std::uint64_t cycles = 0;
 };
 /// Contact model only.
 struct UntilTime {
   double time = 0;          ///< in the unit of time of Conversion
-  std::uint64_t steps = 0;  ///< that it takes
+  std::uint64_t steps = 0;  ///< the same time in steps
 };
 using Until = std::variant<UntilSettled, UntilSteps, UntilDischarged, UntilCycles, UntilTime>;
 
@@ -223,7 +223,7 @@ struct Stage {
   std::vector<std::size_t> move;            ///< walls in motion during this stage, by index
   std::vector<std::size_t> sources;         ///< open during this stage, by index
   std::optional<VesselMotion> vessel = {};  ///< none: it rests as it stands
-  // During this stage in place of those of the scene.
+  // Replace those of the scene during this stage.
   std::optional<automaton::Rules> rules = {};
   std::optional<contact::Parameters> contact = {};  ///< differ in friction and restitution only
   Until until;
@@ -272,18 +272,16 @@ struct Scene {
 /// the steps. A stage without a number of steps counts where its `max_steps` is above the default.
 int step_digits(const Scene& scene);
 
-/// Steps that the end of a stage takes at least, once the scene has been read; 0 if that is not
-/// known. At most kMaxSteps + 1.
+/// Smallest number of steps in which the stage can end; 0 if unknown. At most kMaxSteps + 1.
 std::uint64_t least_steps(const Stage& stage, const Scene& scene);
 
 bool shows_weight_paths(Overlay overlay);
 /// Whether its pictures show forces of the contact model.
 bool pictures_show_forces(const Scene& scene);
-/// Whether its pictures show velocities that follow from the positions of particles at the picture
-/// before.
+/// Whether its pictures show velocities computed from the positions at the previous picture.
 bool pictures_compare_positions(const Scene& scene);
 
-/// Orientations of kinds of particles, clockwise: the first of the species that looks like this.
+/// Degrees clockwise for each kind: the first orientation of its species that looks like it.
 std::vector<int> orientation_degrees(const Scene& scene, const std::vector<grains::Kind>& kinds);
 
 }  // namespace clca::scene

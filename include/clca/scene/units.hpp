@@ -11,21 +11,21 @@
 
 namespace clca::scene {
 
-// Units of the model of what has a mass; see Conversion::si().
+// Model units of quantities with a mass; Conversion::si() gives their SI units.
 inline constexpr std::string_view kForceUnit = "weights of a site";
 inline constexpr std::string_view kEnergyUnit = "weights of a site × spacings";
 inline constexpr std::string_view kMomentUnit = "spacings × weights of a site";
-// Of forces of contacts: a grain of mean mass, see contact::mean_grain_mass().
+// Units of contact forces: the weight of a grain of mean mass, see contact::mean_grain_mass().
 inline constexpr std::string_view kContactForceUnit = "grain weights";
 inline constexpr std::string_view kStressUnit = "grain weights/spacing";
 
-/// An SI unit in the place of a unit of the model.
+/// The SI unit for a unit of the model.
 struct SiUnit {
   std::string_view name;
-  double value = 1;  ///< the unit of the model, in this one
+  double value = 1;  ///< SI value of one unit of the model
 };
 
-/// A site of a grain, in SI units.
+/// Mass and weight of one site of a grain, in SI units.
 struct SiteMass {
   double mass = 0;    ///< kilograms
   double weight = 0;  ///< newtons
@@ -51,19 +51,19 @@ struct Conversion {
   }
   /// Kilograms per second of so many sites per step; only with a density.
   double mass_rate(double sites_per_step) const { return sites_per_step / time_step * site->mass; }
-  /// N, J, N m or N/m for the units above; none for another one, or without a density.
+  /// N, J, N m or N/m for the units above; none for other units, or without a density.
   std::optional<SiUnit> si(std::string_view unit) const;
-  /// A value with this unit, in its SI unit if there is one; else the value itself.
+  /// A value given in `unit`, converted to its SI unit if there is one.
   double in_si(double value, std::string_view unit) const;
 };
 
 /// Whether the scene has units with a density.
 bool has_density(const Scene& scene);
 
-/// For contact scenes; none for the automaton, whose steps have no length.
+/// For contact scenes; none for other models, whose steps have no length.
 std::optional<Conversion> conversion(const Scene& scene);
 
-/// The length that `1 mm` says, in metres; none for other text.
+/// A length such as `1 mm` in metres; none for other text.
 std::optional<double> metres(std::string_view text);
 
 /// Smallest positive number of steps that takes at least `time`, up to rounding.
@@ -77,7 +77,7 @@ contact::Parameters contact_parameters(const Scene& scene);
 /// The same in a stage that may have friction and restitution of its own.
 contact::Parameters contact_parameters(const Scene& scene, const Stage& stage);
 
-/// What the vessel turns about in a stage, in lattice spacings; none if it does not turn.
+/// Centre of rotation of the vessel in a stage, in lattice spacings; none if it does not turn.
 std::optional<Eigen::Vector2d> turning_centre(const Scene& scene, const Stage& stage);
 
 /// The vessel at the start of a stage; the previous stage left it as `before`. Throws

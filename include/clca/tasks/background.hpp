@@ -22,7 +22,7 @@ class Background {
       call_();
     }
   }
-  /// Likewise, without another call.
+  /// Waits until the call has ended. Rethrows its exception.
   void finish() {
     if (ended_.valid()) {
       ended_.get();

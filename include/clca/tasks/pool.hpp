@@ -23,12 +23,12 @@ template <class Result>
 class Pool {
  public:
   struct Work {
-    /// In a thread of this process, until `stop` is not zero; several are called at once.
+    /// Carries out a task in a thread of this process, until `stop` is not zero; several at once.
     std::function<Result(std::size_t task, const std::atomic<int>& stop)> carry_out;
     /// For rank 0: the result from what another rank has sent.
     std::function<Result(std::size_t task, const Bytes& answer)> result = {};
-    /// Each thread of this process begins with it, and none carries out a task before all have;
-    /// where no thread could be started, the one that makes the pool, but not for `inline_one`.
+    /// Called once in each thread before any task starts; without threads, by the thread that makes
+    /// the pool, except with `inline_one`.
     std::function<void()> begin = {};
   };
   struct Finished {
@@ -249,8 +249,7 @@ class Pool {
   std::vector<std::jthread> threads_;  // last: at the end it waits for them, which use the rest
 };
 
-/// What a rank that is not rank 0 does with its pool: sends the results to rank 0. If it is stopped
-/// all are.
+/// For a rank other than 0: carries out its tasks and sends the results to rank 0.
 inline void send_results(Pool<Bytes>& pool, Ranks& ranks) {
   constexpr std::chrono::milliseconds kPause(100);
   while (!pool.finished()) {

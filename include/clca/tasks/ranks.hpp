@@ -28,8 +28,8 @@ class StartError : public std::runtime_error {
 /// All ranks, seen from one. Called by one thread only.
 ///
 /// All ranks call begin(). Rank 0 then sends work to each, as often as there is any, and at last
-/// dismisses them. Of their work they send the results, each under the number of its task, and at
-/// last kEnd. One that is stopped says so at once, by kStopped.
+/// dismisses them. For each work the others send the results, each under the number of its task,
+/// then kEnd. A rank that is stopped sends kStopped at once.
 class Ranks {
  public:
   /// Number of the last message: of rank 0, and of others about one work.

@@ -29,8 +29,8 @@ class ReadError : public std::runtime_error {
 /// file grows while it is read.
 std::vector<std::uint8_t> read_file(const std::filesystem::path& file, double max_bytes);
 
-/// The number that the whole text is, as std::from_chars reads it; none if it is none. `format`:
-/// further arguments of that function.
+/// The whole text as a number, read by std::from_chars; none if it is no number. `format`: further
+/// arguments of that function.
 template <class T>
 std::optional<T> number(std::string_view text, auto... format) {
   T result = 0;

@@ -40,7 +40,7 @@ struct Value {
   bool one_entry_per_line = false;  ///< to be written with each entry on a line of its own
   TextLocation location;
   std::string text;            ///< of a scalar; else empty
-  std::string expression;      ///< that the text is the value of; empty if it was written so
+  std::string expression;      ///< whose value the text is; else empty
   std::vector<Value> items;    ///< of a list
   std::vector<Entry> entries;  ///< of a map, in the order of the text
 
@@ -77,7 +77,7 @@ inline bool is_digit(char letter) {
 /// The number that the text is; nothing for other text. For int, std::uint64_t and double.
 template <class T>
 std::optional<T> number_in(std::string_view text);
-/// That of a scalar without quotes.
+/// The same for a scalar without quotes; nothing for other values.
 template <class T>
 std::optional<T> number_in(const Value& value) {
   return value.quoted ? std::nullopt : number_in<T>(std::string_view(value.text));
@@ -91,7 +91,7 @@ std::string flow_text(const Value& value);
 /// A map, an entry after the other; those that are too long for a line are divided.
 std::string block_text(const Value& map);
 
-/// What stands between the dots of a path.
+/// The keys of a path, which dots separate.
 std::vector<std::string> path_parts(std::string_view path);
 /// `path.key`, or `key` alone at the top.
 std::string join_path(std::string_view path, std::string_view key);
@@ -113,15 +113,15 @@ void check_text(std::string_view text, std::shared_ptr<const Origin> origin);
 
 /// Reads the single document in `text`. Stricter than YAML: no duplicate or compound keys, anchors,
 /// aliases, merge keys, tags, directives or further documents.
-/// Without a document the value is nothing. Throws Error.
+/// Empty text gives a value of Kind::nothing. Throws Error.
 Value read_document(std::string_view text, std::shared_ptr<const Origin> origin);
 
 /// The value of an option, KEY=VALUE: as read_document(), without comments. Throws Error.
 Value read_value(std::string_view text, const std::shared_ptr<const Origin>& origin);
 
 /// Puts the value of `text` into the tree. In a map at a path that `is_choice`, which holds one key
-/// out of several, a new key takes the place of the old one. `after_others`: what other options set
-/// may not be replaced. Throws Error that names `OPTION KEY=VALUE`.
+/// out of several, a new key takes the place of the old one. `after_others`: refuse to replace what
+/// an earlier option has set. Throws Error that names `OPTION KEY=VALUE`.
 void apply_override(Value& root, const std::string& text, std::string_view option,
                     bool (*is_choice)(const std::vector<std::string>& path), bool after_others);
 

@@ -39,8 +39,8 @@ class ContactRecord : public SavedObserver<ContactRecord> {
   /// Means over the last steps of the stage as of now; the forces of the last step if there are
   /// none.
   std::vector<contact::Force> stage_mean_forces(const model::SceneModel& model) const;
-  /// Of a picture and a trajectory frame: means before the picture with forces that is due now, or
-  /// before the frame; else as stage_mean_forces(). Of contacts that are there now.
+  /// Mean forces before the picture or trajectory frame that is due now, else stage_mean_forces();
+  /// of present contacts only.
   std::vector<contact::Force> shown_forces(const model::SceneModel& model) const;
 
   bool precedes(const grains::State& now) const {

@@ -23,7 +23,7 @@ namespace clca::record {
 /// What is known of a stage besides its final state.
 struct StageHistory {
   StageHistory() = default;
-  /// Of a stage before which so much has left as in `state`.
+  /// `state`: before the stage.
   StageHistory(const scene::Scene& scene, const grains::State& state);
   /// When the stage is prepared: its fill may be in outlets.
   void begin(const grains::State& state);
@@ -33,15 +33,15 @@ struct StageHistory {
   std::vector<double> profile_at_start;  ///< measure::surface_profile
   std::size_t particles_at_start = 0;
   std::uint64_t steps = 0;
-  std::uint64_t cycles = 0;  ///< of the walls that go to and fro
+  std::uint64_t cycles = 0;  ///< completed by all periodic walls and the vessel
   std::size_t emitted = 0;
   measure::Outflow outflow = {};
   std::vector<measure::Outflow> outlets = {};           ///< outflow of each outlet
   std::vector<std::uint64_t> discharged_at_start = {};  ///< measure::discharged_particles
-  bool resting = false;                                 ///< the last step has settled
+  bool resting = false;                                 ///< the last step was StepReport::settled
   bool settled = false;                                 ///< the stage ended settled, or stalled
 
-  /// Share of the particles that were or came in during the stage that have left.
+  /// Share of the particles present or emitted during the stage that have left.
   double discharged_share() const;
   CLCA_FIELDS(profile_at_start, particles_at_start, steps, cycles, emitted, outflow, outlets,
               discharged_at_start, resting);
@@ -56,10 +56,10 @@ struct StageView {
   const model::SceneModel& model;
   const StageHistory& history;
   const Observers& observers;
-  std::size_t moving;   ///< particles, in the last step
-  std::size_t stepped;  ///< particles in the box in that step, also those removed at its end
+  std::size_t moving;                ///< in the last step
+  std::size_t stepped;               ///< in the box in that step, also those removed at its end
   const store::OutputFolder* files;  ///< null: nothing is written
-  /// Tells what a person can act on.
+  /// Prints a warning.
   std::function<void(const std::string& line)> warn;
 };
 
@@ -84,7 +84,7 @@ struct SavedColumns {
   }
 };
 
-/// Sees what those before it in the list have seen of the same moment.
+/// Observers are called in the order of their list, at each moment.
 class Observer {
  public:
   Observer() = default;
@@ -169,7 +169,7 @@ using MeasureValues = std::vector<store::MeasureValue>;
 
 /// Quantities that are taken together at the end of a stage.
 struct QuantityGroup {
-  std::optional<scene::Measure> measure;  ///< that asks for it; none: always taken
+  std::optional<scene::Measure> measure;  ///< that requests them; none: always taken
   std::string_view condition;             ///< Markdown: when there are values; empty: always
   std::vector<Quantity> quantities;
   /// In the order of the quantities; none where the condition does not hold.
@@ -181,7 +181,7 @@ struct QuantityGroup {
 struct ObserverFactory {
   /// Null if the scene does not need it.
   std::function<std::unique_ptr<Observer>(const scene::Scene& scene)> make;
-  /// Of a scene.
+  /// Its tables for a scene.
   std::vector<std::function<TableInfo(const scene::Scene&)>> tables = {};
   std::vector<QuantityGroup> quantities = {};
   /// Memory that it takes at most, with its share of a checkpoint; null: nothing that counts.

@@ -38,7 +38,7 @@ inline std::optional<double> bed_height(const std::vector<double>& profile) {
 /// All quantities of a stage, in the order of the documents; of one measure, in that of run.json.
 const std::vector<QuantityGroup>& stage_quantities();
 
-// Of these, what has a source of its own; outlets and species by name.
+// Groups of these with a source file of their own.
 std::vector<QuantityGroup> outflow_quantities();
 std::vector<std::string> names_by_outlet(const scene::Scene& scene);
 std::vector<QuantityGroup> force_quantities();
@@ -47,8 +47,8 @@ std::vector<store::NamedMeasure> stage_measures(const StageView& stage);
 /// The values of one measure alone, which the scene asks for.
 std::vector<store::NamedMeasure> stage_measures(scene::Measure wanted, const StageView& stage);
 
-/// Why slopes among the measures have no value where it is not plain, one line for each flank, and
-/// that the box has ended the run-out.
+/// Notes, one line each: why the slope of a flank has no value, unless it is obvious, and that a
+/// side of the box limits the run-out.
 std::vector<std::string> measure_notes(const scene::Scene& scene, const model::SceneModel& model);
 
 /// One line per stalled wall: since when, its travel, its overlaps.
@@ -58,11 +58,11 @@ std::vector<std::string> stall_messages(const scene::Scene& scene, const model::
 /// `discharged.OUTLET` where there are several outlets, each followed by
 /// `discharged.OUTLET.SPECIES` where there are several species. None if they are so many that
 /// run.json would have too many measures. `particles`: measure::discharged_particles; without them
-/// all numbers are 0, for who needs the names alone.
+/// all numbers are 0.
 std::vector<std::pair<std::string, std::uint64_t>> discharge_by_name(
     const scene::Scene& scene, std::vector<std::uint64_t> particles = {});
 
-// Of gases.
+// Gases.
 std::vector<Quantity> gas_quantities();
 std::vector<TableInfo> gas_tables();
 

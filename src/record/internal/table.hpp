@@ -29,7 +29,7 @@ namespace clca::record {
 bool is_contact(const scene::Scene& scene);
 inline constexpr std::string_view kContactModel = "with `model: contact`";
 
-// In several tables. Behind the step, each table has the time where steps have a length.
+// Quantities of several tables. The time follows the step where steps have a length.
 inline constexpr Quantity kStep = {"step", "Step", "", "of the whole run"};
 inline constexpr Quantity kTime = {"time", "Time", "time", "of the whole run"};
 inline constexpr Quantity kStage = {"stage", "Stage", "", "its name"};
@@ -39,10 +39,10 @@ inline constexpr Quantity kVelocity = {"v", "Velocity", "spacings/step",
 inline constexpr Quantity kFluctuation = {"fluctuation", "Energy of fluctuations",
                                           "(spacings/step)²", "½⟨|v - ⟨v⟩|²⟩, weighted by sites"};
 
-/// A lattice spacing per step, in the unit of velocities of the tables.
+/// One lattice spacing per step, in the unit of velocities of the tables.
 double velocity_unit(const scene::Scene& scene);
 
-/// What a column is, of any run.
+/// Description of a column.
 struct ColumnInfo {
   Quantity quantity;
   std::vector<std::string_view> endings = {""};  ///< columns KEY + ending: one, or two as below
@@ -75,7 +75,7 @@ void add_cell(std::vector<store::Cell>& cells, std::integral auto number) {
   cells.emplace_back(static_cast<std::uint64_t>(number));
 }
 
-/// A column and what takes its value from what a row is made of: a member or a function.
+/// A column and the member or function of a Row that gives its value.
 template <class Row>
 struct Column : ColumnInfo {
   template <class Value>
@@ -88,7 +88,7 @@ struct Column : ColumnInfo {
   std::function<void(std::vector<store::Cell>&, const Row&)> add;
 };
 
-/// What a table is, of any run.
+/// Description of a table.
 struct TableInfo {
   enum class Kind : std::uint8_t {
     growing,  ///< NAME.csv, to which rows are added while it runs
@@ -111,7 +111,7 @@ struct ColumnGroup {
   std::vector<Column<Row>> columns;
 };
 
-/// A TableInfo for a scene, with what takes the values of its columns from what a Row is made of.
+/// A TableInfo for a scene, with the functions that take the values of its columns from a Row.
 template <class Row>
 struct TableOf : TableInfo {
   /// `info`: with columns of each wall or outlet only (of_each), which come last.
@@ -147,33 +147,33 @@ struct TableOf : TableInfo {
 class RunTable {
  public:
   const TableInfo& info() const { return info_; }
-  /// See scene::Conversion::mean_mass: of the rows from now on.
+  /// Sets Conversion::mean_mass for the rows from now on.
   void set_mean_mass(double sites) {
     if (conversion_) {
       conversion_->mean_mass = sites;
     }
   }
-  /// What its columns are.
+  /// Descriptions of its columns.
   std::vector<store::ColumnSummary> summary() const;
 
   /// Bytes of a growing table that are on the disk when a run resumes.
   std::uint64_t& bytes() { return bytes_; }
-  /// Of a growing table: throws StoreError where these bytes are not on the disk.
+  /// Growing table: throws StoreError if these bytes are not on the disk.
   void check(const store::OutputFolder& folder) const;
-  /// Of a growing table: removes what was written beyond these bytes.
+  /// Growing table: removes what was written beyond these bytes.
   void open(const store::OutputFolder& folder);
-  /// Of a growing table: writes the new rows if they have at least `least` bytes. Forgets them if
+  /// Growing table: writes the new rows if they have at least `least` bytes. Forgets them if
   /// the table is not open.
   void write_rows(std::size_t least);
   /// Whether there is no row to write.
   bool is_empty() const { return table_.pending_bytes() == 0; }
-  /// Of others: writes the rows since the last call, or forgets them without a folder.
+  /// Other tables: writes the rows since the last call, or forgets them without a folder.
   void write(const store::OutputFolder* folder, const std::string& part = "");
 
  protected:
   RunTable(TableInfo info, const scene::Scene& scene)
       : conversion_(scene::conversion(scene)), info_(std::move(info)) {}
-  /// Of a gas: there are errors of means over the members of an ensemble.
+  /// Table of a gas: has standard errors if the ensemble has several members.
   RunTable(TableInfo info, const scene::BoltzmannScene& scene)
       : has_errors_(scene.ensemble > 1), info_(std::move(info)) {}
 

@@ -179,7 +179,7 @@ constexpr auto kBadGeometry = std::to_array<BadScene>({
      "'the neck'"},
     {"probes without rows", "probes: {neck: [0, 0, 10, 10]}\noutput: {series: none}",
      "scene.yaml:13:9: error: probes: nothing would be written; they have rows at the steps of "
-     "output.series, so remove its none, or them",
+     "output.series: set it, or remove them",
      Judge::parser},
     {"a line that is a list", "lines: {throat: [0, 0, 10, 10]}",
      "scene.yaml:13:17: error: lines.throat: expected a map (allowed: from, to, parts), found a "
@@ -215,7 +215,7 @@ constexpr auto kBadGeometry = std::to_array<BadScene>({
     {"lines that nothing would observe",
      "lines: {throat: {from: [0, 5], to: [9, 5]}}\noutput: {series: none}",
      "scene.yaml:13:8: error: lines: nothing would be written; they are observed at the steps of "
-     "output.series, so remove its none, or them",
+     "output.series: set it, or remove them",
      Judge::parser},
 });
 
