@@ -24,8 +24,7 @@ constexpr std::size_t kMaxPathDepth = 32;
 
 using IsChoice = bool (*)(const std::vector<std::string>& path);
 
-/// An option that has set the value, or something inside it, other than that of `origin`; null if
-/// there is none.
+/// An option other than `origin` that has set the value or something inside it; else null.
 const Origin* option_in(const Value& value, const std::shared_ptr<const Origin>& origin) {
   if (!value.location.origin->has_lines && value.location.origin != origin &&
       !value.is(Value::Kind::map)) {

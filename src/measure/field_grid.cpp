@@ -63,8 +63,7 @@ std::vector<RegionMotion> motions_by_region(const std::vector<Displacement>& dis
   return motions;
 }
 
-/// Displacements by the same lattice vector differ by rounding only, others by half a spacing or
-/// more.
+/// Equal lattice vectors differ by rounding only, others by half a spacing or more.
 constexpr double kAtRest = 1e-9;  // square spacings
 
 struct CellMotion {
@@ -100,8 +99,7 @@ std::vector<CellMotion> cell_motions(const std::vector<Displacement>& displaceme
   return cells;
 }
 
-/// Half the mean squared deviation of displacements from the mean of their cell, square spacings,
-/// over cells that count; 0 if none.
+/// Half the mean squared deviation of displacements from the mean of their cell; 0 without cells.
 double displacement_temperature(const std::vector<CellMotion>& cells) {
   double energies = 0;
   double particles = 0;

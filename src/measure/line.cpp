@@ -180,8 +180,7 @@ void Line::add_passing_particles(const Snapshot& before, const grains::State& no
   }
 }
 
-/// First and last number of box widths by which a range of x has to be shifted to reach the line;
-/// none if the first is larger.
+/// First and last number of box widths that shift a range of x onto the line; none if first > last.
 std::pair<int, int> Line::images(double low, double high, const lattice::Lattice& lattice) const {
   if (!lattice.periodic()) {
     return {0, 0};

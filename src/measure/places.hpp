@@ -25,8 +25,7 @@ void for_each_present(const grains::State& state, const Visit& visit) {
   }
 }
 
-/// Calls visit(site) for every site of every present particle, wrapped into the box. A shared site
-/// comes twice.
+/// Calls visit(site) for every site of every present particle, wrapped; twice for a shared site.
 template <typename Visit>
 void for_each_site(const grains::State& state, const Visit& visit) {
   for_each_present(state, [&](std::uint32_t /*id*/, const grains::Particle& particle) {

@@ -82,8 +82,7 @@ std::vector<SupportForce> forces_along_two(const Vector2d& force, const Supporte
           {other.support->body, cross_product(a, force) / both * b}};
 }
 
-/// The vertical part of the force, in drawn shares. `first`: number of the first of the draws, one
-/// for each support.
+/// Divides the vertical part of the force in drawn shares, one draw for each support from `first`.
 std::vector<SupportForce> forces_in_shares(const grains::State& state, const Vector2d& force,
                                            const std::vector<Support>& supports,
                                            std::uint32_t first) {
@@ -102,7 +101,7 @@ std::vector<SupportForce> forces_in_shares(const grains::State& state, const Vec
   return result;
 }
 
-/// As a force of the contact model, with the same points on floor and walls.
+/// The same as a force of the contact model, with the same points on floor and walls.
 contact::Force as_contact_force(const grains::State& state, std::uint32_t id,
                                 const SupportForce& on_support) {
   const grains::Particle& grain = state.particles[id];

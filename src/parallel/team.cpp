@@ -14,15 +14,13 @@ namespace clca::parallel {
 
 namespace {
 
-/// Held while threads are tried or started: what one caller has found startable, another must not
-/// take.
+/// Held while threads are tried or started, so that no other caller takes them.
 std::mutex& thread_count_mutex() {
   static std::mutex mutex;
   return mutex;
 }
 
-/// A child process by fork has one thread, and OpenMP would wait there for the others for ever: its
-/// regions have one thread, too.
+/// In a child process by fork OpenMP would wait for ever for other threads: it gets one thread.
 void prepare_forks() {
   static const int kFailed =
       ::pthread_atfork([] { thread_count_mutex().lock(); }, [] { thread_count_mutex().unlock(); },

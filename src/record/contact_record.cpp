@@ -9,8 +9,7 @@ namespace clca::record {
 
 namespace {
 
-/// Whether the stage may end within the next window of steps. A bed at rest ends it only if
-/// `quiet`.
+/// Whether the stage may end within the next window of steps; by rest only if `quiet`.
 bool may_end_soon(const scene::Stage& stage, std::uint64_t steps, std::uint64_t window,
                   bool quiet) {
   if (const auto end = scene::steps_of(stage.until)) {

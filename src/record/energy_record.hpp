@@ -1,6 +1,5 @@
 #pragma once
-// The energy balance of a stage of the contact model, in units of contact::Energy, and whether its
-// bed comes to rest.
+// Energy balance of a stage of the contact model (contact::Energy), and whether its bed settles.
 
 #include <cstdint>
 #include <optional>
@@ -11,7 +10,7 @@
 
 namespace clca::record {
 
-/// Finds a bed that does not come to rest, by the few grains that move on.
+/// Finds a bed that does not settle, by the few grains that move on.
 class UnsettledBedDetector {
  public:
   static constexpr std::size_t kMaxMovers = 3;
@@ -19,8 +18,7 @@ class UnsettledBedDetector {
 
   /// Call after a step in which `moved` grains have moved. Returns a warning once, if for kSteps
   /// steps the same grains (at most kMaxMovers) were the only ones that moved, none has gone down
-  /// or flown up, and one has moved beyond a neighbouring site and back; other beds settle by
-  /// themselves.
+  /// or flown up, and one has moved beyond a neighbouring site and back.
   std::optional<std::string> add(const scene::Scene& scene, const grains::State& state,
                                  std::size_t moved);
 
@@ -52,8 +50,7 @@ class EnergyRecord : public SavedObserver<EnergyRecord> {
  public:
   explicit EnergyRecord(const scene::Scene& /*scene*/) {}
 
-  /// Warns of energy that grows, of grains that fall too fast, and of a bed that does not come to
-  /// rest.
+  /// Warns of growing energy, of grains that fall too fast, and of a bed that does not settle.
   void after_step(const StageView& now) override;
 
   void begin(const scene::Stage& stage, const model::SceneModel& model);
@@ -65,12 +62,10 @@ class EnergyRecord : public SavedObserver<EnergyRecord> {
 
   /// Since the start of the stage.
   const contact::EnergyExchange& exchanged() const { return exchanged_; }
-  /// Dissipated energy: initial energy of the stage and what the grains have gained since, minus
-  /// the present energy.
+  /// Initial energy of the stage plus what the grains have gained since, minus the energy now.
   double dissipated(const contact::Energy& now) const;
 
-  /// Largest rise above an earlier minimum, as a share of the scale of add(). None if sources,
-  /// walls or the vessel did work.
+  /// Largest rise above an earlier minimum over the scale of add_step(); none unless is_closed_.
   std::optional<double> growth() const;
 
   static constexpr const char* kPath = "records/energy";

@@ -1,5 +1,4 @@
-// fields.csv: packing, velocity and fluctuation on a grid, for each window, and the distribution of
-// fluctuation energies.
+// fields.csv: packing, velocity and fluctuation on a grid; distribution of fluctuation energies.
 
 #include <optional>
 

@@ -43,9 +43,8 @@ TableOf<ProbeRow> probes_table(const scene::Scene& scene) {
             {{{"mass_flow", "Mass flow", "kg/s", "`flow` in SI units"}, &ProbeRow::mass_flow}}}}};
 }
 
-/// Rows at the steps that have one in series.csv. Of the automaton, motion is over the steps since
-/// the last row, of the particles that were in the probe then; of the contact model, it is that at
-/// the row.
+/// Rows at the steps of series.csv. Motion: of the contact model, in that step; else since the last
+/// row, of the particles that were in the probe then.
 class Probes : public Observer {
  public:
   explicit Probes(const scene::Scene& scene) : table_(scene, probes_table(scene)) {}

@@ -1,5 +1,4 @@
-// weight_paths-STAGE.csv: the pressure below a bed at rest if weight were passed on by rules, and
-// that of the contact model beside it.
+// weight_paths-STAGE.csv: pressure below a bed at rest, by rules and of the contact model.
 
 #include <cmath>
 #include <numeric>

@@ -1,6 +1,5 @@
 // Checks of the scene as a whole: the model can do what the scene asks for, time step and vessel
-// are possible, everything declared is used, and no stage removes or moves a wall that is not there
-// or inserts one that is.
+// are possible, everything declared is used, and stages remove, move or insert walls that they can.
 
 #include <algorithm>
 #include <cmath>

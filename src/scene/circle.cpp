@@ -107,8 +107,7 @@ double half_chord(double radius, double distance) {
   return std::sqrt(std::max(0.0, radius * radius - distance * distance));
 }
 
-/// Whether `test` holds for a site of the region inside the band: column by column from the left,
-/// upwards.
+/// Whether `test` holds for a site of the region in the band; columns from the left, upwards.
 template <class Test>
 bool any_site_in(const SweptRegion& swept_region, const Band& band, const Test& test) {
   const auto parts = [&](int column) {

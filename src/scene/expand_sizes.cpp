@@ -62,8 +62,7 @@ class Expansion {
   bool empty() const { return sized_species_.empty(); }
 
   /// Divides a count among the kinds in whole numbers, the largest first. What rounding takes from
-  /// a kind, by number or by area as the law, goes to the next one, so that the mean changes
-  /// little.
+  /// a kind (by number or area, as the law) goes to the next one: the mean hardly changes.
   void divide_counts(Value& counts, const std::string& path) {
     divide(counts, [&](const Entry& entry, const SizedSpecies& sized) {
       const double all = amount_in(entry, path, kMaxParticles);
@@ -187,8 +186,7 @@ class Expansion {
     }
   }
 
-  /// Replaces each species with sizes by those of its kinds of which `numbers_of(entry, sized)`
-  /// says that there are any.
+  /// Replaces each species with sizes by those of its kinds that `numbers_of(entry, sized)` counts.
   template <class Numbers>
   void divide(Value& map, const Numbers& numbers_of) {
     std::vector<Entry> result;

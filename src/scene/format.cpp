@@ -18,8 +18,7 @@ struct FoundKey {
   std::string path;
 };
 
-/// The key at the path below these; null if there is none. After a key whose value has names, such
-/// as `walls`, a name may stand.
+/// The key at the path below these, or null. A name may follow a key such as `walls`.
 FoundKey find(const AnyKeys& top, const std::vector<std::string>& parts) {
   FoundKey found = {.key = nullptr, .keys = top, .path = ""};
   static const AnyKeys kNone = std::make_shared<const std::vector<AnyKey>>();
@@ -51,8 +50,7 @@ std::vector<std::string> paths_anywhere(std::string_view name) {
   return paths;
 }
 
-/// In scenes of grains and of the Boltzmann equation, where they differ; `boltzmann:PATH` in the
-/// latter only.
+/// The keys in scenes of grains and of gases, where they differ; `boltzmann:PATH`: gases only.
 std::vector<FoundKey> found_keys(std::string_view path) {
   constexpr std::string_view kGasOnly = "boltzmann:";
   const bool gas_only = path.starts_with(kGasOnly);

@@ -123,8 +123,7 @@ AnyAction any_action(Action<Owner> action) {
   };
 }
 
-/// Function from an object to a part of it, null if the part is missing. `make`: first puts a
-/// default part there.
+/// From an object to a part of it, or null. `make`: first puts a default part there.
 using Access = std::function<void*(void* object, bool make)>;
 
 /// A key of a map that is read into an owner. Texts are Markdown.
@@ -211,8 +210,7 @@ struct Map {
   std::string_view schema_members = {};  ///< of JSON Schema: what it can say of `check`
 };
 
-/// Paths of the keys of this name below `top`, the shortest first; `walls.NAME.motion` where a name
-/// of the scene stands in between.
+/// Paths of the keys of this name below `top`, the shortest first; such as `walls.NAME.motion`.
 std::vector<std::string> paths_of_key(const AnyKeys& top, std::string_view name);
 
 /// Paths of the keys below `top` that say this word about themselves, the shortest first.
@@ -324,8 +322,7 @@ Keys<Owner> inlined_keys(const Access& access, std::vector<AnyKey> keys) {
   return Keys<Owner>(std::move(keys));
 }
 
-/// The key of an alternative of a member, as a key of the Owner; not read if the member has
-/// another alternative.
+/// The key of an alternative of a member, as a key of the Owner; not read for other alternatives.
 template <class Owner, class Variant, class Part>
 Key<Owner> inlined_alternative(Variant Owner::*member, const Key<Part>& part) {
   const Access access =

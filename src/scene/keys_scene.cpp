@@ -1,5 +1,4 @@
-// The keys at the top, of both kinds of scenes; title, box, and the state of another run that a run
-// begins with.
+// The keys at the top, of both kinds of scenes; title, box, initial state from another run.
 
 #include <fmt/ranges.h>
 
@@ -75,8 +74,7 @@ Type<Begin> begin_type() {
        }});
 }
 
-/// What both kinds begin with. What stands under `let` is evaluated before the keys are read; the
-/// scene has the numbers.
+/// First keys of both kinds of scenes. `let` is evaluated before: the scene has only the numbers.
 template <class AScene>
 Keys<AScene> first_keys() {
   static const std::string kVersionText = std::to_string(kVersion);

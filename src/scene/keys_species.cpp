@@ -129,8 +129,7 @@ lattice::Shape build(const RodSpec& spec) {
   return lattice::Shape::rod(spec.radius, spec.length);
 }
 
-/// Twice the area, in sites. Pick: a polygon that does not cross itself has more sites than its
-/// area.
+/// Twice the area, in sites. Pick: a polygon that does not cross itself has more sites than area.
 double doubled_area(const PolygonSpec& spec) {
   double sum = 0;
   for (std::size_t i = 0; i < spec.corners.size(); ++i) {

@@ -18,8 +18,7 @@ namespace clca::scene {
 
 namespace {
 
-// Of a packing that is deposited a part moves at a time: even where all walls go at once, the rest
-// waits for it.
+// Only a part of a deposited packing moves at a time, even where all walls go at once.
 constexpr double kAwakeOfDeposited = 1.0 / 8;
 // A site of a kind: in its shape, and from the reference site in columns of both parities.
 constexpr double kKindSiteBytes = sizeof(lattice::Axial) + 2 * sizeof(lattice::IndexOffset);
@@ -119,8 +118,7 @@ double wall_sites_at_most(const lattice::Lattice& lattice, const Wall& wall) {
   return sum;
 }
 
-/// The lists of sites that the largest fill tries: of one species at a time, or of all of a
-/// mixture.
+/// Lists of sites that the largest fill tries: for one species at a time, or for a mixture.
 double fill_bytes(const Scene& scene, const lattice::Lattice& lattice) {
   const lattice::SweptRegion box(lattice);
   double most = 0;
@@ -182,8 +180,7 @@ double table_bytes(const BoltzmannScene& scene) {
           (kBinBytes * gases + kBinTextBytes) * shares);
 }
 
-/// While a checkpoint is written there are, of all that is in it, its columns, the file and the
-/// bytes that go to the disk.
+/// Copies while a checkpoint is written: columns, the file, and the bytes that go to the disk.
 constexpr double kSavedCopies = 3;
 
 }  // namespace
@@ -238,8 +235,7 @@ double bytes_of(const BoltzmannScene& scene, int threads) {
     per_particle += kMotionBytes + kSortEntryBytes;  // it is sorted
   }
   const double saved = kSavedCopies * kMotionBytes;
-  // A checkpoint goes to the disk while the gases go on; a run that is stopped has no more need of
-  // the second copy.
+  // A checkpoint is written while the gases go on; a stopped run needs no second copy.
   per_particle =
       scene.checkpoint ? per_particle + saved : std::max(per_particle, saved + kMotionBytes);
   return members * per_particle * static_cast<double>(scene.particles) +

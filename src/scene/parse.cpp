@@ -12,8 +12,7 @@ namespace clca::scene {
 
 namespace {
 
-/// Whether the scene is of the Boltzmann equation, by its keys. Throws SceneError where they belong
-/// to both kinds of scenes.
+/// Whether the keys are of a Boltzmann scene. Throws SceneError for keys of both kinds of scenes.
 bool is_boltzmann(const Value& root) {
   const std::vector<std::string_view> grain_keys = names_of(*scene_type().keys);
   const std::vector<std::string_view> boltzmann_keys = names_of(*boltzmann_type().keys);

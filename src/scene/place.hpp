@@ -1,6 +1,5 @@
 #pragma once
-// Values of the text of a scene, and where they are; read strictly: of the right kind, in range,
-// under a known key.
+// Values of the text of a scene with their places, read strictly: right kind, range and key.
 
 #include <fmt/format.h>
 

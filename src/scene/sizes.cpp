@@ -30,9 +30,8 @@ double normal_below(double quantile) {
   return std::erfc(-quantile / std::sqrt(2.0)) / 2;
 }
 
-/// Mean diameters of classes of equal width between `low` and `high`; what the law has beyond them
-/// goes to the outermost. `below`: share of the law below a diameter; `moment_below`: that share
-/// times its mean.
+/// Mean diameters of equal classes from `low` to `high`; the outermost take what is beyond.
+/// `below`: share of the law below a diameter; `moment_below`: that share times its mean.
 template <class Below, class MomentBelow>
 std::vector<Diameter> classes(double low, double high, std::uint64_t count, Below below,
                               MomentBelow moment_below) {

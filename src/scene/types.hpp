@@ -42,11 +42,9 @@ void require_site(const lattice::Rectangle& region, const PlacedValue& place);
 /// A rectangle that holds at least one site of the box.
 Type<lattice::Rectangle> region_type();
 
-/// The path of a file or folder, as an absolute one: relative ones begin at the folder of the
-/// scene.
+/// The absolute path of a file or folder; a relative one begins at the folder of the scene.
 Type<std::string> file_path_type();
-/// The absolute path of a file named in a scene of this folder; empty if it is too long, or no text
-/// of one line.
+/// Absolute path of a file named in a scene of this folder; empty if too long or not one line.
 std::string absolute_path(const std::string& folder, const std::string& path);
 
 /// "#rrggbb"
@@ -54,8 +52,7 @@ Type<image::Rgb> color_type();
 
 /// A name that the scene gives to something.
 Type<std::string> name_type();
-/// A list of names, each at most once, as indices of the things of this `kind`: `names` of the
-/// scene.
+/// A list of different names, as indices in `names` of the scene; `kind`: what they name.
 Type<std::vector<std::size_t>> references_type(
     const std::string& kind, std::vector<std::string_view> (*names)(const Scene& scene));
 
@@ -85,8 +82,7 @@ Key<Owner> picture_file_key(Action<Owner> read) {
 Type<std::vector<std::string>> rows_type(bool (*allowed)(char letter), const std::string& about,
                                          const std::string& pattern);
 
-/// `word`, for which `is_word` holds and which stands for no value, or a value of the type;
-/// `between` them in descriptions.
+/// `word` for no value (`is_word` holds), or a value of the type; `between` them in descriptions.
 template <class T>
 Type<std::optional<T>> or_word(const std::string& word, std::string_view between,
                                const Type<T>& type,
@@ -110,8 +106,7 @@ Type<std::optional<T>> or_none(const Type<T>& type) {
 }
 
 using PathOfItem = std::string (*)(const PlacedValue& item, std::size_t index);
-/// A list of `least` to `most` such values; `path_of` an item in messages is that of the list
-/// unless it is given.
+/// A list of `least` to `most` values. `path_of`: path of an item in messages, if not the list's.
 template <class T>
 Type<std::vector<T>> list_type(const Type<T>& item, std::size_t least, std::size_t most,
                                PathOfItem path_of = nullptr) {

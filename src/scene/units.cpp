@@ -17,8 +17,7 @@ namespace {
 
 constexpr double kPacking = 0.8;
 
-/// Area of the particles of a fill in squared lattice spacings; of a mixture, where it fills its
-/// region as densely as a bed.
+/// Area of the particles of a fill, squared lattice spacings; a mixture is as dense as a bed.
 double area(const Scene& scene, const Fill& fill) {
   if (fill.counts.empty()) {
     const lattice::Rectangle& region = fill.region;

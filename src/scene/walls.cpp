@@ -62,8 +62,7 @@ bool any_swept_site(const lattice::Lattice& lattice, const Wall& wall,
   for (const lattice::Site home : sites) {
     bool entered = false;
     for (int offset = range.low; offset <= range.high; ++offset) {
-      // From where another site of the wall ahead of this one begins, that one
-      // covers the rest.
+      // Another site of the wall ahead of this one covers the rest from there on.
       const int ahead = offset - range.low;
       const lattice::Site site = home + lattice::Axial{offset * step.x, offset * step.q};
       const bool inside = lattice.contains(site);

@@ -15,8 +15,8 @@ struct Rgb {
   bool operator==(const Rgb&) const = default;
 };
 
-/// A rectangle of pixels; x, y is the upper left one. Where it is said, a rectangle of samples; x,
-/// y is the lower left one.
+/// A rectangle of pixels from the upper left one or, where said, of samples from the lower left
+/// one.
 struct PixelBox {
   int x = 0;
   int y = 0;

@@ -19,8 +19,7 @@ struct Arrow {
   double weight = 0;             ///< particle sites that the mean is over, of all cycles
 };
 
-/// Rotation of two convection rolls side by side. The width of the bed is that of its particles at
-/// the start of each cycle.
+/// Rotation of two convection rolls side by side, in the width of the bed at the start of a cycle.
 struct ConvectionRolls {
   /// Mean vertical displacement per cycle in the middle third of the width minus that in the two
   /// outer sixths, lattice spacings.
@@ -50,8 +49,7 @@ class Convection {
   Convection(const lattice::Lattice& lattice, double cell);
 
   void begin_cycle(const grains::State& state);
-  /// Ignores particles that entered or left during the cycle. Throws std::logic_error if no cycle
-  /// has started.
+  /// Ignores particles that entered or left during it. Throws std::logic_error before any cycle.
   void end_cycle(const grains::State& state);
 
   std::uint64_t cycles() const { return cycles_; }

@@ -34,15 +34,13 @@ class Snapshot {
   }
 
   std::uint64_t step() const { return step_; }
-  /// The path of a particle to where it is now or was removed: from its position at the snapshot
-  /// or, if it has entered since, where it has entered (State::origins); none if it had been
-  /// removed.
+  /// Displacement of a particle since the snapshot, or since it has entered (State::origins), until
+  /// now or until it was removed; none if it was removed before the snapshot.
   std::optional<Displacement> path(const grains::State& now, std::size_t id) const;
   /// Displacements of the particles present at both moments, by id. Throws std::invalid_argument if
   /// `now` is earlier or has fewer particles.
   std::vector<Displacement> displacements(const grains::State& now) const;
-  /// Mean velocities since, spacings per step, by id; none of particles that were not present at
-  /// both moments. Throws likewise.
+  /// Mean velocities since, spacings per step, by id; none unless present at both moments.
   std::vector<std::optional<Eigen::Vector2d>> velocities(const grains::State& now) const;
 
   /// False if this cannot have been taken in a run that reached `now`.
@@ -56,8 +54,7 @@ class Snapshot {
   std::vector<std::optional<lattice::Site>> sites_;  // by id; none of removed particles
 };
 
-// Since the start of the stage (State::origins). All throw std::invalid_argument unless each
-// particle has an origin.
+// Since the start of the stage. All throw std::invalid_argument unless each particle has an origin.
 
 /// Distance of each particle from its origin by id, in lattice spacings; 0 for removed ones.
 std::vector<double> displacements(const grains::State& state);

@@ -1,7 +1,6 @@
 #pragma once
-// Coarse-grained fields on the cells of a grid: packing, velocity and its fluctuations, also in
-// probes, which are rectangles of the box in lattice spacings; the distribution of the
-// fluctuations; stress.
+// Coarse-grained fields on the cells of a grid, and in rectangles of the box (probes): packing,
+// velocity and its fluctuations; the distribution of the fluctuations; stress.
 
 #include <Eigen/Core>
 #include <cstdint>
@@ -54,9 +53,7 @@ std::optional<RegionMotion> motion_in(const lattice::Rectangle& region,
                                       const std::vector<Displacement>& displacements, double steps);
 
 /// Sites of the particles whose centre of mass has passed the horizontal middle line of the region
-/// downwards, less those that have passed it upwards. Each is taken to have gone straight from its
-/// position at the snapshot, or where it has entered since (State::origins), to where it is or has
-/// been removed.
+/// downwards, less those that have passed it upwards, on straight paths (Snapshot::displacement).
 double downward_flow(const Snapshot& before, const grains::State& now,
                      const lattice::Rectangle& region);
 
@@ -79,14 +76,12 @@ class Fluctuations {
   /// Shares of the bins, with T of the whole window, as in a homogeneous gas: over particles that
   /// are neither sparse nor at rest. Zeros without samples.
   std::vector<double> shares() const { return shares_of(counts_); }
-  /// The same with T of each cell, so that only differences inside a cell count. X is transformed
-  /// to be chi-square even for small n.
+  /// The same with T of each cell; X is transformed to be chi-square even for small n.
   std::vector<double> local_shares() const { return shares_of(local_counts_); }
 
   /// Particles counted, summed over the windows.
   std::uint64_t samples() const { return samples_; }
-  /// Share of all particles left out because their cell was at rest or moved rigidly: X would be 0
-  /// or, with T of the cell, undefined.
+  /// Share of all particles left out because their cell was at rest or moved rigidly (T = 0).
   double resting_share() const { return share_of_all(resting_); }
   /// Share of all particles that were left out as sparse.
   double sparse_share() const { return share_of_all(sparse_); }

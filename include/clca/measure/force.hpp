@@ -92,13 +92,12 @@ struct ForceDistribution {
   /// Decay of the tail, P(f/<f>) ~ exp(-beta f/<f>) for f > <f>, by maximum likelihood. None for
   /// fewer than two contacts in the tail or if all are equal.
   std::optional<double> beta = {};
-  /// Contiguous bins. Whole sites: one bin per number n, from n - 1/2 to n + 1/2. Averages: bins of
-  /// a quarter of the mean, from 0.
+  /// Whole sites: a bin from n - 1/2 to n + 1/2 for each n. Averages: of a quarter of the mean.
   std::vector<ForceBin> bins = {};
 };
 
 /// None if the list is empty. Throws std::invalid_argument unless all are positive, whole sites
-/// below 10^6 and averages below 10^15.
+/// below 10^6, averages below 10^15.
 std::optional<ForceDistribution> force_distribution(const std::vector<double>& strengths,
                                                     StrengthKind kind);
 

@@ -42,8 +42,7 @@ class Grid {
   std::size_t index(const Eigen::Vector2d& point) const { return cells(point)[1]; }
   /// The cells left and right of the edge that a point is on; else its cell twice.
   std::array<std::size_t, 2> cells(const Eigen::Vector2d& point) const;
-  /// Calls visit(cell, share) for these cells, half to each, so that mirrored beds have mirrored
-  /// fields.
+  /// Calls visit(cell, share) for these cells, half to each: mirrored beds have mirrored fields.
   template <class Visit>
   void share_out(const Eigen::Vector2d& point, const Visit& visit) const {
     const auto [left, right] = cells(point);
@@ -56,8 +55,7 @@ class Grid {
     std::size_t cell = 0;
     double share = 0;  ///< of the length of the path
   };
-  /// The parts of the straight path from `from` to `from + path` (lattice spacings), each in one
-  /// cell.
+  /// Divides the straight path from `from` to `from + path` (lattice spacings) at edges of cells.
   std::vector<Part> parts(const Eigen::Vector2d& from, const Eigen::Vector2d& path) const;
 
  private:

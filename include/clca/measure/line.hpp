@@ -63,9 +63,8 @@ class LineSums {
 };
 
 /// Means over time for one part of a line, with standard errors by the scatter of the blocks; NaN
-/// if there was nothing to average, the error with fewer than LineSums::kMaxBlocks / 2 blocks.
-/// Across: positive to the right of its direction. Of each SampleStatistics only mean and standard
-/// error are set.
+/// without data, the error with fewer than LineSums::kMaxBlocks / 2 blocks. Across: positive to the
+/// right of its direction. SampleStatistics: only mean and standard error are set.
 struct LinePart {
   double position = 0;     ///< distance of its middle from the start of the line
   Eigen::Vector2d middle;  ///< of the part
@@ -77,8 +76,7 @@ struct LinePart {
   double particles = 0;                 ///< whose centres have passed, either way
 };
 
-/// A line in a box, cut into parts of equal length. Its end does not belong to it; an edge between
-/// two parts belongs half to each.
+/// A line in a box, without its end, in equal parts; edges between parts belong half to each.
 class Line {
  public:
   /// A line in the box of the state. Throws std::invalid_argument unless the
@@ -86,10 +84,9 @@ class Line {
   Line(const grains::State& state, const Eigen::Vector2d& from, const Eigen::Vector2d& to,
        std::size_t parts);
 
-  /// Adds an observation: what is on the line now, and what has passed it since the snapshot. Each
-  /// particle is taken to have gone straight (Snapshot::path). `velocities` (spacings per step)
-  /// are by id. Throws std::invalid_argument unless the snapshot is of an earlier step and the
-  /// occupancy is of this box.
+  /// Adds an observation: what is on the line now, and what has passed it since the snapshot, on
+  /// straight paths (Snapshot::displacement). `velocities` (spacings per step) are by id. Throws
+  /// std::invalid_argument unless the snapshot is earlier and the occupancy is of this box.
   void observe(const Snapshot& before, const grains::State& now, const grains::Occupancy& occupancy,
                std::span<const std::optional<Eigen::Vector2d>> velocities, LineSums& sums) const;
 

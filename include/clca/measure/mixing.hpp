@@ -1,6 +1,5 @@
 #pragma once
-// Neighbours of particles: how many there are, and of which species; how particles mix in a flow or
-// separate by size.
+// Neighbours of particles: their number and species; how particles mix or separate by size.
 
 #include <cstdint>
 #include <optional>
@@ -13,13 +12,11 @@
 
 namespace clca::measure {
 
-/// Number of other particles and walls that have a site beside a site of the particle, or the same
-/// one; by id, 0 for removed particles. All sides of the box count as one wall. `occupancy` belongs
-/// to `state`.
+/// Number of other particles and walls that touch or overlap each particle; by id, 0 for removed
+/// particles. All sides of the box count as one wall. `occupancy` belongs to `state`.
 std::vector<int> coordination(const grains::State& state, const grains::Occupancy& occupancy);
 
-/// Share of the pairs of neighbouring grains that have the same axis; a third at random. None
-/// without a pair.
+/// Share of neighbouring grains that have the same axis; a third at random. None without a pair.
 std::optional<double> axis_order(const grains::State& state);
 
 /// Two grains that were neighbours.
@@ -99,14 +96,12 @@ std::optional<double> segregation_index(const grains::State& state);
 /// of the largest particles over cells, by number, weighted by particles. s0^2 = p (1 - p),
 /// separated. sr^2 = p (1 - p) (C - 1) / (N - 1), the exact expectation over random permutations of
 /// N particles in C cells. None unless two sizes are present, some cell holds more than one
-/// particle, and a cell has the sites of two of the largest: else each is alone in its cell,
-/// however mixed.
+/// particle, and a cell has room for two of the largest.
 std::optional<double> lacey_index(const grains::State& state, double cell);
 
 /// Height of an intruder, the only particle of its species: 0 on the floor of the bed, 1 if its top
-/// is level with the mean surface of the others, larger above. Resolution half a spacing.
-/// None unless exactly one species has exactly one particle and the bed is deeper than the intruder
-/// is high.
+/// is level with the mean surface of the others, larger above. Resolution half a spacing. None
+/// unless exactly one species has one particle, and the bed is deeper than the intruder is high.
 std::optional<double> intruder_height(const grains::State& state);
 
 }  // namespace clca::measure

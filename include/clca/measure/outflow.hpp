@@ -22,9 +22,8 @@ struct Discharge {
 Discharge discharge(const grains::State& state);
 Discharge discharge(const grains::Outlet& outlet);
 
-/// Number of particles that have left, by outlet and species: all of the first outlet, then those
-/// of the next. `species`: how many there are. Throws std::invalid_argument if one that has left
-/// lies in no outlet.
+/// Numbers of particles that have left, by outlet and, within it, by species. `species`: how many
+/// there are. Throws std::invalid_argument if a particle that has left lies in no outlet.
 std::vector<std::uint64_t> discharged_particles(const grains::State& state, std::size_t species);
 
 /// Records a discharge in a stage, step by step.
@@ -42,8 +41,7 @@ class Outflow {
   Discharge stage_discharge() const {
     return {last_.particles - begin_.particles, last_.sites - begin_.sites};
   }
-  /// Steady discharge rate: sites per step between 20 % and 70 % of the final discharge. 0 if fewer
-  /// than two particles have left.
+  /// Mean rate between 20 % and 70 % of the final discharge; 0 with fewer than two particles.
   double sites_per_step() const;
   /// False if this cannot have been recorded in a run that reached the total `now`.
   bool precedes(Discharge now) const;

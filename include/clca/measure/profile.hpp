@@ -42,8 +42,7 @@ ReposeAngle repose_angle(const std::vector<double>& profile);
 
 /// Particle sites divided by the sites available to the bed: per column from the floor or wall
 /// below the lowest particle up to the highest particle, without walls.
-/// Sites shared by two particles count twice (nominal packing under a piston). None for an empty
-/// box.
+/// Shared sites count twice (nominal packing under a piston). None for an empty box.
 std::optional<double> packing_fraction(const grains::State& state);
 
 }  // namespace clca::measure

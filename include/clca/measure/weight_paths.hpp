@@ -37,9 +37,8 @@ struct SupportedGrain {
   std::vector<Support> supports = {};  ///< ordered by body
 };
 
-/// All grains from the top, by the heights of their centres, then by id. Each supports only those
-/// before it. Throws std::invalid_argument if the occupancy is that of another box, or if particles
-/// may overlap.
+/// All grains from the top, by the heights of their centres, then by id; each supports only those
+/// before it. Throws std::invalid_argument for the occupancy of another box, or overlaps.
 std::vector<SupportedGrain> supported_grains(const grains::State& state,
                                              const grains::Occupancy& occupancy);
 
@@ -77,12 +76,11 @@ struct Base {
 Base bed_base(const grains::State& state);
 
 /// Downward force on floor and walls in each bin over the mean of the bins, from the contacts whose
-/// normal points up. Both ends belong to the base; a contact point between two bins counts half in
-/// each. Empty if that mean is 0.
+/// normal points up; a point between two bins counts half in each. Empty if that mean is 0.
 std::vector<double> base_pressures(const Base& base, const std::vector<contact::Force>& forces);
 
-/// The pressure of the middle bin, less the mean of the three bins on either side of it.
-/// `pressure` is not empty.
+/// Pressure of the middle bin less the mean of the three bins on either side; not for an empty
+/// list.
 double centre_minus_ring(const std::vector<double>& pressure);
 
 }  // namespace clca::measure

@@ -1,6 +1,5 @@
 #pragma once
-// Threads of OpenMP regions and others, where the system limits their number; exceptions out of
-// regions.
+// Threads of OpenMP regions where the system limits their number; exceptions out of regions.
 
 #include <atomic>
 #include <exception>

@@ -53,8 +53,7 @@ struct ProgramOptions {
   const OutputCapture* err = nullptr;
   /// Standard input: what feed() writes, else empty.
   bool fed = false;
-  /// Once this is not zero, the program gets `signal`, if that is not zero, and has `grace` to end;
-  /// then it is killed.
+  /// Once not zero, the program gets `signal`, unless that is 0, and is killed after `grace`.
   const std::atomic<int>* stop = nullptr;
   int signal = 0;
   std::chrono::milliseconds grace{0};
@@ -70,8 +69,7 @@ class Program {
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
 
-  /// Writes to its standard input. Returns false if the program no longer reads. Throws
-  /// StoppedError.
+  /// Writes to its standard input; false if the program no longer reads. Throws StoppedError.
   bool feed(std::span<const std::uint8_t> bytes);
   /// Closes its standard input and waits for its end. Returns the exit code, or 128 plus the
   /// signal.

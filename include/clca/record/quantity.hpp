@@ -55,8 +55,7 @@ const Quantity* find_quantity(std::string_view key,
 
 KnownQuantities known_quantities(const store::RunSummary& summary);
 
-/// The columns of a table of a sweep over runs, or its measures where `table` is empty: `known` of
-/// the runs.
+/// The columns of a table of a sweep, or its measures if `table` is empty; `known`: of the runs.
 std::vector<store::ColumnSummary> sweep_column_summaries(std::string_view table,
                                                          const std::vector<std::string>& columns,
                                                          const KnownQuantities& known);
@@ -71,17 +70,15 @@ void check_derived(const scene::Scene& scene);
 /// scene::Conversion::si() for one of masses, where a run has them.
 std::string shown_unit(std::string_view unit, const std::optional<scene::Conversion>& units);
 
-/// What a grain touches, as tables of contacts name it: a grain by its number, a wall by its name,
-/// a side of the box as `box.floor`.
+/// A body in tables of contacts: number of a grain, name of a wall, or a side such as `box.floor`.
 std::string body_name(const scene::Scene& scene, grains::Owner owner);
 /// All walls, then the sides of the box.
 std::vector<grains::Owner> walls_and_sides(const scene::Scene& scene);
 
-/// The measures of a stage as a table in Markdown: measure, name in run.json, unit, what.
+/// The measures of a stage as a table in Markdown: measure, name in run.json, unit, meaning.
 std::string quantities_markdown();
-/// The columns of a table of a run, such as `series`, of a gas `gas.series`, of a sweep
-/// `sweep.runs`, or the datasets of the `trajectory`, likewise. Throws text::InputError for one
-/// that there is not.
+/// The columns of a table as a table in Markdown: `series` of a run, `gas.series` of a gas,
+/// `sweep.runs`, or the datasets of `trajectory`. Throws text::InputError for an unknown table.
 std::string columns_markdown(std::string_view table);
 /// All that columns_markdown() takes.
 std::vector<std::string> table_names();

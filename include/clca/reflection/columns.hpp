@@ -252,8 +252,7 @@ class Decoder : public Walk<Decoder> {
     return *column;
   }
 
-  /// The sizes of `count` containers, whose items may then be allocated: their sum is no more than
-  /// the memory that is left allows.
+  /// Sizes of `count` containers; the memory that is left allows to allocate their items.
   std::vector<std::uint64_t> read_sizes(const std::string& path, std::size_t count,
                                         std::size_t item_bytes) {
     const auto& sizes = find<std::uint64_t>(path + "/size", count);

@@ -49,8 +49,7 @@ enum class ColorBy : std::uint8_t {
   pressure
 };
 enum class Drawing : std::uint8_t { automatic, polygons, lookup };  ///< how: see render::Drawing
-/// What is drawn over the grains. `velocity`: mean since the last picture; weight_*: by the rules
-/// of measure::WeightRule.
+/// Drawn over the grains. velocity: mean since the last picture; weight_*: see measure::WeightRule.
 enum class Overlay : std::uint8_t {
   none,
   forces,

@@ -47,8 +47,7 @@ Scene parse_file(const std::filesystem::path& file, const std::vector<Override>&
 /// YAML that parses to the same scene.
 std::string to_yaml(const Scene& scene);
 std::string to_yaml(const BoltzmannScene& scene);
-/// Throws SceneError if this text, which a run saves and `clca resume` reads, is larger than a
-/// scene may be. `file`: of the scene.
+/// Throws SceneError if this text, which `clca resume` would read, is larger than a scene may be.
 void check_resolved_size(std::string_view yaml, std::string_view file);
 
 /// Size of the model of a scene.

@@ -136,8 +136,7 @@ struct Probe {
   lattice::Rectangle region;
 };
 
-/// A straight line from `from` to `to` across which velocities are measured, in parts of equal
-/// length; see clca/measure/line.hpp.
+/// A straight line on which flow is measured, in parts of equal length; see clca/measure/line.hpp.
 struct Line {
   std::string name;
   Eigen::Vector2d from;
@@ -145,8 +144,7 @@ struct Line {
   int parts = 20;
 };
 
-/// Random sequential addition (grains then fall), or sequential deposition (a packing at rest); see
-/// grains::Model::fill.
+/// Random sequential addition (grains then fall) or deposition (at rest), see grains::Model::fill.
 enum class FillMethod : std::uint8_t { random, deposition };
 
 /// Divides the region of a fill into parts, one for each letter of the picture.

@@ -1,6 +1,5 @@
 #pragma once
-// The sites of walls, of their parts and of sources, and checks of motion and of the space left for
-// particles.
+// The sites of walls and sources, and checks of motion and of the space left for particles.
 
 #include <functional>
 #include <vector>
@@ -45,8 +44,7 @@ std::vector<lattice::Site> source_sites(const lattice::Lattice& lattice, const S
 bool any_swept_site(const lattice::Lattice& lattice, const Wall& wall,
                     const std::function<bool(lattice::Site)>& test);
 
-/// Walls present before the first stage: all except those that a stage inserts before any stage
-/// removes them.
+/// Walls present before the first stage: all but those first inserted by a stage.
 std::vector<bool> walls_present_at_start(const Scene& scene);
 
 /// Whether a wall is present in a stage, as `[stage][wall]`.
@@ -54,8 +52,7 @@ std::vector<std::vector<bool>> walls_present_by_stage(const Scene& scene);
 
 /// Rejects moving walls that never enter the box, overlap another wall at the start, or may meet a
 /// standing or another moving wall (unless both move alike).
-/// Visits all sites of the walls: check size_of first. Throws SceneError with the location of a
-/// wall.
+/// Visits all sites of the walls: check model_size first. Throws SceneError with a location.
 void check_walls(const Scene& scene);
 
 /// Rejects fills that cannot fit: counts that need more sites than the region has, or a shape that

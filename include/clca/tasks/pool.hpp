@@ -86,8 +86,7 @@ class Pool {
            others_at_work_ == 0;
   }
 
-  /// Starts what can be started and waits at most `most` for results. Rethrows what a task has
-  /// thrown here.
+  /// Starts tasks and waits at most `most` for results. Rethrows what a task has thrown here.
   std::vector<Finished> take_finished(std::chrono::milliseconds most) {
     using Clock = std::chrono::steady_clock;
     constexpr std::chrono::microseconds kUntilMessages(2000);

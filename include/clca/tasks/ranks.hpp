@@ -61,8 +61,7 @@ class Ranks {
   /// Whether begin() has thrown nothing anywhere.
   bool is_at_work() const { return is_at_work_; }
 
-  /// For rank 0: sends each other rank what `work` says, and sets the counter to 0. Nothing after
-  /// dismiss().
+  /// For rank 0, until dismiss(): sends each other rank its work, and sets the counter to 0.
   void hand_out_work(const std::function<Bytes(int rank)>& work);
   /// For rank 0: there is no more to do, and what others do is to be stopped. Once is enough.
   void dismiss();

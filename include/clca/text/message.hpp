@@ -24,8 +24,7 @@ std::string shortened(std::string_view text, std::size_t count = 120);
 /// `text` in single quotes, printable, shortened if long.
 std::string shown(std::string_view text);
 
-/// `path` for a command line: quoted if it has special characters, after `./` if it begins with
-/// `-`.
+/// `path` for a command line: quoted where necessary, after `./` if it begins with `-`.
 std::string shell_word(std::string_view path);
 
 /// `names` separated by commas, shortened if many.

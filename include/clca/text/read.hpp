@@ -25,12 +25,10 @@ class ReadError : public std::runtime_error {
 };
 
 /// The bytes of a regular file. Does not block on devices, pipes or sockets.
-/// Throws ReadError for anything but a regular file and for more than `max_bytes`, even if the
-/// file grows while it is read.
+/// Throws ReadError for other files, and for more than `max_bytes`, even if read while it grows.
 std::vector<std::uint8_t> read_file(const std::filesystem::path& file, double max_bytes);
 
-/// The whole text as a number, read by std::from_chars; none if it is no number. `format`: further
-/// arguments of that function.
+/// The whole text as a number, if it is one. `format`: further arguments of std::from_chars.
 template <class T>
 std::optional<T> number(std::string_view text, auto... format) {
   T result = 0;

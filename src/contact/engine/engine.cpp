@@ -169,7 +169,7 @@ void Engine::advance_and_move() {
   changed_ = moved_;
   changed_.insert(changed_.end(), moves.grains_beside_walls().begin(),
                   moves.grains_beside_walls().end());
-  end_step(state_, walls, moves, rule_.slow_speed(), at_rest);
+  end_step(state_, walls, moves, rule_.rest_speed_limit(), at_rest);
 }
 
 void Engine::write_contacts_back() {

@@ -245,7 +245,7 @@ void ReferenceMechanics::move_grains() {
   collide_blocked(state_, moves, bodies, ids, last_step_);
 
   // 10. Walls and vessel end the step.
-  end_step(state_, wall_moves, moves, rule_.slow_speed(), at_rest);
+  end_step(state_, wall_moves, moves, rule_.rest_speed_limit(), at_rest);
 }
 
 }  // namespace clca::contact

@@ -45,7 +45,7 @@ class ContactMechanics : public grains::Mechanics {
   double gravity() const { return gravity_; }
   const LastStep& last_step() const { return last_step_; }
   std::uint64_t unmoved_steps_at_rest() const {
-    return contact::unmoved_steps_at_rest(rule_.slow_speed());
+    return contact::unmoved_steps_at_rest(rule_.rest_speed_limit());
   }
   /// Throws std::invalid_argument for an invalid vessel.
   void set_vessel(const Vessel& vessel);

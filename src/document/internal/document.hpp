@@ -127,13 +127,11 @@ void apply_override(Value& root, const std::string& text, std::string_view optio
 
 /// Evaluates what stands under `let`, in its order, then replaces each `=EXPRESSION` of the tree
 /// by its value. Keys at the top: nothing under `let` has a `taken` name, under the key `text`
-/// there are no expressions; those under the key `open` may have other names, too.
-/// Throws Error.
+/// there are no expressions; those under the key `open` may have other names. Throws Error.
 void evaluate_expressions(Value& root, const std::vector<std::string_view>& taken,
                           std::string_view text, std::string_view open);
 
-/// Refuses the text of a value that cannot be an expression, whatever its names stand for. Throws
-/// Error.
+/// Throws Error if the text of a value cannot be an expression, whatever its names stand for.
 void check_expression(const Value& value);
 /// The expression with numbers for the names that have one.
 std::string with_names_replaced(

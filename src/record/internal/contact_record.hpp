@@ -11,8 +11,8 @@ namespace clca::record {
 /// A window over the last steps, kept as two blocks: the current and the previous one.
 class ForceWindow {
  public:
-  /// Adds a step, with the mean mass of its grains. The window holds at most `most` steps, and at
-  /// least half of that once there were so many.
+  /// Adds a step, with the mean mass of its grains. The window holds the last `most` / 2 to `most`
+  /// steps.
   void add(const std::vector<contact::Force>& forces, double mean_mass, std::uint64_t most);
   bool is_empty() const { return block_.steps == 0; }
   /// In weights of a grain of this mass.
@@ -36,11 +36,9 @@ class ContactRecord : public SavedObserver<ContactRecord> {
 
   void after_step(const StageView& now) override;
 
-  /// Means over the last steps of the stage as of now; the forces of the last step if there are
-  /// none.
+  /// Means over the last steps of the stage; the forces of the last step if there are none.
   std::vector<contact::Force> stage_mean_forces(const model::SceneModel& model) const;
-  /// Mean forces before the picture or trajectory frame that is due now, else stage_mean_forces();
-  /// of present contacts only.
+  /// Mean forces of present contacts before the picture or frame due now; else stage_mean_forces().
   std::vector<contact::Force> shown_forces(const model::SceneModel& model) const;
 
   bool precedes(const grains::State& now) const {

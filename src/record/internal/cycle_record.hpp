@@ -1,6 +1,5 @@
 #pragma once
-// cycles.csv and the convection of a stage: results of each cycle of periodic walls or of the
-// vessel.
+// cycles.csv and convection: results of each cycle of periodic walls or of the vessel.
 
 #include <optional>
 #include <vector>

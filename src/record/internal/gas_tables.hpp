@@ -11,8 +11,7 @@
 
 namespace clca::record {
 
-/// The ensemble for one restitution. After an interruption, means are over the members that got so
-/// far.
+/// The ensemble for one restitution. Means are over the members that have come so far.
 struct GasCase {
   double restitution = 1;
   std::vector<model::GasMember> members;
@@ -25,8 +24,7 @@ struct GasCase {
   CLCA_FIELDS(restitution, members);
 };
 
-/// Writes series.csv, histogram-TIME.csv and, if closed forms exist, closure.csv. Throws
-/// store::StoreError.
+/// Writes series.csv, histogram-TIME.csv and, if closed forms exist, closure.csv; or StoreError.
 void write_gas_tables(const scene::BoltzmannScene& scene, const std::vector<GasCase>& cases,
                       const store::OutputFolder& folder);
 std::vector<store::TableSummary> gas_table_summaries(const scene::BoltzmannScene& scene);

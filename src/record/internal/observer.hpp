@@ -1,6 +1,5 @@
 #pragma once
-// What watches a run: each observer gathers what it needs and writes tables, pictures or a
-// trajectory.
+// Observers of a run: each gathers what it needs and writes tables, pictures or a trajectory.
 
 #include <functional>
 #include <memory>

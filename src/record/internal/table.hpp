@@ -54,8 +54,7 @@ struct ColumnInfo {
   std::vector<std::string> names() const;
 };
 
-// How values are written. Two columns: a mean, KEY and KEY_se (its standard error), and a vector,
-// KEYx and KEYy.
+// Values with two columns: a mean, KEY and KEY_se (its standard error); a vector, KEYx and KEYy.
 template <class Value>
 std::vector<std::string_view> column_endings() {
   if constexpr (std::is_same_v<Value, statistics::SampleStatistics>) {
@@ -162,8 +161,7 @@ class RunTable {
   void check(const store::OutputFolder& folder) const;
   /// Growing table: removes what was written beyond these bytes.
   void open(const store::OutputFolder& folder);
-  /// Growing table: writes the new rows if they have at least `least` bytes. Forgets them if
-  /// the table is not open.
+  /// Growing table: writes the new rows if they have `least` bytes; forgets them unless open.
   void write_rows(std::size_t least);
   /// Whether there is no row to write.
   bool is_empty() const { return table_.pending_bytes() == 0; }

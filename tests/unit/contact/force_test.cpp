@@ -32,7 +32,7 @@ TEST(ForceSums, AContactCountsAsZeroInStepsWithoutIt) {
   EXPECT_DOUBLE_EQ(result[0].share, 1);
   EXPECT_EQ(result[1].upper, 1U);
   EXPECT_DOUBLE_EQ(result[1].share, 0.5);
-  EXPECT_DOUBLE_EQ(result[1].along_normal, 2);
+  EXPECT_DOUBLE_EQ(result[1].normal_force, 2);
   EXPECT_DOUBLE_EQ(result[1].shear_force, 1);
   EXPECT_EQ(result[1].branch, 3 * kUp);
 }
@@ -76,9 +76,9 @@ TEST(ForceSums, MeansAreInWeightsOfTheLastMeanMass) {
   ForceSums sums;
   add(sums, std::vector{between(0, kFloor, kUp, 2, 0)}, 7);
   add(sums, std::vector{between(0, kFloor, kUp, 1, 0)}, 14);  // as heavy, among heavier grains
-  EXPECT_DOUBLE_EQ(means(sums).at(0).along_normal, 1);
+  EXPECT_DOUBLE_EQ(means(sums).at(0).normal_force, 1);
   set_mean_mass(sums, 7);
-  EXPECT_DOUBLE_EQ(means(sums).at(0).along_normal, 2);
+  EXPECT_DOUBLE_EQ(means(sums).at(0).normal_force, 2);
 }
 
 TEST(ForceSums, NoStepsHaveNoForces) {

@@ -9,10 +9,10 @@ namespace {
 double steps_held(std::uint64_t most, int steps) {
   ForceWindow window;
   for (int step = 1; step <= steps; ++step) {
-    window.add({{.normal = Eigen::Vector2d::UnitY(), .along_normal = static_cast<double>(step)}}, 1,
+    window.add({{.normal = Eigen::Vector2d::UnitY(), .normal_force = static_cast<double>(step)}}, 1,
                most);
   }
-  return 2 * (steps - window.means(1).at(0).along_normal) + 1;
+  return 2 * (steps - window.means(1).at(0).normal_force) + 1;
 }
 
 TEST(ForceWindow, HoldsTheLastHalfToWholeOfItsSteps) {
