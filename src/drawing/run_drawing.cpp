@@ -215,7 +215,7 @@ RunDrawing::ScaleEnds RunDrawing::scale_ends() const {
     }
   }
   const OverlayScales scales = overlay_scales(scene_);
-  ends[scales.unit_of(scene::kContactForceUnit)] = scales.strongest_force;
+  ends[scales.picture_unit(scene::kContactForceUnit)] = scales.strongest_force;
   ends[scales.velocity_unit.plural] = scales.middle_speed;
   ends[kCell] = scales.velocity_cell_size;
   return ends;
@@ -227,7 +227,7 @@ void RunDrawing::set_scale_ends(const ScaleEnds& ends) {
     frames.range = {0, ends.at(kDisplacement)};
   }
   const OverlayScales scales = overlay_scales(scene_);
-  frames.force_scale = ends.at(scales.unit_of(scene::kContactForceUnit));
+  frames.force_scale = ends.at(scales.picture_unit(scene::kContactForceUnit));
   frames.velocity_scale = ends.at(scales.velocity_unit.plural);
   frames.velocity_cell = ends.at(kCell);
 }

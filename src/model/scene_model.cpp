@@ -55,7 +55,7 @@ std::vector<contact::Force> forces_with_pushes(const contact::ContactModel& mode
   std::vector<contact::Force> all = contact::forces(model.grains(), pushes, model.gravity());
   all.insert(all.end(), of_contacts.begin(), of_contacts.end());  // last: theirs are the normals
   contact::ForceSums sums;
-  contact::add(sums, all, contact::mean_mass(model.grains()));
+  contact::add(sums, all, contact::mean_grain_mass(model.grains()));
   std::vector<contact::Force> result = contact::mean_forces(sums);
   std::ranges::for_each(result, [](contact::Force& force) { force.share = 1; });
   return result;

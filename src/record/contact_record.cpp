@@ -118,7 +118,7 @@ void ContactRecord::after_step(const StageView& now) {
   last_step_ = {};
   if (steps_in_stage % sampling_.every != 0) {
     if (ends_soon && stage_.is_empty()) {
-      last_step_.add(now.model.forces(), contact::mean_mass(now.model.state()), 1);
+      last_step_.add(now.model.forces(), contact::mean_grain_mass(now.model.state()), 1);
     }
     return;
   }
@@ -135,14 +135,14 @@ void ContactRecord::after_step(const StageView& now) {
     return;
   }
   const std::vector<contact::Force> forces = now.model.forces();
-  const double mean_mass = contact::mean_mass(now.model.state());
+  const double mean_mass = contact::mean_grain_mass(now.model.state());
   for (ForceWindow* window : takers) {
     window->add(forces, mean_mass, most_);
   }
 }
 
 std::vector<contact::Force> ContactRecord::stage_mean_forces(const model::SceneModel& model) const {
-  const double mean_mass = contact::mean_mass(model.state());
+  const double mean_mass = contact::mean_grain_mass(model.state());
   return !stage_.is_empty()       ? stage_.means(mean_mass)
          : !last_step_.is_empty() ? last_step_.means(mean_mass)
                                   : model.forces();
@@ -155,7 +155,7 @@ std::vector<contact::Force> ContactRecord::shown_forces(const model::SceneModel&
   if (recurring.due) {  // whether the stage ends then or not
     forces = recurring.window.is_empty()
                  ? now
-                 : recurring.window.means(contact::mean_mass(model.state()));
+                 : recurring.window.means(contact::mean_grain_mass(model.state()));
   }
   const auto bodies = [](const contact::Force& force) {
     return std::minmax({grains::as_owner(force.upper), force.other});

@@ -188,7 +188,7 @@ Type<Eigen::Vector2d> point_type(double most) {
       });
 }
 
-Type<lattice::Rectangle> rectangle() {
+Type<lattice::Rectangle> rectangle_type() {
   using lattice::Rectangle;
   const auto type = list_of_members(
       "`[left, bottom, right, top]`", length_type(number_type(-kMaxCoordinate, kMaxCoordinate)),
@@ -214,7 +214,7 @@ void require_site(const lattice::Rectangle& region, const PlacedValue& place) {
   }
 }
 
-Type<lattice::Rectangle> region() {
+Type<lattice::Rectangle> region_type() {
   return rectangle_type().checked(require_site);
 }
 

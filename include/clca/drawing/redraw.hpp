@@ -90,7 +90,7 @@ struct RedrawEvents {
 };
 
 /// Several runs share the ends of their colour bars and the scales of forces and velocities. Their
-/// movie and sheet show them side by side at equal times (if all are of the contact model) or
+/// movie and sheet show them side by side at equal times (if all have them in one unit) or
 /// steps: a moment for each picture of each run, with the nearest pictures of the others.
 class Redraw {
  public:

@@ -76,9 +76,9 @@ TEST(ForceSums, MeansAreInWeightsOfTheLastMeanMass) {
   ForceSums sums;
   add(sums, std::vector{between(0, kFloor, kUp, 2, 0)}, 7);
   add(sums, std::vector{between(0, kFloor, kUp, 1, 0)}, 14);  // as heavy, among heavier grains
-  EXPECT_DOUBLE_EQ(means(sums).at(0).normal_force, 1);
+  EXPECT_DOUBLE_EQ(mean_forces(sums).at(0).normal_force, 1);
   set_mean_mass(sums, 7);
-  EXPECT_DOUBLE_EQ(means(sums).at(0).normal_force, 2);
+  EXPECT_DOUBLE_EQ(mean_forces(sums).at(0).normal_force, 2);
 }
 
 TEST(ForceSums, NoStepsHaveNoForces) {

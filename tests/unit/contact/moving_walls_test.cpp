@@ -135,7 +135,7 @@ TEST_P(MovingWalls, AMotionThatTurnsBackIsNotHeldUpForGood) {
   for (const WallMotion& motion : {wave, path}) {
     ContactModel one = model(motion, 20, 2, 2, 30);
     settle(one);
-    one.set_motion(0, true);
+    one.set_wall_moving(0, true);
     for (int i = 0; i < 940; ++i) {
       ASSERT_FALSE(one.step().settled) << i;
     }

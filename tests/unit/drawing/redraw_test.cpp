@@ -169,9 +169,9 @@ TEST_F(RedrawTest, RunsShareScalesOfTheSameUnitOnly) {
   for (const auto& [name, end] : RunDrawing({metric, at("metric")}, {}, 1e9).scale_ends()) {
     EXPECT_EQ(ends.contains(name), name == "cell") << name;
   }
-  EXPECT_GT(
-      Redraw({{plain, at("plain")}, {metric, at("metric")}}, {.sheet = at("sheet.png")}).draw(),
-      0U);
+  EXPECT_GT(Redraw({{plain, at("plain")}, {metric, at("metric")}}, {.sheet_file = at("sheet.png")})
+                .draw(),
+            0U);
 }
 
 TEST_F(RedrawTest, ATrajectoryWithoutContactsShowsNoForcesOfTheContactModel) {

@@ -144,13 +144,13 @@ TEST(Shake, OfTheContactModelTakesItsPeriodForEachSite) {
     std::int64_t position = 0;
     std::uint64_t steps = 0;
     while (position < 2 * kMotionUnitsPerSpacing) {
-      position += velocity(motion, travel, position);
+      position += next_displacement(motion, travel, position);
       ++steps;
     }
     EXPECT_EQ(steps, 2 * period);
     EXPECT_EQ(position, 2 * kMotionUnitsPerSpacing);
     for (travel.phase = Phase::falling; position > 0; --steps) {
-      position += velocity(motion, travel, position);
+      position += next_displacement(motion, travel, position);
     }
     EXPECT_EQ(steps, 0U);
     EXPECT_EQ(position, 0);

@@ -26,7 +26,7 @@ struct Moments {
 };
 
 /// Of the diameters, by number or by area as the law.
-Moments moments_of(const Sizes& sizes) {
+Moments moments_of(const SizeDistribution& sizes) {
   double all = 0;
   double sum = 0;
   double squares = 0;
@@ -45,14 +45,14 @@ Moments moments_of(const Sizes& sizes) {
 TEST(Sizes, HaveTheMeanAndSpreadOfTheirLaw) {
   for (const SizeLaw law : {SizeLaw::uniform, SizeLaw::lognormal}) {
     for (const SharesBy by : {SharesBy::number, SharesBy::area}) {
-      const Sizes sizes = {.law = law,
-                           .mean = 20,
-                           .sd = 5,
-                           .by = by,
-                           .kinds = 12,
-                           .diameters = {},
-                           .shares = {},
-                           .shape = RoundShape::disc};
+      const SizeDistribution sizes = {.law = law,
+                                      .mean = 20,
+                                      .sd = 5,
+                                      .by = by,
+                                      .kinds = 12,
+                                      .diameters = {},
+                                      .shares = {},
+                                      .shape = RoundShape::disc};
       const Moments found = moments_of(sizes);
       EXPECT_NEAR(found.mean, 20, 0.2);
       EXPECT_NEAR(found.sd, 5, 0.3);
@@ -78,14 +78,14 @@ TEST(Sizes, HaveTheMeanOfTheirLawByNumberAndByArea) {
     for (const SharesBy by : {SharesBy::number, SharesBy::area}) {
       for (const RoundShape shape : {RoundShape::hexagon, RoundShape::disc}) {
         for (const std::uint64_t kinds : {1U, 2U, 8U, 64U}) {
-          const Sizes sizes = {.law = law,
-                               .mean = mean,
-                               .sd = sd,
-                               .by = by,
-                               .kinds = kinds,
-                               .diameters = {},
-                               .shares = {},
-                               .shape = shape};
+          const SizeDistribution sizes = {.law = law,
+                                          .mean = mean,
+                                          .sd = sd,
+                                          .by = by,
+                                          .kinds = kinds,
+                                          .diameters = {},
+                                          .shares = {},
+                                          .shape = shape};
           const double found = moments_of(sizes).mean;
           const bool has_single_sites = law == SizeLaw::lognormal && kinds == 64 && mean < 10;
           EXPECT_NEAR(found, mean, mean * (has_single_sites ? 0.005 : 1e-6))
@@ -141,14 +141,14 @@ TEST(Sizes, OfRareLargeParticlesHaveTheirAreaInAMix) {
 }
 
 TEST(Sizes, OfAListAreThoseNearestToIt) {
-  const Sizes sizes = {.law = SizeLaw::list,
-                       .mean = {},
-                       .sd = {},
-                       .by = SharesBy::area,
-                       .kinds = 8,
-                       .diameters = {2.8, 4.6, 4.5},
-                       .shares = {7, 10, 9},
-                       .shape = RoundShape::hexagon};
+  const SizeDistribution sizes = {.law = SizeLaw::list,
+                                  .mean = {},
+                                  .sd = {},
+                                  .by = SharesBy::area,
+                                  .kinds = 8,
+                                  .diameters = {2.8, 4.6, 4.5},
+                                  .shares = {7, 10, 9},
+                                  .shape = RoundShape::hexagon};
   const std::vector<SizeClass> classes = size_classes(sizes);
   ASSERT_EQ(classes.size(), 2U);  // 7 and 19 sites
   EXPECT_EQ(classes[0].radius, 1);
@@ -157,14 +157,14 @@ TEST(Sizes, OfAListAreThoseNearestToIt) {
 }
 
 TEST(Sizes, DiscsOfDifferentSizesDiffer) {
-  const Sizes sizes = {.law = SizeLaw::uniform,
-                       .mean = 50,
-                       .sd = 20,
-                       .by = SharesBy::number,
-                       .kinds = 64,
-                       .diameters = {},
-                       .shares = {},
-                       .shape = RoundShape::disc};
+  const SizeDistribution sizes = {.law = SizeLaw::uniform,
+                                  .mean = 50,
+                                  .sd = 20,
+                                  .by = SharesBy::number,
+                                  .kinds = 64,
+                                  .diameters = {},
+                                  .shares = {},
+                                  .shape = RoundShape::disc};
   std::size_t last = 0;
   double all = 0;
   for (const SizeClass& one : size_classes(sizes)) {
