@@ -62,7 +62,7 @@ void check_command_name(const CLI::App& program, std::string_view given) {
   }
   if (std::ranges::find(names, given) == names.end()) {
     throw CLI::ParseError(
-        fmt::format("no command {}{}", text::shown(given), text::suggestion(given, names)),
+        fmt::format("no command {}{}", text::quoted(given), text::suggestion(given, names)),
         CLI::ExitCodes::InvalidError);
   }
 }

@@ -16,7 +16,8 @@ using Word = std::uint64_t;
 constexpr int kTag = 1;
 constexpr std::size_t kHeader = 2;  // words
 
-/// The counter of next() is memory of rank 0 that all others reach. Errors of MPI end all ranks.
+/// The counter of next_number() is memory of rank 0 that all others reach. Errors of MPI end all
+/// ranks.
 class MpiRanks : public tasks::Ranks {
  public:
   MpiRanks() {
@@ -45,7 +46,7 @@ class MpiRanks : public tasks::Ranks {
   int size() const override { return size_; }
   int size_on_this_machine() const override { return on_this_machine_; }
 
-  std::uint64_t next() override { return change_counter(1, MPI_SUM); }
+  std::uint64_t next_number() override { return change_counter(1, MPI_SUM); }
   void reset_counter() override { change_counter(0, MPI_REPLACE); }
 
   void send(int to, std::uint64_t number, const tasks::Bytes& bytes) override {

@@ -40,7 +40,7 @@ CLI::Validator conversion_validator(
   const auto convert = [=](std::string& text) -> std::string {
     const auto result = converted(text);
     if (!result) {
-      return fmt::format("expected {}, found {}", what, text::shown(text));
+      return fmt::format("expected {}, found {}", what, text::quoted(text));
     }
     text = *result;
     return {};

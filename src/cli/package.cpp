@@ -51,7 +51,7 @@ int run_python_command(const std::string& command, const Json& options,
                        std::span<const std::uint8_t> input, const fs::path& buffer_folder) {
   constexpr int kMaxCode = 2;  // of the package itself
   const fs::path package = process::data_folder("python") / "clca/__main__.py";
-  const fs::path python = process::python();
+  const fs::path python = process::python_program();
   std::error_code unknown;
   if (!fs::exists(package, unknown)) {
     throw process::ProcessError(fmt::format("no Python package of clca: {}", package.string()));
@@ -64,7 +64,7 @@ int run_python_command(const std::string& command, const Json& options,
   }
   const std::atomic<int>& stop = catch_stop_signals();
   const process::OutputCapture out(buffer_folder);
-  process::Program program(arguments, {.out = &out, .fed = true, .stop = &stop});
+  process::Program program(arguments, {.output = &out, .is_fed = true, .stop = &stop});
   program.feed(input);
   const int code = program.wait();
   if (code > kMaxCode) {

@@ -29,7 +29,7 @@ constexpr double kMaxFillSites = 1e7;
 
 /// What the sites of each species come to.
 void print_species(const scene::Scene& scene) {
-  const auto units = scene::conversion(scene);
+  const auto units = scene::unit_conversion(scene);
   const double spacing = units ? units->spacing : 1;
   const std::string unit = units && units->length_unit == "m" ? "m" : "spacings";
   for (const scene::Species& species : scene.species) {
@@ -42,15 +42,15 @@ void print_species(const scene::Scene& scene) {
               species.shape.size(), spacing * (box.sizes().x() + lattice::kColumnPitch), unit,
               spacing * (box.sizes().y() + 1), spacing * spacing * sites * lattice::kColumnPitch,
               unit);
-    if (units && units->site) {
-      print_out(", mass {:.4g} kg", sites * units->site->mass);
+    if (units && units->site_mass) {
+      print_out(", mass {:.4g} kg", sites * units->site_mass->mass);
     }
     print_out("\n");
   }
 }
 
 void print(const scene::Scene& scene, bool draws) {
-  const scene::Size size = scene::size_of(scene);
+  const scene::ModelSize size = scene::model_size(scene);
   scene::check_walls(scene);
   if (static_cast<double>(size.columns) * size.rows <= kMaxFillSites) {
     scene::Scene checked = scene;
@@ -63,19 +63,19 @@ void print(const scene::Scene& scene, bool draws) {
   }
   print_out("{}", scene::to_yaml(scene));
   print_species(scene);
-  if (const auto units = scene::conversion(scene)) {
+  if (const auto units = scene::unit_conversion(scene)) {
     print_out("# a step takes {:.4g} {}\n", units->time_step, units->time_unit);
   }
   print_out("# {} x {} sites, up to {} particles, about {:.1f} MiB of memory\n", size.columns,
-            size.rows, size.particles, run::estimated_run_bytes(scene) / kMebibyte);
+            size.rows, size.max_particles, run::estimated_run_bytes(scene) / kMebibyte);
 }
 
 void print(const scene::BoltzmannScene& scene, bool /*draws*/) {
   const int threads = machine_thread_count();
   print_out("{}", scene::to_yaml(scene));
   print_out("# {} x {} runs of {} particles, about {:.1f} MiB of memory on {} threads\n",
-            scene.restitutions.size(), scene.ensemble, scene.particles,
-            scene::bytes_of(scene, threads) / kMebibyte, threads);
+            scene.restitutions.size(), scene.ensemble_size, scene.particles,
+            scene::gas_run_bytes(scene, threads) / kMebibyte, threads);
 }
 
 int list_scenes(bool as_json) {
@@ -105,7 +105,7 @@ struct ExplainOptions {
 /// What a scene adds to the explanation of names: its derived measures and its units.
 struct SceneAdditions {
   std::vector<scene::DerivedMeasure> measures;
-  std::optional<scene::Conversion> units;
+  std::optional<scene::UnitConversion> units;
 };
 
 SceneAdditions scene_additions(const std::string& file) {
@@ -115,7 +115,7 @@ SceneAdditions scene_additions(const std::string& file) {
   const scene::AnyScene any = scene::parse_any_file(file);
   const auto* scene = std::get_if<scene::Scene>(&any);
   return scene == nullptr ? SceneAdditions()
-                          : SceneAdditions{scene->derived, scene::conversion(*scene)};
+                          : SceneAdditions{scene->derived_measures, scene::unit_conversion(*scene)};
 }
 
 std::string text_of(const std::string& name, const std::string& title, const std::string& meaning,
@@ -126,7 +126,8 @@ std::string text_of(const std::string& name, const std::string& title, const std
 
 /// A quantity that run.json and tables have, once for each meaning, in these units; empty if there
 /// is none.
-std::string quantity_text(const std::string& name, const std::optional<scene::Conversion>& units) {
+std::string quantity_text(const std::string& name,
+                          const std::optional<scene::UnitConversion>& units) {
   const std::size_t dot = name.find('.');
   std::vector<std::pair<const record::Quantity*, std::vector<std::string>>> found;
   for (const record::NamedQuantity& named : record::named_quantities()) {
@@ -139,7 +140,7 @@ std::string quantity_text(const std::string& name, const std::optional<scene::Co
              other.first->meaning == named.quantity->meaning;
     });
     (same == found.end() ? found.emplace_back(named.quantity, std::vector<std::string>()) : *same)
-        .second.push_back(named.where);
+        .second.push_back(named.file);
   }
   std::string text;
   for (const auto& [quantity, where] : found) {
@@ -153,13 +154,13 @@ std::string quantity_text(const std::string& name, const std::optional<scene::Co
 std::string explained(const std::string& name, const SceneAdditions& additions) {
   const auto own = std::ranges::find(additions.measures, name, &scene::DerivedMeasure::name);
   if (own != additions.measures.end()) {
-    return text_of(name, own->about.value_or(name), own->value,
+    return text_of(name, own->about.value_or(name), own->expression,
                    own->unit == "1" ? "" : record::shown_unit(own->unit, additions.units),
                    {"run.json: the scene derives it"});
   }
   std::string quantity = quantity_text(name, additions.units);
   try {
-    const std::string key = scene::explain(name);
+    const std::string key = scene::explanation(name);
     return quantity.empty() ? key : key + "\n" + quantity;
   } catch (const scene::UnknownKeyError& error) {
     if (!quantity.empty()) {
@@ -169,9 +170,9 @@ std::string explained(const std::string& name, const SceneAdditions& additions) 
     std::vector<std::string_view> names = text::names_of(declared);
     std::ranges::transform(additions.measures, std::back_inserter(names),
                            &scene::DerivedMeasure::name);
-    const auto near = text::nearest(name, names);
+    const auto near = text::nearest_name(name, names);
     throw text::InputError(
-        error.what() + (near ? fmt::format("; there is a quantity {}", text::shown(*near)) : ""));
+        error.what() + (near ? fmt::format("; there is a quantity {}", text::quoted(*near)) : ""));
   }
 }
 

@@ -159,7 +159,8 @@ int launch_sweep(std::vector<std::string> command, const std::string& launcher,
   constexpr std::chrono::seconds kGrace(10);  // for runs to leave their checkpoints
   const std::atomic<int>& stop = catch_stop_signals();
   const int code =
-      process::Program(command, {.stop = &stop, .signal = SIGTERM, .grace = kGrace}).wait();
+      process::Program(command, {.stop = &stop, .stop_signal = SIGTERM, .grace_period = kGrace})
+          .wait();
   if (stop != 0) {
     return kSignalBase + stop;
   }

@@ -348,7 +348,7 @@ class TreeBuilder final : public YAML::EventHandler {
     } else if (const auto [first, added] = level.line_of.emplace(key.text, key.location.line);
                !added) {
       const bool lines = key.location.origin->has_lines;
-      fail(key.location, "duplicate key {}{}", text::shown(key.text),
+      fail(key.location, "duplicate key {}{}", text::quoted(key.text),
            lines ? fmt::format(" (first on line {})", first->second) : "");
     }
     if (level.line_of.size() > kMaxKeys) {

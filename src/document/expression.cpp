@@ -133,7 +133,7 @@ class Evaluator {
     value.expression = value.text;
     const double result = result_of(value.text.substr(1), value);
     if (!std::isfinite(result)) {
-      fail(value.location, "{} is no finite number", text::shown(value.text));
+      fail(value.location, "{} is no finite number", text::quoted(value.text));
     }
     value.text = number_text(result + 0.0);  // no negative zero
     value.quoted = false;
@@ -156,7 +156,7 @@ class Evaluator {
       int count = 0;
       const double* results = parser_.Eval(count);
       if (count != 1) {
-        fail(value.location, "{}: expected one number, found {}", text::shown(value.text), count);
+        fail(value.location, "{}: expected one number, found {}", text::quoted(value.text), count);
       }
       return results[0];
     } catch (const mu::ParserError& error) {
@@ -171,7 +171,7 @@ class Evaluator {
 
  private:
   [[noreturn]] void explain(const Value& value, const mu::ParserError& error) const {
-    const std::string expression = text::shown(value.text);
+    const std::string expression = text::quoted(value.text);
     if (error.GetCode() == mu::ecUNASSIGNABLE_TOKEN) {
       // The rest of the expression, from the name on.
       const std::string& token = error.GetToken();  // with a space behind
@@ -181,16 +181,16 @@ class Evaluator {
           !name.empty() && (name.front() == '_' || std::isalpha(name.front()) != 0);
       if (is_name && value.text.find(name + '(') != std::string::npos) {
         fail(value.location, "cannot evaluate {}: {} is not a function", expression,
-             text::shown(name));
+             text::quoted(name));
       }
       if (!has_names_ || !is_name) {
         fail(value.location, "cannot evaluate {}: {} is not expected", expression,
-             text::shown(rest));
+             text::quoted(rest));
       }
-      const std::string known = !names_.empty() ? "known: " + text::listed(names_)
+      const std::string known = !names_.empty() ? "known: " + text::comma_separated(names_)
                                 : let_begins_   ? "nothing stands before it under let"
                                                 : "nothing stands under let";
-      fail(value.location, "unknown name {} in {} ({}){}", text::shown(name), expression, known,
+      fail(value.location, "unknown name {} in {} ({}){}", text::quoted(name), expression, known,
            text::suggestion(name, names_));
     }
     std::string reason = text::printable(error.GetMsg());

@@ -56,8 +56,9 @@ Value& item(Value& list, const std::string& part, const std::string& path,
       names.push_back(name->text);
     }
   }
-  const std::string called = names.empty() ? "" : ", named " + text::printable(text::listed(names));
-  fail(location, "{} has no item {}; it has {}, numbered from 0{}{}", path, text::shown(part),
+  const std::string called =
+      names.empty() ? "" : ", named " + text::printable(text::comma_separated(names));
+  fail(location, "{} has no item {}; it has {}, numbered from 0{}{}", path, text::quoted(part),
        list.items.size(), called, text::suggestion(part, names));
 }
 
@@ -114,7 +115,7 @@ void apply_override(Value& root, const std::string& text, std::string_view optio
     for (const Entry& entry : let != nullptr ? let->entries : std::vector<Entry>()) {
       names.push_back(entry.key);
     }
-    fail(location, "nothing is called {} under let{}", text::shown(parts.back()),
+    fail(location, "nothing is called {} under let{}", text::quoted(parts.back()),
          text::suggestion(parts.back(), names));
   }
   const auto replace = [&](Value& old, Value value) {

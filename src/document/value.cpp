@@ -89,8 +89,8 @@ std::string found(const Value& value) {
     case Value::Kind::scalar:
       break;
   }
-  return text::shown(value.text) + (value.quoted ? " in quotes" : "") +
-         (value.expression.empty() ? "" : ", the value of " + text::shown(value.expression));
+  return text::quoted(value.text) + (value.quoted ? " in quotes" : "") +
+         (value.expression.empty() ? "" : ", the value of " + text::quoted(value.expression));
 }
 
 std::vector<std::string> path_parts(std::string_view path) {

@@ -26,16 +26,16 @@ constexpr double kContactBarEnd = 6;  // as many as touch a disc among discs of 
 
 constexpr int kTileSamples = 4;  // along each axis of a pixel, as a picture made smaller has
 
-render::Style style_of(const scene::Frames& frames, const lattice::Lattice& lattice,
+render::Style style_of(const scene::PictureOutput& frames, const lattice::Lattice& lattice,
                        const PictureUse& use) {
   render::Style style = {
       .width = frames.width.value_or(0),
       .height = frames.height.value_or(0),
       .supersampling = frames.supersampling,
-      .drawing = frames.drawing == scene::Drawing::polygons ? render::DrawingMethod::polygons
-                                                            : render::DrawingMethod::lookup,
+      .drawing = frames.drawing == scene::DrawingMethod::polygons ? render::DrawingMethod::polygons
+                                                                  : render::DrawingMethod::lookup,
       .view = view_rectangle(frames, lattice),
-      .annotations = !frames.caption                              ? render::Annotations::none
+      .annotations = !frames.has_caption                          ? render::Annotations::none
                      : frames.style == scene::PictureStyle::print ? render::Annotations::legend
                                                                   : render::Annotations::all,
       .threads = use.threads,
@@ -53,7 +53,7 @@ render::Style style_of(const scene::Frames& frames, const lattice::Lattice& latt
 
 render::Painter make_painter(const scene::Scene& scene, const grains::State& state,
                              const PictureUse& use) {
-  const scene::Frames& frames = *scene.output.frames;
+  const scene::PictureOutput& frames = *scene.output.frames;
   try {
     return {style_of(frames, state.lattice, use), state.lattice, state.kinds};
   } catch (const render::RenderError& error) {
@@ -137,7 +137,8 @@ PictureContent current_content(const scene::Scene& scene, const model::SceneMode
   return content;
 }
 
-lattice::Rectangle view_rectangle(const scene::Frames& frames, const lattice::Lattice& lattice) {
+lattice::Rectangle view_rectangle(const scene::PictureOutput& frames,
+                                  const lattice::Lattice& lattice) {
   return frames.view.value_or(render::box_with_frame(lattice));
 }
 
@@ -151,7 +152,7 @@ void begin_stage(PictureHistory& history, const scene::Scene& scene, const scene
   }
   history.stage = stage.name;
   history.displacement_scale = highest / 2;
-  history.layers = render::layer_range(state, stage.sources);
+  history.layers = render::layer_range(state, stage.open_sources);
   begin_window(history, scene, state);
 }
 
@@ -198,7 +199,7 @@ CapturedFrame FramePainter::capture(const PictureContent& content, const Picture
                       .detail = fmt::format("{}, {}", history.stage, when),
                       .metres_per_spacing = scene_.units ? scene_.units->spacing : 0},
           .overlay = std::move(overlay),
-          .turn_degrees = frames_.upright ? contact::to_degrees(content.vessel_angle) : 0,
+          .turn_degrees = frames_.turns_with_vessel ? contact::to_degrees(content.vessel_angle) : 0,
           .text = std::move(text)};
 }
 
@@ -212,7 +213,7 @@ Picture FramePainter::rasterize(const CapturedFrame& frame) {
   const auto& [box, scale] = painter_.view();
   picture.text["View"] = fmt::format("{} {} {} {}", box.x, box.y, box.width, box.height);
   picture.text["Scale"] = fmt::format("{}", scale);
-  if (frames_.caption) {
+  if (frames_.has_caption) {
     picture.text["Legend"] = render::to_text(picture.legend);
   }
   return picture;
@@ -220,7 +221,7 @@ Picture FramePainter::rasterize(const CapturedFrame& frame) {
 
 render::Tile FramePainter::tile(const Picture& picture, int width) const {
   render::Tile tile = render::tile(picture.image, painter_.view(), width);
-  if (frames_.caption) {
+  if (frames_.has_caption) {
     tile.legend = picture.legend;
   }
   return tile;
@@ -234,12 +235,13 @@ render::Coloring FramePainter::coloring(const PictureContent& content,
                                         const PictureHistory& history) const {
   const grains::State& state = content.state;
   const auto range = [this](double high) {
-    return frames_.range ? statistics::Range{frames_.range->low, frames_.range->high}
-                         : statistics::Range{0, high};
+    return frames_.color_range
+               ? statistics::Range{frames_.color_range->low, frames_.color_range->high}
+               : statistics::Range{0, high};
   };
   switch (frames_.color_by) {
     case scene::ColorBy::stage_layer:
-      return render::color_by_layer(state, frames_.layers, history.layers);
+      return render::color_by_layer(state, frames_.layer_count, history.layers);
     case scene::ColorBy::displacement:
       return render::color_by_displacement(state, range(history.displacement_scale));
     case scene::ColorBy::speed:
@@ -248,13 +250,13 @@ render::Coloring FramePainter::coloring(const PictureContent& content,
                                     range(kSpeedBarEnd * scales_.middle_speed));
     case scene::ColorBy::spin: {
       const double high = kSpinBarEnd * scales_.highest_spin;
-      const auto ends = frames_.range ? range(high) : statistics::Range{-high, high};
+      const auto ends = frames_.color_range ? range(high) : statistics::Range{-high, high};
       return render::color_by_value(state, spins(content, scales_.conversion->time_step),
                                     fmt::format("spin (radians/{})", scales_.conversion->time_unit),
                                     ends, true);
     }
     case scene::ColorBy::coordination: {
-      const std::vector<int> touched = measure::coordination(state, content.occupancy);
+      const std::vector<int> touched = measure::coordination_numbers(state, content.occupancy);
       return render::color_by_value(state, {touched.begin(), touched.end()},
                                     "grains and walls touched", range(kContactBarEnd));
     }

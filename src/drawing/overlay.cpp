@@ -29,8 +29,8 @@ double species_mean(const scene::Scene& scene, ValueOf value_of) {
 }
 
 /// One `unit` of the contact model in SI units, where there are any; else 1.
-/// `mean_mass`: see scene::Conversion.
-double si_factor(std::optional<scene::Conversion> conversion, std::string_view unit,
+/// `mean_mass`: see scene::UnitConversion.
+double si_factor(std::optional<scene::UnitConversion> conversion, std::string_view unit,
                  double mean_mass) {
   if (!conversion) {
     return 1;
@@ -46,7 +46,7 @@ OverlayScales overlay_scales(const scene::Scene& scene) {
   constexpr double kMostAcross = 30;    // cells along the longer side of the view
   constexpr double kOfAutomaton = 0.5;  // spacings per step
   constexpr double kOfFreeFall = 0.5;   // of the velocity at its end
-  const scene::Frames& frames = *scene.output.frames;
+  const scene::PictureOutput& frames = *scene.output.frames;
   const double mass = species_mean(scene, [](const lattice::Shape& shape) { return shape.size(); });
   const double diameter =
       species_mean(scene, [](const lattice::Shape& shape) { return shape.diameter(); });
@@ -54,27 +54,28 @@ OverlayScales overlay_scales(const scene::Scene& scene) {
   const double height = frames.view ? frames.view->top - frames.view->bottom : scene.box.height;
   const double least_cell = std::max(width, height) / kMostAcross;
   OverlayScales scales = {
-      .conversion = scene::conversion(scene),
+      .conversion = scene::unit_conversion(scene),
       .velocity_cell_size =
-          frames.velocity_cell.value_or(std::max(kDiameters * diameter, least_cell)),
-      .arrow_velocity = frames.velocity_scale,
+          frames.velocity_cell_side.value_or(std::max(kDiameters * diameter, least_cell)),
+      .arrow_velocity = frames.longest_arrow_speed,
       .velocity_unit = {.singular = "spacing per step", .plural = "spacings per step"}};
-  std::optional<scene::Conversion>& conversion = scales.conversion;
+  std::optional<scene::UnitConversion>& conversion = scales.conversion;
   if (conversion) {
     scales.step_velocity = conversion->velocity(1);
     scales.velocity_unit = {.singular = conversion->velocity_unit,
                             .plural = conversion->velocity_unit};
   }
   // In lattice spacings per step. The resolution is what a fall from the fall height ends with.
-  const double velocity =
-      scene.model == scene::Model::contact ? kOfFreeFall * scene.contact.resolution : kOfAutomaton;
-  scales.middle_speed = frames.velocity_scale.value_or(
+  const double velocity = scene.model == scene::Model::contact
+                              ? kOfFreeFall * scene.contact_parameters.resolution
+                              : kOfAutomaton;
+  scales.middle_speed = frames.longest_arrow_speed.value_or(
       render::largest_round_number_up_to(scales.step_velocity * velocity));
   if (conversion) {
     scales.highest_spin = 2 * scales.middle_speed / (diameter * conversion->spacing);
   }
   const double grain_weight = si_factor(conversion, scene::kContactForceUnit, mass);
-  scales.strongest_force = frames.force_scale.value_or(render::largest_round_number_up_to(
+  scales.strongest_force = frames.widest_line_force.value_or(render::largest_round_number_up_to(
       2 * grain_weight * scene::contact_parameters(scene).fall_height / diameter));
   scales.highest_pressure = scales.strongest_force / grain_weight *
                             si_factor(conversion, scene::kStressUnit, mass) / diameter;
@@ -156,9 +157,9 @@ render::Overlay weight_overlay(const PictureContent& content, measure::WeightRul
 render::Overlay overlap_overlay(const PictureContent& content) {
   std::vector<render::ForceLine> lines;
   for (const measure::OverlapContact& contact :
-       measure::contacts(content.state, content.occupancy)) {
+       measure::overlap_contacts(content.state, content.occupancy)) {
     add_line(content.state, content.state.particles[contact.first], contact.second, contact.point,
-             static_cast<double>(contact.sites), lines);
+             static_cast<double>(contact.shared_sites), lines);
   }
   return render::force_network(lines, kMaxOverlapSites,
                                fmt::format("{:g} overlapped sites", kMaxOverlapSites));
@@ -166,19 +167,19 @@ render::Overlay overlap_overlay(const PictureContent& content) {
 
 render::Overlay convection_arrows(const record::CycleRecord& cycles) {
   const measure::Convection* convection = cycles.convection();
-  if (convection == nullptr || convection->cycles() == 0) {
+  if (convection == nullptr || convection->completed_cycles() == 0) {
     return {};
   }
-  const std::vector<measure::Arrow> all = convection->arrows();
-  const auto heaviest = std::ranges::max_element(all, {}, &measure::Arrow::weight);
+  const std::vector<measure::ConvectionArrow> all = convection->arrows();
+  const auto heaviest = std::ranges::max_element(all, {}, &measure::ConvectionArrow::weight);
   std::vector<render::FieldArrow> field;
-  for (const measure::Arrow& arrow : all) {
+  for (const measure::ConvectionArrow& arrow : all) {
     if (arrow.weight >= kMinWeight * heaviest->weight) {
       field.push_back({arrow.centre, arrow.displacement});
     }
   }
   const double scale = std::max(kMinDisplacement, render::typical_length(field));
-  return render::arrow_field(field, cycles.cell(), scale,
+  return render::arrow_field(field, cycles.cell_side(), scale,
                              {.singular = "spacing per cycle", .plural = "spacings per cycle"});
 }
 
@@ -208,7 +209,7 @@ std::vector<render::FieldArrow> velocity_arrows(const grains::State& state,
   std::vector<render::FieldArrow> result;
   for (const auto& [index, cell] : cells) {
     if (cell.sites >= enough) {
-      result.push_back({grid.centre(index), per_step / cell.sites * cell.displacement});
+      result.push_back({grid.cell_centre(index), per_step / cell.sites * cell.displacement});
     }
   }
   return result;

@@ -66,7 +66,7 @@ class Pictures : public record::Observer {
     CapturedFrame frame =
         painter_.capture(current_content(scene_, now.model, now.observers), history_);
     begin_window(history_, scene_, state);
-    writer_.start([this, folder = now.files->subfolder(store::kFramesFolder),
+    writer_.start([this, folder = now.output_folder->subfolder(store::kFramesFolder),
                    name = store::frame_name(scene_.name, state.step, scene::step_digits(scene_)),
                    frame = std::move(frame)] {
       const Picture picture = painter_.rasterize(frame);
@@ -78,7 +78,8 @@ class Pictures : public record::Observer {
   bool only_last_;
   FramePainter painter_;
   PictureHistory history_;
-  tasks::Background writer_;  // last: at the end it waits for its thread, which uses the painter
+  tasks::BackgroundCall
+      writer_;  // last: at the end it waits for its thread, which uses the painter
 };
 
 }  // namespace

@@ -59,7 +59,7 @@ void make_comparable(const std::vector<RunToDraw>& runs, const Drawings& drawing
 
 std::vector<std::vector<double>> times_of(const Drawings& drawings) {
   const auto time_unit = [](const auto& drawing) {
-    const auto conversion = scene::conversion(drawing->scene());
+    const auto conversion = scene::unit_conversion(drawing->scene());
     return conversion ? conversion->time_unit : "";
   };
   const std::string unit = time_unit(drawings.front());
@@ -69,7 +69,7 @@ std::vector<std::vector<double>> times_of(const Drawings& drawings) {
                        });
   std::vector<std::vector<double>> result;
   for (const auto& drawing : drawings) {
-    const auto conversion = scene::conversion(drawing->scene());
+    const auto conversion = scene::unit_conversion(drawing->scene());
     std::vector<double>& times = result.emplace_back();
     for (std::size_t number = 0; number < drawing->picture_count(); ++number) {
       const std::uint64_t step = drawing->step_of_picture(number);
@@ -212,7 +212,7 @@ class Redraw::Impl {
 
   std::size_t draw(const RedrawEvents& events) {
     const bool captions = std::ranges::any_of(
-        drawings_, [](const auto& drawing) { return drawing->scene().output.frames->caption; });
+        drawings_, [](const auto& drawing) { return drawing->scene().output.frames->has_caption; });
     if (events.warning && captions && !render::font_warning().empty()) {
       events.warning(render::font_warning());
     }
@@ -237,7 +237,7 @@ class Redraw::Impl {
       add_to_space_time(pictures.front());
       draw_moment(number, pictures);
       add_to_space_time(pictures.front() + 1);
-      if (events.progress && timer.due()) {
+      if (events.progress && timer.is_due()) {
         estimate.update(static_cast<double>(number + 1) / static_cast<double>(moments_.size()));
         events.progress({number + 1, moments_.size(), estimate.seconds_left()});
       }
@@ -369,7 +369,7 @@ class Redraw::Impl {
   std::optional<store::AtomicFile> movie_file_;  // appears when it is complete
   std::optional<render::Movie> movie_;
   std::optional<SheetTarget> sheet_;
-  tasks::Background writer_;  // last: at the end it waits for its thread, which uses the others
+  tasks::BackgroundCall writer_;  // last: at the end it waits for its thread, which uses the others
 };
 
 Redraw::Redraw(const std::vector<RunToDraw>& runs, const RedrawOptions& options)

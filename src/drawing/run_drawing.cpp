@@ -42,7 +42,7 @@ const scene::Scene& checked_scene(const RunToDraw& run) {
         "with another overlay",
         scene.output.frames->location));
   }
-  if (scene::pictures_show_forces(scene) && !(trajectory && trajectory->contacts)) {
+  if (scene::pictures_show_forces(scene) && !(trajectory && trajectory->has_contacts)) {
     const bool overlay = scene.output.frames->overlay == scene::Overlay::forces;
     throw RedrawError(fmt::format(
         "{}: {}: the trajectory of this run holds no forces; draw {}, or run the scene again with "
@@ -67,13 +67,13 @@ void keep_stage(std::vector<std::size_t>& pictures, const RunToDraw& run, const 
   const std::vector<std::string_view> names = text::names_of(run.scene.stages);
   const auto number = static_cast<std::size_t>(std::ranges::find(names, stage) - names.begin());
   if (number == names.size()) {
-    throw RedrawError(fmt::format("{}: no stage {}{}", run.run_folder.string(), text::shown(stage),
+    throw RedrawError(fmt::format("{}: no stage {}{}", run.run_folder.string(), text::quoted(stage),
                                   text::suggestion(stage, names)));
   }
   const auto first = std::ranges::find(frames, number, &Frame::stage);
   if (first == frames.end()) {
     throw RedrawError(fmt::format("{}: the trajectory ends before the stage {}",
-                                  run.run_folder.string(), text::shown(stage)));
+                                  run.run_folder.string(), text::quoted(stage)));
   }
   std::erase_if(pictures, [&](std::size_t i) { return frames[i].stage != number; });
   const auto begin = static_cast<std::size_t>(first - frames.begin());
@@ -108,7 +108,7 @@ std::vector<std::size_t> chosen_pictures(const RunToDraw& run, const RedrawOptio
   }
   if (result.empty() && options.only_stage) {
     throw RedrawError(fmt::format("{}: stage {} has no picture in that range",
-                                  run.run_folder.string(), text::shown(*options.only_stage)));
+                                  run.run_folder.string(), text::quoted(*options.only_stage)));
   }
   if (result.empty()) {
     result.push_back(nearest_frame(frames, options));
@@ -139,7 +139,7 @@ std::vector<contact::Vessel> vessels(const scene::Scene& scene, const std::vecto
 std::string text_without_pictures(scene::Scene scene) {
   scene.title.clear();
   scene.output.frames.reset();
-  scene.output.view.reset();
+  scene.output.default_view.reset();
   for (scene::Species& species : scene.species) {
     species.color.reset();
   }
@@ -222,14 +222,14 @@ RunDrawing::ScaleEnds RunDrawing::scale_ends() const {
 }
 
 void RunDrawing::set_scale_ends(const ScaleEnds& ends) {
-  scene::Frames& frames = *scene_.output.frames;
-  if (frames.color_by == scene::ColorBy::displacement && !frames.range) {
-    frames.range = {0, ends.at(kDisplacement)};
+  scene::PictureOutput& frames = *scene_.output.frames;
+  if (frames.color_by == scene::ColorBy::displacement && !frames.color_range) {
+    frames.color_range = {0, ends.at(kDisplacement)};
   }
   const OverlayScales scales = overlay_scales(scene_);
-  frames.force_scale = ends.at(scales.picture_unit(scene::kContactForceUnit));
-  frames.velocity_scale = ends.at(scales.velocity_unit.plural);
-  frames.velocity_cell = ends.at(kCell);
+  frames.widest_line_force = ends.at(scales.picture_unit(scene::kContactForceUnit));
+  frames.longest_arrow_speed = ends.at(scales.velocity_unit.plural);
+  frames.velocity_cell_side = ends.at(kCell);
 }
 
 void RunDrawing::unify_arrow_scale() {

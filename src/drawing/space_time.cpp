@@ -27,7 +27,7 @@ constexpr double kBare = 0.5;  // share of the time with grains below which ther
 lattice::Rectangle shown_part(const scene::Scene& scene) {
   const lattice::Lattice lattice = scene::lattice_of(scene.box);
   const lattice::Rectangle view = view_rectangle(*scene.output.frames, lattice);
-  if (scene.output.frames->upright) {
+  if (scene.output.frames->turns_with_vessel) {
     return view;
   }
   const Eigen::Vector2d low = lattice::Lattice::lower_left_corner();
@@ -42,7 +42,7 @@ lattice::Rectangle shown_part(const scene::Scene& scene) {
 
 void check_column(const scene::Scene& scene, const SpaceTimeOptions& options,
                   const std::vector<store::Trajectory::Frame>& frames) {
-  const scene::Frames& pictures = *scene.output.frames;
+  const scene::PictureOutput& pictures = *scene.output.frames;
   const lattice::Rectangle part = shown_part(scene);
   const double width = part.right - part.left;
   if (!(options.slit_width > 0 && options.slit_width <= width)) {
@@ -57,7 +57,7 @@ void check_column(const scene::Scene& scene, const SpaceTimeOptions& options,
            fmt::format("the column at x = {:g} reaches beyond the box in view, x = {:g} to {:g}",
                        *options.column_x, part.left, part.right));
   }
-  if (pictures.color_by == scene::ColorBy::displacement && !pictures.range &&
+  if (pictures.color_by == scene::ColorBy::displacement && !pictures.color_range &&
       frames.front().stage != frames.back().stage) {
     refuse(options,
            "colours by displacement have another colour bar in each stage; give "
@@ -95,7 +95,7 @@ nlohmann::json axis(const std::string& label, double low, double high) {
 }
 
 nlohmann::json time_axis(const scene::Scene& scene, std::uint64_t from, std::uint64_t to) {
-  if (const auto conversion = scene::conversion(scene)) {
+  if (const auto conversion = scene::unit_conversion(scene)) {
     return axis(fmt::format("time ({})", conversion->time_unit), conversion->time(from),
                 conversion->time(to));
   }
@@ -122,13 +122,13 @@ nlohmann::json position_axis(const scene::Scene& scene, const SpaceTimeOptions& 
 /// whole view.
 scene::Scene scene_of_slit(scene::Scene scene, const SpaceTimeOptions& options,
                            const lattice::Rectangle& part) {
-  scene::Frames& frames = *scene.output.frames;
-  frames.caption = false;
+  scene::PictureOutput& frames = *scene.output.frames;
+  frames.has_caption = false;
   frames.overlay = scene::Overlay::none;
   frames.height = frames.height.value_or(kUsualHeight);
   frames.width.reset();
   frames.view = part;
-  if (options.column_x && !frames.upright) {
+  if (options.column_x && !frames.turns_with_vessel) {
     frames.view->left = std::max(part.left, *options.column_x - options.slit_width / 2);
     frames.view->right = std::min(part.right, *options.column_x + options.slit_width / 2);
     const double scale = *frames.height / (part.top - part.bottom);
@@ -188,7 +188,7 @@ SpaceTimePainter::SpaceTimePainter(const scene::Scene& scene, const grains::Stat
     : options_(checked(scene, options, frames)),
       frames_(std::move(frames)),
       shown_part_(shown_part(scene)),
-      annotations_(scene.output.frames->caption),
+      annotations_(scene.output.frames->has_caption),
       scene_(scene_of_slit(scene, options_, shown_part_)),
       painter_(scene_, initial, {}),
       means_(scene.output.frames->width.value_or(kUsualWidth),
@@ -291,7 +291,7 @@ SpaceTimePicture SpaceTimePainter::picture() {
                         {"begin", time_axis(scene_, begin, frames_[i].step).at("high")}});
     }
   }
-  const scene::Frames& frames = *scene_.output.frames;
+  const scene::PictureOutput& frames = *scene_.output.frames;
   picture.figure_json =
       nlohmann::json({{"width", means_.width()},
                       {"height", *frames.height},

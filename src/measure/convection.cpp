@@ -50,9 +50,9 @@ void Convection::add(const Displacement& displacement, double left, double right
                   [&](std::size_t cell, double share) { add_to(cells_[cell], share); });
   const double width = right - left;
   const Eigen::Vector2d at = displacement.from - Eigen::Vector2d((left + right) / 2, 0);
-  if (std::abs(at.x()) <= kInside * width + kRounding) {
+  if (std::abs(at.x()) <= kInside * width + kRoundingTolerance) {
     add_to(inside_, 1);
-  } else if (std::abs(at.x()) >= kAtWalls * width - kRounding) {
+  } else if (std::abs(at.x()) >= kAtWalls * width - kRoundingTolerance) {
     add_to(at_walls_, 1);
   }
   share_out(1 + at.x() / width, halves_.size(), [&](std::size_t half, double share) {
@@ -76,15 +76,15 @@ double Convection::HalfBedSums::rotation() const {
   }
   const double inertia = square - place.squaredNorm() / weight;
   const double turning = cross - cross_product(place, drift) / weight;
-  return inertia > kRounding * square ? turning / inertia : 0;
+  return inertia > kRoundingTolerance * square ? turning / inertia : 0;
 }
 
-std::vector<Arrow> Convection::arrows() const {
-  std::vector<Arrow> arrows;
+std::vector<ConvectionArrow> Convection::arrows() const {
+  std::vector<ConvectionArrow> arrows;
   for (std::size_t cell = 0; cell < cells_.size(); ++cell) {
     const Mean& mean = cells_[cell];
     if (mean.weight > 0) {
-      arrows.push_back({.centre = grid_.centre(cell),
+      arrows.push_back({.centre = grid_.cell_centre(cell),
                         .displacement = mean.sum / mean.weight,
                         .weight = mean.weight});
     }

@@ -14,8 +14,7 @@ void check_origins(const grains::State& state) {
   require(state.origins.size() == state.particles.size(), "not every particle has an origin");
 }
 
-/// Number of particle sites by column; columns are not wrapped at a periodic boundary.
-/// `at_origin`: at the start of the stage.
+/// Number of particle sites by column, not wrapped; `at_origin`: at the start of the stage.
 std::map<int, std::size_t> column_counts(const grains::State& state, bool at_origin) {
   check_origins(state);
   std::map<int, std::size_t> counts;
@@ -78,7 +77,7 @@ bool Snapshot::precedes(const grains::State& now) const {
          std::ranges::all_of(sites_, in_reach);
 }
 
-std::optional<Displacement> Snapshot::path(const grains::State& now, std::size_t id) const {
+std::optional<Displacement> Snapshot::displacement(const grains::State& now, std::size_t id) const {
   const std::optional<lattice::Site> from = id < sites_.size() ? sites_[id] : now.origins[id];
   if (!from) {
     return std::nullopt;
@@ -106,7 +105,7 @@ std::vector<std::optional<Eigen::Vector2d>> Snapshot::velocities(const grains::S
   const auto steps = static_cast<double>(now.step - step_);
   for (std::size_t id = 0; id < sites_.size(); ++id) {
     if (sites_[id] && now.particles[id].present) {
-      result[id] = path(now, id)->vector / steps;
+      result[id] = displacement(now, id)->vector / steps;
     }
   }
   return result;
@@ -118,13 +117,13 @@ std::vector<Displacement> Snapshot::displacements(const grains::State& now) cons
   result.reserve(sites_.size());
   for (std::size_t id = 0; id < sites_.size(); ++id) {
     if (sites_[id] && now.particles[id].present) {
-      result.push_back(*path(now, id));
+      result.push_back(*displacement(now, id));
     }
   }
   return result;
 }
 
-std::vector<double> displacements(const grains::State& state) {
+std::vector<double> distances_from_origin(const grains::State& state) {
   check_origins(state);
   std::vector<double> result(state.particles.size(), 0.0);
   for (std::size_t id = 0; id < result.size(); ++id) {
@@ -176,8 +175,8 @@ std::optional<Runout> runout(const grains::State& state) {
   const int most = std::max(column_of(one_percent, after.rbegin()) - right,
                             left - column_of(one_percent, after.begin()));
   return Runout{.front = lattice::kColumnPitch * std::max(to_right, to_left),
-                .percent_99 = lattice::kColumnPitch * most,
-                .at_side = at_side};
+                .percentile_99 = lattice::kColumnPitch * most,
+                .reaches_side = at_side};
 }
 
 }  // namespace clca::measure

@@ -71,7 +71,7 @@ struct CellMotion {
   Eigen::Vector2d mean = Eigen::Vector2d::Zero();  // displacement
   double squares = 0;                              // sum of squared deviations from it
 
-  bool is_sparse() const { return particles < Fluctuations::kMinParticles; }
+  bool is_sparse() const { return particles < FluctuationHistogram::kMinParticles; }
   bool is_resting() const { return squares < kAtRest; }
   bool is_counted() const { return !is_sparse() && !is_resting(); }
   /// Squared deviation of one particle, corrected for the mean being that of its own cell.
@@ -85,7 +85,7 @@ std::vector<CellMotion> cell_motions(const std::vector<Displacement>& displaceme
                                      const Grid& grid) {
   std::vector<CellMotion> cells(grid.size());
   for (const Displacement& displacement : displacements) {
-    CellMotion& cell = cells[grid.index(displacement.from)];
+    CellMotion& cell = cells[grid.cell_at(displacement.from)];
     ++cell.particles;
     cell.mean += displacement.vector;
   }
@@ -93,7 +93,7 @@ std::vector<CellMotion> cell_motions(const std::vector<Displacement>& displaceme
     cell.mean /= static_cast<double>(std::max<std::size_t>(cell.particles, 1));
   }
   for (const Displacement& displacement : displacements) {
-    CellMotion& cell = cells[grid.index(displacement.from)];
+    CellMotion& cell = cells[grid.cell_at(displacement.from)];
     cell.squares += (displacement.vector - cell.mean).squaredNorm();
   }
   return cells;
@@ -122,8 +122,8 @@ std::size_t local_bin(const CellMotion& cell, double energy) {
   for (std::size_t i = 2; i < cell.particles; ++i) {
     beyond *= rest;
   }
-  const auto bin = static_cast<std::size_t>((1 - beyond) * Fluctuations::kBins);
-  return std::min(bin, Fluctuations::kBins - 1);
+  const auto bin = static_cast<std::size_t>((1 - beyond) * FluctuationHistogram::kBinCount);
+  return std::min(bin, FluctuationHistogram::kBinCount - 1);
 }
 
 class Walls {
@@ -136,7 +136,7 @@ class Walls {
     constexpr double kStep = 1.0 / 16;  // lattice spacings
     const Eigen::Vector2d centre = force.point + force.branch;
     const auto at = [&](double length) { return Eigen::Vector2d(centre - length * force.normal); };
-    const double reached = reach(state_.shape(state_.particles[force.upper])) + 1;
+    const double reached = max_site_distance(state_.shape(state_.particles[force.upper])) + 1;
     double length = 0;
     while (length < reached && !is_wall(at(length))) {
       length += kStep;
@@ -155,7 +155,7 @@ class Walls {
   /// Whether the site of a point is such; or of two sites left and right of it, one.
   template <class Is>
   static bool at_site(const Eigen::Vector2d& point, const Is& is) {
-    const Eigen::Vector2d aside(kRounding, 0);
+    const Eigen::Vector2d aside(kRoundingTolerance, 0);
     return is(lattice::nearest_site(point - aside)) || is(lattice::nearest_site(point + aside));
   }
   bool is_inside(const Eigen::Vector2d& point) const {
@@ -187,7 +187,7 @@ class Walls {
 
 }  // namespace
 
-std::vector<FieldCell> fields(const Snapshot& begin, const State& now, double cell) {
+std::vector<FieldCell> field_cells(const Snapshot& begin, const State& now, double cell) {
   const Grid grid(now.lattice, cell);
   std::vector<FieldCell> cells(grid.size());
   const std::vector<double> packing = packing_of(now, grid);
@@ -196,12 +196,12 @@ std::vector<FieldCell> fields(const Snapshot& begin, const State& now, double ce
       begin.displacements(now), steps > 0 ? static_cast<double>(steps) : 1, grid.size(),
       [&](const Eigen::Vector2d& point, const auto& visit) { grid.share_out(point, visit); });
   for (std::size_t index = 0; index < grid.size(); ++index) {
-    cells[index] = {motions[index], grid.centre(index), packing[index]};
+    cells[index] = {motions[index], grid.cell_centre(index), packing[index]};
   }
   return cells;
 }
 
-double fluctuation_energy(const std::vector<FieldCell>& cells) {
+double mean_fluctuation(const std::vector<FieldCell>& cells) {
   double sum = 0;
   double particles = 0;
   for (const FieldCell& cell : cells) {
@@ -211,8 +211,8 @@ double fluctuation_energy(const std::vector<FieldCell>& cells) {
   return particles > 0 ? sum / particles : 0;
 }
 
-std::vector<double> fillings(const grains::State& state,
-                             std::span<const lattice::Rectangle> regions) {
+std::vector<double> filled_shares(const grains::State& state,
+                                  std::span<const lattice::Rectangle> regions) {
   const lattice::Lattice& lattice = state.lattice;
   const std::vector<bool> wall = wall_mask(state);
   std::vector<bool> covered(lattice.index_count(), false);  // a site may have two owners
@@ -231,9 +231,9 @@ std::vector<double> fillings(const grains::State& state,
   return shares;
 }
 
-std::optional<RegionMotion> motion_in(const lattice::Rectangle& region,
-                                      const std::vector<Displacement>& displacements,
-                                      double steps) {
+std::optional<RegionMotion> region_motion(const lattice::Rectangle& region,
+                                          const std::vector<Displacement>& displacements,
+                                          double steps) {
   const RegionMotion motion =
       motions_by_region(displacements, steps, 1,
                         [&](const Eigen::Vector2d& point, const auto& visit) {
@@ -245,13 +245,13 @@ std::optional<RegionMotion> motion_in(const lattice::Rectangle& region,
   return motion.particles > 0 ? std::optional(motion) : std::nullopt;
 }
 
-double downward_flow(const Snapshot& before, const grains::State& now,
-                     const lattice::Rectangle& region) {
+double sites_moved_down(const Snapshot& before, const grains::State& now,
+                        const lattice::Rectangle& region) {
   const double middle = (region.bottom + region.top) / 2;
-  const auto is_below = [=](double y) { return y < middle - kRounding; };
+  const auto is_below = [=](double y) { return y < middle - kRoundingTolerance; };
   double flow = 0;
   for (std::size_t id = 0; id < now.particles.size(); ++id) {
-    const std::optional<Displacement> path = before.path(now, id);
+    const std::optional<Displacement> path = before.displacement(now, id);
     const double end = path ? path->from.y() + path->vector.y() : 0;
     if (!path || is_below(path->from.y()) == is_below(end)) {
       continue;
@@ -265,14 +265,14 @@ double downward_flow(const Snapshot& before, const grains::State& now,
   return flow;
 }
 
-void Fluctuations::add(const std::vector<Displacement>& displacements, const Grid& grid) {
+void FluctuationHistogram::add(const std::vector<Displacement>& displacements, const Grid& grid) {
   const std::vector<CellMotion> cells = cell_motions(displacements, grid);
   for (const CellMotion& cell : cells) {
     (cell.is_sparse() ? sparse_ : cell.is_resting() ? resting_ : samples_) += cell.particles;
   }
   const double scale = displacement_temperature(cells);
   for (const Displacement& displacement : displacements) {
-    const CellMotion& cell = cells[grid.index(displacement.from)];
+    const CellMotion& cell = cells[grid.cell_at(displacement.from)];
     if (cell.is_counted()) {
       const double energy = cell.energy(displacement);
       ++counts_[bins_.bin_of(energy / scale)];
@@ -281,7 +281,8 @@ void Fluctuations::add(const std::vector<Displacement>& displacements, const Gri
   }
 }
 
-std::vector<double> Fluctuations::shares_of(const std::vector<std::uint64_t>& counts) const {
+std::vector<double> FluctuationHistogram::shares_of(
+    const std::vector<std::uint64_t>& counts) const {
   std::vector<double> shares(counts.size(), 0.0);
   for (std::size_t bin = 0; bin < counts.size() && samples_ > 0; ++bin) {
     shares[bin] = static_cast<double>(counts[bin]) / static_cast<double>(samples_);
@@ -289,7 +290,7 @@ std::vector<double> Fluctuations::shares_of(const std::vector<std::uint64_t>& co
   return shares;
 }
 
-double Fluctuations::share_of_all(std::uint64_t particles) const {
+double FluctuationHistogram::share_of_all(std::uint64_t particles) const {
   const auto all = static_cast<double>(samples_ + resting_ + sparse_);
   return all > 0 ? static_cast<double>(particles) / all : 0;
 }
@@ -300,7 +301,7 @@ std::vector<StressCell> stress_field(const grains::State& state,
   const Walls walls(state);
   std::vector<StressCell> cells(grid.size());
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    cells[i].centre = grid.centre(i);
+    cells[i].centre = grid.cell_centre(i);
   }
   for (const contact::Force& force : forces) {
     const bool with_grain = grains::is_particle(force.other);
@@ -310,7 +311,7 @@ std::vector<StressCell> stress_field(const grains::State& state,
     const Eigen::Vector2d path =
         with_grain || contact::is_side(force.other) ? force.branch : walls.path(force);
     const Eigen::Vector2d on_upper = force.on_upper() / grid.cell_area();
-    for (const Grid::Part& part : grid.parts(centre - path, path)) {
+    for (const Grid::PathPart& part : grid.path_parts(centre - path, path)) {
       StressCell& sum = cells[part.cell];
       sum.xx += part.share * on_upper.x() * path.x();
       sum.xy += part.share * (on_upper.x() * path.y() + on_upper.y() * path.x()) / 2;

@@ -101,8 +101,9 @@ class Cone {
   bool holds(const Eigen::Vector2d& point) const {
     const double distance = point.dot(ahead_) - foremost_;
     const double lateral = point.dot(side_);
-    const double wider = std::max(distance, 0.0) + kRounding;
-    return distance >= -kBehind - kRounding && lateral >= low_ - wider && lateral <= high_ + wider;
+    const double wider = std::max(distance, 0.0) + kRoundingTolerance;
+    return distance >= -kBehind - kRoundingTolerance && lateral >= low_ - wider &&
+           lateral <= high_ + wider;
   }
 
   Eigen::Vector2d ahead_;  // unit vectors
@@ -145,7 +146,7 @@ std::optional<double> cone_share(const State& state, const Occupancy& occupancy,
     for_each_shared(state, occupancy, contact, [&](Site site) {
       inside += cone->second.contains(lattice::position(site)) ? 1U : 0U;
     });
-    all += contact.sites;
+    all += contact.shared_sites;
   }
   return all > 0 ? std::optional(static_cast<double>(inside) / all) : std::nullopt;
 }
@@ -172,14 +173,14 @@ WallOverlap wall_overlap(const State& state, std::size_t number,
                       .travel = travel.offset,
                       .stalled_since = travel.stalled_since,
                       .stalls = travel.stalls,
-                      .jammed = jammed_count(state, number)};
+                      .jammed_particles = jammed_count(state, number)};
   for (const OverlapContact& contact : contacts) {
-    const auto sites = static_cast<std::uint64_t>(contact.sites);
+    const auto sites = static_cast<std::uint64_t>(contact.shared_sites);
     if (contact.second == grains::wall_code(number)) {
-      ++overlap.particles;
-      overlap.sites += sites;
+      ++overlap.overlapping_particles;
+      overlap.shared_sites += sites;
     }
-    overlap.chain_sites += contact.source == number ? sites : 0;
+    overlap.chain_sites += contact.source_wall == number ? sites : 0;
   }
   return overlap;
 }
@@ -202,15 +203,15 @@ void fit_tail(ForceDistribution& distribution, const std::vector<double>& streng
   const double start = whole ? std::floor(mean) + 1 : mean;
   double excess = 0;
   for (const double strength : strengths) {
-    if (strength > mean * (1 + kRounding)) {
-      ++distribution.tail;
+    if (strength > mean * (1 + kRoundingTolerance)) {
+      ++distribution.tail_contacts;
       excess += strength - start;
     }
   }
-  if (distribution.tail < 2 || excess <= 0) {
+  if (distribution.tail_contacts < 2 || excess <= 0) {
     return;
   }
-  excess /= static_cast<double>(distribution.tail);
+  excess /= static_cast<double>(distribution.tail_contacts);
   distribution.beta = whole ? mean * std::log1p(1 / excess) : mean / excess;
 }
 
@@ -238,7 +239,7 @@ void fill_bins(ForceDistribution& distribution, const std::vector<double>& stren
 }  // namespace
 
 // Every overlapping pair has one push.
-std::vector<OverlapContact> contacts(const State& state, const Occupancy& occupancy) {
+std::vector<OverlapContact> overlap_contacts(const State& state, const Occupancy& occupancy) {
   check_occupancy(state, occupancy);
   std::vector<OverlapContact> result;
   result.reserve(state.pushes.size());
@@ -248,12 +249,12 @@ std::vector<OverlapContact> contacts(const State& state, const Occupancy& occupa
     const bool swapped = by_particle && pusher < push.pushed;
     OverlapContact contact = {.first = swapped ? pusher : push.pushed,
                               .second = swapped ? grains::as_owner(push.pushed) : push.pusher,
-                              .source = push.source};
+                              .source_wall = push.source};
     for_each_shared(state, occupancy, contact, [&](Site site) {
-      ++contact.sites;
+      ++contact.shared_sites;
       contact.point += lattice::position(site);
     });
-    contact.point = state.lattice.image_in_box(contact.point / std::max(1, contact.sites));
+    contact.point = state.lattice.image_in_box(contact.point / std::max(1, contact.shared_sites));
     contact.depth = depth_of(state, occupancy, contact);
     result.push_back(contact);
   }
@@ -271,9 +272,9 @@ std::vector<double> force_indices(std::size_t particle_count,
                                  static_cast<std::size_t>(contact.second) < particle_count;
     require(contact.first < particle_count && second_is_there,
             "a contact is of a particle that is not there");
-    indices[contact.first] += contact.sites;
+    indices[contact.first] += contact.shared_sites;
     if (grains::is_particle(contact.second)) {
-      indices[static_cast<std::size_t>(contact.second)] += contact.sites;
+      indices[static_cast<std::size_t>(contact.second)] += contact.shared_sites;
     }
   }
   return indices;
@@ -285,12 +286,12 @@ ForceSummary force_summary(const State& state, const Occupancy& occupancy,
   for (const OverlapContact& contact : contacts) {
     require(contact.first < state.particles.size(), "a contact is of a particle that is not there");
   }
-  ForceSummary summary{.contacts = contacts.size(),
-                       .jammed = jammed_count(state, {}),
+  ForceSummary summary{.contact_count = contacts.size(),
+                       .jammed_particles = jammed_count(state, {}),
                        .cone_share = cone_share(state, occupancy, contacts)};
   for (const OverlapContact& contact : contacts) {
-    summary.depth_max = std::max(summary.depth_max, contact.depth);
-    summary.sites += static_cast<std::uint64_t>(contact.sites);
+    summary.max_depth = std::max(summary.max_depth, contact.depth);
+    summary.shared_sites += static_cast<std::uint64_t>(contact.shared_sites);
   }
   for (std::size_t wall = 0; wall < state.walls.size(); ++wall) {
     if (state.walls[wall].motion) {
@@ -300,8 +301,8 @@ ForceSummary force_summary(const State& state, const Occupancy& occupancy,
   return summary;
 }
 
-std::optional<double> penetration(const State& now, const Wall& wall,
-                                  const std::vector<double>& surface_at_start) {
+std::optional<double> penetration_depth(const State& now, const Wall& wall,
+                                        const std::vector<double>& surface_at_start) {
   const bool down = wall.motion && wall.motion->direction == Direction::down;
   const bool up = wall.motion && wall.motion->direction == Direction::up;
   if (!wall.present || (!down && !up)) {
@@ -338,7 +339,7 @@ std::optional<ForceDistribution> force_distribution(const std::vector<double>& s
   ForceDistribution distribution{.mean = std::accumulate(strengths.begin(), strengths.end(), 0.0) /
                                          count};
   fit_tail(distribution, strengths, kind);
-  distribution.share_above_mean = static_cast<double>(distribution.tail) / count;
+  distribution.share_above_mean = static_cast<double>(distribution.tail_contacts) / count;
   fill_bins(distribution, strengths, kind);
   return distribution;
 }
@@ -347,7 +348,7 @@ void ForceAverage::add(const std::vector<OverlapContact>& contacts) {
   ++samples_;
   for (const OverlapContact& contact : contacts) {
     Sum& sum = sums_[{contact.first, contact.second}];
-    sum.sites += static_cast<std::uint64_t>(contact.sites);
+    sum.sites += static_cast<std::uint64_t>(contact.shared_sites);
     ++sum.samples;
   }
 }
@@ -370,8 +371,8 @@ std::vector<ForceAverage::Mean> ForceAverage::means() const {
   for (const auto& [pair, sum] : sums_) {
     means.push_back({.first = pair.first,
                      .second = pair.second,
-                     .sites = static_cast<double>(sum.sites) / samples,
-                     .share = static_cast<double>(sum.samples) / samples});
+                     .shared_sites = static_cast<double>(sum.sites) / samples,
+                     .present_share = static_cast<double>(sum.samples) / samples});
   }
   return means;
 }

@@ -43,7 +43,7 @@ Eigen::Vector2d Grid::in_cells(const Eigen::Vector2d& point) const {
   return (point - low_).cwiseQuotient(extents_).cwiseProduct(counts);
 }
 
-std::array<std::size_t, 2> Grid::cells(const Eigen::Vector2d& point) const {
+std::array<std::size_t, 2> Grid::cells_at(const Eigen::Vector2d& point) const {
   const Eigen::Vector2d position = in_cells(point);
   const std::size_t row = nearest_part(part_at(position.y()), rows_);
   const auto cell = [&](double column) {
@@ -56,15 +56,15 @@ std::array<std::size_t, 2> Grid::cells(const Eigen::Vector2d& point) const {
   return {cell(part_before(position.x())), cell(part_at(position.x()))};
 }
 
-std::vector<Grid::Part> Grid::parts(const Eigen::Vector2d& from,
-                                    const Eigen::Vector2d& path) const {
+std::vector<Grid::PathPart> Grid::path_parts(const Eigen::Vector2d& from,
+                                             const Eigen::Vector2d& path) const {
   const Eigen::Vector2d begin = in_cells(from);
   const Eigen::Vector2d end = in_cells(from + path);
   std::vector<double> shares = {0, 1};
   add_crossings(begin.x(), end.x(), shares);
   add_crossings(begin.y(), end.y(), shares);
   std::ranges::sort(shares);
-  std::vector<Part> parts;
+  std::vector<PathPart> parts;
   for (std::size_t i = 0; i + 1 < shares.size(); ++i) {
     const double middle = (shares[i] + shares[i + 1]) / 2;
     share_out(from + middle * path, [&](std::size_t cell, double share) {
@@ -74,7 +74,7 @@ std::vector<Grid::Part> Grid::parts(const Eigen::Vector2d& from,
   return parts;
 }
 
-Eigen::Vector2d Grid::centre(std::size_t index) const {
+Eigen::Vector2d Grid::cell_centre(std::size_t index) const {
   const std::size_t row = index / columns_;
   const std::size_t column = index % columns_;
   const Eigen::Vector2d share((static_cast<double>(column) + 0.5) / static_cast<double>(columns_),

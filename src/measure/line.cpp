@@ -74,7 +74,7 @@ LineBlock& LineSums::begin_observation(double steps) {
   return block;
 }
 
-bool LineSums::fit(std::size_t parts) const {
+bool LineSums::fits_part_count(std::size_t parts) const {
   return parts_ == parts && blocks_.size() <= kMaxBlocks && block_size_ > 0 &&
          std::ranges::all_of(blocks_,
                              [=](const LineBlock& block) { return block.parts.size() == parts; });
@@ -99,7 +99,7 @@ Line::Line(const grains::State& state, const Eigen::Vector2d& from, const Eigen:
     }
   }
   std::ranges::transform(state.kinds, std::back_inserter(reaches_),
-                         [](const grains::Kind& kind) { return reach(kind.shape); });
+                         [](const grains::Kind& kind) { return max_site_distance(kind.shape); });
 }
 
 Eigen::Vector2d Line::across_and_along(const Eigen::Vector2d& vector) const {
@@ -110,15 +110,15 @@ std::optional<Line::Crossing> Line::crossing(const Eigen::Vector2d& from,
                                              const Eigen::Vector2d& to) const {
   const Eigen::Vector2d start = across_and_along(from - from_);
   const Eigen::Vector2d end = across_and_along(to - from_);
-  if ((start.x() > kRounding) == (end.x() > kRounding)) {
+  if ((start.x() > kRoundingTolerance) == (end.x() > kRoundingTolerance)) {
     return std::nullopt;
   }
   const double share = start.x() / (start.x() - end.x());
   const double position = start.y() + share * (end.y() - start.y());
-  if (position < -kRounding || position >= length_ - kRounding) {
+  if (position < -kRoundingTolerance || position >= length_ - kRoundingTolerance) {
     return std::nullopt;
   }
-  return Crossing{.position = std::max(0.0, position), .to_right = end.x() > kRounding};
+  return Crossing{.position = std::max(0.0, position), .to_right = end.x() > kRoundingTolerance};
 }
 
 void Line::observe(const Snapshot& before, const grains::State& now,
@@ -136,7 +136,7 @@ void Line::observe(const Snapshot& before, const grains::State& now,
 void Line::add_covered_points(const grains::Occupancy& occupancy,
                               std::span<const std::optional<Eigen::Vector2d>> velocities,
                               double steps, LineBlock& block) const {
-  for (std::size_t part = 0; part < parts(); ++part) {
+  for (std::size_t part = 0; part < part_count(); ++part) {
     LinePartSums& sums = block.parts[part];
     for (const std::size_t index : points_[part]) {
       const grains::Owner owner = occupancy.owner(index);
@@ -160,7 +160,7 @@ void Line::add_passing_particles(const Snapshot& before, const grains::State& no
                                  LineBlock& block) const {
   for (std::size_t id = 0; id < now.particles.size(); ++id) {
     const grains::Particle& particle = now.particles[id];
-    const std::optional<Displacement> path = before.path(now, id);
+    const std::optional<Displacement> path = before.displacement(now, id);
     if (!path) {
       continue;
     }
@@ -200,7 +200,7 @@ void Line::add_particle_path(const lattice::Shape& shape, const Eigen::Vector2d&
     }
   }
   if (const auto passed = crossing(from, to)) {
-    share_out(passed->position / part_length(), parts(),
+    share_out(passed->position / part_length(), part_count(),
               [&](std::size_t part, double share) { block.parts[part].particles += share; });
   }
 }
@@ -211,19 +211,19 @@ void Line::add_site_crossing(const Crossing& crossing, LineBlock& block) const {
   const double low = std::max(0.0, crossing.position - 0.5);
   const double high = std::min(length_, crossing.position + 0.5);
   const double density = (crossing.to_right ? 1 : -1) / (high - low);
-  for (auto part = static_cast<std::size_t>(low / part_length()); part < parts(); ++part) {
+  for (auto part = static_cast<std::size_t>(low / part_length()); part < part_count(); ++part) {
     const double left = part_length() * static_cast<double>(part);
     if (left >= high) {
       break;
     }
-    const double right = part + 1 == parts() ? length_ : left + part_length();
+    const double right = part + 1 == part_count() ? length_ : left + part_length();
     block.parts[part].sites += density * std::max(0.0, std::min(high, right) - std::max(low, left));
   }
 }
 
-std::vector<LinePart> Line::means(const LineSums& sums) const {
+std::vector<LinePart> Line::part_means(const LineSums& sums) const {
   std::vector<LinePart> result;
-  for (std::size_t part = 0; part < parts(); ++part) {
+  for (std::size_t part = 0; part < part_count(); ++part) {
     LinePartSums total;
     for (const LineBlock& block : sums.blocks()) {
       reflection::add_fields(total, block.parts[part]);
@@ -241,10 +241,10 @@ std::vector<LinePart> Line::means(const LineSums& sums) const {
     result.push_back({.position = position,
                       .middle = from_ + position * direction_,
                       .flux = mean_of(sums.blocks(), flux),
-                      .across = mean_of(sums.blocks(), velocity(0)),
-                      .along = mean_of(sums.blocks(), velocity(1)),
-                      .filling = total.open > 0 ? total.covered / total.open : 0,
-                      .particles = total.particles});
+                      .across_velocity = mean_of(sums.blocks(), velocity(0)),
+                      .along_velocity = mean_of(sums.blocks(), velocity(1)),
+                      .covered_share = total.open > 0 ? total.covered / total.open : 0,
+                      .passed_particles = total.particles});
   }
   return result;
 }

@@ -26,7 +26,7 @@ double distance(const lattice::Lattice& lattice, Eigen::Vector2d between) {
   return between.norm();
 }
 
-double mean_diameter(const grains::State& state, const std::vector<std::uint32_t>& ids) {
+double average_diameter(const grains::State& state, const std::vector<std::uint32_t>& ids) {
   double sum = 0;
   for (const std::uint32_t id : ids) {
     sum += state.shape(state.particles[id]).diameter();
@@ -110,7 +110,7 @@ std::optional<std::uint32_t> intruder(const State& state) {
 
 }  // namespace
 
-std::vector<int> coordination(const State& state, const grains::Occupancy& occupancy) {
+std::vector<int> coordination_numbers(const State& state, const grains::Occupancy& occupancy) {
   check_occupancy(state, occupancy);
   std::vector<int> result(state.particles.size(), 0);
   std::vector<grains::Owner> touched;
@@ -164,10 +164,10 @@ Mixing::Mixing(const grains::State& state) : begin_(state) {
       ids.push_back(id);
     }
   }
-  diameter_ = mean_diameter(state, ids);
+  diameter_ = average_diameter(state, ids);
   // By height, so that neighbours are not far apart in the order.
   std::ranges::stable_sort(ids, {}, [&](std::uint32_t id) { return centres[id].y(); });
-  const double near = kNear * diameter_;
+  const double near = kMaxNeighbourDistance * diameter_;
   for (auto one = ids.begin(); one != ids.end(); ++one) {
     for (auto other = one + 1;
          other != ids.end() && centres[*other].y() - centres[*one].y() <= near; ++other) {
@@ -182,7 +182,7 @@ void Mixing::add(const grains::State& now) {
   require(precedes(now), "pairs of another run");
   std::vector<std::optional<Displacement>> paths(now.particles.size());
   for_each_present(now, [&](std::uint32_t id, const Particle& /*particle*/) {
-    paths[id] = begin_.path(now, id);
+    paths[id] = begin_.displacement(now, id);
   });
   for (NeighbourPair& pair : pairs_) {
     const auto& first = paths[pair.first];
@@ -201,7 +201,7 @@ void Mixing::add(const grains::State& now) {
     const Eigen::Vector2d parted = second->vector - first->vector;
     const Eigen::Vector2d between = second->from - first->from + parted;
     ++sums.pairs;
-    sums.kept += distance(now.lattice, between) <= kStillNear * diameter_ ? 1U : 0U;
+    sums.kept += distance(now.lattice, between) <= kMaxKeptDistance * diameter_ ? 1U : 0U;
     sums.fallen += fallen;
     sums.spread += parted.x() * parted.x();
   }

@@ -158,7 +158,7 @@ Discharge discharge(const grains::Outlet& outlet) {
   return {.particles = outlet.particles, .sites = outlet.sites};
 }
 
-std::vector<std::uint64_t> discharged_particles(const grains::State& state, std::size_t species) {
+std::vector<std::uint64_t> discharged_counts(const grains::State& state, std::size_t species) {
   std::vector<std::uint64_t> counts(state.outlets.size() * species, 0);
   for (const grains::Particle& particle : state.particles) {
     if (!particle.present) {  // it keeps the position at which it was removed
@@ -213,8 +213,8 @@ bool Outflow::precedes(Discharge now) const {
          last.sites == stage_discharge().sites;
 }
 
-bool clogged(const grains::State& state, const grains::Occupancy& occupancy, std::size_t outlet,
-             lattice::Direction down) {
+bool is_clogged(const grains::State& state, const grains::Occupancy& occupancy, std::size_t outlet,
+                lattice::Direction down) {
   check_occupancy(state, occupancy);
   static_cast<void>(state.outlets.at(outlet));
   std::vector<std::vector<Site>> sites(state.kinds.size());

@@ -38,7 +38,7 @@ void for_each_site(const grains::State& state, const Visit& visit) {
 }
 
 /// Largest distance of a site of the shape from its centre of mass, lattice spacings.
-inline double reach(const lattice::Shape& shape) {
+inline double max_site_distance(const lattice::Shape& shape) {
   double result = 0;
   for (const lattice::Axial site : shape.sites()) {
     result = std::max(result, (lattice::position(site) - shape.centroid()).norm());
@@ -69,17 +69,17 @@ inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// More than the rounding of any position, far less than the distance of a centre of mass from an
 /// edge on which it does not lie: both are whole multiples of small fractions of a spacing.
-inline constexpr double kRounding = 1e-9;  // lattice spacings, or shares of a part
+inline constexpr double kRoundingTolerance = 1e-9;  // lattice spacings, or shares of a part
 
 /// Number of the equal part, counted from 0, that contains a position given in lengths of a part.
 /// An edge belongs to the part after it.
 inline double part_at(double position) {
-  return std::floor(position + kRounding);
+  return std::floor(position + kRoundingTolerance);
 }
 
 /// Number of the part that ends at an edge; else as part_at().
 inline double part_before(double position) {
-  return std::ceil(position - kRounding) - 1;
+  return std::ceil(position - kRoundingTolerance) - 1;
 }
 
 /// The nearest of `count` parts.

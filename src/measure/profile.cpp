@@ -50,7 +50,7 @@ ReposeAngle::Flank falling_slope(const std::vector<double>& x, const std::vector
   const double residual = (values - design * line).squaredNorm();
   const double variance = (values.array() - values.mean()).matrix().squaredNorm();
   if (residual > (1 - kExplained) * variance) {
-    return {.degrees = {}, .uneven = true};
+    return {.degrees = {}, .is_uneven = true};
   }
   return {.degrees = angle};
 }
@@ -132,7 +132,7 @@ double mean_height(const std::vector<double>& profile) {
   return count > 0 ? sum / count : 0;
 }
 
-std::optional<double> ReposeAngle::mean() const {
+std::optional<double> ReposeAngle::mean_degrees() const {
   if (left.degrees && right.degrees) {
     return (*left.degrees + *right.degrees) / 2;
   }

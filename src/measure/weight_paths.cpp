@@ -184,7 +184,7 @@ WeightPaths weight_paths(const grains::State& state, const std::vector<Supported
   std::uint32_t draws = 0;
   for (const SupportedGrain& grain : grains) {
     if (grain.supports.empty()) {
-      ++result.unsupported;
+      ++result.unsupported_grains;
       continue;
     }
     const auto sites = static_cast<double>(state.shape(state.particles[grain.id]).size());
@@ -194,7 +194,7 @@ WeightPaths weight_paths(const grains::State& state, const std::vector<Supported
                               : forces_along_two(force, grain, rule,
                                                  random::draw(state.seed, state.step, grain.id,
                                                               random::Purpose::weight_pair),
-                                                 result.outside);
+                                                 result.one_sided_grains);
     draws += static_cast<std::uint32_t>(grain.supports.size());
     for (const SupportForce& on_support : all) {
       if (grains::is_particle(on_support.body)) {
@@ -206,7 +206,7 @@ WeightPaths weight_paths(const grains::State& state, const std::vector<Supported
   return result;
 }
 
-Base bed_base(const grains::State& state) {
+BedBase bed_base(const grains::State& state) {
   constexpr double kLeftOut = 0.01;               // of the sites, on either side
   std::vector<std::pair<double, double>> grains;  // position and sites
   double all = 0;
@@ -227,17 +227,17 @@ Base bed_base(const grains::State& state) {
   return {end(grains.begin(), grains.end()), end(grains.rbegin(), grains.rend())};
 }
 
-std::vector<double> base_pressures(const Base& base, const std::vector<contact::Force>& forces) {
-  std::vector<double> bins(Base::kBins, 0);
+std::vector<double> base_pressures(const BedBase& base, const std::vector<contact::Force>& forces) {
+  std::vector<double> bins(BedBase::kBinCount, 0);
   for (const contact::Force& force : forces) {
-    const double position = (force.point.x() - base.left) / base.width() * Base::kBins;
+    const double position = (force.point.x() - base.left) / base.width() * BedBase::kBinCount;
     if (!grains::is_particle(force.other) && force.normal.y() > kMinNormalY &&
-        position >= -kRounding && position <= Base::kBins + kRounding) {
-      share_out(position, Base::kBins,
+        position >= -kRoundingTolerance && position <= BedBase::kBinCount + kRoundingTolerance) {
+      share_out(position, BedBase::kBinCount,
                 [&](std::size_t bin, double share) { bins[bin] += share * force.on_upper().y(); });
     }
   }
-  const double mean = std::accumulate(bins.begin(), bins.end(), 0.0) / Base::kBins;
+  const double mean = std::accumulate(bins.begin(), bins.end(), 0.0) / BedBase::kBinCount;
   if (mean == 0) {
     return {};
   }
@@ -248,7 +248,7 @@ std::vector<double> base_pressures(const Base& base, const std::vector<contact::
 }
 
 double centre_minus_ring(const std::vector<double>& pressure) {
-  constexpr std::size_t kMiddle = Base::kBins / 2;
+  constexpr std::size_t kMiddle = BedBase::kBinCount / 2;
   double ring = 0;
   for (std::size_t i = 1; i <= 3; ++i) {
     ring += pressure[kMiddle - i] + pressure[kMiddle + i];

@@ -11,19 +11,20 @@ std::vector<ObservationTime> observation_times(const scene::BoltzmannScene& scen
     ObservationTime time;
     bool is_said;  // by the scene; a multiple may miss it by rounding
   };
-  std::vector<SortedTime> all = {{{scene.until, true, false}, true}};
-  for (const double time : scene.histograms) {
+  std::vector<SortedTime> all = {{{scene.end_time, true, false}, true}};
+  for (const double time : scene.histogram_times) {
     all.push_back({{time, false, true}, true});
   }
-  for (std::uint64_t row = 0; static_cast<double>(row) * scene.series_every < scene.until; ++row) {
-    all.push_back({{static_cast<double>(row) * scene.series_every, true, false}, false});
+  for (std::uint64_t row = 0; static_cast<double>(row) * scene.series_interval < scene.end_time;
+       ++row) {
+    all.push_back({{static_cast<double>(row) * scene.series_interval, true, false}, false});
   }
   std::ranges::sort(
       all, [](const SortedTime& a, const SortedTime& b) { return a.time.time < b.time.time; });
   std::vector<ObservationTime> times;
   for (const SortedTime& next : all) {
     if (times.empty() ||
-        next.time.time - times.back().time > scene::kTimeTolerance * scene.series_every) {
+        next.time.time - times.back().time > scene::kTimeTolerance * scene.series_interval) {
       times.push_back(next.time);
       continue;
     }
@@ -45,13 +46,13 @@ std::size_t shared_time_count(const std::vector<ObservationTime>& one,
 
 std::size_t lasting_time_count(const scene::BoltzmannScene& scene) {
   scene::BoltzmannScene longer = scene;
-  longer.until += 2 * scene.series_every;
+  longer.end_time += 2 * scene.series_interval;
   return shared_time_count(observation_times(scene), observation_times(longer));
 }
 
 statistics::Bins energy_bins(const scene::BoltzmannScene& scene) {
   if (const auto* uniform = std::get_if<scene::UniformBins>(&scene.bins)) {
-    return statistics::Bins::uniform(uniform->width, uniform->end);
+    return statistics::Bins::uniform(uniform->width, uniform->last_bin_start);
   }
   return statistics::Bins::equiprobable(std::get<scene::QuantileBins>(scene.bins).count,
                                         kGasDegrees);
@@ -84,7 +85,7 @@ void GasIntegrator::integrate(GasMember& member, double restitution, std::uint64
   if (!member.gas) {
     member.gas = boltzmann::make_gas(scene::initial_condition(scene_), seed);
   }
-  const boltzmann::Dynamics process = scene::process(scene_, restitution);
+  const boltzmann::Dynamics process = scene::gas_process(scene_, restitution);
   boltzmann::Gas& gas = *member.gas;
   // A cold gas may take a single step between two times, which cannot be interrupted.
   while (member.observations.size() < times_.size() && keep_going(member)) {

@@ -69,9 +69,9 @@ void set_rate(grains::Source& source, double rate) {
 grains::Source make_source(const grains::State& state, const scene::Source& source) {
   grains::Source result;
   result.sites = scene::source_sites(state.lattice, source);
-  result.weights = kind_weights(state, source.weights);
-  set_rate(result, source.rate);
-  result.max_emitted = source.count.value_or(std::numeric_limits<std::uint64_t>::max());
+  result.weights = kind_weights(state, source.species_weights);
+  set_rate(result, source.particles_per_step);
+  result.max_emitted = source.max_particles.value_or(std::numeric_limits<std::uint64_t>::max());
   return result;
 }
 
@@ -93,7 +93,7 @@ grains::State initial_state(const scene::Scene& scene) {
     state.walls.push_back({.sites = scene::wall_sites(state.lattice, wall),
                            .present = there[number],
                            .motion = wall.motion,
-                           .passive_rule = wall.passive});
+                           .passive_rule = wall.passive_rule});
   }
   for (const scene::Source& source : scene.sources) {
     state.sources.push_back(make_source(state, source));

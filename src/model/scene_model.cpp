@@ -31,16 +31,16 @@ AnyRules rules_in(const scene::Scene& scene, const scene::Stage& stage) {
     return scene::contact_parameters(scene, stage);
   }
   if (scene.model == scene::Model::voids) {
-    voids::Rules rules = scene.voids;
+    voids::Rules rules = scene.voids_rules;
     for (const scene::Species& species : scene.species) {
       rules.sieve_factors.push_back(species.sieve);
     }
     return rules;
   }
   if (scene.model == scene::Model::baxter) {
-    return scene.baxter;
+    return scene.baxter_rules;
   }
-  return stage.rules.value_or(scene.rules);
+  return stage.automaton_rules.value_or(scene.automaton_rules);
 }
 
 /// Forces of contacts in the last step, with blocked_collisions. One for each pair.
@@ -110,8 +110,8 @@ double checkpoint_bytes(const scene::Scene& scene, double particles) {
 }
 
 bool has_vessel(const scene::Scene& scene) {
-  return std::ranges::any_of(scene.stages,
-                             [](const scene::Stage& stage) { return stage.vessel.has_value(); });
+  return std::ranges::any_of(
+      scene.stages, [](const scene::Stage& stage) { return stage.vessel_motion.has_value(); });
 }
 
 SceneModel::SceneModel(const scene::Scene& scene, ModelState state, const grains::Options& options)

@@ -45,7 +45,7 @@ fs::path data_folder(const fs::path& what) {
   return fs::path(CLCA_DATA) / what;
 }
 
-fs::path python() {
+fs::path python_program() {
   constexpr const char* kSystemPython = "/usr/bin/python3";
   std::error_code error;
   const char* chosen = std::getenv("CLCA_PYTHON");  // NOLINT(concurrency-mt-unsafe)

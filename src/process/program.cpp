@@ -108,9 +108,9 @@ pid_t start(const std::vector<std::string>& arguments, const ProgramOptions& opt
   argv.push_back(nullptr);
   FileDescriptors report;
   FileDescriptors folder;
-  folder.numbers[0] = ::open(options.folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC);
+  folder.numbers[0] = ::open(options.working_folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC);
   if (folder.numbers[0] < 0) {
-    fail(fmt::format("enter the folder {}", options.folder.string()));
+    fail(fmt::format("enter the folder {}", options.working_folder.string()));
   }
   if (::pipe2(report.numbers.data(), O_CLOEXEC) != 0) {
     fail("run " + arguments[0]);
@@ -118,8 +118,9 @@ pid_t start(const std::vector<std::string>& arguments, const ProgramOptions& opt
   const ChildSetup setup = {
       .arguments = argv.data(),
       .folder = folder.numbers[0],
-      .streams = {input, options.out != nullptr ? options.out->descriptor() : STDOUT_FILENO,
-                  options.err != nullptr ? options.err->descriptor() : STDERR_FILENO},
+      .streams = {input, options.output != nullptr ? options.output->descriptor() : STDOUT_FILENO,
+                  options.error_output != nullptr ? options.error_output->descriptor()
+                                                  : STDERR_FILENO},
       .parent = ::getpid(),
       .report = report.numbers[1]};
   const pid_t child = ::fork();
@@ -191,10 +192,10 @@ std::vector<std::uint8_t> OutputCapture::bytes() const {
 Program::Program(const std::vector<std::string>& arguments, const ProgramOptions& options)
     : name_(fs::path(arguments[0]).filename().string()),
       stop_(options.stop),
-      signal_(options.signal),
-      grace_(options.grace) {
+      signal_(options.stop_signal),
+      grace_(options.grace_period) {
   FileDescriptors input;  // ours and its
-  if (!options.fed) {
+  if (!options.is_fed) {
     input.numbers[1] = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
   } else if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, input.numbers.data()) != 0) {
     fail("make a pipe");  // a socket: unlike a pipe, it raises no signal when the reader is gone

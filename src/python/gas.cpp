@@ -24,7 +24,7 @@ namespace {
 class Gas : public HeldByPython {
  public:
   Gas(const LoadedScene& loaded, std::optional<int> threads)
-      : process_(scene::process(loaded.gas_scene(), loaded.gas_scene().restitutions.front())),
+      : process_(scene::gas_process(loaded.gas_scene(), loaded.gas_scene().restitutions.front())),
         seed_(loaded.gas_scene().seed),
         threads_(threads.value_or(run::machine_thread_count())),
         gas_(std::make_shared<boltzmann::Gas>(

@@ -67,8 +67,8 @@ py::list measures_now(const Simulation& simulation, const std::optional<std::str
     }
     wanted = *found;
   }
-  const record::KnownQuantities known = {.units = scene::conversion(simulation.scene()),
-                                         .derived = simulation.scene().derived};
+  const record::KnownQuantities known = {.units = scene::unit_conversion(simulation.scene()),
+                                         .derived_measures = simulation.scene().derived_measures};
   py::list result;
   for (const auto& [key, value] : simulation.measures(wanted)) {
     const auto what = known.find(key).value_or(store::ColumnSummary());
@@ -122,7 +122,7 @@ py::dict summary(const Simulation& simulation) {
     kinds.append(py::dict("degrees"_a = degrees));
   }
   py::dict result("kinds"_a = kinds);
-  if (const auto units = scene::conversion(simulation.scene())) {
+  if (const auto units = scene::unit_conversion(simulation.scene())) {
     result["units"] = py::dict("time"_a = units->time_unit, "time_step"_a = units->time_step,
                                "velocity"_a = units->velocity_unit, "spacing"_a = units->spacing);
   }
@@ -131,7 +131,7 @@ py::dict summary(const Simulation& simulation) {
 
 /// `output.frames` of the scene with these overrides; defaults where it has none. Throws
 /// scene::SceneError.
-scene::Frames frames_of(const scene::Scene& scene, std::vector<scene::Override> overrides) {
+scene::PictureOutput frames_of(const scene::Scene& scene, std::vector<scene::Override> overrides) {
   if (!scene.output.frames) {
     overrides.insert(overrides.begin(), "output.frames={}");
   }

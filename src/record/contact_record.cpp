@@ -12,7 +12,7 @@ namespace {
 /// Whether the stage may end within the next window of steps; by rest only if `quiet`.
 bool may_end_soon(const scene::Stage& stage, std::uint64_t steps, std::uint64_t window,
                   bool quiet) {
-  if (const auto end = scene::steps_of(stage.until)) {
+  if (const auto end = scene::fixed_steps(stage.until)) {
     return steps + window > *end;
   }
   return quiet || steps + window > stage.max_steps ||
@@ -74,12 +74,12 @@ bool ContactRecord::Recurring::is_due_within(std::uint64_t steps,
 }
 
 ContactRecord::ContactRecord(const scene::Scene& scene)
-    : sampling_(scene.output.contacts.value_or(scene::Contacts{})),
-      most_((sampling_.window + sampling_.every - 1) / sampling_.every),
-      has_tables_(requests(scene, scene::Measure::force) ||
-                  requests(scene, scene::Measure::weight_paths)),
+    : sampling_(scene.output.contacts.value_or(scene::ContactSampling{})),
+      most_((sampling_.window_steps + sampling_.every - 1) / sampling_.every),
+      has_tables_(requests_measure(scene, scene::Measure::force) ||
+                  requests_measure(scene, scene::Measure::weight_paths)),
       pictures_{.every = scene::pictures_show_forces(scene) ? scene.output.frames->every : 0},
-      frames_{.every = scene.output.trajectory && scene.output.trajectory->contacts
+      frames_{.every = scene.output.trajectory && scene.output.trajectory->has_contacts
                            ? scene.output.trajectory->every
                            : 0} {}
 
@@ -110,8 +110,8 @@ void ContactRecord::after_step(const StageView& now) {
   const bool quiet = state.quiet_steps > 1 ||
                      (state.unmoved_steps > 1 &&
                       state.unmoved_steps + sampling_.window >= model.unmoved_steps_at_rest());
-  const bool ends_soon =
-      (has_tables_ || is_shown) && may_end_soon(now.stage, steps_in_stage, sampling_.window, quiet);
+  const bool ends_soon = (has_tables_ || is_shown) &&
+                         may_end_soon(now.stage, steps_in_stage, sampling_.window_steps, quiet);
   if (!ends_soon) {
     stage_ = {};
   }
@@ -127,7 +127,7 @@ void ContactRecord::after_step(const StageView& now) {
     takers.push_back(&stage_);
   }
   for (Recurring* recurring : {&pictures_, &frames_}) {
-    if (recurring->is_due_within(sampling_.window, steps_in_stage)) {
+    if (recurring->is_due_within(sampling_.window_steps, steps_in_stage)) {
       takers.push_back(&recurring->window);
     }
   }
@@ -175,14 +175,15 @@ std::vector<contact::Force> ContactRecord::shown_forces(const model::SceneModel&
 }
 
 ObserverFactory contacts_observer() {
-  return observer_factory<ContactRecord>(is_contact);
+  return observer_factory<ContactRecord>(is_contact_model);
 }
 
 double frame_bytes(const scene::Scene& scene, bool has_forces, double particles) {
   const double forces =
       has_forces ? grains::kListCapacityRatio * contact::kContactsPerGrain * sizeof(contact::Force)
                  : 0;
-  return is_contact(scene) ? particles * (sizeof(Eigen::Vector2d) + sizeof(double) + forces) : 0;
+  return is_contact_model(scene) ? particles * (sizeof(Eigen::Vector2d) + sizeof(double) + forces)
+                                 : 0;
 }
 
 }  // namespace clca::record

@@ -11,31 +11,33 @@ namespace clca::record {
 namespace {
 
 TableOf<CycleRow> cycles_table(const scene::Scene& scene) {
-  return {{.name = "cycles"},
-          {{kStage, [](auto& row) { return row.now.stage.name; }},
-           {{"cycle", "Cycle", "", "number of those completed in the stage; 0: before the first"},
-            &CycleRow::cycle},
-           {kStep, [](auto& row) { return row.state().step; }},
-           {kHeightMean, [](auto& row) { return bed_height(row.profile); }},
-           {kReposeAngle, [](auto& row) { return measure::repose_angle(row.profile).mean(); }},
-           {kIntruderHeight, [](auto& row) { return measure::intruder_height(row.state()); }},
-           {kSegregationIndex, [](auto& row) { return measure::segregation_index(row.state()); }},
-           {kLaceyIndex, [](auto& row) { return measure::lacey_index(row.state(), row.cell); }}},
-          {{"with a [vessel](#vessel), not in a periodic box",
-            model::has_vessel(scene) && !scene.box.periodic,
-            {{kReposeGravity, [](auto& row) {
-                const auto down = contact::gravity_direction(row.now.model.vessel());
-                return measure::repose_angle(measure::surface_profile(row.state(), down)).mean();
-              }}}}}};
+  return {
+      {.name = "cycles"},
+      {{kStage, [](auto& row) { return row.now.stage.name; }},
+       {{"cycle", "Cycle", "", "number of those completed in the stage; 0: before the first"},
+        &CycleRow::cycle},
+       {kStep, [](auto& row) { return row.state().step; }},
+       {kHeightMean, [](auto& row) { return bed_height(row.profile); }},
+       {kReposeAngle, [](auto& row) { return measure::repose_angle(row.profile).mean_degrees(); }},
+       {kIntruderHeight, [](auto& row) { return measure::intruder_height(row.state()); }},
+       {kSegregationIndex, [](auto& row) { return measure::segregation_index(row.state()); }},
+       {kLaceyIndex, [](auto& row) { return measure::lacey_index(row.state(), row.cell_side); }}},
+      {{"with a [vessel](#vessel), not in a periodic box",
+        model::has_vessel(scene) && !scene.box.periodic,
+        {{kReposeGravity, [](auto& row) {
+            const auto down = contact::gravity_direction(row.now.model.vessel());
+            return measure::repose_angle(measure::surface_profile(row.state(), down))
+                .mean_degrees();
+          }}}}}};
 }
 
-TableOf<measure::Arrow> convection_table(const scene::Scene& /*scene*/) {
-  using measure::Arrow;
+TableOf<measure::ConvectionArrow> convection_table(const scene::Scene& /*scene*/) {
+  using measure::ConvectionArrow;
   return {{.name = "convection", .kind = TableInfo::Kind::parts},
-          {{kCellCentre, &Arrow::centre},
-           {{"d", "Drift", "spacings/cycle", "mean displacement"}, &Arrow::displacement},
+          {{kCellCentre, &ConvectionArrow::centre},
+           {{"d", "Drift", "spacings/cycle", "mean displacement"}, &ConvectionArrow::displacement},
            {{"weight", "Weight", "sites", "of the particles that it is over, of all cycles"},
-            &Arrow::weight}}};
+            &ConvectionArrow::weight}}};
 }
 
 MeasureValues convection(const StageView& stage) {
@@ -50,7 +52,8 @@ MeasureValues convection(const StageView& stage) {
 }
 
 bool has_cycles(const scene::Scene& scene, const scene::Stage& stage) {
-  return scene::vessel_has_cycles(stage) || std::ranges::any_of(stage.move, [&](std::size_t wall) {
+  return scene::vessel_has_cycles(stage) ||
+         std::ranges::any_of(stage.moving_walls, [&](std::size_t wall) {
            return grains::is_cyclic(*scene.walls[wall].motion);
          });
 }
@@ -58,7 +61,7 @@ bool has_cycles(const scene::Scene& scene, const scene::Stage& stage) {
 }  // namespace
 
 CycleRecord::CycleRecord(const scene::Scene& scene)
-    : cell_(scene.output.fields.value_or(scene::Fields{}).cell),
+    : cell_(scene.output.fields.value_or(scene::FieldOutput{}).cell_side),
       cycles_table_(scene, cycles_table(scene)),
       convection_table_(scene, convection_table(scene)) {}
 
@@ -100,7 +103,7 @@ void CycleRecord::after_step(const StageView& now) {
   if (!convection_) {
     return;
   }
-  const std::uint64_t cycles = completed(now);
+  const std::uint64_t cycles = count_completed_cycles(now);
   if (cycles == cycles_) {
     return;
   }
@@ -111,15 +114,15 @@ void CycleRecord::after_step(const StageView& now) {
 }
 
 void CycleRecord::end_stage(const StageView& now) {
-  if (convection_ && requests(now.scene, scene::Measure::convection)) {
-    for (const measure::Arrow& arrow : convection_->arrows()) {
+  if (convection_ && requests_measure(now.scene, scene::Measure::convection)) {
+    for (const measure::ConvectionArrow& arrow : convection_->arrows()) {
       convection_table_.add(arrow);
     }
-    convection_table_.write(now.files, now.stage.name);
+    convection_table_.write(now.output_folder, now.stage.name);
   }
 }
 
-std::uint64_t CycleRecord::completed(const StageView& now) const {
+std::uint64_t CycleRecord::count_completed_cycles(const StageView& now) const {
   const grains::State& state = now.model.state();
   std::optional<std::uint64_t> least;
   if (scene::vessel_has_cycles(now.stage)) {
@@ -143,7 +146,7 @@ void CycleRecord::add_row(const StageView& now) {
   cycles_table_.add({.now = now,
                      .cycle = cycles_,
                      .profile = measure::surface_profile(now.model.state()),
-                     .cell = cell_});
+                     .cell_side = cell_});
 }
 
 ObserverFactory cycles_observer() {

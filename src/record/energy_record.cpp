@@ -33,9 +33,9 @@ void UnsettledBedDetector::add_move(const grains::State& state, std::uint32_t id
   movers_.push_back({id, grain.column, grain.row, grain.row, 1});
 }
 
-std::optional<std::string> UnsettledBedDetector::add(const scene::Scene& scene,
-                                                     const grains::State& state,
-                                                     std::size_t moved) {
+std::optional<std::string> UnsettledBedDetector::add_step(const scene::Scene& scene,
+                                                          const grains::State& state,
+                                                          std::size_t moved) {
   const bool has_left = std::ranges::any_of(
       movers_, [&](const Mover& mover) { return !state.particles[mover.id].present; });
   if (has_warned_ || moved > kMaxMovers || has_left) {
@@ -51,7 +51,7 @@ std::optional<std::string> UnsettledBedDetector::add(const scene::Scene& scene,
   if (movers_.empty()) {
     steps_ = 0;
   }
-  if (steps_ < kSteps || !has_advanced_) {
+  if (steps_ < kMinSteps || !has_advanced_) {
     return std::nullopt;
   }
   has_warned_ = true;
@@ -74,7 +74,8 @@ bool UnsettledBedDetector::precedes(const grains::State& state) const {
 }
 
 void EnergyRecord::begin(const scene::Stage& stage, const model::SceneModel& model) {
-  is_closed_ = stage.sources.empty() && stage.move.empty() && !model.vessel().is_moving();
+  is_closed_ =
+      stage.open_sources.empty() && stage.moving_walls.empty() && !model.vessel().is_moving();
   start_ = model.contact()->energy().sum();
   fall_ = 0;
   for (const grains::Particle& particle : model.state().particles) {
@@ -94,20 +95,20 @@ void EnergyRecord::after_step(const StageView& now) {
                     "choose a larger contact.fall_height",
                     now.stage.name, now.model.state().step));
   }
-  if (const auto text = add(now.model, now.model.contact()->last_step().exchange)) {
+  if (const auto text = add_step(now.model, now.model.contact()->last_step().exchange)) {
     now.warn(fmt::format("stage {}, step {}: {}", now.stage.name, now.model.state().step, *text));
   }
-  if (!is_closed_ || scene::steps_of(now.stage.until)) {
+  if (!is_closed_ || scene::fixed_steps(now.stage.until)) {
     return;
   }
-  if (const auto text = rest_.add(now.scene, now.model.state(), now.moving)) {
+  if (const auto text = rest_.add_step(now.scene, now.model.state(), now.moving_particles)) {
     now.warn(fmt::format("stage {}, step {}: {}; the stage goes on up to max_steps ({})",
                          now.stage.name, now.model.state().step, *text, now.stage.max_steps));
   }
 }
 
-std::optional<std::string> EnergyRecord::add(const model::SceneModel& model,
-                                             const contact::EnergyExchange& exchange) {
+std::optional<std::string> EnergyRecord::add_step(const model::SceneModel& model,
+                                                  const contact::EnergyExchange& exchange) {
   exchanged_ += exchange;
   if (!is_closed_) {
     return std::nullopt;
@@ -132,24 +133,24 @@ std::optional<std::string> EnergyRecord::add(const model::SceneModel& model,
       lowest_, now, 100 * (now - lowest_) / scale, scale);
 }
 
-double EnergyRecord::dissipated(const contact::Energy& now) const {
+double EnergyRecord::dissipated_energy(const contact::Energy& now) const {
   return start_ + exchanged_.gained() - now.sum();
 }
 
-std::optional<double> EnergyRecord::growth() const {
+std::optional<double> EnergyRecord::energy_growth() const {
   return is_closed_ ? std::optional(growth_) : std::nullopt;
 }
 
 ObserverFactory energy_observer() {
   return observer_factory<EnergyRecord>(
-      is_contact, {},
+      is_contact_model, {},
       {{{},
         "model `contact`, stages without sources in which neither walls nor the vessel move",
         {{"energy_growth", "Growth of the energy", "",
           "most that it has grown in the stage, as a share of that at its start"}},
         [](const StageView& stage) -> MeasureValues {
           const auto* energy = stage.observers.find<EnergyRecord>();
-          const auto growth = energy != nullptr ? energy->growth() : std::nullopt;
+          const auto growth = energy != nullptr ? energy->energy_growth() : std::nullopt;
           return growth ? MeasureValues{*growth} : MeasureValues{};
         }}});
 }

@@ -14,13 +14,13 @@ namespace clca::record {
 class UnsettledBedDetector {
  public:
   static constexpr std::size_t kMaxMovers = 3;
-  static constexpr std::uint64_t kSteps = 2000;
+  static constexpr std::uint64_t kMinSteps = 2000;
 
   /// Call after a step in which `moved` grains have moved. Returns a warning once, if for kSteps
   /// steps the same grains (at most kMaxMovers) were the only ones that moved, none has gone down
   /// or flown up, and one has moved beyond a neighbouring site and back.
-  std::optional<std::string> add(const scene::Scene& scene, const grains::State& state,
-                                 std::size_t moved);
+  std::optional<std::string> add_step(const scene::Scene& scene, const grains::State& state,
+                                      std::size_t moved);
 
   CLCA_FIELDS(movers_, steps_, has_advanced_, has_warned_);
   /// False for what no run that reached the state can have recorded.
@@ -57,16 +57,16 @@ class EnergyRecord : public SavedObserver<EnergyRecord> {
   /// `exchange`: of the step. Once in a run, the text of a warning if the energy has grown by more
   /// than 1 % of its scale: the greatest of the energy at the start, the dissipated and the kinetic
   /// energy, and the energy of a fall of all grains by a lattice spacing.
-  std::optional<std::string> add(const model::SceneModel& model,
-                                 const contact::EnergyExchange& exchange);
+  std::optional<std::string> add_step(const model::SceneModel& model,
+                                      const contact::EnergyExchange& exchange);
 
   /// Since the start of the stage.
   const contact::EnergyExchange& exchanged() const { return exchanged_; }
   /// Initial energy of the stage plus what the grains have gained since, minus the energy now.
-  double dissipated(const contact::Energy& now) const;
+  double dissipated_energy(const contact::Energy& now) const;
 
   /// Largest rise above an earlier minimum over the scale of add_step(); none unless is_closed_.
-  std::optional<double> growth() const;
+  std::optional<double> energy_growth() const;
 
   static constexpr const char* kPath = "records/energy";
   CLCA_FIELDS(is_closed_, start_, fall_, exchanged_, lowest_, growth_, has_warned_,

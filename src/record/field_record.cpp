@@ -22,7 +22,7 @@ TableOf<FieldRow> fields_table(const scene::Scene& /*scene*/) {
            {kCellCentre, [](auto& row) { return row.cell.centre; }},
            {{"packing", "Packing", "",
              "share of its sites that particles take at the end of the window"},
-            [](auto& row) { return row.cell.packing; }},
+            [](auto& row) { return row.cell.packing_fraction; }},
            {{"particles", "Particles", "particles",
              "that began the window in the cell and are still in the box; between two cells half "
              "in each. Without one there is no velocity"},
@@ -64,12 +64,12 @@ class FieldRecord : public SavedObserver<FieldRecord> {
  public:
   explicit FieldRecord(const scene::Scene& scene)
       : fields_(*scene.output.fields),
-        velocity_unit_(velocity_unit(scene)),
+        velocity_unit_(velocity_factor(scene)),
         fields_table_(scene, fields_table(scene)),
         fluctuation_table_(scene, fluctuation_table(scene)) {}
 
   static double bytes(const scene::Scene& scene, double particles) {
-    const double side = scene.output.fields->cell;
+    const double side = scene.output.fields->cell_side;
     return 2 * measure::Snapshot::bytes_for(particles) + particles * sizeof(measure::Displacement) +
            measure::field_bytes(scene.box.width * scene.box.height / (side * side));
   }
@@ -84,7 +84,7 @@ class FieldRecord : public SavedObserver<FieldRecord> {
     if (now.model.state().step > begin_->step()) {
       end_window(now);
     }
-    if (fluctuations_.samples() > 0) {
+    if (fluctuations_.sample_count() > 0) {
       write_fluctuations(now);
     }
   }
@@ -93,15 +93,15 @@ class FieldRecord : public SavedObserver<FieldRecord> {
   MeasureValues measures() const {
     const auto distance = [&](const std::vector<double>& shares) {
       const auto reference = statistics::chi_square_shares(fluctuations_.bins(), 2);
-      return fluctuations_.samples() > 0
+      return fluctuations_.sample_count() > 0
                  ? store::MeasureValue(statistics::hellinger_distance(shares, reference))
                  : store::MeasureValue();
     };
     const double energy = steps_ > 0 ? fluctuation_steps_ / static_cast<double>(steps_) : 0;
     return {energy * velocity_unit_ * velocity_unit_,
-            distance(fluctuations_.shares()),
-            distance(fluctuations_.local_shares()),
-            static_cast<double>(fluctuations_.samples()),
+            distance(fluctuations_.bin_shares()),
+            distance(fluctuations_.local_bin_shares()),
+            static_cast<double>(fluctuations_.sample_count()),
             fluctuations_.resting_share(),
             fluctuations_.sparse_share()};
   }
@@ -121,24 +121,26 @@ class FieldRecord : public SavedObserver<FieldRecord> {
   }
   void end_window(const StageView& now) {
     const grains::State& state = now.model.state();
-    const std::vector<measure::FieldCell> fields = measure::fields(*begin_, state, fields_.cell);
+    const std::vector<measure::FieldCell> fields =
+        measure::field_cells(*begin_, state, fields_.cell_side);
     for (const measure::FieldCell& cell : fields) {
-      if (cell.particles > 0 || cell.packing > 0) {
+      if (cell.particles > 0 || cell.packing_fraction > 0) {
         fields_table_.add({now, cell, velocity_unit_});
       }
     }
     const std::uint64_t steps = state.step - begin_->step();
     if (steps == fields_.every) {
-      fluctuations_.add(begin_->displacements(state), measure::Grid(state.lattice, fields_.cell));
+      fluctuations_.add(begin_->displacements(state),
+                        measure::Grid(state.lattice, fields_.cell_side));
     }
-    fluctuation_steps_ += measure::fluctuation_energy(fields) * static_cast<double>(steps);
+    fluctuation_steps_ += measure::mean_fluctuation(fields) * static_cast<double>(steps);
     steps_ += steps;
     begin_.emplace(state);
   }
   void write_fluctuations(const StageView& now) {
     const statistics::Bins& bins = fluctuations_.bins();
-    const std::vector<double> shares = fluctuations_.shares();
-    const std::vector<double> local = fluctuations_.local_shares();
+    const std::vector<double> shares = fluctuations_.bin_shares();
+    const std::vector<double> local = fluctuations_.local_bin_shares();
     const std::vector<double> reference = statistics::chi_square_shares(bins, 2);
     for (std::size_t bin = 0; bin < bins.count(); ++bin) {
       const bool is_last = bin + 1 == bins.count();
@@ -146,13 +148,13 @@ class FieldRecord : public SavedObserver<FieldRecord> {
                               is_last ? std::nullopt : std::optional(bins.upper(bin)), shares[bin],
                               local[bin], reference[bin]});
     }
-    fluctuation_table_.write(now.files, now.stage.name);
+    fluctuation_table_.write(now.output_folder, now.stage.name);
   }
-  scene::Fields fields_;
-  double velocity_unit_;                    // a spacing per step in the unit of velocities
-  std::optional<measure::Snapshot> begin_;  // of the window
-  measure::Fluctuations fluctuations_;      // over the complete windows of the stage
-  double fluctuation_steps_ = 0;            // sum of fluctuation x steps
+  scene::FieldOutput fields_;
+  double velocity_unit_;                        // a spacing per step in the unit of velocities
+  std::optional<measure::Snapshot> begin_;      // of the window
+  measure::FluctuationHistogram fluctuations_;  // over the complete windows of the stage
+  double fluctuation_steps_ = 0;                // sum of fluctuation x steps
   std::uint64_t steps_ = 0;
   TableWriter<FieldRow> fields_table_;
   TableWriter<EnergyBin> fluctuation_table_;

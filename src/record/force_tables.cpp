@@ -48,7 +48,7 @@ TableOf<ContactRow> contacts_table(const scene::Scene& scene) {
          "of the contact: on the side of the box, else on discs of the particles’ areas"},
         &ContactRow::point}},
       {{kContactModel,
-        is_contact(scene),
+        is_contact_model(scene),
         {{{"normal_", "Normal", "", "towards the first"},
           [](auto& row) { return row.force->normal; }},
          {{"normal_force", "Normal force", scene::kContactForceUnit, ""},
@@ -70,7 +70,7 @@ TableOf<ContactRow> contacts_table(const scene::Scene& scene) {
 
 TableOf<measure::ForceBin> forces_table(const scene::Scene& scene) {
   using Bin = measure::ForceBin;
-  const std::string_view unit = is_contact(scene) ? scene::kContactForceUnit : "sites";
+  const std::string_view unit = is_contact_model(scene) ? scene::kContactForceUnit : "sites";
   return {
       {.name = "forces", .kind = TableInfo::Kind::parts},
       {{{"low", "Lower end of the bin", unit,
@@ -98,7 +98,7 @@ TableOf<LoadRow> loads_table(const scene::Scene& scene) {
            {{"species", "Species", "", "its name"}, &LoadRow::species},
            {{"", "Position", "spacings", "of the centre of mass"}, &LoadRow::centre}},
           {{kContactModel,
-            is_contact(scene),
+            is_contact_model(scene),
             {{{"contacts", "Contacts", "", "mean number"}, &LoadRow::contacts},
              {{"normal_force", "Normal force", scene::kContactForceUnit, "sum over its contacts"},
               &LoadRow::load},
@@ -129,7 +129,7 @@ TableOf<WallRow> walls_table(const scene::Scene& scene) {
          "else of those that move"},
         &WallRow::name}},
       {{kContactModel,
-        is_contact(scene),
+        is_contact_model(scene),
         {{{"contacts", "Contacts", "", "mean number"}, &WallRow::contacts},
          {{"force_", "Force on the wall", scene::kContactForceUnit, ""}, &WallRow::force},
          {{"normal_force", "Normal force on the wall", scene::kContactForceUnit,
@@ -148,12 +148,12 @@ TableOf<WallRow> walls_table(const scene::Scene& scene) {
           &WallRow::stalled_since},
          {{"stalls", "Stalls", "", ""}, &WallRow::stalls},
          {{"particles", "Particles", "particles", "that overlap with the wall"},
-          &WallRow::particles},
-         {{"sites", "Overlap", "sites", "of the wall with particles"}, &WallRow::sites},
+          &WallRow::overlapping_particles},
+         {{"sites", "Overlap", "sites", "of the wall with particles"}, &WallRow::shared_sites},
          {{"chain_sites", "Overlap in chains", "sites", "in all contacts that began at it"},
           &WallRow::chain_sites},
          {{"jammed", "Jammed", "particles", "pushed from this wall and at rest"},
-          &WallRow::jammed}}}}};
+          &WallRow::jammed_particles}}}}};
 }
 
 TableOf<measure::StressCell> stress_table(const scene::Scene& /*scene*/) {
@@ -192,8 +192,7 @@ std::optional<Eigen::Vector2d> direction_of(const scene::WallPart& part) {
   return std::nullopt;
 }
 
-/// A unit vector along a wall whose parts are all parallel, or a side of the box: towards its lower
-/// end, or to the right. None for other walls.
+/// Unit vector along a wall of parallel parts or a side of the box, down or to the right; or none.
 std::optional<Eigen::Vector2d> direction_of(const scene::Scene& scene, grains::Owner body) {
   constexpr double kParallel = 1e-9;
   if (contact::is_side(body)) {
@@ -218,7 +217,7 @@ class ForceTables : public Observer {
         forces_(scene, forces_table(scene)),
         loads_(scene, loads_table(scene)),
         walls_(scene, walls_table(scene)) {
-    if (is_contact(scene)) {
+    if (is_contact_model(scene)) {
       stress_.emplace(scene, stress_table(scene));
     }
   }
@@ -239,7 +238,7 @@ class ForceTables : public Observer {
       add_overlaps(now, *now.observers.find<OverlapRecord>());
     }
     for (RunTable* table : tables()) {
-      table->write(now.files, now.stage.name);
+      table->write(now.output_folder, now.stage.name);
     }
   }
   std::vector<RunTable*> tables() override {
@@ -261,7 +260,7 @@ class ForceTables : public Observer {
     add_bins(normal_force_distribution(forces));
     add_loads(now, forces);
     add_walls(now.scene, forces);
-    const double cell = now.observers.find<CycleRecord>()->cell();
+    const double cell = now.observers.find<CycleRecord>()->cell_side();
     for (const measure::StressCell& stress :
          measure::stress_field(now.model.state(), forces, cell)) {
       if (stress.xx != 0 || stress.xy != 0 || stress.yy != 0) {
@@ -311,7 +310,7 @@ class ForceTables : public Observer {
   }
   void add_overlaps(const StageView& now, const OverlapRecord& record) {
     const grains::State& state = now.model.state();
-    const Overlaps overlaps = measure::contacts(state, now.model.grains().occupancy());
+    const Overlaps overlaps = measure::overlap_contacts(state, now.model.grains().occupancy());
     add_pairs(now.scene, overlaps, record);
     add_bins(record.distribution(overlaps));
     std::vector<double> pushes(state.particles.size(), 0);
@@ -328,7 +327,8 @@ class ForceTables : public Observer {
     for (const measure::WallOverlap& wall : summary.walls) {
       WallRow row = {wall};
       row.name = now.scene.walls[wall.wall].name;
-      row.depth = measure::penetration(state, state.walls[wall.wall], now.history.profile_at_start);
+      row.depth =
+          measure::penetration_depth(state, state.walls[wall.wall], now.history.profile_at_start);
       walls_.add(row);
     }
   }
@@ -343,14 +343,14 @@ class ForceTables : public Observer {
     for (const measure::OverlapContact& overlap : overlaps) {
       ContactRow& row = row_of(overlap.first, overlap.second);
       row.point = overlap.point;
-      row.sites = overlap.sites;
+      row.sites = overlap.shared_sites;
       row.depth = overlap.depth;
-      row.source = overlap.source ? scene.walls[*overlap.source].name : "";
+      row.source = overlap.source_wall ? scene.walls[*overlap.source_wall].name : "";
     }
     for (const measure::ForceAverage::Mean& mean : record.average().means()) {
       ContactRow& row = row_of(mean.first, mean.second);
-      row.mean_sites = mean.sites;
-      row.share = mean.share;
+      row.mean_sites = mean.shared_sites;
+      row.share = mean.present_share;
     }
     for (const auto& [pair, row] : rows) {
       contacts_.add(row);
@@ -376,7 +376,8 @@ class ForceTables : public Observer {
 ObserverFactory force_tables_observer() {
   return observer_factory<ForceTables>(
       [](const scene::Scene& scene) {
-        return requests(scene, scene::Measure::force) && (is_contact(scene) || has_overlaps(scene));
+        return requests_measure(scene, scene::Measure::force) &&
+               (is_contact_model(scene) || has_overlaps(scene));
       },
       {contacts_table, forces_table, loads_table, walls_table, stress_table});
 }

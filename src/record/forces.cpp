@@ -14,7 +14,7 @@ namespace clca::record {
 
 bool has_overlaps(const scene::Scene& scene) {
   return std::ranges::any_of(scene.walls, [](const scene::Wall& wall) {
-    return wall.motion && wall.passive == grains::PassiveRule::overlap;
+    return wall.motion && wall.passive_rule == grains::PassiveRule::overlap;
   });
 }
 
@@ -81,14 +81,14 @@ MeasureValues overlap_forces(const StageView& stage) {
   }
   const grains::State& state = stage.model.state();
   const grains::Occupancy& occupancy = stage.model.grains().occupancy();
-  const auto contacts = measure::contacts(state, occupancy);
+  const auto contacts = measure::overlap_contacts(state, occupancy);
   const auto summary = measure::force_summary(state, occupancy, contacts);
   const MeasureValues shape = values_of(overlaps->distribution(contacts));
   std::optional<double> depth;          // of the deepest wall
   std::optional<double> stalled_since;  // of the first to stall
   for (const measure::WallOverlap& overlap : summary.walls) {
     const grains::Wall& wall = state.walls[overlap.wall];
-    const auto of_wall = measure::penetration(state, wall, stage.history.profile_at_start);
+    const auto of_wall = measure::penetration_depth(state, wall, stage.history.profile_at_start);
     if (of_wall && wall.lets_overlap()) {
       depth = std::max(depth.value_or(*of_wall), *of_wall);
     }
@@ -97,11 +97,11 @@ MeasureValues overlap_forces(const StageView& stage) {
       stalled_since = std::min(stalled_since.value_or(step), step);
     }
   }
-  return {static_cast<double>(summary.depth_max),
-          static_cast<double>(summary.sites),
-          static_cast<double>(summary.contacts),
+  return {static_cast<double>(summary.max_depth),
+          static_cast<double>(summary.shared_sites),
+          static_cast<double>(summary.contact_count),
           store::value_or_null(summary.cone_share),
-          static_cast<double>(summary.jammed),
+          static_cast<double>(summary.jammed_particles),
           shape[0],
           shape[1],
           store::value_or_null(depth),
@@ -147,7 +147,7 @@ std::vector<QuantityGroup> force_quantities() {
 std::vector<std::string> stall_messages(const scene::Scene& scene, const model::SceneModel& model,
                                         const std::vector<double>& surface_at_start) {
   const grains::State& state = model.state();
-  const auto contacts = measure::contacts(state, model.grains().occupancy());
+  const auto contacts = measure::overlap_contacts(state, model.grains().occupancy());
   std::vector<std::string> lines;
   for (const measure::WallOverlap& overlap :
        measure::force_summary(state, model.grains().occupancy(), contacts).walls) {
@@ -159,10 +159,10 @@ std::vector<std::string> stall_messages(const scene::Scene& scene, const model::
         fmt::format("wall {} stalls since step {} after {} sites", scene.walls[overlap.wall].name,
                     *overlap.stalled_since, overlap.travel);
     if (wall.lets_overlap()) {
-      const auto depth = measure::penetration(state, wall, surface_at_start);
+      const auto depth = measure::penetration_depth(state, wall, surface_at_start);
       line += depth && *depth > 0 ? fmt::format(", {:.1f} spacings deep", *depth) : "";
       line += fmt::format(": {} sites overlap, {} particles are jammed", overlap.chain_sites,
-                          overlap.jammed);
+                          overlap.jammed_particles);
     }
     lines.push_back(line);
   }

@@ -21,7 +21,7 @@ class OverlapRecord : public SavedObserver<OverlapRecord> {
 
   void after_step(const StageView& now) override {
     if (sampling_ && now.history.steps % sampling_->every == 0) {
-      average_.add(measure::contacts(now.model.state(), now.model.grains().occupancy()));
+      average_.add(measure::overlap_contacts(now.model.state(), now.model.grains().occupancy()));
     }
   }
 
@@ -42,7 +42,7 @@ class OverlapRecord : public SavedObserver<OverlapRecord> {
  private:
   void prepare(const StageView& /*now*/) override { average_ = {}; }
 
-  std::optional<scene::Contacts> sampling_;
+  std::optional<scene::ContactSampling> sampling_;
   measure::ForceAverage average_;
 };
 

@@ -181,10 +181,10 @@ void add_bins(GasHistogram& table, const GasScene& scene, const GasCase& gas_cas
 
 /// Temperatures by the closed forms, at the times of the series.
 void add_cooling(Closure& table, const GasScene& scene, const GasCase& gas_case) {
-  if (gas_case.observations() == 0) {
+  if (gas_case.observation_count() == 0) {
     return;
   }
-  const boltzmann::Law law = scene::process(scene, gas_case.restitution).law;
+  const boltzmann::Law law = scene::gas_process(scene, gas_case.restitution).law;
   std::vector<double> spins;
   for (const model::GasMember* member : gas_case.members_with(0)) {
     spins.push_back(member->observations.front().moments.rotational);
@@ -212,7 +212,7 @@ void add_steady_flow(Closure& table, const GasScene& scene, const GasCase& gas_c
   }
   const boltzmann::ShearFlow flow =
       boltzmann::steady_shear_flow(gas_case.restitution, scene.shear_rate);
-  for (const double time : {0.0, scene.until}) {
+  for (const double time : {0.0, scene.end_time}) {
     table.add({.restitution = gas_case.restitution,
                .time = time,
                .translational = flow.temperature,
@@ -241,7 +241,7 @@ std::vector<Quantity> gas_quantities() {
   return all;
 }
 
-std::size_t GasCase::observations() const {
+std::size_t GasCase::observation_count() const {
   std::size_t most = 0;
   for (const model::GasMember& member : members) {
     most = std::max(most, member.observations.size());
@@ -260,9 +260,9 @@ std::vector<const model::GasMember*> GasCase::members_with(std::size_t observati
 }
 
 std::vector<store::TableSummary> gas_table_summaries(const GasScene& scene) {
-  return {{"series", GasSeries(scene, gas_series_table(scene)).summary()},
-          {"histogram", GasHistogram(scene, gas_histogram_table(scene)).summary()},
-          {"closure", Closure(scene, gas_closure_table(scene)).summary()}};
+  return {{"series", GasSeries(scene, gas_series_table(scene)).column_summaries()},
+          {"histogram", GasHistogram(scene, gas_histogram_table(scene)).column_summaries()},
+          {"closure", Closure(scene, gas_closure_table(scene)).column_summaries()}};
 }
 
 void write_gas_tables(const GasScene& scene, const std::vector<GasCase>& cases,
@@ -270,7 +270,7 @@ void write_gas_tables(const GasScene& scene, const std::vector<GasCase>& cases,
   const std::vector<model::ObservationTime> times = model::observation_times(scene);
   GasSeries series(scene, gas_series_table(scene));
   for (const GasCase& gas_case : cases) {
-    for (std::size_t i = 0; i < gas_case.observations(); ++i) {
+    for (std::size_t i = 0; i < gas_case.observation_count(); ++i) {
       if (times[i].in_series) {
         series.add({gas_case, i, times[i].time});
       }
@@ -280,13 +280,13 @@ void write_gas_tables(const GasScene& scene, const std::vector<GasCase>& cases,
   GasHistogram histogram(scene, gas_histogram_table(scene));
   for (std::size_t i = 0; i < times.size(); ++i) {
     for (const GasCase& gas_case : cases) {
-      if (times[i].in_histograms && i < gas_case.observations()) {
+      if (times[i].in_histograms && i < gas_case.observation_count()) {
         add_bins(histogram, scene, gas_case, i, "translational",
                  &boltzmann::EnergyShares::translational);
         add_bins(histogram, scene, gas_case, i, "rotational", &boltzmann::EnergyShares::rotational);
       }
     }
-    if (!histogram.is_empty()) {
+    if (!histogram.has_no_new_rows()) {
       histogram.write(&folder, fmt::format("{}", times[i].time));
     }
   }
@@ -305,7 +305,7 @@ std::vector<store::NamedMeasure> gas_measures(const GasScene& scene, const GasCa
       {"restitution", gas_case.restitution},
       {"hellinger_floor", statistics::expected_hellinger_distance(model::energy_bins(scene).count(),
                                                                   scene.particles)}};
-  const std::size_t reached = gas_case.observations();
+  const std::size_t reached = gas_case.observation_count();
   if (reached == 0) {
     return measures;
   }
@@ -315,7 +315,7 @@ std::vector<store::NamedMeasure> gas_measures(const GasScene& scene, const GasCa
     if (has_value(scene, value)) {
       const SampleStatistics mean = estimate(gas_case, reached - 1, value);
       measures.emplace_back(value.quantity.key, mean.mean);
-      if (scene.ensemble > 1) {
+      if (scene.ensemble_size > 1) {
         measures.emplace_back(fmt::format("{}_se", value.quantity.key), mean.standard_error);
       }
     }

@@ -34,15 +34,15 @@ TableOf<LineRow> lines_table(const scene::Scene& scene) {
        {{"flux", "Flux", "sites/(step·spacing)", "sites that pass"},
         [](auto& row) { return row.part.flux; }},
        {{"v_across", "Velocity across the line", "spacings/step", "mean of what lies on the line"},
-        [](auto& row) { return in_units(row.part.across, row.velocity_unit); }},
+        [](auto& row) { return in_units(row.part.across_velocity, row.velocity_unit); }},
        {{"v_along", "Velocity along the line", "spacings/step", "mean of what lies on the line"},
-        [](auto& row) { return in_units(row.part.along, row.velocity_unit); }},
+        [](auto& row) { return in_units(row.part.along_velocity, row.velocity_unit); }},
        {{"filling", "Filling", "",
          "share of the part that particles cover, of what no wall covers; 0 if walls cover all"},
-        [](auto& row) { return row.part.filling; }},
+        [](auto& row) { return row.part.covered_share; }},
        {{"particles", "Particles", "particles",
          "whose centre has passed, either way; on the edge of two parts half in each"},
-        [](auto& row) { return row.part.particles; }}},
+        [](auto& row) { return row.part.passed_particles; }}},
       {{"with `units.density`",
         scene::has_density(scene),
         {{{"mass_flux", "Mass flux", "kg/(s·m)", "`flux` in SI units"},
@@ -58,7 +58,8 @@ class LineRecord : public SavedObserver<LineRecord> {
     double bytes = 3 * measure::Snapshot::bytes_for(particles) +
                    particles * (sizeof(Eigen::Vector2d) + sizeof(std::optional<Eigen::Vector2d>));
     for (const scene::Line& line : scene.lines) {
-      bytes += measure::Line::bytes_for(line.parts) + 2 * measure::LineSums::bytes_for(line.parts);
+      bytes += measure::Line::bytes_for(line.part_count) +
+               2 * measure::LineSums::bytes_for(line.part_count);
     }
     return bytes;
   }
@@ -72,15 +73,15 @@ class LineRecord : public SavedObserver<LineRecord> {
     if (now.model.state().step > last_.step()) {
       observe(now);
     }
-    const double spacing_per_step = velocity_unit(now.scene);
-    const auto units = scene::conversion(now.scene);
-    const double flux_unit = units && units->site ? units->mass_rate(1) / units->spacing : 0;
+    const double spacing_per_step = velocity_factor(now.scene);
+    const auto units = scene::unit_conversion(now.scene);
+    const double flux_unit = units && units->site_mass ? units->mass_rate(1) / units->spacing : 0;
     for (std::size_t line = 0; line < lines_.size(); ++line) {
-      for (const measure::LinePart& part : lines_[line].means(sums_[line])) {
+      for (const measure::LinePart& part : lines_[line].part_means(sums_[line])) {
         table_.add({now.scene.lines[line], part, spacing_per_step, flux_unit});
       }
     }
-    table_.write(now.files, now.stage.name);
+    table_.write(now.output_folder, now.stage.name);
   }
   std::vector<RunTable*> tables() override { return {&table_}; }
 
@@ -88,7 +89,7 @@ class LineRecord : public SavedObserver<LineRecord> {
     return last_.precedes(now) &&
            std::equal(lines_.begin(), lines_.end(), sums_.begin(), sums_.end(),
                       [](const measure::Line& line, const measure::LineSums& sums) {
-                        return sums.fit(line.parts());
+                        return sums.fits_part_count(line.part_count());
                       });
   }
   static constexpr const char* kPath = "records/lines";
@@ -100,7 +101,7 @@ class LineRecord : public SavedObserver<LineRecord> {
     lines_.clear();
     sums_.clear();
     for (const scene::Line& line : now.scene.lines) {
-      const auto parts = static_cast<std::size_t>(line.parts);
+      const auto parts = static_cast<std::size_t>(line.part_count);
       lines_.emplace_back(now.model.state(), line.from, line.to, parts);
       sums_.emplace_back(parts);
     }
@@ -109,7 +110,7 @@ class LineRecord : public SavedObserver<LineRecord> {
     const model::SceneModel& model = now.model;
     const grains::State& state = model.state();
     std::vector<std::optional<Eigen::Vector2d>> velocities;
-    if (is_contact(now.scene)) {
+    if (is_contact_model(now.scene)) {
       const std::vector<Eigen::Vector2d> at_row = model.velocities();
       velocities.assign(at_row.begin(), at_row.end());
     } else {

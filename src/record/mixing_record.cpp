@@ -39,11 +39,11 @@ class MixingRecord : public SavedObserver<MixingRecord> {
     for (std::size_t i = 0; i < fallen().size(); ++i) {
       table_.add({static_cast<double>(i + 1), fallen()[i]});
     }
-    table_.write(now.files, now.stage.name);
+    table_.write(now.output_folder, now.stage.name);
   }
   std::vector<RunTable*> tables() override { return {&table_}; }
 
-  const std::vector<measure::FallenPairs>& fallen() const { return mixing_.fallen(); }
+  const std::vector<measure::FallenPairs>& fallen() const { return mixing_.fallen_pairs(); }
 
   bool precedes(const grains::State& now) const { return mixing_.precedes(now); }
   static constexpr const char* kPath = "records/mixing";
@@ -70,7 +70,7 @@ MeasureValues mixing(const StageView& stage) {
 
 ObserverFactory mixing_observer() {
   return observer_factory<MixingRecord>(
-      [](const scene::Scene& scene) { return requests(scene, scene::Measure::mixing); },
+      [](const scene::Scene& scene) { return requests_measure(scene, scene::Measure::mixing); },
       {mixing_table},
       {{scene::Measure::mixing,
         "",

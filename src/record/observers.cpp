@@ -48,7 +48,7 @@ double observer_bytes(const scene::Scene& scene, double particles) {
   return bytes;
 }
 
-bool requests(const scene::Scene& scene, scene::Measure measure) {
+bool requests_measure(const scene::Scene& scene, scene::Measure measure) {
   return std::ranges::find(scene.measures, measure) != scene.measures.end();
 }
 
@@ -59,10 +59,10 @@ Observers::Observers(std::vector<std::unique_ptr<Observer>> all) : all_(std::mov
   }
 }
 
-std::vector<store::TableSummary> Observers::summary() const {
+std::vector<store::TableSummary> Observers::table_summaries() const {
   std::vector<store::TableSummary> all;
   for (const RunTable* table : tables_) {
-    all.emplace_back(table->info().name, table->summary());
+    all.emplace_back(table->info().name, table->column_summaries());
   }
   return all;
 }
@@ -70,7 +70,7 @@ std::vector<store::TableSummary> Observers::summary() const {
 void Observers::open(const store::RunFolder& folder, const grains::State& now) {
   // All are checked before one is changed.
   for (const RunTable* table : tables_) {
-    table->check(folder.output_folder());
+    table->check_saved_bytes(folder.output_folder());
   }
   call(&Observer::open, folder, now);
   for (RunTable* table : tables_) {
@@ -107,7 +107,7 @@ void Observers::save(reflection::Columns& columns) {
   write_rows(0);
   for (RunTable* table : tables_) {
     if (table->info().kind == TableInfo::Kind::growing) {
-      reflection::encode(bytes_path(*table), table->bytes(), columns);
+      reflection::encode(bytes_path(*table), table->saved_bytes(), columns);
     }
   }
   call(&Observer::save, columns);
@@ -116,7 +116,7 @@ void Observers::save(reflection::Columns& columns) {
 void Observers::load(const SavedColumns& saved, const StageView& now) {
   for (RunTable* table : tables_) {
     if (table->info().kind == TableInfo::Kind::growing) {
-      saved.read(bytes_path(*table), table->bytes(), now.model.state());
+      saved.read(bytes_path(*table), table->saved_bytes(), now.model.state());
     }
   }
   call(&Observer::load, saved, now);

@@ -41,10 +41,10 @@ using Rates = std::vector<std::pair<Quantity, double>>;
 Rates rates(const scene::Scene& scene, const measure::Outflow& outflow) {
   const double per_step = outflow.sites_per_step();
   Rates all = {{kPerStep, per_step}};
-  if (const auto conversion = scene::conversion(scene)) {
+  if (const auto conversion = scene::unit_conversion(scene)) {
     const double per_time = per_step / conversion->time_step;
     all.emplace_back(kPerTime, per_time);
-    if (conversion->site) {
+    if (conversion->site_mass) {
       const measure::Discharge left = outflow.stage_discharge();
       const double sites =
           left.particles > 0 ? static_cast<double>(left.sites) / static_cast<double>(left.particles)
@@ -72,9 +72,9 @@ std::vector<bool> clogged(const StageView& stage) {
   const model::SceneModel& model = stage.model;
   std::vector<bool> clogged;
   for (std::size_t outlet = 0; outlet < model.state().outlets.size(); ++outlet) {
-    clogged.push_back(
-        stage.history.settled &&
-        measure::clogged(model.state(), model.grains().occupancy(), outlet, model.grains().down()));
+    clogged.push_back(stage.history.ended_at_rest &&
+                      measure::is_clogged(model.state(), model.grains().occupancy(), outlet,
+                                          model.grains().down()));
   }
   return clogged;
 }
@@ -99,7 +99,7 @@ Named discharged_of_each(const StageView& stage) {
   if (state.outlets.empty() || !has_values_of_each(scene)) {
     return results;
   }
-  std::vector<std::uint64_t> particles = measure::discharged_particles(state, scene.species.size());
+  std::vector<std::uint64_t> particles = measure::discharged_counts(state, scene.species.size());
   std::transform(particles.begin(), particles.end(), stage.history.discharged_at_start.begin(),
                  particles.begin(), std::minus<>());
   for (const auto& [name, count] : discharge_by_name(scene, particles)) {

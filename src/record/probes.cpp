@@ -72,9 +72,9 @@ class Probes : public Observer {
       return;
     }
     const double steps = last_ ? static_cast<double>(state.step - last_->step()) : 0;
-    const double spacing_per_step = velocity_unit(now.scene);
+    const double spacing_per_step = velocity_factor(now.scene);
     std::vector<measure::Displacement> displacements;
-    if (is_contact(now.scene)) {
+    if (is_contact_model(now.scene)) {
       displacements = measure::displacements_in_step(state, now.model.velocities());
     } else if (last_) {
       displacements = last_->displacements(state);
@@ -83,19 +83,19 @@ class Probes : public Observer {
     std::vector<lattice::Rectangle> regions;
     std::ranges::transform(probes, std::back_inserter(regions),
                            [](const scene::Probe& probe) { return probe.region; });
-    const std::vector<double> fillings = measure::fillings(state, regions);
+    const std::vector<double> fillings = measure::filled_shares(state, regions);
     for (std::size_t i = 0; i < probes.size(); ++i) {
       ProbeRow row = {now, probes[i], fillings[i]};
-      if (const auto motion =
-              measure::motion_in(regions[i], displacements, is_contact(now.scene) ? 1 : steps)) {
+      if (const auto motion = measure::region_motion(regions[i], displacements,
+                                                     is_contact_model(now.scene) ? 1 : steps)) {
         row.particles = motion->particles;
         row.velocity = motion->velocity * spacing_per_step;
         row.fluctuation = motion->fluctuation * spacing_per_step * spacing_per_step;
       }
       if (last_) {
-        row.flow = measure::downward_flow(*last_, state, regions[i]) / steps;
+        row.flow = measure::sites_moved_down(*last_, state, regions[i]) / steps;
         if (scene::has_density(now.scene)) {
-          row.mass_flow = scene::conversion(now.scene)->mass_rate(*row.flow);
+          row.mass_flow = scene::unit_conversion(now.scene)->mass_rate(*row.flow);
         }
       }
       table_.add(row);

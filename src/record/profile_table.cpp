@@ -32,7 +32,7 @@ class Profile : public Observer {
       table_.add({lattice::kColumnPitch * static_cast<double>(column),
                   now.history.profile_at_start[column], end[column]});
     }
-    table_.write(now.files, now.stage.name);
+    table_.write(now.output_folder, now.stage.name);
   }
   std::vector<RunTable*> tables() override { return {&table_}; }
 
@@ -44,7 +44,7 @@ class Profile : public Observer {
 
 ObserverFactory profile_observer() {
   return observer_factory<Profile>(
-      [](const scene::Scene& scene) { return requests(scene, scene::Measure::profile); },
+      [](const scene::Scene& scene) { return requests_measure(scene, scene::Measure::profile); },
       {profile_table});
 }
 

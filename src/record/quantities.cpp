@@ -83,7 +83,7 @@ std::vector<TableInfo> sweep_tables() {
                     "since the stage began"},
                    {"runs", "Runs", "", "number of values"},
                    {"COLUMN", "Mean", "of the column", "of each column, over the seeds"}})};
-  all.back().columns.back().endings = {"", kErrorSuffix};
+  all.back().columns.back().suffixes = {"", kErrorSuffix};
   return all;
 }
 
@@ -135,7 +135,7 @@ std::string_view part_of_vector(const Quantity& quantity, std::string_view colum
 }
 
 store::ColumnSummary summary_of(std::string_view key, const Quantity& quantity,
-                                const std::optional<scene::Conversion>& units) {
+                                const std::optional<scene::UnitConversion>& units) {
   const std::size_t dot = key.find('.');
   return {.key = std::string(key),
           .name = std::string(quantity.name),
@@ -150,7 +150,8 @@ const Quantity* find_column(std::span<const TableInfo> tables, std::string_view 
                             bool is_of_each = false) {
   for (const TableInfo& table : tables) {
     const auto found = std::ranges::find_if(table.columns, [&](const ColumnInfo& column) {
-      return column.of_each.empty() != is_of_each && std::ranges::count(column.names(), name) > 0;
+      return column.of_each.empty() != is_of_each &&
+             std::ranges::count(column.column_names(), name) > 0;
     });
     if (found != table.columns.end()) {
       return &found->quantity;
@@ -199,7 +200,7 @@ std::vector<NamedQuantity> named_quantities() {
       const std::string file =
           store::table_name(table.name, table.kind == TableInfo::Kind::parts ? "STAGE" : "");
       for (const ColumnInfo& column : table.columns) {
-        for (const std::string& key : column.names()) {
+        for (const std::string& key : column.column_names()) {
           all.push_back({key, &column.quantity, file + kind.of, !column.of_each.empty()});
         }
       }
@@ -209,19 +210,19 @@ std::vector<NamedQuantity> named_quantities() {
 }
 
 std::optional<store::ColumnSummary> KnownQuantities::find(std::string_view key) const {
-  const auto own = std::ranges::find(derived, key, &scene::DerivedMeasure::name);
-  if (own != derived.end()) {
+  const auto own = std::ranges::find(derived_measures, key, &scene::DerivedMeasure::name);
+  if (own != derived_measures.end()) {
     return store::ColumnSummary{.key = own->name,
                                 .name = own->about.value_or(own->name),
                                 .unit = own->unit == "1" ? "" : shown_unit(own->unit, units),
-                                .meaning = own->value};
+                                .meaning = own->expression};
   }
   const Quantity* known = find_quantity(key, kind);
   if (known == nullptr) {
     return std::nullopt;
   }
   store::ColumnSummary summary = summary_of(key, *known, units);
-  summary.relative_to_floor = known->of_floor;
+  summary.relative_to_floor = known->is_relative_to_floor;
   return summary;
 }
 
@@ -231,7 +232,7 @@ KnownQuantities known_quantities(const store::RunSummary& summary) {
                   : summary.kind == "sweep"   ? Kind::sweep
                                               : Kind::run,
           .units = summary.units,
-          .derived = summary.derived_measures};
+          .derived_measures = summary.derived_measures};
 }
 
 std::vector<store::ColumnSummary> sweep_column_summaries(std::string_view table,
@@ -274,7 +275,7 @@ std::vector<std::string> sweep_column_names(
     const auto several = names.find(column.quantity.key);
     for (const std::string& key :
          several != names.end() ? several->second : std::vector{std::string(column.quantity.key)}) {
-      for (const std::string_view ending : column.endings) {
+      for (const std::string_view ending : column.suffixes) {
         columns.push_back(key + std::string(ending));
       }
     }
@@ -282,7 +283,7 @@ std::vector<std::string> sweep_column_names(
   return columns;
 }
 
-std::vector<store::ColumnSummary> RunTable::summary() const {
+std::vector<store::ColumnSummary> RunTable::column_summaries() const {
   std::vector<store::ColumnSummary> result;
   for (const std::string& name : table_.column_names()) {
     const Quantity* column = find_column({&info_, 1}, name);
@@ -294,8 +295,8 @@ std::vector<store::ColumnSummary> RunTable::summary() const {
   return result;
 }
 
-std::string shown_unit(std::string_view unit, const std::optional<scene::Conversion>& units) {
-  if (const auto si = units ? units->si(unit) : std::nullopt) {
+std::string shown_unit(std::string_view unit, const std::optional<scene::UnitConversion>& units) {
+  if (const auto si = units ? units->si_unit(unit) : std::nullopt) {
     return std::string(si->name);
   }
   std::string text(unit);
@@ -341,11 +342,11 @@ std::string columns_markdown(std::string_view table) {
     const Quantity& what = column.quantity;
     const std::string names = !column.of_each.empty()
                                   ? fmt::format("`{}.{}`", what.key, column.of_each)
-                              : column.endings.back() == kErrorSuffix
+                              : column.suffixes.back() == kErrorSuffix
                                   ? fmt::format("`{}` (`_se`)", what.key)
-                                  : fmt::format("`{}`", fmt::join(column.names(), "`, `"));
+                                  : fmt::format("`{}`", fmt::join(column.column_names(), "`, `"));
     text += fmt::format("| {} | {} | {}{}{} |\n", names, what.unit, described(what),
-                        column.where.empty() ? "" : "; ", column.where);
+                        column.condition.empty() ? "" : "; ", column.condition);
   }
   return text;
 }

@@ -49,8 +49,8 @@ Eigen::Vector2d lever(const lattice::Lattice& box, const Eigen::Vector2d& from,
 class StepsSinceRow {
  public:
   explicit StepsSinceRow(const scene::Scene& scene)
-      : series_(*scene.output.series), conversion_(scene::conversion(scene)) {
-    if (series_.forces) {
+      : series_(*scene.output.series), conversion_(scene::unit_conversion(scene)) {
+    if (series_.has_wall_forces) {
       bodies_ = walls_and_sides(scene);
     }
   }
@@ -71,7 +71,7 @@ class StepsSinceRow {
     const grains::State& state = now.model.state();
     ++steps_;
     left_ = measure::discharge(state);
-    if (series_.forces) {
+    if (series_.has_wall_forces) {
       add_forces(state, now.model.wall_forces());
     }
   }
@@ -103,7 +103,7 @@ class StepsSinceRow {
   /// Kilograms and particles a second; none without steps.
   std::optional<double> mass_flow_rate() const {
     return steps_ > 0 ? std::optional(static_cast<double>(left_.sites - before_.sites) *
-                                      conversion_->site->mass / conversion_->time(steps_))
+                                      conversion_->site_mass->mass / conversion_->time(steps_))
                       : std::nullopt;
   }
   std::optional<double> particle_flow_rate() const {
@@ -168,11 +168,11 @@ class StepsSinceRow {
                : home + lattice::position(state.walls[grains::wall_number(bodies_[body])].shift());
   }
 
-  scene::Series series_;
-  std::optional<scene::Conversion> conversion_;  // of units; none: steps have no length
-  std::vector<grains::Owner> bodies_;            // with forces; else empty
-  std::vector<Eigen::Vector2d> centres_;         // of each, before walls travelled
-  std::optional<Eigen::Vector2d> centre_;        // that the vessel turns about
+  scene::SeriesOutput series_;
+  std::optional<scene::UnitConversion> conversion_;  // of units; none: steps have no length
+  std::vector<grains::Owner> bodies_;                // with forces; else empty
+  std::vector<Eigen::Vector2d> centres_;             // of each, before walls travelled
+  std::optional<Eigen::Vector2d> centre_;            // that the vessel turns about
   std::uint64_t steps_ = 0;
   std::vector<Load> loads_;    // by body
   measure::Discharge before_;  // what had left the box at the last row
@@ -204,7 +204,9 @@ struct SeriesRow {
 };
 
 double moving_share(const StageView& now) {
-  return now.stepped > 0 ? static_cast<double>(now.moving) / static_cast<double>(now.stepped) : 0.0;
+  return now.stepped_particles > 0 ? static_cast<double>(now.moving_particles) /
+                                         static_cast<double>(now.stepped_particles)
+                                   : 0.0;
 }
 
 using scene::kEnergyUnit;
@@ -249,7 +251,7 @@ TableOf<SeriesRow> series_table(const scene::Scene& scene) {
        {{"moving", "Moving", "particles",
          "that moved by themselves or were pushed out of an overlap in this step, those removed "
          "at its end included; not those that a rigid wall carries"},
-        [](auto& row) { return row.now.moving; }},
+        [](auto& row) { return row.now.moving_particles; }},
        {{"moving_share", "Share moving", "",
          "of the particles, in this step, those removed at its end included"},
         [](auto& row) { return moving_share(row.now); }},
@@ -261,23 +263,23 @@ TableOf<SeriesRow> series_table(const scene::Scene& scene) {
        {{"discharged_sites", "Sites discharged", "sites", kSinceRun},
         [](auto& row) { return measure::discharge(row.state()).sites; }}},
       {{kContactModel,
-        is_contact(scene),
+        is_contact_model(scene),
         {{{"kinetic_energy", "Kinetic energy", kEnergyUnit, "with spin"},
           [](auto& row) { return row.energy.kinetic; }},
          {{"potential_energy", "Potential energy", kEnergyUnit, ""},
           [](auto& row) { return row.energy.potential; }},
          {{"dissipated_energy", "Dissipated energy", kEnergyUnit, kSinceStage},
-          [](auto& row) { return row.balance->dissipated(row.energy); }}}},
+          [](auto& row) { return row.balance->dissipated_energy(row.energy); }}}},
        {"with `model: contact` and sources",
-        is_contact(scene) && !scene.sources.empty(),
+        is_contact_model(scene) && !scene.sources.empty(),
         {{{"source_energy", "Energy from sources", kEnergyUnit, kSinceStage},
           [](auto& row) { return row.balance->exchanged().sources; }}}},
        {"with `model: contact` and outlets",
-        is_contact(scene) && !scene.outlets.empty(),
+        is_contact_model(scene) && !scene.outlets.empty(),
         {{{"outlet_energy", "Energy through outlets", kEnergyUnit, kSinceStage},
           [](auto& row) { return row.balance->exchanged().outlets; }}}},
        {"with `model: contact` and walls that move",
-        is_contact(scene) &&
+        is_contact_model(scene) &&
             std::ranges::any_of(scene.walls,
                                 [](const scene::Wall& wall) { return wall.motion.has_value(); }),
         {{{"wall_work", "Work of walls", kEnergyUnit, kSinceStage},
@@ -303,14 +305,14 @@ std::vector<std::string> names_of_each(const scene::Scene& scene) {
     if (wall.motion) {
       names.push_back("travel." + wall.name);
     }
-    if (wall.motion && wall.passive == grains::PassiveRule::overlap) {
+    if (wall.motion && wall.passive_rule == grains::PassiveRule::overlap) {
       names.push_back("index." + wall.name);
     }
   }
   for (const auto& [name, none] : discharge_by_name(scene)) {
     names.push_back(name);
   }
-  if (scene.output.series->forces) {
+  if (scene.output.series->has_wall_forces) {
     const std::vector<std::string> forces = StepsSinceRow::force_names(scene);
     names.insert(names.end(), forces.begin(), forces.end());
   }
@@ -325,9 +327,9 @@ std::vector<std::uint64_t> overlap_sites_by_wall(const model::SceneModel& model)
     return sites;
   }
   for (const measure::OverlapContact& contact :
-       measure::contacts(state, model.grains().occupancy())) {
-    if (contact.source) {
-      sites[*contact.source] += static_cast<std::uint64_t>(contact.sites);
+       measure::overlap_contacts(state, model.grains().occupancy())) {
+    if (contact.source_wall) {
+      sites[*contact.source_wall] += static_cast<std::uint64_t>(contact.shared_sites);
     }
   }
   return sites;
@@ -347,12 +349,12 @@ std::vector<store::Cell> cells_of_each(const SeriesRow& row) {
     }
   }
   if (!discharge_by_name(scene).empty()) {
-    const auto particles = measure::discharged_particles(state, scene.species.size());
+    const auto particles = measure::discharged_counts(state, scene.species.size());
     for (const auto& [name, count] : discharge_by_name(scene, particles)) {
       cells.emplace_back(count);
     }
   }
-  if (scene.output.series->forces) {
+  if (scene.output.series->has_wall_forces) {
     const std::vector<store::Cell> forces = row.since_row.force_cells();
     cells.insert(cells.end(), forces.begin(), forces.end());
   }

@@ -26,7 +26,7 @@ constexpr std::string_view kFlank =
     "straight line through the surface between 15 % and 80 % of its height";
 
 MeasureValues values_of(const measure::ReposeAngle& angle) {
-  return {store::value_or_null(angle.mean()), store::value_or_null(angle.left.degrees),
+  return {store::value_or_null(angle.mean_degrees()), store::value_or_null(angle.left.degrees),
           store::value_or_null(angle.right.degrees)};
 }
 
@@ -76,7 +76,7 @@ std::vector<QuantityGroup> made_groups() {
          "how far the outermost site lies beyond the origins", true}},
        [](const StageView& stage) -> MeasureValues {
          const auto runout = measure::runout(stage.model.state());
-         return runout ? MeasureValues{runout->percent_99, runout->front} : MeasureValues(2);
+         return runout ? MeasureValues{runout->percentile_99, runout->front} : MeasureValues(2);
        }},
       {Measure::packing,
        "",
@@ -113,8 +113,8 @@ std::vector<QuantityGroup> made_groups() {
           }
           const grains::State& state = stage.model.state();
           return {store::value_or_null(measure::segregation_index(state)),
-                  store::value_or_null(
-                      measure::lacey_index(state, stage.observers.find<CycleRecord>()->cell()))};
+                  store::value_or_null(measure::lacey_index(
+                      state, stage.observers.find<CycleRecord>()->cell_side()))};
         }},
        {Measure::intruder,
         "a single particle of a species",
@@ -173,13 +173,13 @@ constexpr std::string_view kTime = "time";
 std::vector<std::string> named_measures(const scene::Scene& scene) {
   std::vector<std::string> names = {std::string(kSteps), std::string(kTime)};
   for (const QuantityGroup& group : stage_quantities()) {
-    if (!group.measure || requests(scene, *group.measure)) {
+    if (!group.measure || requests_measure(scene, *group.measure)) {
       for (const Quantity& quantity : group.quantities) {
         names.emplace_back(quantity.key);
       }
     }
   }
-  if (requests(scene, scene::Measure::outflow)) {
+  if (requests_measure(scene, scene::Measure::outflow)) {
     std::ranges::move(names_by_outlet(scene), std::back_inserter(names));
   }
   return names;
@@ -206,7 +206,7 @@ void add_derived(std::vector<store::NamedMeasure>& results, const StageView& sta
     }
   };
   note({std::string(kSteps), static_cast<double>(stage.history.steps)});
-  if (const auto conversion = scene::conversion(stage.scene)) {
+  if (const auto conversion = scene::unit_conversion(stage.scene)) {
     note({std::string(kTime), conversion->time(stage.history.steps)});
   }
   std::ranges::for_each(results, note);
@@ -219,9 +219,9 @@ void add_derived(std::vector<store::NamedMeasure>& results, const StageView& sta
     return found != numbers.end() && std::isfinite(found->second) ? std::optional(found->second)
                                                                   : std::nullopt;
   };
-  for (const scene::DerivedMeasure& derived : stage.scene.derived) {
-    results.emplace_back(
-        derived.name, store::value_or_null(document::expression_value(derived.value, number_of)));
+  for (const scene::DerivedMeasure& derived : stage.scene.derived_measures) {
+    results.emplace_back(derived.name, store::value_or_null(document::expression_value(
+                                           derived.expression, number_of)));
     note(results.back());
   }
 }
@@ -244,7 +244,7 @@ const std::vector<QuantityGroup>& stage_quantities() {
 
 StageHistory::StageHistory(const scene::Scene& scene, const grains::State& state)
     : outflow(measure::discharge(state)),
-      discharged_at_start(measure::discharged_particles(state, scene.species.size())) {
+      discharged_at_start(measure::discharged_counts(state, scene.species.size())) {
   for (const grains::Outlet& outlet : state.outlets) {
     outlets.emplace_back(measure::discharge(outlet));
   }
@@ -276,7 +276,7 @@ std::vector<store::NamedMeasure> stage_measures(const StageView& stage) {
   for (const auto& measure : wanted) {
     add(results, measure, stage);
   }
-  if (!stage.scene.derived.empty()) {
+  if (!stage.scene.derived_measures.empty()) {
     add_derived(results, stage);
   }
   return results;
@@ -287,7 +287,7 @@ void check_derived(const scene::Scene& scene) {
   const auto is_known = [&known](std::string_view name) {
     return std::ranges::count(known, name) > 0;
   };
-  for (const scene::DerivedMeasure& derived : scene.derived) {
+  for (const scene::DerivedMeasure& derived : scene.derived_measures) {
     const auto refuse = [&derived](const std::string& why) {
       throw scene::SceneError(
           fmt::format("{}: error: measure.{}: {}", derived.location, derived.name, why));
@@ -295,12 +295,12 @@ void check_derived(const scene::Scene& scene) {
     if (find_quantity(derived.name) != nullptr) {
       refuse("there is a quantity of this name; give it another one");
     }
-    for (const std::string& name : document::names_in(derived.value, is_known)) {
+    for (const std::string& name : document::names_in(derived.expression, is_known)) {
       if (!is_known(name)) {
         const std::vector<std::string_view> names(known.begin(), known.end());
         const auto of = measure_of(name);
-        refuse(fmt::format("unknown measure {} in {}{}", text::shown(name),
-                           text::shown(derived.value),
+        refuse(fmt::format("unknown measure {} in {}{}", text::quoted(name),
+                           text::quoted(derived.expression),
                            of ? fmt::format("; it comes with {}, so name that under measure, too",
                                             scene::name_of_measure(*of))
                               : text::suggestion(name, names)));
@@ -318,9 +318,9 @@ std::vector<store::NamedMeasure> stage_measures(scene::Measure wanted, const Sta
 
 std::vector<std::string> measure_notes(const scene::Scene& scene, const model::SceneModel& model) {
   std::vector<std::string> notes;
-  if (requests(scene, scene::Measure::runout)) {
+  if (requests_measure(scene, scene::Measure::runout)) {
     const auto runout = measure::runout(model.state());
-    if (runout && runout->at_side) {
+    if (runout && runout->reaches_side) {
       notes.emplace_back(
           "runout_99 and runout_front: grains have come to a side of the box, which ends the "
           "run-out; a wider box lets them go on");
@@ -331,16 +331,16 @@ std::vector<std::string> measure_notes(const scene::Scene& scene, const model::S
       notes.push_back(name + " is null: the surface there has no single slope");
     }
   };
-  if (!requests(scene, scene::Measure::repose)) {
+  if (!requests_measure(scene, scene::Measure::repose)) {
     return notes;
   }
   const auto angle = measure::repose_angle(measure::surface_profile(model.state()));
-  add("repose_left_deg", angle.left.uneven);
-  add("repose_right_deg", angle.right.uneven);
+  add("repose_left_deg", angle.left.is_uneven);
+  add("repose_right_deg", angle.right.is_uneven);
   if (model::has_vessel(scene)) {
     const auto in_gravity = repose_in_gravity(model);
-    add("repose_gravity_left_deg", in_gravity.left.uneven);
-    add("repose_gravity_right_deg", in_gravity.right.uneven);
+    add("repose_gravity_left_deg", in_gravity.left.is_uneven);
+    add("repose_gravity_right_deg", in_gravity.right.is_uneven);
   }
   return notes;
 }

@@ -9,12 +9,12 @@
 
 namespace clca::record {
 
-bool is_contact(const scene::Scene& scene) {
+bool is_contact_model(const scene::Scene& scene) {
   return scene.model == scene::Model::contact;
 }
 
-double velocity_unit(const scene::Scene& scene) {
-  const auto conversion = scene::conversion(scene);
+double velocity_factor(const scene::Scene& scene) {
+  const auto conversion = scene::unit_conversion(scene);
   return conversion ? conversion->velocity(1) : 1;
 }
 
@@ -37,9 +37,9 @@ void add_cell(std::vector<store::Cell>& cells, const std::optional<Eigen::Vector
   }
 }
 
-std::vector<std::string> ColumnInfo::names() const {
+std::vector<std::string> ColumnInfo::column_names() const {
   std::vector<std::string> names;
-  for (const std::string_view ending : endings) {
+  for (const std::string_view ending : suffixes) {
     names.push_back(std::string(quantity.key).append(ending));
   }
   return names;
@@ -73,7 +73,7 @@ std::vector<grains::Owner> walls_and_sides(const scene::Scene& scene) {
   return all;
 }
 
-void RunTable::check(const store::OutputFolder& folder) const {
+void RunTable::check_saved_bytes(const store::OutputFolder& folder) const {
   if (info_.kind == TableInfo::Kind::growing) {
     store::GrowingFile::check_kept_bytes(folder, store::table_name(info_.name), bytes_);
   }

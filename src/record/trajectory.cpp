@@ -13,7 +13,7 @@ class TrajectoryObserver : public Observer {
   explicit TrajectoryObserver(const scene::Scene& scene) : scene_(scene) {}
   static double bytes(const scene::Scene& scene, double particles) {
     return store::TrajectoryWriter::bytes_for(scene, particles) +
-           frame_bytes(scene, scene.output.trajectory->contacts, particles);
+           frame_bytes(scene, scene.output.trajectory->has_contacts, particles);
   }
 
   void begin_stage(const StageView& now) override { add(now, true); }
@@ -47,7 +47,7 @@ class TrajectoryObserver : public Observer {
       return;
     }
     store::ContactFrame contact{.velocities = now.model.velocities(), .spins = now.model.spins()};
-    if (scene_.output.trajectory->contacts) {
+    if (scene_.output.trajectory->has_contacts) {
       contact.forces = now.observers.find<ContactRecord>()->shown_forces(now.model);
     }
     writer_->add_frame(state, static_cast<std::size_t>(&now.stage - scene_.stages.data()), begins,

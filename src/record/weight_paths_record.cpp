@@ -12,7 +12,7 @@ namespace {
 
 /// Pressures on the base at the end of a stage: by each rule; last, by forces of the contact model.
 struct BasePressures {
-  measure::Base base;
+  measure::BedBase base;
   std::vector<std::vector<double>> shares = {};  ///< measure::base_pressures
   std::vector<std::size_t> outside = {};         ///< measure::WeightPaths, of the rules
   std::size_t unsupported = 0;
@@ -28,8 +28,8 @@ BasePressures base_pressures(const StageView& stage) {
   for (const measure::WeightRule rule : measure::kWeightRules) {
     const measure::WeightPaths paths = weight_paths(state, supported, rule);
     add(paths.forces);
-    result.outside.push_back(paths.outside);
-    result.unsupported = paths.unsupported;
+    result.outside.push_back(paths.one_sided_grains);
+    result.unsupported = paths.unsupported_grains;
   }
   if (const auto* contacts = stage.observers.find<ContactRecord>()) {
     add(contacts->stage_mean_forces(stage.model));
@@ -62,7 +62,7 @@ TableOf<BaseRow> weight_paths_table(const scene::Scene& scene) {
        {{"pressure_pair", "Base pressure, pair", "", "to drawn ones"}, share<2>},
        {{"pressure_q", "Base pressure, q", "", "to all, in drawn shares"}, share<3>}},
       {{kContactModel,
-        is_contact(scene),
+        is_contact_model(scene),
         {{{"pressure_contact", "Base pressure, contact model", "", "of its forces"}, share<4>}}}}};
 }
 
@@ -77,16 +77,17 @@ class WeightPathsRecord : public Observer {
 
   void end_stage(const StageView& now) override {
     const BasePressures pressures = base_pressures(now);
-    const double bin = pressures.base.width() / measure::Base::kBins;
-    for (std::size_t i = 0; i < measure::Base::kBins; ++i) {
+    const double bin = pressures.base.width() / measure::BedBase::kBinCount;
+    for (std::size_t i = 0; i < measure::BedBase::kBinCount; ++i) {
       const double middle = static_cast<double>(i) + 0.5;
-      BaseRow row = {2 * middle / measure::Base::kBins - 1, pressures.base.left + middle * bin, {}};
+      BaseRow row = {
+          2 * middle / measure::BedBase::kBinCount - 1, pressures.base.left + middle * bin, {}};
       for (const std::vector<double>& shares : pressures.shares) {
         row.shares.push_back(shares.empty() ? std::nullopt : std::optional(shares[i]));
       }
       table_.add(row);
     }
-    table_.write(now.files, now.stage.name);
+    table_.write(now.output_folder, now.stage.name);
   }
   std::vector<RunTable*> tables() override { return {&table_}; }
 
@@ -127,7 +128,7 @@ store::MeasureValue deviation(const std::vector<double>& one, const std::vector<
 }
 
 MeasureValues values_of_contact_forces(const StageView& stage) {
-  if (!is_contact(stage.scene)) {
+  if (!is_contact_model(stage.scene)) {
     return {};
   }
   const BasePressures pressures = base_pressures(stage);
@@ -147,7 +148,9 @@ constexpr std::string_view kDeviation =
 
 ObserverFactory weight_paths_observer() {
   return observer_factory<WeightPathsRecord>(
-      [](const scene::Scene& scene) { return requests(scene, scene::Measure::weight_paths); },
+      [](const scene::Scene& scene) {
+        return requests_measure(scene, scene::Measure::weight_paths);
+      },
       {weight_paths_table},
       {{scene::Measure::weight_paths,
         "",

@@ -91,11 +91,11 @@ process::Program start_ffmpeg(const Arguments& arguments, const process::OutputC
                               const std::atomic<int>* stop) {
   try {
     return {arguments,
-            {.out = &errors,
-             .err = &errors,
-             .fed = true,
+            {.output = &errors,
+             .error_output = &errors,
+             .is_fed = true,
              .stop = stop,
-             .grace = std::chrono::seconds(5)}};
+             .grace_period = std::chrono::seconds(5)}};
   } catch (const process::ProcessError& error) {
     throw MovieError(error.what());
   }

@@ -83,7 +83,7 @@ class GasRun : public RunBase {
                 events),
         scene_(scene),
         ranks_(options.ranks != nullptr ? *options.ranks : alone_),
-        threads_(RunBase::options().threads, scene.ensemble, ranks_.size()),
+        threads_(RunBase::options().threads, scene.ensemble_size, ranks_.size()),
         integrator_(scene),
         course_(std::move(course)),
         cases_logged_(std::exchange(course_.cases_ended, 0)) {
@@ -162,13 +162,13 @@ void GasRun::warn_of_long_step() {
     return;
   }
   constexpr double kPercent = 100;
-  const double heat = kPercent * boltzmann::expected_heating(*literal, scene_.until);
+  const double heat = kPercent * boltzmann::expected_heating(*literal, scene_.end_time);
   const std::string bias = std::isfinite(heat) ? fmt::format("by {:.0f} %", heat) : "without bound";
   warning(
       fmt::format("{}: a time step of {} is too long for the scheme ogawa-kato, whose bias "
                   "grows with it: elastic spheres heat {} until time {}; 0.025 or less is "
                   "what it was made for",
-                  scene_.location, literal->time_step, bias, scene_.until));
+                  scene_.location, literal->time_step, bias, scene_.end_time));
 }
 
 void GasRun::run_cases() {
@@ -176,7 +176,7 @@ void GasRun::run_cases() {
   for (std::size_t i = 0; i < scene_.restitutions.size() && is_complete(); ++i) {
     if (i == course_.cases.size()) {
       course_.cases.push_back({.restitution = scene_.restitutions[i],
-                               .members = std::vector<model::GasMember>(scene_.ensemble)});
+                               .members = std::vector<model::GasMember>(scene_.ensemble_size)});
     }
     record::GasCase& gas_case = course_.cases[i];
     run_case(gas_case);
@@ -320,15 +320,15 @@ void GasRun::show_progress(double restitution) {
     sum += time;
     latest = std::max(latest, time);
   }
-  const auto gases = static_cast<double>(scene_.ensemble);
-  forecast_.update((static_cast<double>(gases_done_) + sum / scene_.until) / gases);
+  const auto gases = static_cast<double>(scene_.ensemble_size);
+  forecast_.update((static_cast<double>(gases_done_) + sum / scene_.end_time) / gases);
   events().gas_progress({.stage = case_name(restitution),
                          .stage_number = course_.cases_ended + 1,
                          .stage_count = scene_.restitutions.size(),
                          .time = latest,
-                         .end_time = scene_.until,
+                         .end_time = scene_.end_time,
                          .gases_done = gases_done_,
-                         .gas_count = scene_.ensemble,
+                         .gas_count = scene_.ensemble_size,
                          .collisions_per_second = collisions() / wall_seconds(),
                          .seconds_left = forecast_.seconds_left()});
 }
@@ -362,7 +362,7 @@ void GasRun::save_course() {
 
 void GasRun::complete_summary(store::RunSummary& summary) const {
   summary.ranks = ranks_.size();
-  summary.particles = scene_.particles * scene_.ensemble;
+  summary.particles = scene_.particles * scene_.ensemble_size;
   summary.steps = steps_;
   summary.table_descriptions = record::gas_table_summaries(scene_);
   summary.step_seconds = summary.wall_seconds;
@@ -373,7 +373,7 @@ void GasRun::complete_summary(store::RunSummary& summary) const {
 /// On a rank that is not rank 0.
 void advance(GasShare share, const scene::BoltzmannScene& scene, const RunOptions& options) {
   const model::GasIntegrator integrator(scene);
-  const GasThreads threads(options.threads, scene.ensemble, options.ranks->size());
+  const GasThreads threads(options.threads, scene.ensemble_size, options.ranks->size());
   const auto advance_one = [&](std::size_t number, const std::atomic<int>& stop) {
     const auto begun = share.begun.find(number);
     model::GasMember member =

@@ -59,7 +59,8 @@ void check(const SavedGasRun& course, const scene::BoltzmannScene& scene) {
   for (std::size_t i = 0; i < course.cases.size(); ++i) {
     require_of_run(course.cases[i].restitution == scene.restitutions[i],
                    "its restitutions are others");
-    require_of_run(course.cases[i].members.size() == scene.ensemble, "its ensemble is another");
+    require_of_run(course.cases[i].members.size() == scene.ensemble_size,
+                   "its ensemble is another");
     std::ranges::for_each(course.cases[i].members, check_member);
   }
 }
@@ -69,7 +70,7 @@ void move_back_to_new_end(SavedGasRun& course, const scene::BoltzmannScene& old_
   const auto& scene = std::get<scene::BoltzmannScene>(saved.scene);
   const auto refuse = [&](const std::string& reason) {
     throw store::StoreError(fmt::format("cannot resume the run in {} until {}: {}",
-                                        saved.folder.path().string(), scene.until, reason));
+                                        saved.folder.path().string(), scene.end_time, reason));
   };
   const std::size_t lasting = model::lasting_time_count(old_scene);
   const std::size_t shared = model::shared_time_count(model::observation_times(old_scene),
@@ -80,8 +81,8 @@ void move_back_to_new_end(SavedGasRun& course, const scene::BoltzmannScene& old_
         continue;  // all of it comes before the earlier end
       }
       if (lasting > shared) {
-        refuse(
-            fmt::format("its gases are beyond {}, or in a step that leads beyond it", scene.until));
+        refuse(fmt::format("its gases are beyond {}, or in a step that leads beyond it",
+                           scene.end_time));
       }
       if (!member.lasting) {
         refuse(
@@ -108,7 +109,7 @@ SavedGasRun saved_gas_run(const SavedRun& saved) {
   } catch (const reflection::ColumnMismatch& error) {
     throw mismatched_checkpoint(saved.folder.path(), error.what());
   }
-  if (old_scene.until != std::get<scene::BoltzmannScene>(saved.scene).until) {
+  if (old_scene.end_time != std::get<scene::BoltzmannScene>(saved.scene).end_time) {
     move_back_to_new_end(course, old_scene, saved);
   }
   for (record::GasCase& gas_case : course.cases) {

@@ -28,7 +28,7 @@ struct OtherRun {
   model::ModelState state;
 };
 
-[[noreturn]] void refuse(const scene::Begin& begin, const std::string& reason) {
+[[noreturn]] void refuse(const scene::InitialState& begin, const std::string& reason) {
   throw scene::SceneError(fmt::format("{}: error: begin: {}", begin.location, reason));
 }
 
@@ -82,26 +82,26 @@ OtherRun frame_state_of(const fs::path& folder, const store::RunSummary& summary
   return {std::move(scene), std::move(state)};
 }
 
-OtherRun other_run(const scene::Begin& begin, double max_bytes) {
+OtherRun other_run(const scene::InitialState& begin, double max_bytes) {
   try {
-    const fs::path folder = begin.run;
+    const fs::path folder = begin.run_folder;
     const store::RunSummary summary = store::read_summary(folder / store::kSummaryFile);
     OtherRun run = begin.step ? frame_state_of(folder, summary, *begin.step, max_bytes)
                               : end_state_of(folder, summary, max_bytes);
     const std::uint64_t found = model::hash(run.state);
-    if (begin.state && *begin.state != found) {
+    if (begin.state_hash && *begin.state_hash != found) {
       throw store::StoreError(
-          fmt::format("the state in {} has changed: found {:016x}, expected {:016x}", begin.run,
-                      found, *begin.state));
+          fmt::format("the state in {} has changed: found {:016x}, expected {:016x}",
+                      begin.run_folder, found, *begin.state_hash));
     }
     if (grains::present_count(model::grains_of(run.state)) == 0) {
-      throw store::StoreError(fmt::format("no particles are left in {}", begin.run));
+      throw store::StoreError(fmt::format("no particles are left in {}", begin.run_folder));
     }
     return run;
   } catch (const std::runtime_error& error) {
     refuse(begin, error.what());
   } catch (const std::invalid_argument& error) {
-    refuse(begin, fmt::format("cannot read the state in {}: {}", begin.run, error.what()));
+    refuse(begin, fmt::format("cannot read the state in {}: {}", begin.run_folder, error.what()));
   }
 }
 
@@ -116,18 +116,19 @@ SameKind same_kind(const scene::Scene& scene, const std::vector<grains::Kind>& k
   const auto known = std::ranges::find_if(
       scene.species, [&](const scene::Species& own) { return own.name == species.name; });
   if (known == scene.species.end()) {
-    refuse(*scene.begin, fmt::format("{} has particles of a species '{}', the scene has none",
-                                     scene.begin->run, species.name));
+    refuse(*scene.initial_state,
+           fmt::format("{} has particles of a species '{}', the scene has none",
+                       scene.initial_state->run_folder, species.name));
   }
   const auto number = known - scene.species.begin();
   const auto same = std::ranges::find_if(kinds, [&](const grains::Kind& kind) {
     return kind.species == number && kind.shape.is_congruent(shape);
   });
   if (same == kinds.end()) {
-    refuse(*scene.begin,
+    refuse(*scene.initial_state,
            fmt::format("particles of species '{}' in {} have a shape or an orientation that the "
                        "scene does not give this species",
-                       species.name, scene.begin->run));
+                       species.name, scene.initial_state->run_folder));
   }
   return {static_cast<std::uint16_t>(same - kinds.begin()),
           shape.sites().front() - same->shape.sites().front()};
@@ -188,10 +189,11 @@ void take_grains(const scene::Scene& scene, const OtherRun& other,
     }
   }
   if (without_room > 0) {
-    refuse(*scene.begin,
+    refuse(*scene.initial_state,
            fmt::format("{} of the {} particles in {} lie outside the box, on a wall or on another "
                        "particle, the first at [{:.2f}, {:.2f}]",
-                       without_room, ids.size(), scene.begin->run, first.x(), first.y()));
+                       without_room, ids.size(), scene.initial_state->run_folder, first.x(),
+                       first.y()));
   }
 }
 
@@ -292,10 +294,10 @@ void take_motion(const scene::Scene& scene, const OtherRun& other,
 
 model::ModelState state_at_start(const scene::Scene& scene) {
   model::ModelState state = model::empty_state(scene);
-  if (!scene.begin) {
+  if (!scene.initial_state) {
     return state;
   }
-  const OtherRun other = other_run(*scene.begin, std::numeric_limits<double>::infinity());
+  const OtherRun other = other_run(*scene.initial_state, std::numeric_limits<double>::infinity());
   const std::vector<std::size_t> ids = present_ids(model::grains_of(other.state));
   take_grains(scene, other, ids, model::grains_of(state));
   remove_at_outlets(model::grains_of(state));
@@ -306,12 +308,12 @@ model::ModelState state_at_start(const scene::Scene& scene) {
 }
 
 void resolve_begin(scene::Scene& scene, double max_bytes) {
-  if (!scene.begin || scene.begin->particles > 0) {
+  if (!scene.initial_state || scene.initial_state->particles > 0) {
     return;
   }
-  const OtherRun other = other_run(*scene.begin, max_bytes);
-  scene.begin->state = model::hash(other.state);
-  scene.begin->particles = grains::present_count(model::grains_of(other.state));
+  const OtherRun other = other_run(*scene.initial_state, max_bytes);
+  scene.initial_state->state_hash = model::hash(other.state);
+  scene.initial_state->particles = grains::present_count(model::grains_of(other.state));
 }
 
 }  // namespace clca::run

@@ -73,7 +73,7 @@ class Run : public RunBase {
                  .checkpoints = scene.output.checkpoint},
                 options, events),
         scene_(scene),
-        conversion_(scene::conversion(scene)),
+        conversion_(scene::unit_conversion(scene)),
         model_(scene, std::move(state),
                {.threads = options.threads,
                 .min_parallel_particles = options.parallel_from,
@@ -101,7 +101,7 @@ class Run : public RunBase {
   }
 
   const scene::Scene& scene_;
-  std::optional<scene::Conversion> conversion_;
+  std::optional<scene::UnitConversion> conversion_;
   model::SceneModel model_;
   StageRunner course_;
   bool in_stage_;                                    // one that goes on
@@ -115,7 +115,7 @@ void Run::open_files() {
 
 void Run::carry_out() {
   const bool has_pictures = scene_.output.frames && options().pictures != WantedPictures::none;
-  if (has_pictures && scene_.output.frames->caption && !render::font_warning().empty()) {
+  if (has_pictures && scene_.output.frames->has_caption && !render::font_warning().empty()) {
     warning(render::font_warning());
   }
   try {
@@ -148,7 +148,7 @@ void Run::run_stage() {
     tell(fmt::format("stage {}: begins at step {} with {} particles", stage().name,
                      model_.state().step, grains::present_count(model_.state())));
     course_.begin_stage();
-    if (scene_.begin && course_.counters.stage == 0) {
+    if (scene_.initial_state && course_.counters.stage == 0) {
       save(checkpoint_now());  // from here on the other run is not needed
     }
   }
@@ -200,7 +200,8 @@ void Run::end_stage(StageEnd end) {
   const auto* until = std::get_if<scene::UntilDischarged>(&stage().until);
   if (until != nullptr && end == StageEnd::settled) {
     info(fmt::format("stage {}: nothing moves any more, with {:.3g} % discharged, not {:.3g} %",
-                     stage().name, 100 * history.discharged_share(), 100 * until->share));
+                     stage().name, 100 * history.discharged_share(),
+                     100 * until->discharged_share));
   }
   for (const std::string& note : stage_summaries().back().notes) {
     info(fmt::format("stage {}: {}", stage().name, note));
@@ -255,17 +256,17 @@ void Run::complete_summary(store::RunSummary& summary) const {
                  .floor = low.y(),
                  .top = high.y(),
                  .periodic = lattice.periodic()};
-  summary.derived_measures = scene_.derived;
-  summary.table_descriptions = course_.observers.summary();
+  summary.derived_measures = scene_.derived_measures;
+  summary.table_descriptions = course_.observers.table_summaries();
   const auto& kinds = model_.state().kinds;
   const std::vector<int> degrees = scene::orientation_degrees(scene_, kinds);
   for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
     summary.kinds.push_back({scene_.species[kinds[kind].species].name, degrees[kind]});
   }
-  if (scene_.begin) {
-    summary.begin = {.run_folder = scene_.begin->run,
-                     .step = scene_.begin->step,
-                     .state_hash = scene_.begin->state.value_or(0)};
+  if (scene_.initial_state) {
+    summary.begin = {.run_folder = scene_.initial_state->run_folder,
+                     .step = scene_.initial_state->step,
+                     .state_hash = scene_.initial_state->state_hash.value_or(0)};
   }
   summary.step_seconds = course_.counters.step_seconds;
   summary.rate_per_second = rate();
@@ -305,12 +306,12 @@ void try_start(const scene::Scene& scene) {
 store::RunSummary run(const scene::Scene& scene, const RunOptions& options,
                       const RunEvents& events) {
   std::error_code unknown;
-  if (scene.begin && !options.keep_earlier_run &&
-      std::filesystem::equivalent(scene.begin->run, options.folder, unknown)) {
+  if (scene.initial_state && !options.keep_earlier_run &&
+      std::filesystem::equivalent(scene.initial_state->run_folder, options.folder, unknown)) {
     throw scene::SceneError(
         fmt::format("{}: error: begin: this run would replace the one in {}; run in another "
                     "folder, or with --keep",
-                    scene.begin->location, scene.begin->run));
+                    scene.initial_state->location, scene.initial_state->run_folder));
   }
   record::check_derived(scene);
   scene::Scene whole = scene;

@@ -129,7 +129,7 @@ void RunBase::go_on(store::RunFolder folder, std::uint64_t log_bytes, double sec
 
 bool RunBase::checkpoint_due(std::uint64_t step) {
   const auto& when = identity_.checkpoints;
-  return (when && when->every && step % *when->every == 0) || checkpoint_due_by_clock();
+  return (when && when->every_steps && step % *when->every_steps == 0) || checkpoint_due_by_clock();
 }
 
 void RunBase::save(store::Checkpoint checkpoint) {

@@ -41,7 +41,7 @@ class RunBase {
     std::string title;
     std::uint64_t seed = 0;
     std::string scene_text;  ///< resolved
-    std::optional<scene::Checkpoints> checkpoints;
+    std::optional<scene::CheckpointIntervals> checkpoints;
   };
 
   RunBase(Identity identity, RunOptions options, const RunEvents& events)
@@ -49,9 +49,9 @@ class RunBase {
         options_(std::move(options)),
         events_(events),
         progress_timer_(events.progress_interval) {
-    if (identity_.checkpoints && identity_.checkpoints->seconds) {
+    if (identity_.checkpoints && identity_.checkpoints->every_seconds) {
       checkpoint_timer_.emplace(std::chrono::duration_cast<std::chrono::milliseconds>(
-          std::chrono::duration<double>(*identity_.checkpoints->seconds)));
+          std::chrono::duration<double>(*identity_.checkpoints->every_seconds)));
     }
   }
 
@@ -87,12 +87,12 @@ class RunBase {
            (options_.wall_seconds_limit && wall_clock_.seconds() >= *options_.wall_seconds_limit);
   }
   double wall_seconds() const { return seconds_before_ + wall_clock_.seconds(); }
-  bool progress_due() { return progress_timer_.due(); }
+  bool progress_due() { return progress_timer_.is_due(); }
   void mark_interrupted() { is_complete_ = false; }
   bool is_complete() const { return is_complete_; }
   std::vector<store::StageSummary>& stage_summaries() { return stages_; }
   bool checkpoint_due(std::uint64_t step);  ///< whether a checkpoint is due after `step` steps
-  bool checkpoint_due_by_clock() { return checkpoint_timer_ && checkpoint_timer_->due(); }
+  bool checkpoint_due_by_clock() { return checkpoint_timer_ && checkpoint_timer_->is_due(); }
   /// Writes it in the background. Waits for the previous one and rethrows its error.
   void save(store::Checkpoint checkpoint);
   /// The part of a checkpoint that all runs share; it has no fields.
@@ -121,7 +121,7 @@ class RunBase {
   std::vector<store::StageSummary> stages_;
   /// Memory held back, so that a run that runs out of memory can still write its summary.
   std::optional<std::vector<std::byte>> reserve_ = std::vector<std::byte>(std::size_t{1} << 20U);
-  tasks::Background writing_;  // last: at the end it waits for its thread
+  tasks::BackgroundCall writing_;  // last: at the end it waits for its thread
 };
 
 }  // namespace clca::run

@@ -41,13 +41,13 @@ bool is_possible_outflow(const record::StageHistory& history, const grains::Stat
                     [](const measure::Outflow& outflow, const grains::Outlet& outlet) {
                       return outflow.precedes(measure::discharge(outlet));
                     }) &&
-         std::ranges::equal(history.discharged_at_start,
-                            measure::discharged_particles(now, species), std::less_equal<>());
+         std::ranges::equal(history.discharged_at_start, measure::discharged_counts(now, species),
+                            std::less_equal<>());
 }
 
 void require_end_not_passed(const std::string& until, const scene::Stage& stage,
                             const record::StageHistory& history) {
-  const auto steps = scene::steps_of(stage.until);
+  const auto steps = scene::fixed_steps(stage.until);
   const auto* cycles = std::get_if<scene::UntilCycles>(&stage.until);
   if ((steps && *steps < history.steps) || (cycles != nullptr && cycles->cycles < history.cycles)) {
     throw scene::SceneError(
@@ -129,7 +129,8 @@ SavedParts saved_parts(const scene::Scene& scene, const SavedRun& saved) {
   const grains::State& grains = model::grains_of(parts.state);
   const auto columns_of_lattice = static_cast<std::size_t>(grains.lattice.columns());
   if (!is_possible_outflow(parts.history, grains, scene.species.size())) {
-    throw reflection::ColumnMismatch("the numbers of discharged particles do not belong to this run");
+    throw reflection::ColumnMismatch(
+        "the numbers of discharged particles do not belong to this run");
   }
   if (parts.counters.stage >= scene.stages.size() ||
       parts.ended_stages.size() != parts.counters.stage ||

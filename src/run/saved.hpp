@@ -13,7 +13,7 @@ namespace clca::run {
 struct RunCounters {
   std::uint64_t stage = 0;    ///< present stage, from 0
   std::uint64_t moving = 0;   ///< particles that moved in the last step
-  std::uint64_t stepped = 0;  ///< as StageView::stepped
+  std::uint64_t stepped = 0;  ///< StageView::stepped_particles
   double updates = 0;         ///< particles x steps
   double wall_seconds = 0;
   double step_seconds = 0;

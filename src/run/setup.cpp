@@ -56,7 +56,7 @@ std::string scene_file(const std::string& name) {
   for (const auto& scene : scenes) {
     names.push_back(scene.first);
   }
-  if (text::nearest(name, names)) {
+  if (text::nearest_name(name, names)) {
     throw scene::SceneError(
         fmt::format("{}:1:1: error: cannot read the file: No such file or directory{}",
                     text::printable(name), text::suggestion(name, names)));
@@ -73,22 +73,23 @@ double default_memory_limit() {
 }
 
 double estimated_run_bytes(const scene::Scene& scene) {
-  const scene::Size size = scene::size_of(scene);
-  const auto particles = static_cast<double>(size.particles);
-  return size.bytes + model::checkpoint_bytes(scene, particles) +
+  const scene::ModelSize size = scene::model_size(scene);
+  const auto particles = static_cast<double>(size.max_particles);
+  return size.memory_bytes + model::checkpoint_bytes(scene, particles) +
          record::observer_bytes(scene, particles) + drawing::picture_memory_bytes(scene, particles);
 }
 
 void check_memory(const scene::Scene& scene, double limit) {
   if (const double bytes = estimated_run_bytes(scene); bytes > limit) {
-    const scene::Size size = scene::size_of(scene);
+    const scene::ModelSize size = scene::model_size(scene);
     const bool pictures_are_too_large =
-        bytes - drawing::picture_memory_bytes(scene, static_cast<double>(size.particles)) <= limit;
+        bytes - drawing::picture_memory_bytes(scene, static_cast<double>(size.max_particles)) <=
+        limit;
     throw scene::SceneError(fmt::format(
         "{}: error: the scene needs about {:.0f} MiB of memory for {} x {} sites and {} particles, "
         "more than the limit of {:.0f} MiB; make the {} smaller or raise --memory-limit",
         pictures_are_too_large ? scene.output.frames->location : scene.box.location,
-        bytes / kMebibyte, size.columns, size.rows, size.particles, limit / kMebibyte,
+        bytes / kMebibyte, size.columns, size.rows, size.max_particles, limit / kMebibyte,
         pictures_are_too_large ? "pictures" : "box"));
   }
 }
@@ -99,7 +100,7 @@ void check_memory(const scene::AnyScene& scene, double limit, int threads) {
     return;
   }
   const auto& gas = std::get<scene::BoltzmannScene>(scene);
-  if (const double bytes = scene::bytes_of(gas, threads); bytes > limit) {
+  if (const double bytes = scene::gas_run_bytes(gas, threads); bytes > limit) {
     throw scene::SceneError(fmt::format(
         "{}: error: the scene needs about {:.0f} MiB of memory for {} particles on {} threads, "
         "more than the limit of {:.0f} MiB; take fewer particles or threads, write fewer rows and "

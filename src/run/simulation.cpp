@@ -49,7 +49,7 @@ struct Simulation::Impl {
 
   bool is_last() const { return course.counters.stage + 1 == scene.stages.size(); }
 
-  image::Image picture(const scene::Frames& frames) {
+  image::Image picture(const scene::PictureOutput& frames) {
     if (!scene_painter || *scene_painter->scene.output.frames != frames) {
       scene::Scene drawn = scene;
       drawn.output.frames = frames;
@@ -180,7 +180,7 @@ std::vector<store::NamedMeasure> Simulation::measures(std::optional<scene::Measu
   const record::StageView view = checked_impl().course.view();
   return wanted ? record::stage_measures(*wanted, view) : record::stage_measures(view);
 }
-image::Image Simulation::picture(const scene::Frames& frames) {
+image::Image Simulation::picture(const scene::PictureOutput& frames) {
   return checked_impl().picture(frames);
 }
 

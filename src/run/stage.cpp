@@ -26,16 +26,16 @@ void fill(model::SceneModel& model, const scene::Scene& scene, const scene::Stag
     }
     return;
   }
-  const grains::FillResult result =
-      model.grains().fill(fill.region, fill.counts, fill.method == scene::FillMethod::deposition);
+  const grains::FillResult result = model.grains().fill(
+      fill.region, fill.species_counts, fill.method == scene::FillMethod::deposition);
   if (result.complete) {
     return;
   }
   std::string fitted;
-  for (std::size_t species = 0; species < fill.counts.size(); ++species) {
-    if (fill.counts[species] > 0) {
+  for (std::size_t species = 0; species < fill.species_counts.size(); ++species) {
+    if (fill.species_counts[species] > 0) {
       fitted += fmt::format("{}{} of {} {}", fitted.empty() ? "" : ", ",
-                            result.placed_by_species[species], fill.counts[species],
+                            result.placed_by_species[species], fill.species_counts[species],
                             scene.species[species].name);
     }
   }
@@ -46,7 +46,7 @@ void fill(model::SceneModel& model, const scene::Scene& scene, const scene::Stag
 }
 
 void insert_walls(model::SceneModel& model, const scene::Scene& scene, const scene::Stage& stage) {
-  for (const std::size_t wall : stage.insert) {
+  for (const std::size_t wall : stage.inserted_walls) {
     if (!model.grains().insert_wall(wall)) {
       throw scene::SceneError(fmt::format(
           "{}: error: stages.{}.insert: wall {} would stand inside particles or another wall; move "
@@ -73,7 +73,7 @@ record::StageHistory prepare_stage(model::SceneModel& model, const scene::Scene&
       number > 0 ? record::StageHistory(scene, model.state())
                  : record::StageHistory(scene, model::grains_of(model::empty_state(scene)));
   model.set_rules(stage);
-  for (const std::size_t wall : stage.remove) {
+  for (const std::size_t wall : stage.removed_walls) {
     model.grains().remove_wall(wall);
   }
   insert_walls(model, scene, stage);
@@ -81,11 +81,11 @@ record::StageHistory prepare_stage(model::SceneModel& model, const scene::Scene&
     fill(model, scene, stage);
   }
   for (std::size_t source = 0; source < scene.sources.size(); ++source) {
-    model.grains().set_source_open(source, std::ranges::count(stage.sources, source) > 0);
+    model.grains().set_source_open(source, std::ranges::count(stage.open_sources, source) > 0);
   }
   for (std::size_t wall = 0; wall < scene.walls.size(); ++wall) {
     if (scene.walls[wall].motion) {
-      model.grains().set_wall_moving(wall, std::ranges::count(stage.move, wall) > 0);
+      model.grains().set_wall_moving(wall, std::ranges::count(stage.moving_walls, wall) > 0);
     }
   }
   model.set_vessel(stage);
@@ -104,13 +104,13 @@ std::optional<StageEnd> stage_end(const scene::Stage& stage, const grains::State
   if (history.steps == 0) {
     return std::nullopt;
   }
-  if (const auto steps = scene::steps_of(stage.until)) {
+  if (const auto steps = scene::fixed_steps(stage.until)) {
     const bool by_time = std::holds_alternative<scene::UntilTime>(stage.until);
     return history.steps >= *steps ? std::optional(by_time ? StageEnd::time : StageEnd::steps)
                                    : std::nullopt;
   }
   const auto* discharged = std::get_if<scene::UntilDischarged>(&stage.until);
-  if (discharged != nullptr && history.discharged_share() >= discharged->share) {
+  if (discharged != nullptr && history.discharged_share() >= discharged->discharged_share) {
     return StageEnd::discharged;
   }
   const auto* cycles = std::get_if<scene::UntilCycles>(&stage.until);
@@ -139,21 +139,21 @@ grains::StepReport StageRunner::step() {
   present_particles = counters.stepped - report.removed_count;
   counters.updates += static_cast<double>(counters.stepped);
   observers.after_step(view());
-  history.cycles = observers.find<record::CycleRecord>()->cycles();
+  history.cycles = observers.find<record::CycleRecord>()->completed_cycles();
   return report;
 }
 
 void StageRunner::end_stage(StageEnd end) {
-  history.settled = end == StageEnd::settled || end == StageEnd::stalled;
+  history.ended_at_rest = end == StageEnd::settled || end == StageEnd::stalled;
   observers.end_stage(view());
 }
 
 std::optional<double> done_share(const scene::Stage& stage, const record::StageHistory& history) {
-  if (const auto steps = scene::steps_of(stage.until)) {
+  if (const auto steps = scene::fixed_steps(stage.until)) {
     return static_cast<double>(history.steps) / static_cast<double>(*steps);
   }
   if (const auto* discharged = std::get_if<scene::UntilDischarged>(&stage.until)) {
-    return std::min(1.0, history.discharged_share() / discharged->share);
+    return std::min(1.0, history.discharged_share() / discharged->discharged_share);
   }
   if (const auto* cycles = std::get_if<scene::UntilCycles>(&stage.until)) {
     return static_cast<double>(history.cycles) / static_cast<double>(cycles->cycles);

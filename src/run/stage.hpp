@@ -48,7 +48,7 @@ struct StageRunner {
   const scene::Scene& scene;
   model::SceneModel* model;
   record::Observers observers;
-  const store::OutputFolder* files = nullptr;  ///< as StageView::files
+  const store::OutputFolder* files = nullptr;  ///< as StageView::output_folder
   std::function<void(const std::string& line)> warn = [](const std::string& /*line*/) {};
   RunCounters counters = {};
   record::StageHistory history = {};

@@ -35,7 +35,7 @@ std::vector<bool> walls_present_with(const Scene& scene,
                                      std::size_t mover) {
   std::vector<bool> result(scene.walls.size(), false);
   for (std::size_t i = 0; i < scene.stages.size(); ++i) {
-    if (std::ranges::count(scene.stages[i].move, mover) > 0) {
+    if (std::ranges::count(scene.stages[i].moving_walls, mover) > 0) {
       std::transform(result.begin(), result.end(), there[i].begin(), result.begin(),
                      std::logical_or<>());
     }
@@ -90,7 +90,7 @@ bool finds_room(const lattice::Lattice& lattice, const lattice::Rectangle& recta
                 const Species& species, Free free) {
   const lattice::SweptRegion box(lattice);
   return std::ranges::any_of(species.orientations, [&](int degrees) {
-    const lattice::Shape shape = species.shape.rotated(degrees / kOrientationStepDegrees);
+    const lattice::Shape shape = species.shape.rotated(degrees / kOrientationStep);
     return any_site(box, rectangle, [&](lattice::Site at) {
       return lies_free(lattice, shape, shape.sites().front(), at, [&](lattice::Site site) {
         return rectangle.contains(lattice::position(site)) && free(site);
@@ -99,15 +99,16 @@ bool finds_room(const lattice::Lattice& lattice, const lattice::Rectangle& recta
   });
 }
 
-/// One bit per site index: a lower bound of what walls cover in a stage. Those that one of the
-/// first `moving_stages` moves may be anywhere.
+/// By site index: whether walls surely cover it in a stage. Walls that have moved may be anywhere.
 std::vector<bool> covered_in(const Scene& scene, const lattice::Lattice& lattice,
                              std::size_t moving_stages, const std::vector<bool>& there) {
   std::vector<bool> covered(lattice.index_count(), false);
   for (std::size_t wall = 0; wall < scene.walls.size(); ++wall) {
     const bool moved = std::any_of(
         scene.stages.begin(), scene.stages.begin() + static_cast<std::ptrdiff_t>(moving_stages),
-        [wall](const Stage& earlier) { return std::ranges::count(earlier.move, wall) > 0; });
+        [wall](const Stage& earlier) {
+          return std::ranges::count(earlier.moving_walls, wall) > 0;
+        });
     if (!there[wall] || moved) {
       continue;
     }
@@ -127,8 +128,9 @@ void check_fill(const Scene& scene, const lattice::Lattice& lattice, const Stage
   double wanted = 0;
   for (std::size_t i = 0; i < scene.species.size(); ++i) {
     const Species& species = scene.species[i];
-    if (!fill.counts.empty()) {
-      wanted += static_cast<double>(fill.counts[i]) * static_cast<double>(species.shape.size());
+    if (!fill.species_counts.empty()) {
+      wanted +=
+          static_cast<double>(fill.species_counts[i]) * static_cast<double>(species.shape.size());
     }
     if (places_species(fill, i) && !finds_room(lattice, fill.region, species, free)) {
       throw_error(fill.location,
@@ -192,14 +194,15 @@ void check_outlets(const Scene& scene, const lattice::Lattice& lattice) {
 void check_source(const Scene& scene, const lattice::Lattice& lattice, std::size_t number) {
   const Source& source = scene.sources[number];
   const std::vector<bool> covered = always_covered(scene, lattice, [&](const Stage& stage) {
-    return std::ranges::count(stage.sources, number) > 0;
+    return std::ranges::count(stage.open_sources, number) > 0;
   });
   const std::vector<lattice::Site> sites = source_sites(lattice, source);
   for (std::size_t i = 0; i < scene.species.size(); ++i) {
     const Species& species = scene.species[i];
-    for (const int degrees : source.weights[i] > 0 ? species.orientations : std::vector<int>()) {
+    for (const int degrees :
+         source.species_weights[i] > 0 ? species.orientations : std::vector<int>()) {
       const lattice::Shape shape =
-          lattice::centred(species.shape.rotated(degrees / kOrientationStepDegrees));
+          lattice::centred(species.shape.rotated(degrees / kOrientationStep));
       const bool fits = std::ranges::any_of(sites, [&](lattice::Site at) {
         return lies_free(lattice, shape, {0, 0}, at,
                          [&](lattice::Site site) { return !covered[lattice.index(site)]; });

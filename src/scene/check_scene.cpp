@@ -21,8 +21,9 @@ void check_walls_of_model(const PlacedValue& root) {
   const Scene& scene = root.scene;
   for (std::size_t i = 0; i < scene.walls.size(); ++i) {
     const PlacedValue walls = root.at("walls");
-    const PlacedValue wall = walls.inside(walls.value.entries[i]);
-    if (scene.model == Model::contact && scene.walls[i].passive == grains::PassiveRule::overlap) {
+    const PlacedValue wall = walls.at(walls.value.entries[i]);
+    if (scene.model == Model::contact &&
+        scene.walls[i].passive_rule == grains::PassiveRule::overlap) {
       fail(wall.at("passive"),
            "model contact lets nothing overlap yet, model automaton does; remove it, or say "
            "'model: automaton'");
@@ -39,7 +40,7 @@ void check_walls_of_model(const PlacedValue& root) {
 /// Particles that roll are round. In models of one site, a void takes the place of a whole grain.
 void check_shapes(const Scene& scene, const Value& value) {
   const bool rolling =
-      scene.model == Model::contact && scene.contact.rolling != contact::Rolling::none;
+      scene.model == Model::contact && scene.contact_parameters.rolling != contact::Rolling::none;
   for (std::size_t i = 0; i < scene.species.size(); ++i) {
     const Species& species = scene.species[i];
     const TextLocation& location = value.entries[i].location;
@@ -67,7 +68,7 @@ void check_periodic_width(const PlacedValue& box) {
   std::vector<grains::Kind> kinds;
   for (const Species& species : scene.species) {
     for (const int degrees : species.orientations) {
-      kinds.push_back({lattice::centred(species.shape.rotated(degrees / kOrientationStepDegrees))});
+      kinds.push_back({lattice::centred(species.shape.rotated(degrees / kOrientationStep))});
     }
   }
   const int columns = lattice_of(scene.box).columns();
@@ -95,7 +96,7 @@ void check_vessels(const PlacedValue& stages) {
       vessel = vessel_at_start(scene, stage, vessel);
     } catch (const std::invalid_argument& error) {
       fail(fields.at("vessel"), "{}; a step takes {}", error.what(),
-           conversion(scene)->time_text(1));
+           unit_conversion(scene)->time_text(1));
     }
     if (vessel.turn_steps > 0) {
       vessel.angle += 1;  // somewhere else in the end
@@ -126,13 +127,13 @@ void require_none(const Items& items, const PlacedValue& root, const char* key, 
 
 bool source_opens(const Scene& scene, std::size_t source) {
   return std::ranges::any_of(scene.stages, [source](const Stage& stage) {
-    return std::ranges::count(stage.sources, source) > 0;
+    return std::ranges::count(stage.open_sources, source) > 0;
   });
 }
 
 bool wall_stands_or_moves(const Scene& scene, std::size_t wall) {
   return !scene.walls[wall].motion || std::ranges::any_of(scene.stages, [wall](const Stage& stage) {
-    return std::ranges::count(stage.move, wall) > 0;
+    return std::ranges::count(stage.moving_walls, wall) > 0;
   });
 }
 
@@ -145,21 +146,22 @@ bool fill_has_species(const Scene& scene, std::size_t species) {
 bool species_appears(const Scene& scene, std::size_t species) {
   return fill_has_species(scene, species) ||
          std::ranges::any_of(scene.sources, [species](const Source& source) {
-           return source.weights[species] > 0;
+           return source.species_weights[species] > 0;
          });
 }
 
 }  // namespace
 
 bool walls_may_overlap(const Scene& scene) {
-  return std::ranges::any_of(
-      scene.walls, [](const Wall& wall) { return wall.passive == grains::PassiveRule::overlap; });
+  return std::ranges::any_of(scene.walls, [](const Wall& wall) {
+    return wall.passive_rule == grains::PassiveRule::overlap;
+  });
 }
 
 void check_weight_paths(const PlacedValue& place) {
   const Scene& scene = place.scene;
   const bool turns = std::ranges::any_of(
-      scene.stages, [](const Stage& stage) { return stage.vessel.has_value(); });
+      scene.stages, [](const Stage& stage) { return stage.vessel_motion.has_value(); });
   if (walls_may_overlap(scene) || turns) {
     fail(place, "no paths of weight {}",
          walls_may_overlap(scene) ? "with a wall that moves with passive: overlap"
@@ -219,7 +221,7 @@ void check_stage_order(const PlacedValue& list) {
     }
     if (!there[wall]) {
       const auto first = std::ranges::find_if(scene.stages, [wall](const Stage& stage) {
-        return std::ranges::count(stage.insert, wall) > 0;
+        return std::ranges::count(stage.inserted_walls, wall) > 0;
       });
       refuse(wall, entry, fmt::format("is not there before stage '{}' inserts it", first->name));
     }
@@ -235,22 +237,22 @@ void check_stage_order(const PlacedValue& list) {
         change(walls[k], PlacedValue{entries.value.items[k], entries.path, scene});
       }
     };
-    for_each("remove", stage.remove, [&](std::size_t wall, const PlacedValue& entry) {
-      if (std::ranges::count(stage.insert, wall) > 0) {
+    for_each("remove", stage.removed_walls, [&](std::size_t wall, const PlacedValue& entry) {
+      if (std::ranges::count(stage.inserted_walls, wall) > 0) {
         refuse(wall, entry, "is under insert too");
       }
       require(wall, entry);
       there[wall] = false;
       since[wall] = &stage;
     });
-    for_each("insert", stage.insert, [&](std::size_t wall, const PlacedValue& entry) {
+    for_each("insert", stage.inserted_walls, [&](std::size_t wall, const PlacedValue& entry) {
       if (there[wall]) {
         refuse(wall, entry, fmt::format("is there since stage '{}'", since[wall]->name));
       }
       there[wall] = true;
       since[wall] = &stage;
     });
-    for_each("move", stage.move, [&](std::size_t wall, const PlacedValue& entry) {
+    for_each("move", stage.moving_walls, [&](std::size_t wall, const PlacedValue& entry) {
       if (!scene.walls[wall].motion) {
         refuse(wall, entry, "has no motion");
       }
@@ -275,7 +277,7 @@ void check_unused_items(const PlacedValue& root) {
     require_none(scene.probes, root, "probes", "have rows");
     require_none(scene.lines, root, "lines", "are observed");
   }
-  if (scene.begin) {  // which may have particles of any species
+  if (scene.initial_state) {  // which may have particles of any species
     return;
   }
   bool any = !scene.sources.empty();

@@ -20,8 +20,7 @@ using lattice::SweptRegion;
 // More than any rounding error, so that sites on an edge are inside.
 constexpr double kOnEdge = 1e-6;
 
-/// The unit vector at an angle, to 1e-15. Sums and products only: the same on every machine. Not
-/// the sine of the gas, whose last bits differ.
+/// The unit vector at an angle, to 1e-15; sums and products only: the same on every machine.
 Eigen::Vector2d unit_at(double degrees) {
   constexpr double kDegree = 3.14159265358979323846 / 180;
   constexpr int kPowers = 20;
@@ -83,7 +82,7 @@ struct Band {
 };
 
 /// A disc is a ring without a hole.
-Ring ring_of(const Circle& circle) {
+Ring ring_of(const CircularPart& circle) {
   if (const auto* disc = std::get_if<Disc>(&circle)) {
     return {.centre = disc->centre, .radius = 0, .thickness = disc->radius};
   }
@@ -91,13 +90,14 @@ Ring ring_of(const Circle& circle) {
   return arc != nullptr ? arc->ring : std::get<Ring>(circle);
 }
 
-Band band_of(const Circle& circle) {
+Band band_of(const CircularPart& circle) {
   const Ring ring = ring_of(circle);
   Band band = {.centre = ring.centre,
                .inner = std::max(0.0, ring.radius - kOnEdge),
                .outer = ring.radius + ring.thickness + kOnEdge};
   if (const auto* arc = std::get_if<Arc>(&circle)) {
-    band.sector = {unit_at(arc->from), unit_at(arc->to), arc->to - arc->from > 180};
+    band.sector = {unit_at(arc->from_degrees), unit_at(arc->to_degrees),
+                   arc->to_degrees - arc->from_degrees > 180};
   }
   return band;
 }
@@ -129,7 +129,7 @@ bool any_site_in(const SweptRegion& swept_region, const Band& band, const Test& 
 
 }  // namespace
 
-std::vector<Site> sites_in(const SweptRegion& swept_region, const Circle& circle) {
+std::vector<Site> sites_in(const SweptRegion& swept_region, const CircularPart& circle) {
   std::vector<Site> sites;
   any_site_in(swept_region, band_of(circle), [&](Site site) {
     sites.push_back(site);
@@ -138,11 +138,11 @@ std::vector<Site> sites_in(const SweptRegion& swept_region, const Circle& circle
   return sites;
 }
 
-bool holds_no_site(const Lattice& lattice, const Circle& circle) {
+bool holds_no_site(const Lattice& lattice, const CircularPart& circle) {
   return !any_site_in(SweptRegion(lattice), band_of(circle), [](Site) { return true; });
 }
 
-Rectangle bounding_rectangle(const Circle& circle) {
+Rectangle bounding_rectangle(const CircularPart& circle) {
   const Ring ring = ring_of(circle);
   const double reach = ring.radius + ring.thickness + 1;
   return {ring.centre.x() - reach, ring.centre.y() - reach, ring.centre.x() + reach,

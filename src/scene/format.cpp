@@ -80,7 +80,7 @@ std::vector<FoundKey> found_keys(std::string_view path) {
     }
   }
   const std::string& last = parts.back();  // the top has been found
-  const auto nearest = text::nearest(last, names);
+  const auto nearest = text::nearest_name(last, names);
   std::string suggestion;
   if (nearest) {
     std::vector<std::string> meant = parents;
@@ -89,12 +89,13 @@ std::vector<FoundKey> found_keys(std::string_view path) {
   }
   const std::vector<std::string> about = paths_about(scene_type().keys, last);
   if (suggestion.empty() && !about.empty()) {
-    suggestion = "; see " + text::listed(std::vector<std::string_view>(about.begin(), about.end()));
+    suggestion =
+        "; see " + text::comma_separated(std::vector<std::string_view>(about.begin(), about.end()));
   } else if (suggestion.empty()) {
     suggestion = path_suggestion(scene_type().keys, last);
   }
   throw UnknownKeyError(
-      fmt::format("the scene format has no key {}{}", text::shown(path), suggestion));
+      fmt::format("the scene format has no key {}{}", text::quoted(path), suggestion));
 }
 
 std::string values_text(const AnyKey& key) {
@@ -172,7 +173,7 @@ void allow_expressions(Json& schema) {
 
 }  // namespace
 
-std::string explain(std::string_view path) {
+std::string explanation(std::string_view path) {
   const bool at_top = find(scene_type().keys, {std::string(path)}).keys != nullptr ||
                       find(boltzmann_type().keys, {std::string(path)}).keys != nullptr;
   const std::vector<std::string> paths =
@@ -180,7 +181,7 @@ std::string explain(std::string_view path) {
   if (!paths.empty()) {
     std::string all;
     for (const std::string& found_path : paths) {
-      all += (all.empty() ? "" : "\n") + explain(found_path);
+      all += (all.empty() ? "" : "\n") + explanation(found_path);
     }
     return all;
   }

@@ -47,7 +47,7 @@ void read_key(const AnyKey& key, const PlacedValue& fields, void* owner) {
       const std::string_view model = name_of(kModelNames, *key.model);
       const auto entry = std::ranges::find(fields.value.entries, key.name, &Entry::key);
       fail(entry->location, "{}: only model {} has it; remove it, or say 'model: {}'",
-           fields.inside(*entry).path, model, model);
+           fields.at(*entry).path, model, model);
     }
     return;
   }
@@ -197,7 +197,7 @@ std::string path_suggestion(const AnyKeys& top, std::string_view name) {
   for (const PlacedKey& placed : all_keys(top)) {
     names.push_back(placed.key->name);
   }
-  const auto nearest = text::nearest(name, names);
+  const auto nearest = text::nearest_name(name, names);
   return nearest ? fmt::format("; did you mean '{}'?", paths_of_key(top, *nearest).front()) : "";
 }
 

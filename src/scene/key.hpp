@@ -94,8 +94,7 @@ auto any_text(const Text& text) {
   };
 }
 
-/// A type with functions of its own: `read(place)`, and `text(value)` or `text(value, scene)`; with
-/// `keys` if values may be maps.
+/// A type made of `read(place)` and `text(value)` or `text(value, scene)`; `keys`: of maps.
 template <class T, class Read, class Text>
 Type<T> custom_type(std::string_view allowed, const Schema& schema, const Read& read,
                     const Text& text, const AnyKeys& keys = {}) {
@@ -348,7 +347,7 @@ Type<Owner> type_of(const Map<Owner>& map) {
 
 /// A map whose missing keys have the values of a member of the scene.
 template <class Owner>
-Type<Owner> type_with_scene_defaults(Owner Scene::*member, Keys<Owner> keys) {
+Type<Owner> stage_map_type(Owner Scene::*member, Keys<Owner> keys) {
   for (AnyKey& key : keys) {
     key.describe_default("as in the scene");
   }
@@ -369,7 +368,7 @@ Key<Owner> section_key(std::string_view name, const Map<Owner>& map, std::string
 
 /// The type of a struct that is written as the value of one of its members.
 template <class Owner, class T>
-Type<Owner> single_member_type(T Owner::*member, const Type<T>& type) {
+Type<Owner> member_type(T Owner::*member, const Type<T>& type) {
   Type<Owner> result(type);
   result.read_into = [member, read = type.read_into](const PlacedValue& place, void* owner) {
     read(place, &(static_cast<Owner*>(owner)->*member));

@@ -69,7 +69,7 @@ Type<boltzmann::Scheme> scheme_type() {
 
 void check_block(const PlacedValue& fields, BoltzmannScene& scene) {
   if (auto* ogawa_kato = std::get_if<boltzmann::OgawaKato>(&scene.scheme)) {
-    ogawa_kato->quasi_random = scene.quasi;
+    ogawa_kato->quasi_random = scene.quasi_random;
   }
   if (fields.find("friction") == nullptr) {
     if (fields.find("roughness") == nullptr) {
@@ -77,18 +77,18 @@ void check_block(const PlacedValue& fields, BoltzmannScene& scene) {
     }
     scene.friction = boltzmann::kNoSlidingLimit;
   }
-  scene.histograms = {0, scene.until};
+  scene.histogram_times = {0, scene.end_time};
 }
 
 void read_histograms(const PlacedValue& fields, BoltzmannScene& scene) {
   if (fields.find("histograms") == nullptr) {
     return;
   }
-  const double apart = kTimeTolerance * scene.series_every;
-  std::vector<double>& times = scene.histograms;
+  const double apart = kTimeTolerance * scene.series_interval;
+  std::vector<double>& times = scene.histogram_times;
   times.clear();
   const auto time = [&](const PlacedValue& place) {
-    return read_number<double>(place, 0, scene.until);
+    return read_number<double>(place, 0, scene.end_time);
   };
   for (const PlacedValue& item : read_list(fields.at("histograms"), 0, kMaxHistograms, time)) {
     times.push_back(time(item));
@@ -114,16 +114,17 @@ QuantileBins read_quantiles(const PlacedValue& place) {
 
 Type<UniformBins> uniform_bins() {
   return type_of<UniformBins>(
-      {.keys = {required_key("width", &UniformBins::width, positive_number_type(kMaxEnergy),
+      {.keys = {required_key("width", &UniformBins::width, positive_type(kMaxEnergy),
                              fmt::format("at most `end`, and at most {} bins", kMaxUniformBins)),
-                required_key("end", &UniformBins::end, positive_number_type(kMaxEnergy),
+                required_key("end", &UniformBins::last_bin_start, positive_type(kMaxEnergy),
                              "where the last bin begins, which has no end")},
        .check = [](const PlacedValue& fields, UniformBins& bins) {
-         if (bins.width > bins.end || bins.end > kMaxUniformBins * bins.width) {
+         if (bins.width > bins.last_bin_start ||
+             bins.last_bin_start > kMaxUniformBins * bins.width) {
            fail(fields.at("width"),
                 "expected a number from {} to {} for at most {} bins up to {}, found {}",
-                bins.end / kMaxUniformBins, bins.end, kMaxUniformBins, bins.end,
-                found(fields.at("width")));
+                bins.last_bin_start / kMaxUniformBins, bins.last_bin_start, kMaxUniformBins,
+                bins.last_bin_start, found(fields.at("width")));
          }
        }});
 }
@@ -154,7 +155,7 @@ Key<BoltzmannScene> histograms_key() {
              read_histograms)
       .defaults_to("begin and end")
       .written_as([=](const BoltzmannScene& scene, const Scene& none) {
-        return std::optional(times.text(scene.histograms, none));
+        return std::optional(times.text(scene.histogram_times, none));
       });
 }
 
@@ -171,7 +172,7 @@ Key<BoltzmannScene> boltzmann_block_key() {
            key("exact_moments", &B::exact_moments, bool_type(),
                "shifts and scales the sample so that both means are zero and both mean squares "
                "exact"),
-           key("sampling", &B::quasi, choice_type(kSamplingNames),
+           key("sampling", &B::quasi_random, choice_type(kSamplingNames),
                "draws of the beginning, and all draws of `ogawa-kato`: independent, or from a "
                "randomly shifted lattice"),
            restitution_key(),
@@ -194,10 +195,11 @@ Key<BoltzmannScene> boltzmann_block_key() {
                  }
                }),
            inlined_alternative(&B::scheme, key("time_step", &boltzmann::OgawaKato::time_step,
-                                               positive_number_type(1), "of `ogawa-kato` only")),
+                                               positive_type(1), "of `ogawa-kato` only")),
            inlined_alternative(
-               &B::scheme, key("partners", &boltzmann::OgawaKato::partner_count, integer_type(1, 1000),
-                               "of `ogawa-kato` only: how many each particle draws in a step")),
+               &B::scheme,
+               key("partners", &boltzmann::OgawaKato::partner_count, integer_type(1, 1000),
+                   "of `ogawa-kato` only: how many each particle draws in a step")),
            key("shear_rate", &B::shear_rate, number_type(0, 100),
                "of `majorant` only: velocity gradient of uniform shear flow, per unit of time")
                .with_action([](const PlacedValue& fields, B& scene) {
@@ -206,8 +208,8 @@ Key<BoltzmannScene> boltzmann_block_key() {
                  }
                })
                .written_if(is_majorant),
-           key("until", &B::until, positive_number_type(kMaxTime), "time at the end"),
-           key("ensemble", &B::ensemble, count_type(1, 10'000),
+           key("until", &B::end_time, positive_type(kMaxTime), "time at the end"),
+           key("ensemble", &B::ensemble_size, count_type(1, 10'000),
                "runs with seeds derived from `seed`, for means and their errors")},
       .check = check_block,
       .schema_members = R"(
@@ -226,7 +228,7 @@ Key<BoltzmannScene> boltzmann_output_key() {
   using B = BoltzmannScene;
   const Map<B> series = {
       .keys = {
-          key("every", &B::series_every, positive_number_type(kMaxTime),
+          key("every", &B::series_interval, positive_type(kMaxTime),
               fmt::format("time from one row to the next; at most {} rows in all", kMaxRows))}};
   return section_key<B>(
       "output",
@@ -241,15 +243,15 @@ Key<BoltzmannScene> boltzmann_output_key() {
 }
 
 void check_series_rows(const PlacedValue& root, const BoltzmannScene& scene) {
-  if (scene.until <= kMaxRows * scene.series_every) {
+  if (scene.end_time <= kMaxRows * scene.series_interval) {
     return;
   }
   const Value* every = root.value.find_path("output.series.every");
   fail((every != nullptr ? *every : root.at("boltzmann").at("until").value).location,
        "output.series.every: expected at least {}, as a series has at most {} rows until {}, found "
        "{}",
-       scene.until / kMaxRows, kMaxRows, scene.until,
-       every != nullptr ? found(*every) : fmt::format("the default {}", scene.series_every));
+       scene.end_time / kMaxRows, kMaxRows, scene.end_time,
+       every != nullptr ? found(*every) : fmt::format("the default {}", scene.series_interval));
 }
 
 }  // namespace clca::scene

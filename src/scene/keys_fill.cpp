@@ -64,7 +64,7 @@ void read_file(const PlacedValue& fields, FillPicture& picture) {
   }
   std::vector<image::Rgb> colors;
   for (const Entry& entry : entries) {
-    picture.weights[letter(colors.size())] = part_type().read(place.inside(entry));
+    picture.weights_by_letter[letter(colors.size())] = part_type().read(place.at(entry));
     const Value color = Value::scalar(entry.key, entry.location);
     colors.push_back(color_type().read({color, place.path, place.scene}));
   }
@@ -95,9 +95,9 @@ Type<Parts> pixels_type() {
         for (const Entry& entry : read_map(place)) {
           if (entry.key.size() != 1 || !is_part_letter(entry.key.front())) {
             fail(entry.location, "{}: expected a letter from A to Z, found {}", place.path,
-                 text::shown(entry.key));
+                 text::quoted(entry.key));
           }
-          weights[entry.key.front()] = part.read(place.inside(entry));
+          weights[entry.key.front()] = part.read(place.at(entry));
         }
         return weights;
       },
@@ -113,7 +113,7 @@ Type<Parts> pixels_type() {
 void check_part_weights(const PlacedValue& fields) {
   std::size_t parts = 0;
   for (const Stage& stage : fields.scene.stages) {
-    parts += stage.fill && stage.fill->picture ? stage.fill->picture->weights.size() : 0;
+    parts += stage.fill && stage.fill->picture ? stage.fill->picture->weights_by_letter.size() : 0;
   }
   if (parts * fields.scene.species.size() > kMaxPartWeights) {
     const char* key = fields.find("file") != nullptr ? "colors" : "pixels";
@@ -135,7 +135,7 @@ void check_picture(const PlacedValue& fields, FillPicture& picture) {
   check_part_weights(fields);
   for (const std::string& row : picture.rows) {
     for (const char pixel : row) {
-      if (pixel != kEmptyPixel && !picture.weights.contains(pixel)) {
+      if (pixel != kEmptyPixel && !picture.weights_by_letter.contains(pixel)) {
         fail(fields.at("pixels"), "no species for the pixels {}", pixel);
       }
     }
@@ -151,7 +151,7 @@ Type<FillPicture> picture() {
                     "the same as text, from the top: a letter for each part, `.` for what stays "
                     "empty")
                     .with_condition("this or `file`"),
-                key("pixels", &FillPicture::weights, pixels_type(),
+                key("pixels", &FillPicture::weights_by_letter, pixels_type(),
                     "of rows: by letter, a species or weights by species")
                     .with_condition("goes with `rows`")},
        .check = check_picture,
@@ -165,7 +165,7 @@ void check_keys_of_fill(const PlacedValue& fields, Fill& fill) {
     return;
   }
   const PlacedValue level = fields.at("level");
-  if (fill.mix.empty() || fill.method != FillMethod::deposition) {
+  if (fill.species_weights.empty() || fill.method != FillMethod::deposition) {
     fail(level, "needs a mix and 'method: deposition'");
   }
   if (*fill.level > fill.region.top || *fill.level <= fill.region.bottom) {
@@ -182,10 +182,10 @@ Type<Fill> fill_type() {
                     "a rain that falls in the steps that follow, or a packing at rest"),
                 required_key("region", &Fill::region, region_type(),
                              "where: no particle sticks out of it"),
-                list_key("counts", &Fill::counts, counts_type(kMaxParticles),
+                list_key("counts", &Fill::species_counts, counts_type(kMaxParticles),
                          "number of particles; 0 for species that are not named")
                     .with_condition("one of these three"),
-                list_key("mix", &Fill::mix, weights_type(),
+                list_key("mix", &Fill::species_weights, weights_type(),
                          "weights by species: fills the region until the next particle has no room")
                     .with_condition("one of these three"),
                 key("picture", &Fill::picture, picture(),
@@ -201,18 +201,18 @@ Type<Fill> fill_type() {
 }
 
 std::optional<grains::Mixture> mixture_of(const Fill& fill) {
-  if (!fill.counts.empty()) {
+  if (!fill.species_counts.empty()) {
     return std::nullopt;
   }
   grains::Mixture mixture = {.deposited = fill.method == FillMethod::deposition,
                              .surface_level = fill.level};
   if (!fill.picture) {
-    mixture.part_weights = {fill.mix};
+    mixture.part_weights = {fill.species_weights};
     return mixture;
   }
   mixture.picture_rows = fill.picture->rows;
   std::map<char, char> renamed;
-  for (const auto& [pixel, weights] : fill.picture->weights) {
+  for (const auto& [pixel, weights] : fill.picture->weights_by_letter) {
     renamed[pixel] = letter(mixture.part_weights.size());
     mixture.part_weights.push_back(weights);
   }
@@ -226,10 +226,11 @@ std::optional<grains::Mixture> mixture_of(const Fill& fill) {
 
 bool places_species(const Fill& fill, std::size_t species) {
   if (fill.picture) {
-    return std::ranges::any_of(fill.picture->weights,
+    return std::ranges::any_of(fill.picture->weights_by_letter,
                                [&](const auto& part) { return part.second[species] > 0; });
   }
-  return fill.counts.empty() ? fill.mix[species] > 0 : fill.counts[species] > 0;
+  return fill.species_counts.empty() ? fill.species_weights[species] > 0
+                                     : fill.species_counts[species] > 0;
 }
 
 }  // namespace clca::scene

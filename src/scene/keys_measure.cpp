@@ -34,7 +34,7 @@ Type<DerivedMeasure> derived_type() {
   const Type<std::string> expression = expression_type();
   Type<DerivedMeasure> type = type_of<DerivedMeasure>(
       {.keys = {
-           required_key("value", &DerivedMeasure::value, expression,
+           required_key("value", &DerivedMeasure::expression, expression,
                         "an [expression](#expressions) of measures of the stage, of those derived "
                         "before, of numbers under `let` and of keys of the scene by their paths"),
            key("unit", &DerivedMeasure::unit, text_line_type(), "its unit; of a pure number 1"),
@@ -43,7 +43,7 @@ Type<DerivedMeasure> derived_type() {
                .defaults_to("the name")}});
   type = or_map("", expression.schema, type, [=](const PlacedValue& place) {
     DerivedMeasure derived;
-    derived.value = expression.read(place);
+    derived.expression = expression.read(place);
     return derived;
   });
   type.read_into = [read = type.read_into](const PlacedValue& place, void* derived) {
@@ -58,21 +58,22 @@ Type<DerivedMeasure> derived_type() {
 void read_derived(const PlacedValue& place, Scene& scene) {
   static const Type<DerivedMeasure> kType = derived_type();
   for (const Entry& entry : read_map(place)) {
-    const PlacedValue inside = place.inside(entry);
+    const PlacedValue inside = place.at(entry);
     if (!document::is_expression_name(entry.key)) {
       fail(entry.location,
            "{}: a name has up to {} letters, digits and '_', no digit first, and is not that of a "
            "function or constant",
            inside.path, document::kMaxNameLength);
     }
-    const bool is_twice = std::ranges::count(scene.derived, entry.key, &DerivedMeasure::name) > 0;
-    if (is_twice || scene.derived.size() == kMaxDerived) {
+    const bool is_twice =
+        std::ranges::count(scene.derived_measures, entry.key, &DerivedMeasure::name) > 0;
+    if (is_twice || scene.derived_measures.size() == kMaxDerived) {
       fail(entry.location, "{}: {}", inside.path,
            is_twice ? "it is named twice" : fmt::format("expected at most {}", kMaxDerived));
     }
     DerivedMeasure derived = kType.read(inside);
     derived.name = entry.key;
-    scene.derived.push_back(std::move(derived));
+    scene.derived_measures.push_back(std::move(derived));
   }
 }
 
@@ -117,10 +118,10 @@ std::optional<Value> measures_text(const Scene& scene) {
     list.items.push_back(Value::scalar(std::string(name_of(kMeasureNames, measure))));
   }
   Value derived = Value::map();
-  for (const DerivedMeasure& measure : scene.derived) {
+  for (const DerivedMeasure& measure : scene.derived_measures) {
     derived.add(measure.name, kType.text(measure, scene));
   }
-  if (!scene.derived.empty()) {
+  if (!scene.derived_measures.empty()) {
     list.items.push_back(std::move(derived));
   }
   return list;
@@ -148,16 +149,17 @@ Key<Scene> measure_key() {
 }
 
 void put_numbers_into_derived(Scene& scene) {
-  if (scene.derived.empty()) {
+  if (scene.derived_measures.empty()) {
     return;
   }
   const Value whole = scene_type().text(scene, scene);
-  for (DerivedMeasure& derived : scene.derived) {
-    derived.value = document::with_names_replaced(derived.value, [&](std::string_view name) {
-      const Value* value =
-          name.find('.') != std::string_view::npos ? whole.find_path(name) : nullptr;
-      return value != nullptr ? number_in<double>(value->text) : std::nullopt;
-    });
+  for (DerivedMeasure& derived : scene.derived_measures) {
+    derived.expression =
+        document::with_names_replaced(derived.expression, [&](std::string_view name) {
+          const Value* value =
+              name.find('.') != std::string_view::npos ? whole.find_path(name) : nullptr;
+          return value != nullptr ? number_in<double>(value->text) : std::nullopt;
+        });
   }
 }
 

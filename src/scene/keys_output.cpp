@@ -34,7 +34,7 @@ void check_view(const lattice::Rectangle& view, const PlacedValue& place) {
 }
 
 /// What can be drawn depends on how walls move.
-void check_frames(const PlacedValue& fields, Frames& frames) {
+void check_frames(const PlacedValue& fields, PictureOutput& frames) {
   const Scene& scene = fields.scene;
   frames.location = location_text(fields);
   if (frames.color_by == ColorBy::force && scene.model != Model::contact) {
@@ -50,7 +50,7 @@ void check_frames(const PlacedValue& fields, Frames& frames) {
   }
   constexpr std::array kWithoutBar = {ColorBy::species, ColorBy::stage_layer, ColorBy::id,
                                       ColorBy::axis};
-  if (frames.range && std::ranges::find(kWithoutBar, frames.color_by) != kWithoutBar.end()) {
+  if (frames.color_range && std::ranges::find(kWithoutBar, frames.color_by) != kWithoutBar.end()) {
     fail(fields.at("range"), "there is no colour bar with color_by {}",
          name_of(kColorByNames, frames.color_by));
   }
@@ -61,7 +61,7 @@ void check_frames(const PlacedValue& fields, Frames& frames) {
   if (of_weight) {
     check_weight_paths(fields.at("overlay"));
   }
-  if (frames.force_scale && !of_weight && scene.model != Model::contact) {
+  if (frames.widest_line_force && !of_weight && scene.model != Model::contact) {
     fail(fields.at("force_scale"), "goes with model: contact or an overlay of weight");
   }
   if (frames.overlay == Overlay::arrows && !moves_in_cycles(scene)) {
@@ -70,9 +70,9 @@ void check_frames(const PlacedValue& fields, Frames& frames) {
          "shakes the vessel");
   }
   if (const double side = std::max(scene.box.width, scene.box.height);
-      frames.velocity_cell > side) {
+      frames.velocity_cell_side > side) {
     fail(fields.at("velocity_cell"), "expected 1 to {:g}, the longer side of the box, found {:g}",
-         side, *frames.velocity_cell);
+         side, *frames.velocity_cell_side);
   }
 }
 
@@ -87,92 +87,93 @@ Type<statistics::Range> color_bar_ends() {
   });
 }
 
-Type<Frames> frames_type() {
+Type<PictureOutput> frames_type() {
   const Type<int> pixels = integer_type(16, 65'536);
-  return type_of<Frames>(
+  return type_of<PictureOutput>(
       {.keys =
-           {key("every", &Frames::every, count_type(1, kMaxSteps),
+           {key("every", &PictureOutput::every, count_type(1, kMaxSteps),
                 "steps from one picture to the next"),
-            key("width", &Frames::width, pixels, "pixels").defaults_to("follows the view"),
-            key("height", &Frames::height, pixels, "pixels").defaults_to("follows the view"),
-            key("color_by", &Frames::color_by, choice_type(kColorByNames),
+            key("width", &PictureOutput::width, pixels, "pixels").defaults_to("follows the view"),
+            key("height", &PictureOutput::height, pixels, "pixels").defaults_to("follows the view"),
+            key("color_by", &PictureOutput::color_by, choice_type(kColorByNames),
                 "what the colour of a particle means"),
-            key("range", &Frames::range, color_bar_ends(),
+            key("range", &PictureOutput::color_range, color_bar_ends(),
                 "values at the ends of the colour bar, in its unit; a mark at an end says that "
                 "there are values outside the range")
                 .defaults_to("`[0, high]`, `high` from the scene"),
-            key("layers", &Frames::layers, integer_type(1, 256),
+            key("layers", &PictureOutput::layer_count, integer_type(1, 256),
                 "number of layers for `stage_layer`"),
-            key("view", &Frames::view, rectangle_type().checked(check_view),
+            key("view", &PictureOutput::view, rectangle_type().checked(check_view),
                 "the part of the plane to show")
                 .defaults_to("`output.view`"),
-            key("drawing", &Frames::drawing, choice_type(kDrawingNames),
+            key("drawing", &PictureOutput::drawing, choice_type(kDrawingNames),
                 "by looking up the sites around each sample (`auto` too), or as polygons by "
                 "OpenGL, slower; nearly the same picture"),
-            key("supersampling", &Frames::supersampling, integer_type(1, 4),
+            key("supersampling", &PictureOutput::supersampling, integer_type(1, 4),
                 "samples per pixel along each side"),
-            key("caption", &Frames::caption, bool_type(),
+            key("caption", &PictureOutput::has_caption, bool_type(),
                 "title, stage, step or time, legend, scale bar"),
-            key("style", &Frames::style, choice_type(kPictureStyleNames),
+            key("style", &PictureOutput::style, choice_type(kPictureStyleNames),
                 "for papers (`print`): without title, stage and step or time"),
-            key("upright", &Frames::upright, bool_type(),
+            key("upright", &PictureOutput::turns_with_vessel, bool_type(),
                 "turned as the vessel is, so that gravity points down; corners of the view may "
                 "go out of the picture")
                 .of(Model::contact),
-            key("force_scale", &Frames::force_scale, positive_number_type(1e9),
+            key("force_scale", &PictureOutput::widest_line_force, positive_type(1e9),
                 "the force drawn as the widest line, by `weight_...` and with `model: contact`, in "
                 "grain weights, or in newtons with `units.density`; there the colours of `force` "
                 "end at twice it, those of `pressure` at it over the mean diameter")
                 .defaults_to("from the fall height"),
-            key("velocity_cell", &Frames::velocity_cell, length_type(number_type(1, kMaxCellSide)),
+            key("velocity_cell", &PictureOutput::velocity_cell_side,
+                length_type(number_type(1, kMaxCellSide)),
                 "side of the cells of `overlay: velocity` in lattice spacings")
                 .defaults_to("from grains and view"),
-            key("velocity_scale", &Frames::velocity_scale, positive_number_type(1e9),
+            key("velocity_scale", &PictureOutput::longest_arrow_speed, positive_type(1e9),
                 "the speed drawn as an arrow 0.9 cells long (without it: by each picture); the "
                 "colours of `speed` end at twice it, those of `spin` where grains of mean diameter "
                 "roll at half of it: spacings per step, or with `model: contact` m/s "
                 "(√(spacing·gravity) without `units`)")
                 .defaults_to("from the model"),
-            key("overlay", &Frames::overlay, choice_type(kOverlayNames),
+            key("overlay", &PictureOutput::overlay, choice_type(kOverlayNames),
                 "what is drawn over the particles: forces between them, arrows from cycle to "
                 "cycle, the mean velocity since the last picture, or weight that is passed on by a "
                 "[rule](#paths-of-weight)")},
        .check = check_frames});
 }
 
-Type<Series> series_type() {
-  return type_of<Series>(
-      {.keys = {key("every", &Series::every, count_type(1, kMaxSteps),
+Type<SeriesOutput> series_type() {
+  return type_of<SeriesOutput>(
+      {.keys = {key("every", &SeriesOutput::every, count_type(1, kMaxSteps),
                     "a row at each step *of the whole run* that this divides"),
-                key("forces", &Series::forces, bool_type(),
+                key("forces", &SeriesOutput::has_wall_forces, bool_type(),
                     "force and torque on each wall and side of the box, means over the steps "
                     "since the last row")
                     .of(Model::contact)}});
 }
 
-Type<Fields> fields_type() {
-  return type_of<Fields>(
-      {.keys = {key("cell", &Fields::cell, length_type(number_type(1, kMaxCellSide)),
+Type<FieldOutput> fields_type() {
+  return type_of<FieldOutput>(
+      {.keys = {key("cell", &FieldOutput::cell_side, length_type(number_type(1, kMaxCellSide)),
                     "side of a cell in lattice spacings"),
-                key("every", &Fields::every, count_type(1, kMaxSteps), "steps of a window")}});
+                key("every", &FieldOutput::every, count_type(1, kMaxSteps), "steps of a window")}});
 }
 
-void check_contacts(const PlacedValue& fields, Contacts& contacts) {
+void check_contacts(const PlacedValue& fields, ContactSampling& contacts) {
   if (fields.scene.model != Model::contact) {
     require_overlap(fields, "contacts");
     return;
   }
-  if (contacts.every > contacts.window) {
-    fail(fields.at("every"), "expected 1 to {}, the steps of {}, found {}", contacts.window,
+  if (contacts.every > contacts.window_steps) {
+    fail(fields.at("every"), "expected 1 to {}, the steps of {}, found {}", contacts.window_steps,
          fields.at("window").path, contacts.every);
   }
 }
 
-Type<Contacts> contacts_type() {
-  return type_of<Contacts>(
-      {.keys = {key("every", &Contacts::every, count_type(1, kMaxSteps),
+Type<ContactSampling> contacts_type() {
+  return type_of<ContactSampling>(
+      {.keys = {key("every", &ContactSampling::every, count_type(1, kMaxSteps),
                     "steps from one sample to the next; with `model: contact` at most `window`"),
-                key("window", &Contacts::window, count_type(1, kMaxSteps),
+                key("window", &ContactSampling::window_steps, count_type(1, kMaxSteps),
                     "steps of a mean of the forces, at the end of a stage and before each picture")
                     .of(Model::contact)},
        .check = check_contacts});
@@ -182,42 +183,43 @@ Type<TrajectoryOutput> trajectory_type() {
   return type_of<TrajectoryOutput>(
       {.keys = {key("every", &TrajectoryOutput::every, count_type(1, kMaxSteps),
                     "steps from one frame to the next, counted from the start of each stage"),
-                key("contacts", &TrajectoryOutput::contacts, bool_type(),
+                key("contacts", &TrajectoryOutput::has_contacts, bool_type(),
                     "contacts and their forces, too, for `clca render` and `clca export`; about 50 "
                     "bytes a contact and frame")
                     .of(Model::contact)}});
 }
 
-Key<Checkpoints> seconds_key() {
-  return key("seconds", &Checkpoints::seconds, positive_number_type(1e9),
+Key<CheckpointIntervals> seconds_key() {
+  return key("seconds", &CheckpointIntervals::every_seconds, positive_type(1e9),
              "seconds by the clock from one checkpoint to the next; nothing of the result depends "
              "on it");
 }
 
-Type<Checkpoints> checkpoint_type() {
-  return type_of<Checkpoints>({.keys = {key("every", &Checkpoints::every, count_type(1, kMaxSteps),
-                                            "steps from one checkpoint to the next"),
-                                        seconds_key()},
-                               .check =
-                                   [](const PlacedValue& fields, Checkpoints& checkpoints) {
-                                     if (!checkpoints.every && !checkpoints.seconds) {
-                                       fail(fields, "expected every (steps), seconds or both");
-                                     }
-                                   },
-                               .schema_members = R"("minProperties": 1)"});
+Type<CheckpointIntervals> checkpoint_type() {
+  return type_of<CheckpointIntervals>(
+      {.keys = {key("every", &CheckpointIntervals::every_steps, count_type(1, kMaxSteps),
+                    "steps from one checkpoint to the next"),
+                seconds_key()},
+       .check =
+           [](const PlacedValue& fields, CheckpointIntervals& checkpoints) {
+             if (!checkpoints.every_steps && !checkpoints.every_seconds) {
+               fail(fields, "expected every (steps), seconds or both");
+             }
+           },
+       .schema_members = R"("minProperties": 1)"});
 }
 
 }  // namespace
 
-Type<Checkpoints> gas_checkpoint_type() {
-  return type_of<Checkpoints>({.keys = {seconds_key().mark_required()}});
+Type<CheckpointIntervals> gas_checkpoint_type() {
+  return type_of<CheckpointIntervals>({.keys = {seconds_key().mark_required()}});
 }
 
 Type<Output> output_type() {
   return type_of<Output>(
       {.keys = {key("frames", &Output::frames, or_none(frames_type()),
                     "pictures: [output.frames](#outputframes)"),
-                key("view", &Output::view, rectangle_type().checked(check_view),
+                key("view", &Output::default_view, rectangle_type().checked(check_view),
                     "the part of the plane that pictures show without a `view` of their own, also "
                     "those drawn later; `--set output.frames=none` keeps that of `frames` here")
                     .defaults_to("the whole box"),
@@ -238,7 +240,7 @@ Type<Output> output_type() {
                     "[output.checkpoint](#outputcheckpoint)")},
        .check = [](const PlacedValue& /*fields*/, Output& output) {
          if (output.frames && !output.frames->view) {
-           output.frames->view = output.view;
+           output.frames->view = output.default_view;
          }
        }});
 }

@@ -50,8 +50,8 @@ void check_source(const PlacedValue& fields, Source& source) {
   } else {
     check_region(std::get<lattice::Rectangle>(source.position), fields.at("region"));
   }
-  if (source.weights.empty()) {
-    source.weights.assign(fields.scene.species.size(), 1);
+  if (source.species_weights.empty()) {
+    source.species_weights.assign(fields.scene.species.size(), 1);
   }
 }
 
@@ -59,21 +59,22 @@ void check_source(const PlacedValue& fields, Source& source) {
 
 Type<std::vector<Source>> sources_type() {
   return by_name<Source>(
-      "sources",
-      {.keys = {alternative_key("at", &Source::position, point_type(),
-                                "emits at the site nearest to this point")
-                    .with_condition("this or `region`"),
-                alternative_key("region", &Source::position, region_type(),
-                                "emits at any site of this region of the box")
-                    .with_condition("this or `at`"),
-                key("species", &Source::weights, weights_type(), "weights of what is emitted")
-                    .defaults_to("all alike"),
-                required_key("rate", &Source::rate, number_type(1e-6, 1000), "particles per step"),
-                key("count", &Source::count, count_type(1, kMaxParticles),
-                    "closes for good after so many")
-                    .defaults_to("no end")},
-       .one_of = {"at", "region"},
-       .check = check_source});
+      "sources", {.keys = {alternative_key("at", &Source::position, point_type(),
+                                           "emits at the site nearest to this point")
+                               .with_condition("this or `region`"),
+                           alternative_key("region", &Source::position, region_type(),
+                                           "emits at any site of this region of the box")
+                               .with_condition("this or `at`"),
+                           key("species", &Source::species_weights, weights_type(),
+                               "weights of what is emitted")
+                               .defaults_to("all alike"),
+                           required_key("rate", &Source::particles_per_step,
+                                        number_type(1e-6, 1000), "particles per step"),
+                           key("count", &Source::max_particles, count_type(1, kMaxParticles),
+                               "closes for good after so many")
+                               .defaults_to("no end")},
+                  .one_of = {"at", "region"},
+                  .check = check_source});
 }
 
 Type<std::vector<Outlet>> outlets_type() {
@@ -87,7 +88,7 @@ Type<std::vector<Outlet>> outlets_type() {
 
 Type<std::vector<Probe>> probes_type() {
   const Type<lattice::Rectangle> edges = region_type().checked(check_region);
-  auto type = by_name("probes", single_member_type(&Probe::region, edges));
+  auto type = by_name("probes", member_type(&Probe::region, edges));
   type.allowed = edges.allowed + " by name";
   return type;
 }
@@ -99,7 +100,7 @@ Type<std::vector<Line>> lines_type() {
                 required_key(
                     "to", &Line::to, point_type(),
                     "its end; what passes to the right of this direction counts as positive"),
-                key("parts", &Line::parts, integer_type(1, 1000),
+                key("parts", &Line::part_count, integer_type(1, 1000),
                     "of equal length, each with a row in the table")},
        .check = check_line});
 }

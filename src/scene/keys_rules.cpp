@@ -41,7 +41,7 @@ Keys<automaton::Rules> rules_keys() {
 }
 
 double read_spacing(const PlacedValue& place) {
-  const std::optional<double> length = metres(place.value.text);
+  const std::optional<double> length = metres_in(place.value.text);
   if (!length || *length < kMinSpacing || *length > kMaxSpacing) {
     fail(
         place,
@@ -73,7 +73,7 @@ Type<int> sweeps() {
 
 /// 0 for `auto`.
 Type<double> fall_height() {
-  const auto type = word_or_value("auto", length_type(positive_number_type(kMaxFallHeight)),
+  const auto type = word_or_value("auto", length_type(positive_type(kMaxFallHeight)),
                                   fmt::format("a number above 0 and up to {}", kMaxFallHeight));
   return converted<double>(
       type.allowed, type, [](std::optional<double> height) { return height.value_or(0); },
@@ -134,7 +134,7 @@ Type<baxter::Rules> baxter_type() {
 }  // namespace
 
 Type<automaton::Rules> stage_rules_type() {
-  return type_with_scene_defaults(&Scene::rules, rules_keys());
+  return stage_map_type(&Scene::automaton_rules, rules_keys());
 }
 
 Type<Units> units_type() {
@@ -149,30 +149,30 @@ Type<Units> units_type() {
 }
 
 Type<contact::Parameters> stage_contact_type() {
-  return type_with_scene_defaults(&Scene::contact, stage_contact_keys());
+  return stage_map_type(&Scene::contact_parameters, stage_contact_keys());
 }
 
 Keys<Scene> model_blocks() {
-  return {
-      key("rules", &Scene::rules, type_of<automaton::Rules>({.keys = rules_keys()}),
-          "what a particle does in a step: [rules](#rules)")
-          .of(Model::automaton)
-          .defaults_to("that of each of its keys"),
-      key("contact", &Scene::contact, contact_type(),
-          "what particles do to each other where they touch: [contact](#contact)")
-          .of(Model::contact)
-          .defaults_to("that of each of its keys"),
-      key("voids", &Scene::voids, voids_type(), "which grains rising voids take: [voids](#voids)")
-          .of(Model::voids)
-          .defaults_to("that of each of its keys"),
-      key("baxter", &Scene::baxter, baxter_type(),
-          "which velocities and axes grains choose: [baxter](#baxter)")
-          .of(Model::baxter)
-          .defaults_to("that of each of its keys"),
-      key("units", &Scene::units, units_type(),
-          "the length of a lattice spacing, gravity: [units](#units)")
-          .of(Model::contact)
-          .defaults_to("none")};
+  return {key("rules", &Scene::automaton_rules, type_of<automaton::Rules>({.keys = rules_keys()}),
+              "what a particle does in a step: [rules](#rules)")
+              .of(Model::automaton)
+              .defaults_to("that of each of its keys"),
+          key("contact", &Scene::contact_parameters, contact_type(),
+              "what particles do to each other where they touch: [contact](#contact)")
+              .of(Model::contact)
+              .defaults_to("that of each of its keys"),
+          key("voids", &Scene::voids_rules, voids_type(),
+              "which grains rising voids take: [voids](#voids)")
+              .of(Model::voids)
+              .defaults_to("that of each of its keys"),
+          key("baxter", &Scene::baxter_rules, baxter_type(),
+              "which velocities and axes grains choose: [baxter](#baxter)")
+              .of(Model::baxter)
+              .defaults_to("that of each of its keys"),
+          key("units", &Scene::units, units_type(),
+              "the length of a lattice spacing, gravity: [units](#units)")
+              .of(Model::contact)
+              .defaults_to("none")};
 }
 
 }  // namespace clca::scene

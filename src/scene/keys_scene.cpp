@@ -16,7 +16,7 @@ std::string read_text_line(const PlacedValue& place) {
   const std::string& line = read_text(place);
   const std::optional<std::size_t> characters = line_length(line);
   if (!characters) {
-    fail(place, "expected one line of text, found {}", text::shown(line));
+    fail(place, "expected one line of text, found {}", text::quoted(line));
   }
   if (*characters == 0 || *characters > kMaxLineLength) {
     fail(place, "expected 1 to {} characters, found {}", kMaxLineLength, *characters);
@@ -57,19 +57,19 @@ Type<Box> box_type() {
        .check = [](const PlacedValue& fields, Box& box) { box.location = location_text(fields); }});
 }
 
-Type<Begin> begin_type() {
-  return type_of<Begin>(
-      {.keys = {required_key("run", &Begin::run, file_path_type(),
+Type<InitialState> begin_type() {
+  return type_of<InitialState>(
+      {.keys = {required_key("run", &InitialState::run_folder, file_path_type(),
                              "folder of the run; a relative one begins at the folder of the scene"),
-                key("step", &Begin::step,
+                key("step", &InitialState::step,
                     word_or_value("last", count_type(0, kMaxSteps),
                                   fmt::format("a whole number from 0 to {}", kMaxSteps)),
                     "its end, or a step of its trajectory"),
-                key("state", &Begin::state, hash_type(),
+                key("state", &InitialState::state_hash, hash_type(),
                     "expected hash of that state; any other is refused. A run records it in its "
                     "`scene.yaml`")
                     .defaults_to("any state")},
-       .check = [](const PlacedValue& fields, Begin& begin) {
+       .check = [](const PlacedValue& fields, InitialState& begin) {
          begin.location = location_text(fields);
        }});
 }
@@ -110,7 +110,7 @@ Keys<Scene> scene_keys() {
       {key("model", &Scene::model, choice_type(kModelNames),
            "what moves the grains: rules, velocities and the friction of contacts, voids that "
            "rise, or energies of velocities and axes; [model](#model)"),
-       key("begin", &Scene::begin, begin_type(),
+       key("begin", &Scene::initial_state, begin_type(),
            "the state of another run that this one begins with: [begin](#begin)")
            .defaults_to("an empty box"),
        required_key("box", &Scene::box, box_type(), "the [box](#box) that everything happens in"),

@@ -40,27 +40,26 @@ Type<RodSpec> rod() {
 Type<ShapeSpec> shape() {
   return one_of_type<ShapeSpec>(
       {alternative_key<ShapeSpec>(
-           "hexagon", single_member_type(&HexagonSpec::radius, integer_type(0, kMaxRadius)),
+           "hexagon", member_type(&HexagonSpec::radius, integer_type(0, kMaxRadius)),
            "all sites within that many steps of the centre: 0 is a single site, 1 has 7, 2 has 19"),
        alternative_key<ShapeSpec>(
-           "disc", single_member_type(&DiscSpec::radius, length_type(number_type(0, kMaxRadius))),
+           "disc", member_type(&DiscSpec::radius, length_type(number_type(0, kMaxRadius))),
            "all sites within that many spacings of the centre"),
        alternative_key<ShapeSpec>(
            "rectangle",
-           list_of_members("`[width, height]`", length_type(positive_number_type(kMaxLength)),
+           list_of_members("`[width, height]`", length_type(positive_type(kMaxLength)),
                            &RectangleSpec::width, &RectangleSpec::height),
            "an upright rectangle, to the nearest number of columns and of sites "
            "in each"),
        alternative_key<ShapeSpec>(
            "outline",
-           single_member_type(&OutlineSpec::corners,
-                              list_type(point_type(kMaxLength), 3, kMaxCorners)),
+           member_type(&OutlineSpec::corners, list_type(point_type(kMaxLength), 3, kMaxCorners)),
            "all sites whose centre lies on or inside the outline with these "
            "corners, in spacings to the right and upwards"),
+       alternative_key<ShapeSpec>("sites", member_type(&SitesSpec::sites, sites(1, kMaxSites)),
+                                  "these sites"),
        alternative_key<ShapeSpec>(
-           "sites", single_member_type(&SitesSpec::sites, sites(1, kMaxSites)), "these sites"),
-       alternative_key<ShapeSpec>(
-           "polygon", single_member_type(&PolygonSpec::corners, sites(3, kMaxCorners)),
+           "polygon", member_type(&PolygonSpec::corners, sites(3, kMaxCorners)),
            "all sites on and inside the outline with these sites as corners"),
        alternative_key<ShapeSpec>("rod", rod(), "hexagons on an upright line of sites")});
 }
@@ -158,9 +157,9 @@ lattice::Shape build_checked(const ShapeSpec& spec) {
 
 Type<std::vector<int>> orientations() {
   static const std::vector<int> kAll = {0, 60, 120, 180, 240, 300};
-  Type<int> angle = integer_type(0, 360 - kOrientationStepDegrees)
+  Type<int> angle = integer_type(0, 360 - kOrientationStep)
                         .checked([](const int& degrees, const PlacedValue& place) {
-                          if (degrees % kOrientationStepDegrees != 0) {
+                          if (degrees % kOrientationStep != 0) {
                             fail(place, "expected a multiple of 60, found {}", degrees);
                           }
                         });
@@ -204,7 +203,7 @@ void check_width(const Species& species, const PlacedValue& fields) {
   const int columns = lattice_of(box).columns();
   for (const int degrees : species.orientations) {
     const std::vector<lattice::Axial> sites =
-        species.shape.rotated(degrees / kOrientationStepDegrees).sites();
+        species.shape.rotated(degrees / kOrientationStep).sites();
     const int width = sites.back().x - sites.front().x + 1;
     if (width >= columns) {
       fail(fields, "{} columns wide at {} degrees, too wide for a periodic box of {} columns",

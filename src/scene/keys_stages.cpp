@@ -17,21 +17,24 @@ constexpr double kMaxVesselRate = 1e6;  // degrees of a tilt, or turns, per unit
 Type<Tilt> tilt() {
   const Type<double> angle = number_type(-180, 180);
   const auto turn =
-      type_of<Tilt>({.keys = {required_key("to", &Tilt::to, angle, "degrees"),
-                              key("rate", &Tilt::rate, positive_number_type(kMaxVesselRate),
+      type_of<Tilt>({.keys = {required_key("to", &Tilt::to_degrees, angle, "degrees"),
+                              key("rate", &Tilt::degrees_per_time, positive_type(kMaxVesselRate),
                                   "degrees per unit of time")
                                   .mark_required()}});
   return or_map(
       angle.allowed, angle.schema, turn,
-      [=](const PlacedValue& place) { return Tilt{.to = angle.read(place), .rate = {}}; },
+      [=](const PlacedValue& place) {
+        return Tilt{.to_degrees = angle.read(place), .degrees_per_time = {}};
+      },
       [](const Tilt& tilt) {
-        return tilt.rate ? std::nullopt : std::optional(Value::number(tilt.to));
+        return tilt.degrees_per_time ? std::nullopt : std::optional(Value::number(tilt.to_degrees));
       });
 }
 
 Type<Rotate> rotate() {
   return type_of<Rotate>(
-      {.keys = {required_key("rate", &Rotate::rate, number_type(-kMaxVesselRate, kMaxVesselRate),
+      {.keys = {required_key("rate", &Rotate::turns_per_time,
+                             number_type(-kMaxVesselRate, kMaxVesselRate),
                              "turns per unit of time: anticlockwise, or clockwise below 0"),
                 key("centre", &Rotate::centre, point_type(), "what it turns about")
                     .defaults_to("the middle of the box")},
@@ -39,7 +42,7 @@ Type<Rotate> rotate() {
          if (fields.scene.box.periodic) {
            fail(fields, "a periodic box has no centre to turn about; say 'periodic: false'");
          }
-         if (rotate.rate == 0) {
+         if (rotate.turns_per_time == 0) {
            fail(fields.at("rate"), "expected a rate other than 0");
          }
        }});
@@ -47,17 +50,17 @@ Type<Rotate> rotate() {
 
 Type<VesselShake> vessel_shake() {
   return type_of<VesselShake>(
-      {.keys = {required_key("gamma", &VesselShake::gamma, positive_number_type(1000),
+      {.keys = {required_key("gamma", &VesselShake::gamma, positive_type(1000),
                              "greatest acceleration over that of gravity"),
-                required_key("amplitude", &VesselShake::amplitude,
-                             length_type(positive_number_type(1000)), "spacings to either side"),
+                required_key("amplitude", &VesselShake::amplitude, length_type(positive_type(1000)),
+                             "spacings to either side"),
                 key("direction", &VesselShake::sideways, choice_type(kShakeDirectionNames),
                     "along gravity, beginning upwards, or across it, beginning to the right")}});
 }
 
 /// The first periodic wall of the stage; null if there is none.
 const Wall* cyclic_wall(const Stage& stage, const Scene& scene) {
-  for (const std::size_t wall : stage.move) {
+  for (const std::size_t wall : stage.moving_walls) {
     if (scene.walls[wall].motion && grains::is_cyclic(*scene.walls[wall].motion)) {
       return &scene.walls[wall];
     }
@@ -90,7 +93,8 @@ std::uint64_t min_cycle_steps(const Wall& wall, Model model) {
 
 /// Why particles never come to rest in this stage, apart from walls; empty if they do.
 std::string why_never_at_rest(const Stage& stage, const Scene& scene) {
-  const automaton::Rules& rules = stage.rules ? *stage.rules : scene.rules;
+  const automaton::Rules& rules =
+      stage.automaton_rules ? *stage.automaton_rules : scene.automaton_rules;
   if (rules.candidates == automaton::CandidateDirections::all) {
     return "with rules.candidates: all";
   }
@@ -99,8 +103,8 @@ std::string why_never_at_rest(const Stage& stage, const Scene& scene) {
       gravity != lattice::Direction::up) {
     return "with a sideways rules.gravity in a periodic box";
   }
-  for (const std::size_t source : stage.sources) {
-    if (!scene.sources[source].count) {
+  for (const std::size_t source : stage.open_sources) {
+    if (!scene.sources[source].max_particles) {
       return fmt::format("while source '{}' is open, which has no count",
                          scene.sources[source].name);
     }
@@ -118,7 +122,7 @@ std::string why_endless(const Stage& stage, const Scene& scene) {
   if (vessel_has_cycles(stage)) {
     return fmt::format(
         "while the vessel {}; end the stage after cycles or steps, or give max_steps",
-        std::holds_alternative<Rotate>(*stage.vessel) ? "turns" : "is shaken");
+        std::holds_alternative<Rotate>(*stage.vessel_motion) ? "turns" : "is shaken");
   }
   const std::string reason = why_never_at_rest(stage, scene);
   return reason.empty() ? reason : reason + "; give max_steps";
@@ -128,7 +132,7 @@ std::string why_endless(const Stage& stage, const Scene& scene) {
 void check_waits(const Stage& stage, const PlacedValue& until) {
   const Scene& scene = until.scene;
   const std::string reason = why_never_at_rest(stage, scene);
-  for (const std::size_t number : stage.move) {
+  for (const std::size_t number : stage.moving_walls) {
     const Wall& wall = scene.walls[number];
     const auto* shake = wall.motion ? std::get_if<grains::Shake>(&wall.motion->program) : nullptr;
     if (shake != nullptr && !shake->wait && !reason.empty()) {
@@ -169,19 +173,19 @@ void check_until(const PlacedValue& fields, const Stage& stage) {
 }
 
 /// `{steps: N}` and so on: every `until` but the word `settled`.
-Type<Until> until_map_type() {
+Type<EndCondition> until_map_type() {
   const auto end = [](std::string_view name, const auto& type, std::string_view about) {
-    return alternative_key<Until>(name, type, about);
+    return alternative_key<EndCondition>(name, type, about);
   };
-  return one_of_type<Until>(
-      {end("steps", single_member_type(&UntilSteps::steps, count_type(1, kMaxSteps)),
+  return one_of_type<EndCondition>(
+      {end("steps", member_type(&UntilSteps::steps, count_type(1, kMaxSteps)),
            "after N steps, at rest or not"),
-       end("discharged", single_member_type(&UntilDischarged::share, positive_number_type(1)),
+       end("discharged", member_type(&UntilDischarged::discharged_share, positive_type(1)),
            "when this share of the particles has left through the outlets"),
-       end("cycles", single_member_type(&UntilCycles::cycles, count_type(1, kMaxSteps)),
+       end("cycles", member_type(&UntilCycles::cycles, count_type(1, kMaxSteps)),
            "after so many cycles of each wall with a wave or a shake, and of a vessel that turns "
            "or is shaken"),
-       end("time", single_member_type(&UntilTime::time, positive_number_type(kMaxTime)),
+       end("time", member_type(&UntilTime::time, positive_type(kMaxTime)),
            "after this time: in seconds where the scene has [`units`](#units), else in "
            "√(spacing/gravity)")
            .of(Model::contact)});
@@ -208,19 +212,21 @@ Type<VesselMotion> vessel_type() {
        alternative_key<VesselMotion>("shake", vessel_shake(), "swings as a sine")});
 }
 
-Type<Until> until_type() {
-  return or_map(
-      "`settled`", word_schema("settled"), until_map_type(), read_settled, [](const Until& until) {
-        return std::holds_alternative<UntilSettled>(until) ? std::optional(Value::scalar("settled"))
-                                                           : std::nullopt;
-      });
+Type<EndCondition> until_type() {
+  return or_map("`settled`", word_schema("settled"), until_map_type(), read_settled,
+                [](const EndCondition& until) {
+                  return std::holds_alternative<UntilSettled>(until)
+                             ? std::optional(Value::scalar("settled"))
+                             : std::nullopt;
+                });
 }
 
 void check_stage(const PlacedValue& fields, Stage& stage) {
   if (fields.find("insert") != nullptr) {
     stage.insert_location = location_text(fields.at("insert"));
   }
-  const automaton::Rules& rules = stage.rules ? *stage.rules : fields.scene.rules;
+  const automaton::Rules& rules =
+      stage.automaton_rules ? *stage.automaton_rules : fields.scene.automaton_rules;
   if (stage.fill && stage.fill->method == FillMethod::deposition &&
       rules.gravity != lattice::Direction::down) {
     fail(fields.at("fill").at("method"), "deposition needs rules.gravity: down");
@@ -233,40 +239,41 @@ Map<Stage> stage_map() {
       references_type("wall", [](const Scene& scene) { return names_of(scene.walls); });
   const auto sources =
       references_type("source", [](const Scene& scene) { return names_of(scene.sources); });
-  return {.keys = {required_key("name", &Stage::name, name_type(),
-                                "unique; part of the names of files"),
-                   key("fill", &Stage::fill, fill_type(),
-                       "particles placed at the start: [fill](#fill)")
-                       .defaults_to("none"),
-                   list_key("remove", &Stage::remove, walls, "walls to take away at the start"),
-                   list_key("insert", &Stage::insert, walls,
-                            "walls to put in at the start; they are absent until then"),
-                   list_key("move", &Stage::move, walls,
-                            "walls in motion during this stage; all others stand"),
-                   list_key("sources", &Stage::sources, sources,
-                            "sources that are open during this stage; all others are closed"),
-                   key("vessel", &Stage::vessel, vessel_type(),
-                       "how the [vessel](#vessel) stands and moves")
-                       .of(Model::contact)
-                       .defaults_to("none: it rests as it stands"),
-                   key("rules", &Stage::rules, stage_rules_type(),
-                       "during this stage in place of those of the scene")
-                       .of(Model::automaton)
-                       .defaults_to("[rules](#rules)"),
-                   key("contact", &Stage::contact, stage_contact_type(),
-                       "friction and restitution during this stage in place of those of the scene")
-                       .of(Model::contact)
-                       .defaults_to("[contact](#contact)"),
-                   key("until", &Stage::until, until_type(), "when the stage ends"),
-                   key("max_steps", &Stage::max_steps, count_type(1, kMaxSteps),
-                       "ends the stage in any case")},
-          .check = check_stage};
+  return {
+      .keys = {required_key("name", &Stage::name, name_type(),
+                            "unique; part of the names of files"),
+               key("fill", &Stage::fill, fill_type(),
+                   "particles placed at the start: [fill](#fill)")
+                   .defaults_to("none"),
+               list_key("remove", &Stage::removed_walls, walls, "walls to take away at the start"),
+               list_key("insert", &Stage::inserted_walls, walls,
+                        "walls to put in at the start; they are absent until then"),
+               list_key("move", &Stage::moving_walls, walls,
+                        "walls in motion during this stage; all others stand"),
+               list_key("sources", &Stage::open_sources, sources,
+                        "sources that are open during this stage; all others are closed"),
+               key("vessel", &Stage::vessel_motion, vessel_type(),
+                   "how the [vessel](#vessel) stands and moves")
+                   .of(Model::contact)
+                   .defaults_to("none: it rests as it stands"),
+               key("rules", &Stage::automaton_rules, stage_rules_type(),
+                   "during this stage in place of those of the scene")
+                   .of(Model::automaton)
+                   .defaults_to("[rules](#rules)"),
+               key("contact", &Stage::contact_parameters, stage_contact_type(),
+                   "friction and restitution during this stage in place of those of the scene")
+                   .of(Model::contact)
+                   .defaults_to("[contact](#contact)"),
+               key("until", &Stage::until, until_type(), "when the stage ends"),
+               key("max_steps", &Stage::max_steps, count_type(1, kMaxSteps),
+                   "ends the stage in any case")},
+      .check = check_stage};
 }
 
 }  // namespace
 
 std::uint64_t least_steps(const Stage& stage, const Scene& scene) {
-  if (const auto steps = steps_of(stage.until)) {
+  if (const auto steps = fixed_steps(stage.until)) {
     return *steps;
   }
   const auto* cycles = std::get_if<UntilCycles>(&stage.until);
@@ -274,7 +281,7 @@ std::uint64_t least_steps(const Stage& stage, const Scene& scene) {
     return 0;
   }
   double longest = 0;
-  for (const std::size_t wall : stage.move) {
+  for (const std::size_t wall : stage.moving_walls) {
     longest =
         std::max(longest, static_cast<double>(min_cycle_steps(scene.walls[wall], scene.model)));
   }
@@ -290,7 +297,7 @@ void set_max_steps(Scene& scene, const Value& list) {
     Stage& stage = scene.stages[number];
     const PlacedValue fields = {list.items[number], join_path("stages", stage.name), scene};
     if (auto* until = std::get_if<UntilTime>(&stage.until)) {
-      until->steps = steps_in_bounds(steps_until(until->time, *conversion(scene)));
+      until->steps = steps_in_bounds(steps_until(until->time, *unit_conversion(scene)));
     }
     const std::uint64_t least = least_steps(stage, scene);
     if (least > kMaxSteps) {

@@ -151,15 +151,15 @@ Type<lattice::Segment> line() {
 }
 
 Type<Disc> disc() {
-  return type_of<Disc>({.keys = {required_key("centre", &Disc::centre, point_type(), "centre"),
-                                 required_key("radius", &Disc::radius,
-                                              length_type(positive_number_type(kMaxCoordinate)),
-                                              "all sites at most this far from the centre")}});
+  return type_of<Disc>(
+      {.keys = {required_key("centre", &Disc::centre, point_type(), "centre"),
+                required_key("radius", &Disc::radius, length_type(positive_type(kMaxCoordinate)),
+                             "all sites at most this far from the centre")}});
 }
 
 Keys<Ring> ring_keys() {
   return {required_key("centre", &Ring::centre, point_type(), "centre"),
-          required_key("radius", &Ring::radius, length_type(positive_number_type(kMaxCoordinate)),
+          required_key("radius", &Ring::radius, length_type(positive_type(kMaxCoordinate)),
                        "inner radius"),
           // A thinner ring would let sites through.
           key("thickness", &Ring::thickness, length_type(number_type(1, kMaxThickness)),
@@ -167,21 +167,21 @@ Keys<Ring> ring_keys() {
 }
 
 void check_arc(const PlacedValue& fields, Arc& arc) {
-  if (arc.from >= arc.to || arc.to - arc.from >= 360) {
+  if (arc.from_degrees >= arc.to_degrees || arc.to_degrees - arc.from_degrees >= 360) {
     fail(
         fields,
         "expected from < to, less than 360 degrees apart, found {} to {}; a whole circle is a ring",
-        arc.from, arc.to);
+        arc.from_degrees, arc.to_degrees);
   }
 }
 
 Type<Arc> arc() {
   const Type<double> angle = number_type(-360, 360);
   Keys<Arc> keys = inlined_keys<Arc>(member_access(&Arc::ring), ring_keys());
-  keys.add(
-      {required_key("from", &Arc::from, angle, "one end, in degrees anticlockwise from the x axis"),
-       required_key("to", &Arc::to, angle,
-                    "the other end, anticlockwise of `from` by less than 360 degrees")});
+  keys.add({required_key("from", &Arc::from_degrees, angle,
+                         "one end, in degrees anticlockwise from the x axis"),
+            required_key("to", &Arc::to_degrees, angle,
+                         "the other end, anticlockwise of `from` by less than 360 degrees")});
   return type_of<Arc>({.keys = keys, .check = check_arc});
 }
 
@@ -254,7 +254,7 @@ Type<std::vector<Wall>> walls_type() {
                 .written_if([](const Wall& wall) { return wall.parts.size() > 1; }),
             key("motion", &Wall::motion, motion_type(), "how it moves: [motion](#motion)")
                 .defaults_to("none: it stands"),
-            key("passive", &Wall::passive, choice_type(kPassiveNames),
+            key("passive", &Wall::passive_rule, choice_type(kPassiveNames),
                 "of one that moves: whether particles in its way are pushed, or entered and "
                 "left to the passive rule")
                 .written_if([](const Wall& wall) { return wall.motion.has_value(); }),

@@ -39,7 +39,7 @@ double max_sites(const lattice::SweptRegion& swept_region, const lattice::Rectan
 double particles_in(const Scene& scene, const Fill& fill) {
   const auto mixture = mixture_of(fill);
   if (!mixture) {
-    return std::accumulate(fill.counts.begin(), fill.counts.end(), 0.0);
+    return std::accumulate(fill.species_counts.begin(), fill.species_counts.end(), 0.0);
   }
   double least = std::numeric_limits<double>::infinity();  // sites of a particle, in the mean
   for (const auto& weights : mixture->part_weights) {
@@ -69,12 +69,12 @@ double filled_particles(const Scene& scene, std::optional<FillMethod> method = {
 double emitted_particles(const Scene& scene, std::size_t source) {
   double steps = 0;
   for (const Stage& stage : scene.stages) {
-    if (std::ranges::find(stage.sources, source) != stage.sources.end()) {
-      steps += static_cast<double>(steps_of(stage.until).value_or(stage.max_steps));
+    if (std::ranges::find(stage.open_sources, source) != stage.open_sources.end()) {
+      steps += static_cast<double>(fixed_steps(stage.until).value_or(stage.max_steps));
     }
   }
-  const double most = std::ceil(steps * scene.sources[source].rate);
-  const auto& count = scene.sources[source].count;
+  const double most = std::ceil(steps * scene.sources[source].particles_per_step);
+  const auto& count = scene.sources[source].max_particles;
   return count ? std::min(most, static_cast<double>(*count)) : most;
 }
 
@@ -129,7 +129,7 @@ double fill_bytes(const Scene& scene, const lattice::Lattice& lattice) {
       const auto kinds = static_cast<double>(scene.species[i].orientations.size());
       const double sites = places_species(*stage.fill, i) ? max_sites(box, stage.fill->region) : 0;
       const double bytes = grains::fill_trial_bytes(sites, kinds);
-      all = stage.fill->counts.empty() ? all + bytes : std::max(all, bytes);
+      all = stage.fill->species_counts.empty() ? all + bytes : std::max(all, bytes);
     }
     most = std::max(most, all);
   }
@@ -169,12 +169,12 @@ constexpr double kBinTextBytes = 128;
 
 /// Rows and bins that all gases keep until the end, and the text of their tables.
 double table_bytes(const BoltzmannScene& scene) {
-  const double rows = scene.until / scene.series_every + 2;
+  const double rows = scene.end_time / scene.series_interval + 2;
   const auto* uniform = std::get_if<UniformBins>(&scene.bins);
-  const double bins = uniform != nullptr ? std::ceil(uniform->end / uniform->width) + 1
+  const double bins = uniform != nullptr ? std::ceil(uniform->last_bin_start / uniform->width) + 1
                                          : std::get<QuantileBins>(scene.bins).count;
-  const double shares = static_cast<double>(scene.histograms.size()) * bins;
-  const auto gases = static_cast<double>(scene.ensemble);
+  const double shares = static_cast<double>(scene.histogram_times.size()) * bins;
+  const auto gases = static_cast<double>(scene.ensemble_size);
   return static_cast<double>(scene.restitutions.size()) *
          ((kRowBytes * gases + kRowTextBytes) * rows +
           (kBinBytes * gases + kBinTextBytes) * shares);
@@ -185,10 +185,11 @@ constexpr double kSavedCopies = 3;
 
 }  // namespace
 
-Size size_of(const Scene& scene) {
+ModelSize model_size(const Scene& scene) {
   const lattice::Lattice lattice = lattice_of(scene.box);
   double particles =
-      filled_particles(scene) + (scene.begin ? static_cast<double>(scene.begin->particles) : 0);
+      filled_particles(scene) +
+      (scene.initial_state ? static_cast<double>(scene.initial_state->particles) : 0);
   for (std::size_t source = 0; source < scene.sources.size(); ++source) {
     particles += emitted_particles(scene, source);
   }
@@ -204,8 +205,9 @@ Size size_of(const Scene& scene) {
       (scene.model == Model::contact ? contact::step_bytes(particles)
                                      : automaton::step_bytes(index_count, particles, awake));
   // A stage that has other rules has a second model beside the first.
-  const bool changes_rules = std::ranges::any_of(
-      scene.stages, [](const Stage& stage) { return stage.rules || stage.contact; });
+  const bool changes_rules = std::ranges::any_of(scene.stages, [](const Stage& stage) {
+    return stage.automaton_rules || stage.contact_parameters;
+  });
   double bytes = model * (changes_rules ? 2 : 1) + fill_bytes(scene, lattice) + kind_bytes(scene) +
                  source_bytes(scene, lattice);
   for (const Wall& wall : scene.walls) {
@@ -213,25 +215,24 @@ Size size_of(const Scene& scene) {
   }
   return {.columns = lattice.columns(),
           .rows = lattice.rows(),
-          .particles = static_cast<std::uint64_t>(std::min(particles, 1e18)),
-          .bytes = bytes};
+          .max_particles = static_cast<std::uint64_t>(std::min(particles, 1e18)),
+          .memory_bytes = bytes};
 }
 
 double retained_gas_bytes(const BoltzmannScene& scene) {
   constexpr double kMaxBytes = 1024.0 * 1024 * 1024;
   const double bytes = kMotionBytes * static_cast<double>(scene.particles) *
-                       static_cast<double>(scene.ensemble) *
+                       static_cast<double>(scene.ensemble_size) *
                        static_cast<double>(scene.restitutions.size());
   return scene.checkpoint && bytes <= kMaxBytes ? bytes : 0;
 }
 
-double bytes_of(const BoltzmannScene& scene, int threads) {
+double gas_run_bytes(const BoltzmannScene& scene, int threads) {
   const auto members = static_cast<double>(
-      std::min(scene.ensemble, static_cast<std::uint64_t>(std::max(1, threads))));
-  // There are two copies: at first the sample that a gas is made from, with the literal scheme the
-  // state before a step.
+      std::min(scene.ensemble_size, static_cast<std::uint64_t>(std::max(1, threads))));
+  // Two copies: at first the sample of a gas; with the literal scheme the state before a step.
   double per_particle = 2 * kMotionBytes + kWorkspaceBytes;
-  if (scene.quasi && std::holds_alternative<boltzmann::OgawaKato>(scene.scheme)) {
+  if (scene.quasi_random && std::holds_alternative<boltzmann::OgawaKato>(scene.scheme)) {
     per_particle += kMotionBytes + kSortEntryBytes;  // it is sorted
   }
   const double saved = kSavedCopies * kMotionBytes;

@@ -18,7 +18,7 @@ struct Named {
 
 /// A word for each value from the first enumerator, false or 0 up to `kLast`, in order.
 template <auto kLast, class... Words>
-constexpr auto names_in_order(Words... words) {
+constexpr auto in_order(Words... words) {
   using T = decltype(kLast);
   static_assert(sizeof...(words) == static_cast<std::size_t>(kLast) + 1);
   std::size_t index = 0;
@@ -26,14 +26,14 @@ constexpr auto names_in_order(Words... words) {
 }
 
 inline constexpr auto kModelNames =
-    names_in_order<Model::baxter>("automaton", "contact", "voids", "baxter");
+    in_order<Model::baxter>("automaton", "contact", "voids", "baxter");
 inline constexpr auto kRollingNames =
-    names_in_order<contact::Rolling::free>("none", "resistance", "free");
+    in_order<contact::Rolling::free>("none", "resistance", "free");
 /// A unit of length and how many of it make a metre.
 inline constexpr std::array<Named<double>, 4> kLengthUnits = {
     {{"m", 1}, {"cm", 1e2}, {"mm", 1e3}, {"um", 1e6}}};
 inline constexpr auto kCandidateNames =
-    names_in_order<automaton::CandidateDirections::all>("downward", "all");
+    in_order<automaton::CandidateDirections::all>("downward", "all");
 inline constexpr std::array<Named<lattice::Direction>, 6> kDirectionNames = {
     {{"down", lattice::Direction::down},
      {"up", lattice::Direction::up},
@@ -42,34 +42,32 @@ inline constexpr std::array<Named<lattice::Direction>, 6> kDirectionNames = {
      {"down_left", lattice::Direction::down_left},
      {"up_left", lattice::Direction::up_left}}};
 inline constexpr auto kUpdateClassNames =
-    names_in_order<automaton::UpdateClass::gravity>("rest", "inertia", "gravity");
-inline constexpr auto kFillMethodNames =
-    names_in_order<FillMethod::deposition>("random", "deposition");
+    in_order<automaton::UpdateClass::gravity>("rest", "inertia", "gravity");
+inline constexpr auto kFillMethodNames = in_order<FillMethod::deposition>("random", "deposition");
 inline constexpr auto kTiesNames =
-    names_in_order<automaton::TieBreaking::direction>("particle", "direction");
-inline constexpr auto kWaveformNames =
-    names_in_order<grains::Waveform::triangle>("sine", "triangle");
+    in_order<automaton::TieBreaking::direction>("particle", "direction");
+inline constexpr auto kWaveformNames = in_order<grains::Waveform::triangle>("sine", "triangle");
 /// Whether a vessel is shaken sideways.
-inline constexpr auto kShakeDirectionNames = names_in_order<true>("vertical", "horizontal");
-inline constexpr auto kPassiveNames = names_in_order<grains::PassiveRule::overlap>("rigid", "overlap");
-inline constexpr auto kMeasureNames = names_in_order<Measure::weight_paths>(
+inline constexpr auto kShakeDirectionNames = in_order<true>("vertical", "horizontal");
+inline constexpr auto kPassiveNames = in_order<grains::PassiveRule::overlap>("rigid", "overlap");
+inline constexpr auto kMeasureNames = in_order<Measure::weight_paths>(
     "profile", "repose", "runout", "packing", "moved", "outflow", "force", "segregation",
     "intruder", "convection", "axis_order", "mixing", "weight_paths");
 inline constexpr auto kColorByNames =
-    names_in_order<ColorBy::pressure>("species", "stage_layer", "displacement", "speed", "spin",
-                                      "coordination", "id", "axis", "force", "pressure");
-inline constexpr auto kDrawingNames = names_in_order<Drawing::lookup>("auto", "polygons", "lookup");
+    in_order<ColorBy::pressure>("species", "stage_layer", "displacement", "speed", "spin",
+                                "coordination", "id", "axis", "force", "pressure");
+inline constexpr auto kDrawingNames = in_order<DrawingMethod::lookup>("auto", "polygons", "lookup");
 inline constexpr auto kOverlayNames =
-    names_in_order<Overlay::weight_q>("none", "forces", "arrows", "velocity", "weight_inner",
-                                      "weight_outer", "weight_pair", "weight_q");
-inline constexpr auto kPictureStyleNames = names_in_order<PictureStyle::print>("screen", "print");
+    in_order<Overlay::weight_q>("none", "forces", "arrows", "velocity", "weight_inner",
+                                "weight_outer", "weight_pair", "weight_q");
+inline constexpr auto kPictureStyleNames = in_order<PictureStyle::print>("screen", "print");
 
 inline constexpr auto kInitialNames =
-    names_in_order<boltzmann::InitialDistribution::equal_energy>("gaussian", "equal_energy");
+    in_order<boltzmann::InitialDistribution::equal_energy>("gaussian", "equal_energy");
 /// Whether draws are quasi-random.
-inline constexpr auto kSamplingNames = names_in_order<true>("random", "quasi");
+inline constexpr auto kSamplingNames = in_order<true>("random", "quasi");
 /// By index in boltzmann::Scheme.
-inline constexpr auto kSchemeNames = names_in_order<std::size_t{1}>("majorant", "ogawa-kato");
+inline constexpr auto kSchemeNames = in_order<std::size_t{1}>("majorant", "ogawa-kato");
 
 template <class T, std::size_t kCount>
 constexpr std::string_view name_of(const std::array<Named<T>, kCount>& names, T value) {

@@ -34,7 +34,7 @@ bool is_boltzmann(const Value& root) {
   // A misspelt `boltzmann` makes no scene of grains.
   const auto is_misspelt = [](const Entry& entry) {
     constexpr std::array<std::string_view, 1> kBlock = {"boltzmann"};
-    return text::nearest(entry.key, kBlock).has_value();
+    return text::nearest_name(entry.key, kBlock).has_value();
   };
   return boltzmann != none || (automaton == none && std::ranges::any_of(root.entries, is_misspelt));
 }
@@ -49,7 +49,7 @@ std::string name_of_file(const std::string& file, const TextLocation& location) 
     fail(location,
          "the name of the scene file also names the run, so it has up to 200 bytes and no dot in "
          "front, found {}",
-         text::shown(name));
+         text::quoted(name));
   }
   return name;
 }
@@ -87,7 +87,7 @@ Scene read_scene(Value root, const std::string& file) {
   scene_type().read_into(place, &scene);
   const bool is_observed = !scene.probes.empty() || !scene.lines.empty();
   if (is_observed && root.find_path("output.series") == nullptr) {
-    scene.output.series = Series();  // probes and lines are observed at its steps
+    scene.output.series = SeriesOutput();  // probes and lines are observed at its steps
   }
   check_model(place);
   check_stage_order(place.at("stages"));

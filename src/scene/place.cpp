@@ -117,7 +117,7 @@ void check_name(const std::string& name, const TextLocation& location, std::stri
   static const std::regex kPattern(kNamePattern);
   if (!std::regex_match(name, kPattern)) {
     fail(location, "{}: a name has 1 to {} of the characters A-Z a-z 0-9 _ -, found {}", path,
-         document::kMaxNameLength, text::shown(name));
+         document::kMaxNameLength, text::quoted(name));
   }
 }
 
@@ -126,8 +126,9 @@ std::size_t read_reference(const PlacedValue& place, std::string_view kind,
   const std::string& name = read_text(place);
   const auto match = std::ranges::find(names, name);
   if (match == names.end()) {
-    const std::string known = names.empty() ? "there is none" : "known: " + text::listed(names);
-    fail(place, "unknown {} {} ({}){}", kind, text::shown(name), known,
+    const std::string known =
+        names.empty() ? "there is none" : "known: " + text::comma_separated(names);
+    fail(place, "unknown {} {} ({}){}", kind, text::quoted(name), known,
          text::suggestion(name, names));
   }
   return static_cast<std::size_t>(match - names.begin());
@@ -172,7 +173,7 @@ PlacedValue PlacedValue::at(std::string_view key) const {
   return {*found, join_path(path, key), scene};
 }
 
-PlacedValue PlacedValue::inside(const Entry& entry) const {
+PlacedValue PlacedValue::at(const Entry& entry) const {
   return {entry.value, join_path(path, entry.key), scene};
 }
 
@@ -186,7 +187,7 @@ void check_keys(const PlacedValue& map, std::span<const std::string_view> keys) 
   }
   for (const Entry& entry : map.value.entries) {
     if (std::ranges::find(keys, entry.key) == keys.end()) {
-      fail(entry.location, "unknown key {}{} (allowed: {}){}", text::shown(entry.key),
+      fail(entry.location, "unknown key {}{} (allowed: {}){}", text::quoted(entry.key),
            map.path.empty() ? "" : " in " + map.path, fmt::join(keys, ", "),
            suggestion(entry, map.path, keys));
     }

@@ -45,7 +45,7 @@ struct PlacedValue {
   /// The value of a key. Refuses a map without it.
   PlacedValue at(std::string_view key) const;
   /// The value of an entry.
-  PlacedValue inside(const Entry& entry) const;
+  PlacedValue at(const Entry& entry) const;
   /// The only one of `keys` that is there. Refuses a map unless it has exactly one.
   std::string_view only_key(std::span<const std::string_view> keys) const;
 };

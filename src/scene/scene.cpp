@@ -6,7 +6,7 @@
 
 namespace clca::scene {
 
-std::optional<std::uint64_t> steps_of(const Until& until) {
+std::optional<std::uint64_t> fixed_steps(const EndCondition& until) {
   if (const auto* time = std::get_if<UntilTime>(&until)) {
     return time->steps;
   }
@@ -18,13 +18,13 @@ int step_digits(const Scene& scene) {
   std::uint64_t last = 0;
   for (const Stage& stage : scene.stages) {
     const std::uint64_t bound = stage.max_steps > Stage().max_steps ? stage.max_steps : 0;
-    last += steps_of(stage.until).value_or(bound);
+    last += fixed_steps(stage.until).value_or(bound);
   }
   return std::max(6, static_cast<int>(std::to_string(last).size()));
 }
 
 bool vessel_has_cycles(const Stage& stage) {
-  return stage.vessel && !std::holds_alternative<Tilt>(*stage.vessel);
+  return stage.vessel_motion && !std::holds_alternative<Tilt>(*stage.vessel_motion);
 }
 
 bool pictures_show_forces(const Scene& scene) {
@@ -50,11 +50,11 @@ std::vector<int> orientation_degrees(const Scene& scene, const std::vector<grain
   for (const grains::Kind& kind : kinds) {
     const Species& species = scene.species[kind.species];
     if (scene.model == Model::baxter) {
-      result.push_back(kOrientationStepDegrees * static_cast<int>(result.size() % baxter::kAxisCount));
+      result.push_back(kOrientationStep * static_cast<int>(result.size() % baxter::kAxisCount));
       continue;
     }
     const auto found = std::ranges::find_if(species.orientations, [&](int degrees) {
-      return species.shape.rotated(degrees / kOrientationStepDegrees).is_congruent(kind.shape);
+      return species.shape.rotated(degrees / kOrientationStep).is_congruent(kind.shape);
     });
     result.push_back(found != species.orientations.end() ? *found : 0);
   }
@@ -66,10 +66,10 @@ boltzmann::InitialCondition initial_condition(const BoltzmannScene& scene) {
           .distribution = scene.initial,
           .energy_ratio = scene.energy_ratio,
           .exact_moments = scene.exact_moments,
-          .quasi_random = scene.quasi};
+          .quasi_random = scene.quasi_random};
 }
 
-boltzmann::Dynamics process(const BoltzmannScene& scene, double restitution) {
+boltzmann::Dynamics gas_process(const BoltzmannScene& scene, double restitution) {
   return {
       .law = {.restitution = restitution, .friction = scene.friction, .roughness = scene.roughness},
       .scheme = scene.scheme,

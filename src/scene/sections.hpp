@@ -34,8 +34,8 @@ Type<std::vector<Stage>> stages_type();
 /// `measure`: requested and derived measures.
 Key<Scene> measure_key();
 Type<Output> output_type();
-/// Checkpoints of a gas: by seconds only.
-Type<Checkpoints> gas_checkpoint_type();
+/// CheckpointIntervals of a gas: by seconds only.
+Type<CheckpointIntervals> gas_checkpoint_type();
 Key<BoltzmannScene> boltzmann_block_key();
 Key<BoltzmannScene> boltzmann_output_key();
 /// Refuses a series of too many rows.

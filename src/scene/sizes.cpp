@@ -62,7 +62,8 @@ std::vector<Diameter> diameters_of(const SizeDistribution& sizes) {
     const double low = mean - sd * std::sqrt(3.0);
     const double high = mean + sd * std::sqrt(3.0);
     return classes(
-        low, high, sizes.kinds, [=](double diameter) { return std::clamp(diameter, low, high); },
+        low, high, sizes.class_count,
+        [=](double diameter) { return std::clamp(diameter, low, high); },
         [=](double diameter) {
           const double inside = std::clamp(diameter, low, high);
           return inside * inside / 2;
@@ -74,7 +75,7 @@ std::vector<Diameter> diameters_of(const SizeDistribution& sizes) {
   const auto quantile = [=](double diameter) { return (std::log(diameter) - middle) / spread; };
   return classes(
       std::exp(middle - kCutQuantile * spread), std::exp(middle + kCutQuantile * spread),
-      sizes.kinds, [=](double diameter) { return normal_below(quantile(diameter)); },
+      sizes.class_count, [=](double diameter) { return normal_below(quantile(diameter)); },
       [=](double diameter) { return mean * normal_below(quantile(diameter) - spread); });
 }
 
@@ -128,9 +129,9 @@ std::vector<SizeClass> discs(double largest) {
   return kinds;
 }
 
-constexpr auto kLawNames = names_in_order<SizeLaw::list>("uniform", "lognormal", "list");
-constexpr auto kSharesByNames = names_in_order<SharesBy::area>("number", "area");
-constexpr auto kRoundShapeNames = names_in_order<RoundShape::disc>("hexagon", "disc");
+constexpr auto kLawNames = in_order<SizeLaw::list>("uniform", "lognormal", "list");
+constexpr auto kSharesByNames = in_order<SharesBy::area>("number", "area");
+constexpr auto kRoundShapeNames = in_order<RoundShape::disc>("hexagon", "disc");
 
 Type<std::vector<double>> list(const Type<double>& number) {
   auto type = list_type(number, 1, kMaxKinds);
@@ -193,7 +194,7 @@ std::vector<SizeClass> size_classes(const SizeDistribution& sizes) {
   std::erase_if(kinds, [](const SizeClass& kind) { return kind.share <= 0; });
   double all = 0;
   for (SizeClass& kind : kinds) {
-    if (sizes.by == SharesBy::number) {
+    if (sizes.shares_by == SharesBy::number) {
       kind.weight_in_law = 1;
     }
     kind.share /= kind.weight_in_law;
@@ -211,7 +212,7 @@ std::vector<SizeClass> size_classes(const SizeDistribution& sizes) {
 }
 
 Type<SizeDistribution> sizes_type() {
-  const Type<double> diameter = length_type(positive_number_type(kMaxDiameter));
+  const Type<double> diameter = length_type(positive_type(kMaxDiameter));
   return type_of<SizeDistribution>(
       {.keys = {required_key("law", &SizeDistribution::law, choice_type(kLawNames),
                              "how diameters are distributed"),
@@ -220,13 +221,13 @@ Type<SizeDistribution> sizes_type() {
                     .with_condition("required but for a list"),
                 key("sd", &SizeDistribution::sd, diameter, "standard deviation of the diameter")
                     .with_condition("required but for a list"),
-                key("by", &SizeDistribution::by, choice_type(kSharesByNames),
+                key("by", &SizeDistribution::shares_by, choice_type(kSharesByNames),
                     "whether the law is that of the number of particles or of the area they cover"),
-                key("kinds", &SizeDistribution::kinds, count_type(1, kMaxKinds),
+                key("kinds", &SizeDistribution::class_count, count_type(1, kMaxKinds),
                     "classes of equal width that the law is divided into, at most"),
                 key("diameters", &SizeDistribution::diameters, list(diameter), "of a list")
                     .with_condition("required for a list"),
-                key("shares", &SizeDistribution::shares, list(positive_number_type(1e9)),
+                key("shares", &SizeDistribution::shares, list(positive_type(1e9)),
                     "of a list: one for each diameter, of any sum")
                     .with_condition("required for a list"),
                 key("shape", &SizeDistribution::shape, choice_type(kRoundShapeNames),

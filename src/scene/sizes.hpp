@@ -18,8 +18,8 @@ struct SizeDistribution {
   SizeLaw law = SizeLaw::lognormal;
   std::optional<double> mean;  ///< for uniform and lognormal
   std::optional<double> sd;    ///< standard deviation, likewise
-  SharesBy by = SharesBy::number;
-  std::uint64_t kinds = 8;
+  SharesBy shares_by = SharesBy::number;
+  std::uint64_t class_count = 8;
   std::vector<double> diameters;  ///< for SizeLaw::list
   std::vector<double> shares;     ///< likewise
   RoundShape shape = RoundShape::hexagon;
@@ -32,10 +32,10 @@ struct SizeClass {
   double share = 0;          ///< of all particles, by number
 };
 
-/// Size classes from the smallest to the largest, each once. List: the lattice sizes nearest to its
-/// diameters. Uniform and lognormal: the range is divided into equal classes (lognormal: without
-/// half a percent at each end); each is represented by the two lattice sizes around its mean
-/// diameter, weighted to keep that mean (by number or by area, as the law).
+/// ModelSize classes from the smallest to the largest, each once. List: the lattice sizes nearest
+/// to its diameters. Uniform and lognormal: the range is divided into equal classes (lognormal:
+/// without half a percent at each end); each is represented by the two lattice sizes around its
+/// mean diameter, weighted to keep that mean (by number or by area, as the law).
 std::vector<SizeClass> size_classes(const SizeDistribution& sizes);
 
 Type<SizeDistribution> sizes_type();

@@ -50,7 +50,7 @@ std::string read_path(const PlacedValue& place) {
   std::string file = absolute_path(place.scene.folder, given);
   if (file.empty()) {
     fail(place, "expected a path of up to {} bytes of UTF-8, found {}", kMaxPathLength,
-         text::shown(given));
+         text::quoted(given));
   }
   return file;
 }
@@ -72,7 +72,7 @@ Type<std::vector<Number>> by_species(std::uint64_t high) {
         for (const Entry& entry : read_map(place)) {
           const Value species = Value::scalar(entry.key, entry.location);
           numbers[read_species({species, place.path, place.scene})] =
-              static_cast<Number>(read_number<std::uint64_t>(place.inside(entry), 0, high));
+              static_cast<Number>(read_number<std::uint64_t>(place.at(entry), 0, high));
         }
         return numbers;
       },
@@ -97,7 +97,7 @@ Type<double> number_type(double low, double high) {
   return ranged(range(low, high), "number", low, high, low, high);
 }
 
-Type<double> positive_number_type(double high) {
+Type<double> positive_type(double high) {
   const auto read = [high](const PlacedValue& place) {
     const auto number = number_in<double>(place.value);
     if (!number || *number <= 0 || *number > high) {
@@ -110,7 +110,7 @@ Type<double> positive_number_type(double high) {
                              read, kPlainText);
 }
 
-std::optional<double> metres(std::string_view text) {
+std::optional<double> metres_in(std::string_view text) {
   const std::size_t end = text.find_last_of("0123456789.") + 1;
   const std::size_t unit_begin = std::min(text.find_first_not_of(' ', end), text.size());
   const std::optional<double> number = number_in<double>(text.substr(0, end));
@@ -128,7 +128,7 @@ Type<double> length_type(const Type<double>& number) {
   type.read_into = [number](const PlacedValue& place, void* result) {
     constexpr double kDecimals = 1e6;  // 20.5 mm are 82 spacings of 0.25 mm, and not a little less
     const std::string_view text = place.value.text;
-    const std::optional<double> length = metres(text);
+    const std::optional<double> length = metres_in(text);
     const std::size_t end = text.find_last_of("0123456789.") + 1;
     const bool has_unit =
         length || (end < text.size() && number_in<double>(text.substr(0, end)).has_value());

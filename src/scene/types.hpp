@@ -24,7 +24,7 @@ inline constexpr std::uint64_t kMaxSpeciesWeight = 1'000'000;  ///< in a fill or
 inline constexpr double kMaxTime = 1e9;
 
 Type<double> number_type(double low, double high);
-Type<double> positive_number_type(double high);
+Type<double> positive_type(double high);
 /// A length in lattice spacings or, in a scene with `units`, with a unit of length.
 Type<double> length_type(const Type<double>& number);
 Type<int> integer_type(int low, int high);
@@ -77,8 +77,7 @@ Key<Owner> picture_file_key(Action<Owner> read) {
                            read)
       .with_condition("this or `rows`");
 }
-/// Texts of one length, of characters for which `allowed` holds; `about` names them in messages,
-/// `pattern` in the schema.
+/// Texts of one length, of `allowed` characters: `about` in messages, `pattern` in the schema.
 Type<std::vector<std::string>> rows_type(bool (*allowed)(char letter), const std::string& about,
                                          const std::string& pattern);
 
@@ -211,8 +210,7 @@ Type<T> or_map(std::string_view allowed, const Schema& other, const Type<T>& map
       map.keys);
 }
 
-/// A list of `least` to `most` different values; messages have what `shown` makes of one that
-/// stands twice, and an advice.
+/// A list of `least` to `most` different values; messages show a repeated one, and `advice`.
 template <class T>
 Type<std::vector<T>> set_type(const Type<T>& item, std::size_t least, std::size_t most,
                               std::string (*shown)(const Value& item) = found,

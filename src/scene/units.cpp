@@ -19,15 +19,16 @@ constexpr double kPacking = 0.8;
 
 /// Area of the particles of a fill, squared lattice spacings; a mixture is as dense as a bed.
 double area(const Scene& scene, const Fill& fill) {
-  if (fill.counts.empty()) {
+  if (fill.species_counts.empty()) {
     const lattice::Rectangle& region = fill.region;
     return kPacking * (std::min(region.right, scene.box.width) - std::max(region.left, 0.0)) *
            (std::min(fill.level.value_or(region.top), scene.box.height) -
             std::max(region.bottom, 0.0));
   }
   double sum = 0;
-  for (std::size_t i = 0; i < fill.counts.size(); ++i) {
-    sum += static_cast<double>(fill.counts[i]) * static_cast<double>(scene.species[i].shape.size());
+  for (std::size_t i = 0; i < fill.species_counts.size(); ++i) {
+    sum += static_cast<double>(fill.species_counts[i]) *
+           static_cast<double>(scene.species[i].shape.size());
   }
   return sum * lattice::kColumnPitch;
 }
@@ -37,7 +38,7 @@ double area(const Scene& scene, const Fill& fill) {
 double highest_fall(const Scene& scene) {
   double highest = 0;
   for (const Stage& stage : scene.stages) {
-    if (stage.vessel && !std::holds_alternative<VesselShake>(*stage.vessel)) {
+    if (stage.vessel_motion && !std::holds_alternative<VesselShake>(*stage.vessel_motion)) {
       return std::hypot(scene.box.width, scene.box.height);
     }
     if (stage.fill) {
@@ -57,15 +58,15 @@ double estimated_fall(const Scene& scene) {
       width = std::max(width, std::min(region.right, scene.box.width) - std::max(region.left, 0.0));
     }
   }
-  const bool endless =
-      std::ranges::any_of(scene.sources, [](const Source& source) { return !source.count; });
+  const bool endless = std::ranges::any_of(
+      scene.sources, [](const Source& source) { return !source.max_particles; });
   const double most = std::max(contact::kMinFallHeight, scene.box.height);
-  if (endless || width <= 0 || scene.begin) {
+  if (endless || width <= 0 || scene.initial_state) {
     return most;
   }
   // What falls from the highest point is to be no faster than a site a step.
-  const double slow_enough =
-      scene.contact.resolution * scene.contact.resolution * highest_fall(scene);
+  const double slow_enough = scene.contact_parameters.resolution *
+                             scene.contact_parameters.resolution * highest_fall(scene);
   return std::max(slow_enough,
                   std::clamp(filled / (kPacking * width), contact::kMinFallHeight, most));
 }
@@ -73,7 +74,7 @@ double estimated_fall(const Scene& scene) {
 }  // namespace
 
 contact::Parameters contact_parameters(const Scene& scene) {
-  contact::Parameters parameters = scene.contact;
+  contact::Parameters parameters = scene.contact_parameters;
   if (parameters.fall_height == 0) {
     parameters.fall_height = estimated_fall(scene);
   }
@@ -85,16 +86,16 @@ contact::Parameters contact_parameters(const Scene& scene) {
 
 contact::Parameters contact_parameters(const Scene& scene, const Stage& stage) {
   const contact::Parameters of_scene = contact_parameters(scene);
-  contact::Parameters parameters = stage.contact.value_or(of_scene);
+  contact::Parameters parameters = stage.contact_parameters.value_or(of_scene);
   parameters.fall_height = of_scene.fall_height;
   parameters.friction_by_wall = of_scene.friction_by_wall;
   return parameters;
 }
 
 std::optional<Eigen::Vector2d> turning_centre(const Scene& scene, const Stage& stage) {
-  const auto* tilt = stage.vessel ? std::get_if<Tilt>(&*stage.vessel) : nullptr;
-  const auto* rotate = stage.vessel ? std::get_if<Rotate>(&*stage.vessel) : nullptr;
-  if (rotate == nullptr && (tilt == nullptr || !tilt->rate)) {
+  const auto* tilt = stage.vessel_motion ? std::get_if<Tilt>(&*stage.vessel_motion) : nullptr;
+  const auto* rotate = stage.vessel_motion ? std::get_if<Rotate>(&*stage.vessel_motion) : nullptr;
+  if (rotate == nullptr && (tilt == nullptr || !tilt->degrees_per_time)) {
     return std::nullopt;
   }
   const Eigen::Vector2d middle(scene.box.width / 2, scene.box.height / 2);
@@ -103,25 +104,26 @@ std::optional<Eigen::Vector2d> turning_centre(const Scene& scene, const Stage& s
 
 contact::Vessel vessel_at_start(const Scene& scene, const Stage& stage,
                                 const contact::Vessel& before) {
-  const double step = conversion(scene)->time_step;
-  if (!stage.vessel) {
+  const double step = unit_conversion(scene)->time_step;
+  if (!stage.vessel_motion) {
     return without_motion(before);
   }
-  if (const auto* tilt = std::get_if<Tilt>(&*stage.vessel)) {
-    const contact::Angle to = contact::angle_from_degrees(tilt->to);
-    return tilt->rate ? with_tilting(before, to, *tilt->rate * step, *turning_centre(scene, stage))
-                      : contact::Vessel{.angle = to};
+  if (const auto* tilt = std::get_if<Tilt>(&*stage.vessel_motion)) {
+    const contact::Angle to = contact::angle_from_degrees(tilt->to_degrees);
+    return tilt->degrees_per_time ? with_tilting(before, to, *tilt->degrees_per_time * step,
+                                                 *turning_centre(scene, stage))
+                                  : contact::Vessel{.angle = to};
   }
-  if (const auto* rotate = std::get_if<Rotate>(&*stage.vessel)) {
-    return with_rotation(before, rotate->rate * step, *turning_centre(scene, stage));
+  if (const auto* rotate = std::get_if<Rotate>(&*stage.vessel_motion)) {
+    return with_rotation(before, rotate->turns_per_time * step, *turning_centre(scene, stage));
   }
-  const auto& shake = std::get<VesselShake>(*stage.vessel);
+  const auto& shake = std::get<VesselShake>(*stage.vessel_motion);
   const double gravity = contact::gravity(contact_parameters(scene));
   const double radians = std::sqrt(shake.gamma * gravity / shake.amplitude);
   return with_shaking(before, shake.gamma, radians / (2 * std::numbers::pi), shake.sideways);
 }
 
-std::string Conversion::time_text(std::uint64_t steps) const {
+std::string UnitConversion::time_text(std::uint64_t steps) const {
   constexpr int kMaxDecimals = 12;
   int decimals = 0;
   for (double least = time_step; least < 1 && decimals < kMaxDecimals; least *= 10) {
@@ -130,56 +132,56 @@ std::string Conversion::time_text(std::uint64_t steps) const {
   return fmt::format("{:.{}f} {}", time(steps), decimals, time_unit);
 }
 
-std::optional<SiUnit> Conversion::si(std::string_view unit) const {
-  if (!site) {
+std::optional<SiUnit> UnitConversion::si_unit(std::string_view unit) const {
+  if (!site_mass) {
     return std::nullopt;
   }
-  const double grain_weight = site->weight * mean_mass;
+  const double grain_weight = site_mass->weight * mean_mass;
   const std::array<std::pair<std::string_view, SiUnit>, 5> known = {
-      {{kForceUnit, {"N", site->weight}},
+      {{kForceUnit, {"N", site_mass->weight}},
        {kContactForceUnit, {"N", grain_weight}},
        {kStressUnit, {"N/m", grain_weight / spacing}},
-       {kEnergyUnit, {"J", site->weight * spacing}},
-       {kMomentUnit, {"N m", site->weight * spacing}}}};
+       {kEnergyUnit, {"J", site_mass->weight * spacing}},
+       {kMomentUnit, {"N m", site_mass->weight * spacing}}}};
   const auto* found = std::ranges::find(known, unit, &decltype(known)::value_type::first);
   return found != known.end() ? std::optional(found->second) : std::nullopt;
 }
 
-double Conversion::in_si(double value, std::string_view unit) const {
-  const auto found = si(unit);
-  return found ? value * found->value : value;
+double UnitConversion::in_si(double value, std::string_view unit) const {
+  const auto found = si_unit(unit);
+  return found ? value * found->factor : value;
 }
 
 bool has_density(const Scene& scene) {
   return scene.units && scene.units->density;
 }
 
-std::optional<Conversion> conversion(const Scene& scene) {
+std::optional<UnitConversion> unit_conversion(const Scene& scene) {
   if (scene.model != Model::contact) {
     return std::nullopt;
   }
   const double gravity = contact::gravity(contact_parameters(scene));
   if (!scene.units) {
-    return Conversion{.length_unit = "spacing",
-                      .time_unit = "√(spacing/gravity)",
-                      .velocity_unit = "√(spacing·gravity)",
-                      .spacing = 1,
-                      .time_step = std::sqrt(gravity)};
+    return UnitConversion{.length_unit = "spacing",
+                          .time_unit = "√(spacing/gravity)",
+                          .velocity_unit = "√(spacing·gravity)",
+                          .spacing = 1,
+                          .time_step = std::sqrt(gravity)};
   }
   const Units& units = *scene.units;
-  Conversion result = {.length_unit = "m",
-                       .time_unit = "s",
-                       .velocity_unit = "m/s",
-                       .spacing = units.spacing,
-                       .time_step = std::sqrt(gravity * units.spacing / units.gravity)};
+  UnitConversion result = {.length_unit = "m",
+                           .time_unit = "s",
+                           .velocity_unit = "m/s",
+                           .spacing = units.spacing,
+                           .time_step = std::sqrt(gravity * units.spacing / units.gravity)};
   if (units.density) {
     const double mass = *units.density * lattice::kColumnPitch * units.spacing * units.spacing;
-    result.site = {.mass = mass, .weight = mass * units.gravity};
+    result.site_mass = {.mass = mass, .weight = mass * units.gravity};
   }
   return result;
 }
 
-double steps_until(double time, const Conversion& conversion) {
+double steps_until(double time, const UnitConversion& conversion) {
   constexpr double kRounding = 1e-12;
   return std::max(1.0, std::ceil(time / conversion.time_step * (1 - kRounding)));
 }

@@ -84,10 +84,10 @@ std::vector<bool> walls_present_at_start(const Scene& scene) {
   std::vector<bool> there(scene.walls.size(), true);
   // Backwards, so that the first stage that names a wall decides; of one stage, insert.
   for (std::size_t i = scene.stages.size(); i > 0; --i) {
-    for (const std::size_t wall : scene.stages[i - 1].remove) {
+    for (const std::size_t wall : scene.stages[i - 1].removed_walls) {
       there[wall] = true;
     }
-    for (const std::size_t wall : scene.stages[i - 1].insert) {
+    for (const std::size_t wall : scene.stages[i - 1].inserted_walls) {
       there[wall] = false;
     }
   }
@@ -98,10 +98,10 @@ std::vector<std::vector<bool>> walls_present_by_stage(const Scene& scene) {
   std::vector<bool> there = walls_present_at_start(scene);
   std::vector<std::vector<bool>> all;
   for (const Stage& stage : scene.stages) {
-    for (const std::size_t wall : stage.remove) {
+    for (const std::size_t wall : stage.removed_walls) {
       there[wall] = false;
     }
-    for (const std::size_t wall : stage.insert) {
+    for (const std::size_t wall : stage.inserted_walls) {
       there[wall] = true;
     }
     all.push_back(there);

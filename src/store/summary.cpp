@@ -25,15 +25,15 @@ Json to_value(const MeasureValue& value) {
   return nullptr;
 }
 
-Json to_object(const scene::Conversion& units) {
+Json to_object(const scene::UnitConversion& units) {
   Json object = {{"length", units.length_unit},
                  {"time", units.time_unit},
                  {"velocity", units.velocity_unit},
                  {"spacing", units.spacing},
                  {"time_step", units.time_step}};
-  if (units.site) {
-    object["site_mass"] = units.site->mass;
-    object["site_weight"] = units.site->weight;
+  if (units.site_mass) {
+    object["site_mass"] = units.site_mass->mass;
+    object["site_weight"] = units.site_mass->weight;
   }
   return object;
 }
@@ -41,7 +41,7 @@ Json to_object(const scene::Conversion& units) {
 Json to_object(const std::vector<scene::DerivedMeasure>& derived) {
   Json object = Json::object();
   for (const scene::DerivedMeasure& measure : derived) {
-    object[measure.name] = {{"value", measure.value}, {"unit", measure.unit}};
+    object[measure.name] = {{"value", measure.expression}, {"unit", measure.unit}};
     if (measure.about) {
       object[measure.name]["about"] = *measure.about;
     }
@@ -49,13 +49,14 @@ Json to_object(const std::vector<scene::DerivedMeasure>& derived) {
   return object;
 }
 
-void add_time(Json& object, std::uint64_t steps, const std::optional<scene::Conversion>& units) {
+void add_time(Json& object, std::uint64_t steps,
+              const std::optional<scene::UnitConversion>& units) {
   if (units) {
     object["time"] = units->time(steps);
   }
 }
 
-Json to_object(const StageSummary& stage, const std::optional<scene::Conversion>& units) {
+Json to_object(const StageSummary& stage, const std::optional<scene::UnitConversion>& units) {
   Json measures = Json::object();
   for (const auto& [name, value] : stage.measures) {
     measures[name] = to_value(value);
@@ -173,14 +174,14 @@ StageSummary stage(const Json& object) {
   return summary;
 }
 
-scene::Conversion units(const Json& found) {
-  scene::Conversion result = {.length_unit = text(found, "length"),
-                              .time_unit = text(found, "time"),
-                              .velocity_unit = text(found, "velocity"),
-                              .spacing = number(found, "spacing"),
-                              .time_step = number(found, "time_step")};
+scene::UnitConversion units(const Json& found) {
+  scene::UnitConversion result = {.length_unit = text(found, "length"),
+                                  .time_unit = text(found, "time"),
+                                  .velocity_unit = text(found, "velocity"),
+                                  .spacing = number(found, "spacing"),
+                                  .time_step = number(found, "time_step")};
   if (found.contains("site_mass")) {
-    result.site = {.mass = number(found, "site_mass"), .weight = number(found, "site_weight")};
+    result.site_mass = {.mass = number(found, "site_mass"), .weight = number(found, "site_weight")};
   }
   return result;
 }
@@ -190,7 +191,7 @@ std::vector<scene::DerivedMeasure> derived(const Json& found) {
   for (const auto& [name, entry] : found.items()) {
     scene::DerivedMeasure& derived = result.emplace_back();
     derived.name = name;
-    derived.value = text(entry, "value");
+    derived.expression = text(entry, "value");
     derived.unit = text(entry, "unit");
     if (entry.contains("about")) {
       derived.about = text(entry, "about");

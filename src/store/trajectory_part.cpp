@@ -29,7 +29,7 @@ void add_point_row(std::vector<double>& rows, const Eigen::Vector2d& point) {
 
 std::string units_text(const scene::Scene& scene) {
   std::string text = "lengths in lattice spacings, heights from the lowest sites, time in steps";
-  if (const auto units = scene::conversion(scene)) {
+  if (const auto units = scene::unit_conversion(scene)) {
     text += fmt::format(" of {} {}", units->time_step, units->time_unit);
   }
   return text;
@@ -70,7 +70,7 @@ OptionalDatasets optional_datasets(const scene::Scene& scene) {
   const auto& trajectory = scene.output.trajectory;
   return {.wall_count = scene.walls.size(),
           .has_velocities = scene.model == scene::Model::contact,
-          .has_contacts = trajectory && trajectory->contacts};
+          .has_contacts = trajectory && trajectory->has_contacts};
 }
 
 RowCounts& operator+=(RowCounts& row_counts, const RowCounts& more) {

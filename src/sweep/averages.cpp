@@ -177,7 +177,7 @@ struct Means {
 };
 
 void add_rows(Means& means, const AveragedTable& what, const Variant& variant,
-              const scene::Conversion* units, const std::vector<RunCurves>& runs,
+              const scene::UnitConversion* units, const std::vector<RunCurves>& runs,
               const Names& group) {
   std::vector<const Curve*> curves;
   for (const RunCurves& run : runs) {
@@ -268,7 +268,7 @@ std::vector<NamedTable> mean_tables(
   const auto add_means = [&](Means& means, const AveragedTable& what, const std::string& file,
                              std::size_t variant) {
     std::vector<RunCurves> runs;
-    const scene::Conversion* units = nullptr;
+    const scene::UnitConversion* units = nullptr;
     for (std::size_t run = variant * seeds; run < (variant + 1) * seeds; ++run) {
       const fs::path path = folder_of(run) / store::table_name(file);
       std::error_code error;

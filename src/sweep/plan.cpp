@@ -69,7 +69,7 @@ std::vector<std::string> combination_values(const std::vector<Variation>& variat
 bool is_part_of_range(std::string_view value) {
   const std::size_t colon = value.find(':');
   const auto is_number = [](std::string_view text) {
-    return scene::metres(text) || text::number<double>(text).has_value();
+    return scene::metres_in(text) || text::number<double>(text).has_value();
   };
   return colon != std::string_view::npos && is_number(value.substr(0, colon)) &&
          is_number(value.substr(colon + 1));
@@ -103,12 +103,13 @@ Variant parsed_variant(const Request& request, std::string_view text,
 
 /// Finds the state that the runs begin with, once where it is the same.
 void find_begins(std::vector<Variant>& variants, double max_bytes) {
-  const scene::Begin* last = nullptr;
+  const scene::InitialState* last = nullptr;
   for (Variant& variant : variants) {
-    std::optional<scene::Begin>& begin = variant.scene.begin;
-    if (begin && last != nullptr && begin->run == last->run && begin->step == last->step &&
-        (!begin->state || begin->state == last->state)) {
-      begin->state = last->state;
+    std::optional<scene::InitialState>& begin = variant.scene.initial_state;
+    if (begin && last != nullptr && begin->run_folder == last->run_folder &&
+        begin->step == last->step &&
+        (!begin->state_hash || begin->state_hash == last->state_hash)) {
+      begin->state_hash = last->state_hash;
       begin->particles = last->particles;
     } else {
       run::resolve_begin(variant.scene, max_bytes);

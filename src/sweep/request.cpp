@@ -36,7 +36,7 @@ std::pair<std::uint64_t, std::uint64_t> seed_range(std::string_view part, std::s
     fail("--seeds", text,
          fmt::format("expected whole numbers from 0 to 18446744073709551615, as in 1..16 or "
                      "1,4,9..12, found {}",
-                     text::shown(part)));
+                     text::quoted(part)));
   }
   if (*last < *first) {
     fail("--seeds", text, fmt::format("{} descends; the smaller seed comes first", part));
@@ -113,7 +113,7 @@ struct Quantity {
 
 Quantity quantity(std::string_view value) {
   value = trimmed(value);
-  const bool is_length = scene::metres(value).has_value();
+  const bool is_length = scene::metres_in(value).has_value();
   const std::size_t end = is_length ? value.find_last_of("0123456789.") + 1 : value.size();
   return {text::number<double>(value.substr(0, end)), trimmed(value.substr(end))};
 }

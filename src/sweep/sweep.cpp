@@ -35,7 +35,7 @@ double seconds_since(Clock::time_point start) {
 void prepare_drawing(const Plan& plan) {
   const auto drawn = std::ranges::find_if(plan.variants, [](const Variant& variant) {
     const auto& frames = variant.scene.output.frames;
-    return frames && frames->drawing == scene::Drawing::polygons;
+    return frames && frames->drawing == scene::DrawingMethod::polygons;
   });
   if (drawn == plan.variants.end()) {
     return;
@@ -335,7 +335,8 @@ class Sweep {
     for (const auto* list : {&tables, &means}) {
       for (const auto& [name, table] : *list) {
         files_.write(store::table_name(name), table.to_csv());
-        summaries.emplace_back(name, record::sweep_column_summaries(name, table.column_names(), known));
+        summaries.emplace_back(name,
+                               record::sweep_column_summaries(name, table.column_names(), known));
       }
     }
     files_.write(kRequestFile,

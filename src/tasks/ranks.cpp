@@ -45,11 +45,11 @@ void Ranks::hand_out_work(const std::function<Bytes(int rank)>& work) {
 
 void Ranks::dismiss() {
   if (!std::exchange(is_dismissed_, true)) {
-    send_to_others(kEnd, "");
+    send_to_others(kEndOfWork, "");
   }
 }
 
-bool Ranks::is_stop(const Message& message) {
+bool Ranks::is_stop_message(const Message& message) {
   if (message.number != kStopped) {
     return false;
   }
@@ -68,7 +68,7 @@ std::optional<Bytes> Ranks::wait_for_work(const std::atomic<int>* stop) {
     return std::nullopt;
   }
   Message message = wait(stop);
-  is_dismissed_ = message.number == kEnd;
+  is_dismissed_ = message.number == kEndOfWork;
   return is_dismissed_ ? std::nullopt : std::optional(std::move(message.bytes));
 }
 

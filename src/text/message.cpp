@@ -78,7 +78,7 @@ std::string shortened(std::string_view text, std::size_t count) {
   return printable(start) + (start.size() < text.size() ? "..." : "");
 }
 
-std::string shown(std::string_view text) {
+std::string quoted(std::string_view text) {
   return fmt::format("'{}'", shortened(text, kShownCharacters));
 }
 
@@ -96,13 +96,13 @@ std::string shell_word(std::string_view path) {
   return quoted + "'";
 }
 
-std::string listed(std::span<const std::string_view> names) {
+std::string comma_separated(std::span<const std::string_view> names) {
   const auto first = names.first(std::min(names.size(), kListedNames));
   return fmt::format("{}{}", fmt::join(first, ", "), first.size() < names.size() ? ", ..." : "");
 }
 
-std::optional<std::string_view> nearest(std::string_view text,
-                                        std::span<const std::string_view> names) {
+std::optional<std::string_view> nearest_name(std::string_view text,
+                                             std::span<const std::string_view> names) {
   std::optional<std::string_view> best;
   std::size_t least = 0;
   for (const std::string_view name : names) {
@@ -121,7 +121,7 @@ std::optional<std::string_view> nearest(std::string_view text,
 }
 
 std::string suggestion(std::string_view text, std::span<const std::string_view> names) {
-  const auto name = nearest(text, names);
+  const auto name = nearest_name(text, names);
   return name ? fmt::format("; did you mean '{}'?", printable(*name)) : "";
 }
 

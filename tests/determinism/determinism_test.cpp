@@ -182,7 +182,7 @@ TEST(Determinism, EveryKindOfGasIsTheSameForEveryThreadCount) {
 TEST(Determinism, PicturesAndSeriesDoNotChangeTheState) {
   scene::Scene scene = testing::bare_scene("wall-removal", {});
   const std::string bare = hash_of(scene, 1);
-  scene.output.series = scene::Series{};
+  scene.output.series = scene::SeriesOutput{};
   scene.output.frames.emplace();
   scene.output.frames->every = 100;
   scene.output.frames->width = 160;
@@ -195,12 +195,12 @@ TEST(Determinism, ParallelStepsEqualSequentialOnesForBothKindsOfTies) {
   for (const char* ties : {"particle", "direction"}) {
     const scene::Scene scene =
         testing::bare_scene("silo-collapse", {fmt::format("rules.ties={}", ties)});
-    automaton::Automaton sequential(model::initial_state(scene), scene.rules);
-    automaton::Automaton parallel(model::initial_state(scene), scene.rules,
+    automaton::Automaton sequential(model::initial_state(scene), scene.automaton_rules);
+    automaton::Automaton parallel(model::initial_state(scene), scene.automaton_rules,
                                   {.threads = 4, .min_parallel_particles = 1});
     const scene::Stage& packing = scene.stages.front();
     for (automaton::Automaton* automaton : {&sequential, &parallel}) {
-      automaton->fill(packing.fill->region, packing.fill->counts);
+      automaton->fill(packing.fill->region, packing.fill->species_counts);
       for (int step = 0; step < 400; ++step) {
         automaton->step();
       }
@@ -217,11 +217,11 @@ TEST(Determinism, ParallelStepsEqualSequentialOnesForBothKindsOfTies) {
 /// The first two stages of a scene, the second for 300 steps at most.
 grains::State state_after(const scene::Scene& scene, const automaton::Options& options) {
   automaton::Automaton automaton(testing::stage_begun(scene, 0, model::initial_state(scene)),
-                                 scene.rules, options);
+                                 scene.automaton_rules, options);
   while (!automaton.step().settled) {
   }
-  automaton =
-      automaton::Automaton(testing::stage_begun(scene, 1, automaton.state()), scene.rules, options);
+  automaton = automaton::Automaton(testing::stage_begun(scene, 1, automaton.state()),
+                                   scene.automaton_rules, options);
   for (int step = 0; step < 300 && !automaton.step().settled; ++step) {
   }
   return automaton.state();

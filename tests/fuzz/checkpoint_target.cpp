@@ -59,7 +59,7 @@ reflection::Columns saved_columns() {
   const scene::Scene& scene = contact_scene();
   model::SceneModel model(scene, run::state_at_start(scene), {});
   run::prepare_stage(model, scene, 0);
-  for (std::uint64_t step = 0; step < *scene::steps_of(scene.stages.front().until); ++step) {
+  for (std::uint64_t step = 0; step < *scene::fixed_steps(scene.stages.front().until); ++step) {
     model.grains().step();
   }
   reflection::Columns columns;

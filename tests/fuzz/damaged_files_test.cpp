@@ -124,7 +124,7 @@ TEST_F(DamagedTrajectory, IsReadOrRefused) {
     put(damage);
     const store::Trajectory trajectory(folder_.path(), fuzz::small_scene(), fixed_, kLimit);
     for (std::size_t frame = 0; frame < trajectory.frames().size(); ++frame) {
-      automaton::Automaton(trajectory.state(frame), fuzz::small_scene().rules).step();
+      automaton::Automaton(trajectory.state(frame), fuzz::small_scene().automaton_rules).step();
     }
   });
   expect_memory_below(4 * kLimit);

@@ -26,7 +26,7 @@ void require_sizes(std::string_view text) {
     const scene::AnyScene any = scene::parse_any(text, "scene.yaml");
     const auto* gas = std::get_if<scene::BoltzmannScene>(&any);
     fuzz::require(
-        is_amount(gas != nullptr ? scene::bytes_of(*gas, 64)
+        is_amount(gas != nullptr ? scene::gas_run_bytes(*gas, 64)
                                  : clca::run::estimated_run_bytes(std::get<scene::Scene>(any))),
         "no amount of memory");
   } catch (const scene::SceneError&) {

@@ -156,7 +156,7 @@ std::vector<std::uint8_t> file_of(store::TrajectoryPart& part, Omitted omitted) 
 /// An automaton goes on from it, and its frame is that of the file.
 void require_sound(const grains::State& state, const store::TrajectoryPart& part,
                    std::size_t frame) {
-  automaton::Automaton(state, fuzz::small_scene().rules).step();
+  automaton::Automaton(state, fuzz::small_scene().automaton_rules).step();
   store::TrajectoryPart again;
   again.add_frame(state, part.frames.stage[frame], 0, {}, {});
   const auto same = [](const auto& all, store::RowSpan rows, const auto& some, std::size_t width) {

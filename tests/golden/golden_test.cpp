@@ -93,7 +93,7 @@ TEST_P(Golden, PictureIsAsBlessed) {
   const testing::ScratchFolder folder;
   const scene::Scene scene = scene_of(GetParam());
   compare_or_bless(GetParam().name, last_picture(scene, folder.path()),
-                   scene.output.frames->drawing != scene::Drawing::polygons);
+                   scene.output.frames->drawing != scene::DrawingMethod::polygons);
 }
 
 std::vector<GoldenCase> golden_cases() {
@@ -205,8 +205,8 @@ grains::State with_one_lifted(const grains::State& state) {
 
 TEST(GoldenComparison, NoticesOneParticleInAnotherPlace) {
   const scene::Scene scene = testing::bare_scene("wall-removal", {});
-  automaton::Automaton automaton(model::initial_state(scene), scene.rules);
-  automaton.fill(scene.stages[0].fill->region, scene.stages[0].fill->counts);
+  automaton::Automaton automaton(model::initial_state(scene), scene.automaton_rules);
+  automaton.fill(scene.stages[0].fill->region, scene.stages[0].fill->species_counts);
   while (!automaton.step().settled) {
   }
   const grains::State changed = with_one_lifted(automaton.state());

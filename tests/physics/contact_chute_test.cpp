@@ -23,7 +23,7 @@ Profile profile(int angle, int top) {
       "chute", {fmt::format("let.angle={}", angle), "stages.start.until={steps: 10000}",
                 "stages.flow.until={steps: 10000}", fmt::format("lines.depth.to=[52, {}]", top),
                 fmt::format("lines.depth.parts={}", (top - 4) / 2)});
-  scene.output.series = scene::Series{.every = 20};
+  scene.output.series = scene::SeriesOutput{.every = 20};
   const testing::ScratchFolder folder;
   run::run(scene, {.folder = folder.path()});
   const auto file = folder.path() / "lines-flow.csv";

@@ -39,7 +39,7 @@ TEST(Piston, StallsWithNoMoverWhenTheBedIsAsDenseAsInThePrototype) {
   std::vector<double> fractions;
   for (int seed = 1; seed <= kSeeds; ++seed) {
     scene::Scene scene = testing::bare_scene("piston", {fmt::format("seed={}", seed)});
-    scene.output.series = scene::Series{};
+    scene.output.series = scene::SeriesOutput{};
     const testing::ScratchFolder folder;
     const auto summary = run::run(scene, {.folder = folder.path()});
     expect_a_stall(summary);

@@ -30,12 +30,13 @@ void PrintTo(const PushingCase& pushing, std::ostream* stream) {
 class Pushing {
  public:
   explicit Pushing(const scene::Scene& scene)
-      : automaton_(testing::stage_begun(scene, 0, model::initial_state(scene)), scene.rules) {
+      : automaton_(testing::stage_begun(scene, 0, model::initial_state(scene)),
+                   scene.automaton_rules) {
     while (!automaton_.step().settled) {
     }
     count_ = grains::present_count(automaton_.state());
-    automaton_ =
-        automaton::Automaton(testing::stage_begun(scene, 1, automaton_.state()), scene.rules);
+    automaton_ = automaton::Automaton(testing::stage_begun(scene, 1, automaton_.state()),
+                                      scene.automaton_rules);
   }
 
   /// Pushes until nothing changes, looks every 20 steps and at the end, and returns the last step.
@@ -52,7 +53,7 @@ class Pushing {
   }
 
   std::vector<measure::OverlapContact> contacts() const {
-    return measure::contacts(automaton_.state(), automaton_.occupancy());
+    return measure::overlap_contacts(automaton_.state(), automaton_.occupancy());
   }
   const grains::State& state() const { return automaton_.state(); }
 

@@ -143,19 +143,19 @@ RC_GTEST_PROP(MirrorProperty, OfProfilesAndFronts, ()) {
                     measure::packing_fraction(beds.mirrored_after)));
   RC_ASSERT(
       is_near(measure::runout(beds.after)->front, measure::runout(beds.mirrored_after)->front));
-  RC_ASSERT(is_near(measure::runout(beds.after)->percent_99,
-                    measure::runout(beds.mirrored_after)->percent_99));
+  RC_ASSERT(is_near(measure::runout(beds.after)->percentile_99,
+                    measure::runout(beds.mirrored_after)->percentile_99));
 }
 
 RC_GTEST_PROP(MirrorProperty, OfFields, ()) {
   const Beds beds = any_beds();
   const double cell = any_cell();
-  const auto fields = measure::fields(measure::Snapshot(beds.before), beds.after, cell);
+  const auto fields = measure::field_cells(measure::Snapshot(beds.before), beds.after, cell);
   const auto image =
-      measure::fields(measure::Snapshot(beds.mirrored_before), beds.mirrored_after, cell);
+      measure::field_cells(measure::Snapshot(beds.mirrored_before), beds.mirrored_after, cell);
   const std::size_t columns = measure::Grid(beds.after.lattice, cell).columns();
   for_each_image(fields, image, columns, [](const auto& one, const auto& other) {
-    RC_ASSERT(is_near(one.packing, other.packing));
+    RC_ASSERT(is_near(one.packing_fraction, other.packing_fraction));
     RC_ASSERT(is_near(one.particles, other.particles));
     RC_ASSERT(is_near(one.velocity.x(), -other.velocity.x()));
     RC_ASSERT(is_near(one.velocity.y(), other.velocity.y()));
@@ -194,9 +194,9 @@ RC_GTEST_PROP(MirrorProperty, OfConvection, ()) {
   const measure::Convection image = convection(beds.mirrored_before, beds.mirrored_after);
   const measure::Grid grid(beds.box(), cell);
   const auto cells = [&](const measure::Convection& of) {
-    std::vector<measure::Arrow> all(grid.size(), {{0, 0}, {0, 0}, 0});
-    for (const measure::Arrow& arrow : of.arrows()) {
-      all[grid.index(arrow.centre)] = arrow;
+    std::vector<measure::ConvectionArrow> all(grid.size(), {{0, 0}, {0, 0}, 0});
+    for (const measure::ConvectionArrow& arrow : of.arrows()) {
+      all[grid.cell_at(arrow.centre)] = arrow;
     }
     return all;
   };
@@ -226,9 +226,9 @@ RC_GTEST_PROP(MirrorProperty, OfWhatPassesALevelLine, ()) {
     line.observe(snapshot, after, grains::Occupancy(after), snapshot.velocities(after), sums);
     std::vector<double> flux;
     std::vector<double> particles;
-    for (const measure::LinePart& part : line.means(sums)) {
+    for (const measure::LinePart& part : line.part_means(sums)) {
       flux.push_back(part.flux.mean);
-      particles.push_back(part.particles);
+      particles.push_back(part.passed_particles);
     }
     return std::pair(flux, particles);
   };

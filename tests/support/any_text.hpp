@@ -41,7 +41,7 @@ inline std::string trouble_with_message(std::string_view message) {
 /// Checks the walls unless that takes long.
 inline void check_walls_of(const scene::Scene& scene) {
   constexpr double kMaxBytes = 1e6;
-  if (scene::size_of(scene).bytes < kMaxBytes) {
+  if (scene::model_size(scene).memory_bytes < kMaxBytes) {
     scene::check_walls(scene);
   }
 }

@@ -30,7 +30,7 @@ class ThreadRanks {
     int rank() const override { return number_; }
     int size() const override { return static_cast<int>(all_.boxes_.size()); }
     int size_on_this_machine() const override { return size(); }
-    std::uint64_t next() override {
+    std::uint64_t next_number() override {
       const std::lock_guard lock(all_.mutex_);
       return all_.next_++;
     }

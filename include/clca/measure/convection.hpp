@@ -13,7 +13,7 @@
 namespace clca::measure {
 
 /// Mean displacement of the particles that start a cycle in a grid cell.
-struct Arrow {
+struct ConvectionArrow {
   Eigen::Vector2d centre;        ///< of the cell, lattice spacings
   Eigen::Vector2d displacement;  ///< mean per cycle, lattice spacings
   double weight = 0;             ///< particle sites that the mean is over, of all cycles
@@ -52,9 +52,9 @@ class Convection {
   /// Ignores particles that entered or left during it. Throws std::logic_error before any cycle.
   void end_cycle(const grains::State& state);
 
-  std::uint64_t cycles() const { return cycles_; }
+  std::uint64_t completed_cycles() const { return cycles_; }
   /// For the cells in which some particle started a cycle, in the order of Grid.
-  std::vector<Arrow> arrows() const;
+  std::vector<ConvectionArrow> arrows() const;
   /// None before the end of the first cycle, or if no particle is inside or at the walls.
   std::optional<ConvectionRolls> rolls() const;
 

@@ -36,7 +36,7 @@ class Snapshot {
   std::uint64_t step() const { return step_; }
   /// Displacement of a particle since the snapshot, or since it has entered (State::origins), until
   /// now or until it was removed; none if it was removed before the snapshot.
-  std::optional<Displacement> path(const grains::State& now, std::size_t id) const;
+  std::optional<Displacement> displacement(const grains::State& now, std::size_t id) const;
   /// Displacements of the particles present at both moments, by id. Throws std::invalid_argument if
   /// `now` is earlier or has fewer particles.
   std::vector<Displacement> displacements(const grains::State& now) const;
@@ -57,7 +57,7 @@ class Snapshot {
 // Since the start of the stage. All throw std::invalid_argument unless each particle has an origin.
 
 /// Distance of each particle from its origin by id, in lattice spacings; 0 for removed ones.
-std::vector<double> displacements(const grains::State& state);
+std::vector<double> distances_from_origin(const grains::State& state);
 
 /// Share of the present particles further than `distance` (lattice spacings) from their origin;
 /// none if none is present. Throws std::invalid_argument for NaN.
@@ -69,9 +69,9 @@ double smallest_diameter(const grains::State& state);
 /// How far the material has spread beyond the columns of its origins, lattice spacings. The larger
 /// of both sides; negative if it receded on both.
 struct Runout {
-  double front = 0;       ///< of the outermost site
-  double percent_99 = 0;  ///< of the 99th percentile of the sites on that side
-  bool at_side = false;   ///< the front is at a side of the box, which ends it
+  double front = 0;           ///< of the outermost site
+  double percentile_99 = 0;   ///< of the 99th percentile of the sites on that side
+  bool reaches_side = false;  ///< the front is at a side of the box, which ends it
 };
 
 /// None for an empty box.

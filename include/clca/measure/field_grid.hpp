@@ -28,7 +28,7 @@ struct RegionMotion {
 /// Means over the particles that started the window in the cell.
 struct FieldCell : RegionMotion {
   Eigen::Vector2d centre = Eigen::Vector2d::Zero();  ///< lattice spacings
-  double packing = 0;                                ///< share of its sites taken by particles now
+  double packing_fraction = 0;                       ///< share of its sites taken by particles now
 };
 
 /// Memory of so many cells, with that for measuring them and their fluctuations.
@@ -39,23 +39,24 @@ inline double field_bytes(double cells) {
 /// Fields of the window of steps from `begin` to now, in the cells of a Grid of side `cell`
 /// (lattice spacings): velocity is displacement per step. Particles that entered or left during the
 /// window count for the packing only. In a window of zero steps all velocities are 0.
-std::vector<FieldCell> fields(const Snapshot& begin, const grains::State& now, double cell);
+std::vector<FieldCell> field_cells(const Snapshot& begin, const grains::State& now, double cell);
 
 /// Mean fluctuation over cells, weighted by their particles; 0 if there are none.
-double fluctuation_energy(const std::vector<FieldCell>& cells);
+double mean_fluctuation(const std::vector<FieldCell>& cells);
 
 /// For each region, the share of its sites without walls that particles cover; 0 if there are none.
-std::vector<double> fillings(const grains::State& state,
-                             std::span<const lattice::Rectangle> regions);
+std::vector<double> filled_shares(const grains::State& state,
+                                  std::span<const lattice::Rectangle> regions);
 
 /// Motion from displacements in `steps` steps; none if no particle starts in the region.
-std::optional<RegionMotion> motion_in(const lattice::Rectangle& region,
-                                      const std::vector<Displacement>& displacements, double steps);
+std::optional<RegionMotion> region_motion(const lattice::Rectangle& region,
+                                          const std::vector<Displacement>& displacements,
+                                          double steps);
 
 /// Sites of the particles whose centre of mass has passed the horizontal middle line of the region
 /// downwards, less those that have passed it upwards, on straight paths (Snapshot::displacement).
-double downward_flow(const Snapshot& before, const grains::State& now,
-                     const lattice::Rectangle& region);
+double sites_moved_down(const Snapshot& before, const grains::State& now,
+                        const lattice::Rectangle& region);
 
 /// Histogram of the fluctuation energy X of particles over many windows.
 /// The velocity of a particle is its displacement in the window; its fluctuation u is the
@@ -63,9 +64,9 @@ double downward_flow(const Snapshot& before, const grains::State& now,
 /// n/(n-1), as the mean came from these n.
 /// X is this energy divided by T, half the mean energy: chi-square with 2 degrees of freedom if u
 /// is normal. The window length cancels, so displacements suffice.
-class Fluctuations {
+class FluctuationHistogram {
  public:
-  static constexpr std::size_t kBins = 20;  ///< equally probable ones
+  static constexpr std::size_t kBinCount = 20;  ///< equally probable ones
   /// Cells with fewer particles are ignored ("sparse"): their mean is too uncertain.
   static constexpr std::size_t kMinParticles = 5;
 
@@ -75,27 +76,29 @@ class Fluctuations {
   const statistics::Bins& bins() const { return bins_; }
   /// Shares of the bins, with T of the whole window, as in a homogeneous gas: over particles that
   /// are neither sparse nor at rest. Zeros without samples.
-  std::vector<double> shares() const { return shares_of(counts_); }
+  std::vector<double> bin_shares() const { return shares_of(counts_); }
   /// The same with T of each cell; X is transformed to be chi-square even for small n.
-  std::vector<double> local_shares() const { return shares_of(local_counts_); }
+  std::vector<double> local_bin_shares() const { return shares_of(local_counts_); }
 
   /// Particles counted, summed over the windows.
-  std::uint64_t samples() const { return samples_; }
+  std::uint64_t sample_count() const { return samples_; }
   /// Share of all particles left out because their cell was at rest or moved rigidly (T = 0).
   double resting_share() const { return share_of_all(resting_); }
   /// Share of all particles that were left out as sparse.
   double sparse_share() const { return share_of_all(sparse_); }
 
-  bool has_all_bins() const { return counts_.size() == kBins && local_counts_.size() == kBins; }
+  bool has_all_bins() const {
+    return counts_.size() == kBinCount && local_counts_.size() == kBinCount;
+  }
   CLCA_FIELDS(counts_, local_counts_, samples_, resting_, sparse_);
 
  private:
   std::vector<double> shares_of(const std::vector<std::uint64_t>& counts) const;
   double share_of_all(std::uint64_t particles) const;
 
-  statistics::Bins bins_ = statistics::Bins::equiprobable(kBins, 2);
-  std::vector<std::uint64_t> counts_ = std::vector<std::uint64_t>(kBins);
-  std::vector<std::uint64_t> local_counts_ = std::vector<std::uint64_t>(kBins);
+  statistics::Bins bins_ = statistics::Bins::equiprobable(kBinCount, 2);
+  std::vector<std::uint64_t> counts_ = std::vector<std::uint64_t>(kBinCount);
+  std::vector<std::uint64_t> local_counts_ = std::vector<std::uint64_t>(kBinCount);
   std::uint64_t samples_ = 0;
   std::uint64_t resting_ = 0;
   std::uint64_t sparse_ = 0;

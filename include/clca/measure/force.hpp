@@ -19,18 +19,18 @@ namespace clca::measure {
 struct OverlapContact {
   std::uint32_t first = 0;
   grains::Owner second = 0;  ///< a particle with a greater id, or the code of a wall
-  int sites = 0;             ///< shared
+  int shared_sites = 0;      ///< shared
   /// 1 if one of the six moves of the first separates the two, else 2.
   int depth = 0;
   /// Centroid of the shared sites, in the box, in lattice spacings.
   Eigen::Vector2d point = Eigen::Vector2d::Zero();
-  std::optional<std::uint32_t> source = {};  ///< wall from which the grain was pushed
+  std::optional<std::uint32_t> source_wall = {};  ///< wall from which the grain was pushed
 };
 
 /// All pairs that share sites, sorted by `first`, then `second` (walls before particles).
 /// Throws std::invalid_argument if `occupancy` belongs to another box.
-std::vector<OverlapContact> contacts(const grains::State& state,
-                                     const grains::Occupancy& occupancy);
+std::vector<OverlapContact> overlap_contacts(const grains::State& state,
+                                             const grains::Occupancy& occupancy);
 
 /// Index of force of each particle by id: the shared sites of all its contacts.
 /// Throws std::invalid_argument if a contact has an unknown particle.
@@ -43,17 +43,17 @@ struct WallOverlap {
   std::int32_t travel = 0;  ///< sites from the initial position along the direction of the motion
   std::optional<std::uint64_t> stalled_since = {};  ///< step
   std::uint64_t stalls = 0;
-  std::size_t particles = 0;      ///< those that share sites with the wall
-  std::uint64_t sites = 0;        ///< of the wall and particles
-  std::uint64_t chain_sites = 0;  ///< shared sites of all contacts that began at the wall
-  std::size_t jammed = 0;         ///< pushed from this wall, and at rest
+  std::size_t overlapping_particles = 0;  ///< those that share sites with the wall
+  std::uint64_t shared_sites = 0;         ///< of the wall and particles
+  std::uint64_t chain_sites = 0;          ///< shared sites of all contacts that began at the wall
+  std::size_t jammed_particles = 0;       ///< pushed from this wall, and at rest
 };
 
 struct ForceSummary {
-  int depth_max = 0;         ///< unit moves
-  std::uint64_t sites = 0;   ///< shared, over all contacts
-  std::size_t contacts = 0;  ///< pairs
-  std::size_t jammed = 0;    ///< pushed onto others, and at rest
+  int max_depth = 0;                 ///< unit moves
+  std::uint64_t shared_sites = 0;    ///< shared, over all contacts
+  std::size_t contact_count = 0;     ///< pairs
+  std::size_t jammed_particles = 0;  ///< pushed onto others, and at rest
   /// Share of the sites shared between particles that lie in a cone of 45 degrees ahead of the wall
   /// where their push began; none if particles share no sites.
   /// "Ahead" is the direction of the push. At distance a from the foremost site of the wall the
@@ -72,8 +72,8 @@ ForceSummary force_summary(const grains::State& state, const grains::Occupancy& 
 /// covers.
 /// Negative above it; none if the wall is removed, moves sideways or covers no bed. Throws
 /// std::invalid_argument unless the surface has one height per column.
-std::optional<double> penetration(const grains::State& now, const grains::Wall& wall,
-                                  const std::vector<double>& surface_at_start);
+std::optional<double> penetration_depth(const grains::State& now, const grains::Wall& wall,
+                                        const std::vector<double>& surface_at_start);
 
 /// Whole sites at one moment, real numbers as averages.
 enum class StrengthKind : std::uint8_t { whole_sites, averaged };
@@ -86,9 +86,9 @@ struct ForceBin {
 };
 
 struct ForceDistribution {
-  double mean = 0;              ///< <f>, sites
-  double share_above_mean = 0;  ///< of the contacts
-  std::size_t tail = 0;         ///< contacts above the mean
+  double mean = 0;                ///< <f>, sites
+  double share_above_mean = 0;    ///< of the contacts
+  std::size_t tail_contacts = 0;  ///< contacts above the mean
   /// Decay of the tail, P(f/<f>) ~ exp(-beta f/<f>) for f > <f>, by maximum likelihood. None for
   /// fewer than two contacts in the tail or if all are equal.
   std::optional<double> beta = {};
@@ -107,8 +107,8 @@ class ForceAverage {
   struct Mean {
     std::uint32_t first = 0;
     grains::Owner second = 0;
-    double sites = 0;  ///< mean over all samples
-    double share = 0;  ///< share of the samples that have the contact
+    double shared_sites = 0;   ///< mean over all samples
+    double present_share = 0;  ///< share of the samples that have the contact
 
     bool operator==(const Mean&) const = default;
   };
@@ -116,7 +116,7 @@ class ForceAverage {
   /// Adds one sample.
   void add(const std::vector<OverlapContact>& contacts);
 
-  std::uint64_t samples() const { return samples_; }
+  std::uint64_t sample_count() const { return samples_; }
   /// All contacts that occurred, sorted by `first`, then `second`.
   std::vector<Mean> means() const;
 
@@ -142,7 +142,7 @@ std::vector<double> strengths(const std::vector<Contact>& contacts) {
   std::vector<double> sites;
   sites.reserve(contacts.size());
   for (const Contact& contact : contacts) {
-    sites.push_back(contact.sites);
+    sites.push_back(contact.shared_sites);
   }
   return sites;
 }

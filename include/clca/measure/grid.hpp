@@ -39,24 +39,24 @@ class Grid {
 
   /// Index of the cell that contains a point (lattice spacings); wraps at a periodic boundary. An
   /// edge belongs to the cell right of it or above it, whatever the rounding of the point.
-  std::size_t index(const Eigen::Vector2d& point) const { return cells(point)[1]; }
+  std::size_t cell_at(const Eigen::Vector2d& point) const { return cells_at(point)[1]; }
   /// The cells left and right of the edge that a point is on; else its cell twice.
-  std::array<std::size_t, 2> cells(const Eigen::Vector2d& point) const;
+  std::array<std::size_t, 2> cells_at(const Eigen::Vector2d& point) const;
   /// Calls visit(cell, share) for these cells, half to each: mirrored beds have mirrored fields.
   template <class Visit>
   void share_out(const Eigen::Vector2d& point, const Visit& visit) const {
-    const auto [left, right] = cells(point);
+    const auto [left, right] = cells_at(point);
     measure::share_out(left, right, visit);
   }
   /// Centre of a cell, in lattice spacings.
-  Eigen::Vector2d centre(std::size_t index) const;
+  Eigen::Vector2d cell_centre(std::size_t cell) const;
 
-  struct Part {
+  struct PathPart {
     std::size_t cell = 0;
     double share = 0;  ///< of the length of the path
   };
   /// Divides the straight path from `from` to `from + path` (lattice spacings) at edges of cells.
-  std::vector<Part> parts(const Eigen::Vector2d& from, const Eigen::Vector2d& path) const;
+  std::vector<PathPart> path_parts(const Eigen::Vector2d& from, const Eigen::Vector2d& path) const;
 
  private:
   Eigen::Vector2d in_cells(const Eigen::Vector2d& point) const;  // from the corner of the box

@@ -53,7 +53,7 @@ class LineSums {
   const std::vector<LineBlock>& blocks() const { return blocks_; }
 
   /// False if these cannot be sums of a line of so many parts.
-  bool fit(std::size_t parts) const;
+  bool fits_part_count(std::size_t parts) const;
   CLCA_FIELDS(parts_, block_size_, blocks_);
 
  private:
@@ -70,10 +70,10 @@ struct LinePart {
   Eigen::Vector2d middle;  ///< of the part
   /// Sites that pass, per step and spacing; to the right less to the left.
   statistics::SampleStatistics flux;
-  statistics::SampleStatistics across;  ///< velocity, spacings per step
-  statistics::SampleStatistics along;   ///< likewise, positive in the direction of the line
-  double filling = 0;                   ///< by particles, of what no wall covers; else 0
-  double particles = 0;                 ///< whose centres have passed, either way
+  statistics::SampleStatistics across_velocity;  ///< velocity, spacings per step
+  statistics::SampleStatistics along_velocity;  ///< likewise, positive in the direction of the line
+  double covered_share = 0;                     ///< by particles, of what no wall covers; else 0
+  double passed_particles = 0;                  ///< whose centres have passed, either way
 };
 
 /// A line in a box, without its end, in equal parts; edges between parts belong half to each.
@@ -92,8 +92,8 @@ class Line {
 
   static double bytes_for(double parts) { return parts * kMaxPoints * sizeof(std::size_t); }
 
-  std::size_t parts() const { return points_.size(); }
-  std::vector<LinePart> means(const LineSums& sums) const;
+  std::size_t part_count() const { return points_.size(); }
+  std::vector<LinePart> part_means(const LineSums& sums) const;
 
  private:
   static constexpr double kMaxPoints = 256;  // of a part
@@ -103,7 +103,7 @@ class Line {
     bool to_right;
   };
 
-  double part_length() const { return length_ / static_cast<double>(parts()); }
+  double part_length() const { return length_ / static_cast<double>(part_count()); }
   Eigen::Vector2d across_and_along(const Eigen::Vector2d& vector) const;
   std::optional<Crossing> crossing(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const;
   void add_covered_points(const grains::Occupancy& occupancy,

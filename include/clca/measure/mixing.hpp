@@ -14,7 +14,8 @@ namespace clca::measure {
 
 /// Number of other particles and walls that touch or overlap each particle; by id, 0 for removed
 /// particles. All sides of the box count as one wall. `occupancy` belongs to `state`.
-std::vector<int> coordination(const grains::State& state, const grains::Occupancy& occupancy);
+std::vector<int> coordination_numbers(const grains::State& state,
+                                      const grains::Occupancy& occupancy);
 
 /// Share of neighbouring grains that have the same axis; a third at random. None without a pair.
 std::optional<double> axis_order(const grains::State& state);
@@ -48,8 +49,8 @@ class Mixing {
  public:
   /// Largest distance of the centres of neighbours, at the start and later, in mean diameters: a
   /// small change of the packing parts none.
-  static constexpr double kNear = 1.35;
-  static constexpr double kStillNear = 1.49;
+  static constexpr double kMaxNeighbourDistance = 1.35;
+  static constexpr double kMaxKeptDistance = 1.49;
 
   /// Bytes for so many particles, with what is needed for a time.
   static double bytes_for(double particles) {
@@ -66,10 +67,10 @@ class Mixing {
   void add(const grains::State& now);
 
   /// Mean diameter of the particles at the start, see lattice::Shape::diameter.
-  double diameter() const { return diameter_; }
+  double mean_diameter() const { return diameter_; }
   const std::vector<NeighbourPair>& pairs() const { return pairs_; }
   /// Element i: sums over the pairs that have fallen i + 1 mean diameters.
-  const std::vector<FallenPairs>& fallen() const { return fallen_; }
+  const std::vector<FallenPairs>& fallen_pairs() const { return fallen_; }
 
   /// False if this cannot have been recorded in a run that reached `now`.
   bool precedes(const grains::State& now) const;

@@ -24,7 +24,7 @@ Discharge discharge(const grains::Outlet& outlet);
 
 /// Numbers of particles that have left, by outlet and, within it, by species. `species`: how many
 /// there are. Throws std::invalid_argument if a particle that has left lies in no outlet.
-std::vector<std::uint64_t> discharged_particles(const grains::State& state, std::size_t species);
+std::vector<std::uint64_t> discharged_counts(const grains::State& state, std::size_t species);
 
 /// Records a discharge in a stage, step by step.
 class Outflow {
@@ -71,7 +71,7 @@ class Outflow {
 /// particles in one of the three; or none of them is at the top of the box, and without particles
 /// one would be. A heap beside an open orifice is not held up. Throws std::invalid_argument if the
 /// occupancy belongs to another box, std::out_of_range if there is no such outlet.
-bool clogged(const grains::State& state, const grains::Occupancy& occupancy, std::size_t outlet,
-             lattice::Direction down);
+bool is_clogged(const grains::State& state, const grains::Occupancy& occupancy, std::size_t outlet,
+                lattice::Direction down);
 
 }  // namespace clca::measure

@@ -25,13 +25,13 @@ double mean_height(const std::vector<double>& profile);
 struct ReposeAngle {
   struct Flank {
     std::optional<double> degrees = {};
-    bool uneven = false;  ///< none, since no single slope describes it
+    bool is_uneven = false;  ///< none, since no single slope describes it
   };
   Flank left;
   Flank right;
 
   /// Mean of the flanks that are present.
-  std::optional<double> mean() const;
+  std::optional<double> mean_degrees() const;
 };
 
 /// Least-squares lines through the columns on either side of the top with 15 % to 80 % of the

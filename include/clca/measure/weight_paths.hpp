@@ -56,8 +56,8 @@ inline double weight_paths_bytes(double particles) {
 struct WeightPaths {
   /// Forces in weights of a grain of mean mass, from the top; each along its normal, without shear.
   std::vector<contact::Force> forces = {};
-  std::size_t outside = 0;      ///< grains with no support on one side of their force
-  std::size_t unsupported = 0;  ///< grains with no support at all, where their force ends
+  std::size_t one_sided_grains = 0;    ///< grains with no support on one side of their force
+  std::size_t unsupported_grains = 0;  ///< grains with no support at all, where their force ends
 };
 
 /// The forces on the supports. Draws depend on seed and step of the state.
@@ -66,18 +66,18 @@ WeightPaths weight_paths(const grains::State& state, const std::vector<Supported
 
 /// Equal parts of the base of a bed, which reaches from where 1 % of the sites of its grains lie
 /// further left to where 1 % lie further right (each grain by its centre).
-struct Base {
-  static constexpr int kBins = 13;
+struct BedBase {
+  static constexpr int kBinCount = 13;
   double left = 0;  ///< lattice spacings
   double right = 0;
 
   double width() const { return right - left; }
 };
-Base bed_base(const grains::State& state);
+BedBase bed_base(const grains::State& state);
 
 /// Downward force on floor and walls in each bin over the mean of the bins, from the contacts whose
 /// normal points up; a point between two bins counts half in each. Empty if that mean is 0.
-std::vector<double> base_pressures(const Base& base, const std::vector<contact::Force>& forces);
+std::vector<double> base_pressures(const BedBase& base, const std::vector<contact::Force>& forces);
 
 /// Pressure of the middle bin less the mean of the three bins on either side; not for an empty
 /// list.

@@ -23,7 +23,7 @@ class FirstFailure {
   /// Runs `work` unless something has failed. Any thread of the region may call it.
   template <class Work>
   void guard(Work work) noexcept {
-    if (failed()) {
+    if (has_failed()) {
       return;
     }
     try {
@@ -34,7 +34,7 @@ class FirstFailure {
       }
     }
   }
-  bool failed() const { return failed_.load(std::memory_order_relaxed); }
+  bool has_failed() const { return failed_.load(std::memory_order_relaxed); }
   /// After the region: rethrows the first exception, if any.
   void rethrow() const {
     if (first_) {

@@ -13,7 +13,7 @@ namespace clca::process {
 std::filesystem::path data_folder(const std::filesystem::path& what);
 
 /// Python: $CLCA_PYTHON, that of the system, or the first one on the PATH. Throws ProcessError.
-std::filesystem::path python();
+std::filesystem::path python_program();
 
 /// The files of that folder with this extension, by their names without it; none if it is missing.
 std::map<std::string, std::filesystem::path> data_files(const std::filesystem::path& what,

@@ -48,15 +48,15 @@ class StoppedError : public ProcessError {
 };
 
 struct ProgramOptions {
-  std::filesystem::path folder = ".";  ///< working directory of the program
-  const OutputCapture* out = nullptr;  ///< null: standard output of this program
-  const OutputCapture* err = nullptr;
+  std::filesystem::path working_folder = ".";  ///< working directory of the program
+  const OutputCapture* output = nullptr;       ///< null: standard output of this program
+  const OutputCapture* error_output = nullptr;
   /// Standard input: what feed() writes, else empty.
-  bool fed = false;
+  bool is_fed = false;
   /// Once not zero, the program gets `signal`, unless that is 0, and is killed after `grace`.
   const std::atomic<int>* stop = nullptr;
-  int signal = 0;
-  std::chrono::milliseconds grace{0};
+  int stop_signal = 0;
+  std::chrono::milliseconds grace_period{0};
 };
 
 /// A running program. It gets no terminal signals and ends when the thread that started it ends.

@@ -20,7 +20,8 @@ struct Quantity {
   std::string_view name;     ///< in words
   std::string_view unit;     ///< as for shown_unit; empty: a pure number
   std::string_view meaning;  ///< may be empty
-  bool of_floor = false;  ///< measured from the floor of the vessel: of little use if it is turned
+  bool is_relative_to_floor =
+      false;  ///< measured from the floor of the vessel: of little use if it is turned
 };
 
 /// Suffix of columns with standard errors of means.
@@ -30,7 +31,7 @@ inline constexpr std::string_view kErrorSuffix = "_se";
 struct NamedQuantity {
   std::string name;
   const Quantity* quantity;
-  std::string where;        ///< such as `series.csv`
+  std::string file;         ///< such as `series.csv`
   bool is_of_each = false;  ///< there may be NAME.OUTLET or NAME.WALL, too
 };
 /// All that are declared; a name may come several times.
@@ -41,8 +42,8 @@ struct KnownQuantities {
   enum class Kind : std::uint8_t { run, gas, sweep };
 
   Kind kind = Kind::run;
-  std::optional<scene::Conversion> units = {};
-  std::vector<scene::DerivedMeasure> derived = {};
+  std::optional<scene::UnitConversion> units = {};
+  std::vector<scene::DerivedMeasure> derived_measures = {};
 
   /// The quantity of this key, declared or derived by the scene.
   std::optional<store::ColumnSummary> find(std::string_view key) const;
@@ -67,8 +68,8 @@ std::vector<std::string> sweep_measure_names();
 void check_derived(const scene::Scene& scene);
 
 /// `unit` with the unit of velocity for `spacings/step`, that of time for `time` and that of
-/// scene::Conversion::si() for one of masses, where a run has them.
-std::string shown_unit(std::string_view unit, const std::optional<scene::Conversion>& units);
+/// scene::UnitConversion::si() for one of masses, where a run has them.
+std::string shown_unit(std::string_view unit, const std::optional<scene::UnitConversion>& units);
 
 /// A body in tables of contacts: number of a grain, name of a wall, or a side such as `box.floor`.
 std::string body_name(const scene::Scene& scene, grains::Owner owner);

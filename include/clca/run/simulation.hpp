@@ -52,7 +52,7 @@ class Simulation {
   /// The measures of the stage in run.json, as of now; `wanted`: only this one of Scene::measures.
   std::vector<store::NamedMeasure> measures(std::optional<scene::Measure> wanted = {}) const;
   /// Throws scene::SceneError if the driver cannot draw it.
-  image::Image picture(const scene::Frames& frames);
+  image::Image picture(const scene::PictureOutput& frames);
 
  private:
   struct Impl;

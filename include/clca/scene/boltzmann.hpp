@@ -18,8 +18,8 @@ struct QuantileBins {
   int count = 20;
 };
 struct UniformBins {
-  double width = 0.5;  ///< of the energy X: v²/T_tr or w²/T_rot
-  double end = 15;     ///< where the last bin begins
+  double width = 0.5;          ///< of the energy X: v²/T_tr or w²/T_rot
+  double last_bin_start = 15;  ///< where the last bin begins
 };
 using BinsSpec = std::variant<QuantileBins, UniformBins>;
 
@@ -33,7 +33,7 @@ struct BoltzmannScene {
   std::uint64_t particles = 10'000;
   boltzmann::InitialDistribution initial = boltzmann::InitialDistribution::gaussian;
   bool exact_moments = true;
-  bool quasi = false;                      ///< sampling: quasi
+  bool quasi_random = false;               ///< sampling: quasi
   std::vector<double> restitutions = {1};  ///< one run for each, in this order
   /// Whether the file has a list (even of one): tables then have a column for it.
   bool has_restitution_list = false;
@@ -42,18 +42,18 @@ struct BoltzmannScene {
   double energy_ratio = 1;  ///< initial, rotational over translational
   boltzmann::Scheme scheme;
   double shear_rate = 0;
-  double until = 15;
-  std::uint64_t ensemble = 1;
-  double series_every = 0.5;
-  std::vector<double> histograms;  ///< times, ascending, none beyond `until`
+  double end_time = 15;
+  std::uint64_t ensemble_size = 1;
+  double series_interval = 0.5;
+  std::vector<double> histogram_times;  ///< times, ascending, none beyond `until`
   BinsSpec bins;
-  std::optional<Checkpoints> checkpoint = kDefaultCheckpoints;
+  std::optional<CheckpointIntervals> checkpoint = kDefaultCheckpoints;
   std::string location;  ///< FILE:LINE:COLUMN of the block `boltzmann`, for messages
 };
 
 /// Initial condition of each gas of the ensemble.
 boltzmann::InitialCondition initial_condition(const BoltzmannScene& scene);
 /// Law of collision and driving of each gas.
-boltzmann::Dynamics process(const BoltzmannScene& scene, double restitution);
+boltzmann::Dynamics gas_process(const BoltzmannScene& scene, double restitution);
 
 }  // namespace clca::scene

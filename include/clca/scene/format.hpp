@@ -19,7 +19,7 @@ class UnknownKeyError : public text::InputError {
 /// What a key means, its values and default, and the keys in it. `path` is as for `--set`
 /// (`rules.inertia`, `walls.motion`, `stages.flow.until`), or the name of keys anywhere
 /// (`inertia`); empty: the top of a scene. Throws UnknownKeyError.
-std::string explain(std::string_view path);
+std::string explanation(std::string_view path);
 
 struct KeySummary {
   std::string path;  ///< as for `--set`

@@ -50,21 +50,21 @@ std::string to_yaml(const BoltzmannScene& scene);
 /// Throws SceneError if this text, which `clca resume` would read, is larger than a scene may be.
 void check_resolved_size(std::string_view yaml, std::string_view file);
 
-/// Size of the model of a scene.
-struct Size {
+/// ModelSize of the model of a scene.
+struct ModelSize {
   int columns = 0;
   int rows = 0;
-  std::uint64_t particles = 0;  ///< filled and emitted at most
-  double bytes = 0;  ///< estimated from above; run::estimated_run_bytes() is that of a run
+  std::uint64_t max_particles = 0;  ///< filled and emitted at most
+  double memory_bytes = 0;  ///< estimated from above; run::estimated_run_bytes() is that of a run
 };
 
-Size size_of(const Scene& scene);
+ModelSize model_size(const Scene& scene);
 
 /// Memory in bytes for the final gases that a Boltzmann run keeps, so that it can be continued: 0
 /// if more than 1 GiB, or without checkpoints.
 double retained_gas_bytes(const BoltzmannScene& scene);
 
 /// Upper estimate of the memory of a Boltzmann run on `threads` threads, in bytes.
-double bytes_of(const BoltzmannScene& scene, int threads);
+double gas_run_bytes(const BoltzmannScene& scene, int threads);
 
 }  // namespace clca::scene

@@ -25,7 +25,7 @@
 namespace clca::scene {
 
 /// Degrees between neighbouring orientations of a particle.
-inline constexpr int kOrientationStepDegrees = 360 / lattice::kDirectionCount;
+inline constexpr int kOrientationStep = 360 / lattice::kDirectionCount;
 
 struct Box {
   double width = 0;
@@ -96,11 +96,11 @@ struct Ring {
 /// The part of a ring from one angle anticlockwise to another, in degrees from the x axis.
 struct Arc {
   Ring ring;
-  double from = 0;
-  double to = 0;  ///< above `from`, by less than 360
+  double from_degrees = 0;
+  double to_degrees = 0;  ///< above `from`, by less than 360
 };
 
-using Circle = std::variant<Disc, Ring, Arc>;
+using CircularPart = std::variant<Disc, Ring, Arc>;
 
 using WallPart =
     std::variant<lattice::Rectangle, lattice::Segment, Disc, Ring, Arc, lattice::Picture>;
@@ -110,7 +110,7 @@ struct Wall {
   std::string name;
   std::vector<WallPart> parts;
   std::optional<grains::WallMotion> motion = {};
-  grains::PassiveRule passive = grains::PassiveRule::rigid;  ///< of one that moves
+  grains::PassiveRule passive_rule = grains::PassiveRule::rigid;  ///< of one that moves
   std::optional<double> friction = {};  ///< of Model::contact; none: Parameters::wall_friction
   std::string location = {};
 };
@@ -118,9 +118,9 @@ struct Wall {
 struct Source {
   std::string name;
   std::variant<Eigen::Vector2d, lattice::Rectangle> position;
-  std::vector<std::uint32_t> weights;  ///< per species, not all zero
-  double rate = 0;                     ///< particles per step
-  std::optional<std::uint64_t> count;  ///< none: goes on for ever
+  std::vector<std::uint32_t> species_weights;  ///< per species, not all zero
+  double particles_per_step = 0;               ///< particles per step
+  std::optional<std::uint64_t> max_particles;  ///< none: goes on for ever
   std::string location = {};
 };
 
@@ -141,7 +141,7 @@ struct Line {
   std::string name;
   Eigen::Vector2d from;
   Eigen::Vector2d to;
-  int parts = 20;
+  int part_count = 20;
 };
 
 /// Random sequential addition (grains then fall) or deposition (at rest), see grains::Model::fill.
@@ -149,16 +149,16 @@ enum class FillMethod : std::uint8_t { random, deposition };
 
 /// Divides the region of a fill into parts, one for each letter of the picture.
 struct FillPicture {
-  std::vector<std::string> rows;                       ///< of letters, see grains::Mixture
-  std::map<char, std::vector<std::uint32_t>> weights;  ///< by species
+  std::vector<std::string> rows;  ///< of letters, see grains::Mixture
+  std::map<char, std::vector<std::uint32_t>> weights_by_letter;  ///< by species
 };
 
 /// Has counts, weights or a picture; without counts the region is filled until it is full.
 struct Fill {
   FillMethod method = FillMethod::random;
   lattice::Rectangle region;
-  std::vector<std::size_t> counts;  ///< per species, or empty
-  std::vector<std::uint32_t> mix;   ///< weights per species, or empty
+  std::vector<std::size_t> species_counts;     ///< per species, or empty
+  std::vector<std::uint32_t> species_weights;  ///< weights per species, or empty
   std::optional<FillPicture> picture;
   std::optional<double> level;  ///< mean height of the surface where a deposited mix ends
   std::string location;
@@ -170,7 +170,7 @@ struct UntilSteps {
 };
 /// Ends when this share of all particles present or emitted during the stage has left.
 struct UntilDischarged {
-  double share = 0;
+  double discharged_share = 0;
 };
 /// Ends when all periodic walls and the vessel have completed this many cycles.
 struct UntilCycles {
@@ -178,10 +178,11 @@ struct UntilCycles {
 };
 /// Contact model only.
 struct UntilTime {
-  double time = 0;          ///< in the unit of time of Conversion
+  double time = 0;          ///< in the unit of time of UnitConversion
   std::uint64_t steps = 0;  ///< the same time in steps
 };
-using Until = std::variant<UntilSettled, UntilSteps, UntilDischarged, UntilCycles, UntilTime>;
+using EndCondition =
+    std::variant<UntilSettled, UntilSteps, UntilDischarged, UntilCycles, UntilTime>;
 
 /// The mixture of a fill; none if it has counts.
 std::optional<grains::Mixture> mixture_of(const Fill& fill);
@@ -189,17 +190,17 @@ std::optional<grains::Mixture> mixture_of(const Fill& fill);
 bool places_species(const Fill& fill, std::size_t species);
 
 /// Number of steps, for ends given by steps or time.
-std::optional<std::uint64_t> steps_of(const Until& until);
+std::optional<std::uint64_t> fixed_steps(const EndCondition& until);
 
 /// Tilts the vessel to an angle from upright, degrees anticlockwise: at once, or with `rate`
-/// degrees per unit of time (of Conversion).
+/// degrees per unit of time (of UnitConversion).
 struct Tilt {
-  double to = 0;
-  std::optional<double> rate;
+  double to_degrees = 0;
+  std::optional<double> degrees_per_time;
 };
 /// Turns continuously with `rate` turns per unit of time; positive is anticlockwise.
 struct Rotate {
-  double rate = 0;
+  double turns_per_time = 0;
   std::optional<Eigen::Vector2d> centre;  ///< none: of the box
 };
 /// Sinusoidal shaking.
@@ -216,15 +217,16 @@ inline constexpr std::uint64_t kMaxSteps = 1'000'000'000'000;
 struct Stage {
   std::string name;
   std::optional<Fill> fill;
-  std::vector<std::size_t> remove;          ///< walls, by index
-  std::vector<std::size_t> insert;          ///< likewise; see walls_present_at_start
-  std::vector<std::size_t> move;            ///< walls in motion during this stage, by index
-  std::vector<std::size_t> sources;         ///< open during this stage, by index
-  std::optional<VesselMotion> vessel = {};  ///< none: it rests as it stands
+  std::vector<std::size_t> removed_walls;          ///< walls, by index
+  std::vector<std::size_t> inserted_walls;         ///< likewise; see walls_present_at_start
+  std::vector<std::size_t> moving_walls;           ///< walls in motion during this stage, by index
+  std::vector<std::size_t> open_sources;           ///< open during this stage, by index
+  std::optional<VesselMotion> vessel_motion = {};  ///< none: it rests as it stands
   // Replace those of the scene during this stage.
-  std::optional<automaton::Rules> rules = {};
-  std::optional<contact::Parameters> contact = {};  ///< differ in friction and restitution only
-  Until until;
+  std::optional<automaton::Rules> automaton_rules = {};
+  std::optional<contact::Parameters> contact_parameters =
+      {};  ///< differ in friction and restitution only
+  EndCondition until;
   std::uint64_t max_steps = 1'000'000;  ///< at most kMaxSteps
   std::string insert_location;          ///< of the list `insert`
 };
@@ -233,11 +235,11 @@ struct Stage {
 bool vessel_has_cycles(const Stage& stage);
 
 /// The state of another run that a run begins with.
-struct Begin {
-  std::string run;                     ///< its folder, as an absolute path
-  std::optional<std::uint64_t> step;   ///< of its trajectory; none: its end
-  std::optional<std::uint64_t> state;  ///< hash; another state is refused
-  std::uint64_t particles = 0;         ///< in that state; 0 until run::resolve_begin()
+struct InitialState {
+  std::string run_folder;                   ///< its folder, as an absolute path
+  std::optional<std::uint64_t> step;        ///< of its trajectory; none: its end
+  std::optional<std::uint64_t> state_hash;  ///< hash; another state is refused
+  std::uint64_t particles = 0;              ///< in that state; 0 until run::resolve_begin()
   std::string location;
 };
 
@@ -247,14 +249,14 @@ struct Scene {
   std::string title;   ///< the name where the file gives none
   std::uint64_t seed = 1;
   Model model = Model::automaton;
-  std::optional<Begin> begin;  ///< none: an empty box
+  std::optional<InitialState> initial_state;  ///< none: an empty box
   Box box;
-  std::vector<Species> species;  ///< in the order of the file, as all lists here
-  automaton::Rules rules;        ///< of Model::automaton
-  contact::Parameters contact;   ///< of Model::contact
-  voids::Rules voids;            ///< of Model::voids; the species have the sieve
-  baxter::Rules baxter;          ///< of Model::baxter
-  std::optional<Units> units;    ///< of Model::contact
+  std::vector<Species> species;            ///< in the order of the file, as all lists here
+  automaton::Rules automaton_rules;        ///< of Model::automaton
+  contact::Parameters contact_parameters;  ///< of Model::contact
+  voids::Rules voids_rules;                ///< of Model::voids; the species have the sieve
+  baxter::Rules baxter_rules;              ///< of Model::baxter
+  std::optional<Units> units;              ///< of Model::contact
   std::vector<Wall> walls;
   std::vector<Source> sources;
   std::vector<Outlet> outlets;
@@ -262,7 +264,7 @@ struct Scene {
   std::vector<Line> lines;    ///< likewise
   std::vector<Stage> stages;
   std::vector<Measure> measures;
-  std::vector<DerivedMeasure> derived;  ///< each from those before it, too
+  std::vector<DerivedMeasure> derived_measures;  ///< each from those before it, too
   Output output;
 };
 

@@ -11,7 +11,7 @@
 
 namespace clca::scene {
 
-// Model units of quantities with a mass; Conversion::si() gives their SI units.
+// Model units of quantities with a mass; UnitConversion::si_unit() gives their SI units.
 inline constexpr std::string_view kForceUnit = "weights of a site";
 inline constexpr std::string_view kEnergyUnit = "weights of a site × spacings";
 inline constexpr std::string_view kMomentUnit = "spacings × weights of a site";
@@ -22,7 +22,7 @@ inline constexpr std::string_view kStressUnit = "grain weights/spacing";
 /// The SI unit for a unit of the model.
 struct SiUnit {
   std::string_view name;
-  double value = 1;  ///< SI value of one unit of the model
+  double factor = 1;  ///< SI value of one unit of the model
 };
 
 /// Mass and weight of one site of a grain, in SI units.
@@ -32,13 +32,13 @@ struct SiteMass {
 };
 
 /// Metres and seconds if the scene has units, else units derived from lattice spacing and gravity.
-struct Conversion {
-  std::string length_unit;            ///< m or spacing
-  std::string time_unit;              ///< s or √(spacing/gravity)
-  std::string velocity_unit;          ///< m/s or √(spacing·gravity)
-  double spacing = 1;                 ///< a lattice spacing, in the unit of length
-  double time_step = 1;               ///< in the unit of time
-  std::optional<SiteMass> site = {};  ///< if the scene has units with a density
+struct UnitConversion {
+  std::string length_unit;                 ///< m or spacing
+  std::string time_unit;                   ///< s or √(spacing/gravity)
+  std::string velocity_unit;               ///< m/s or √(spacing·gravity)
+  double spacing = 1;                      ///< a lattice spacing, in the unit of length
+  double time_step = 1;                    ///< in the unit of time
+  std::optional<SiteMass> site_mass = {};  ///< if the scene has units with a density
   double mean_mass = 1;  ///< in sites, of a grain: its weight is the unit of contact forces
 
   /// Time of a step, in the unit of time.
@@ -50,9 +50,11 @@ struct Conversion {
     return spacings_per_step * spacing / time_step;
   }
   /// Kilograms per second of so many sites per step; only with a density.
-  double mass_rate(double sites_per_step) const { return sites_per_step / time_step * site->mass; }
+  double mass_rate(double sites_per_step) const {
+    return sites_per_step / time_step * site_mass->mass;
+  }
   /// N, J, N m or N/m for the units above; none for other units, or without a density.
-  std::optional<SiUnit> si(std::string_view unit) const;
+  std::optional<SiUnit> si_unit(std::string_view unit) const;
   /// A value given in `unit`, converted to its SI unit if there is one.
   double in_si(double value, std::string_view unit) const;
 };
@@ -61,13 +63,13 @@ struct Conversion {
 bool has_density(const Scene& scene);
 
 /// For contact scenes; none for other models, whose steps have no length.
-std::optional<Conversion> conversion(const Scene& scene);
+std::optional<UnitConversion> unit_conversion(const Scene& scene);
 
 /// A length such as `1 mm` in metres; none for other text.
-std::optional<double> metres(std::string_view text);
+std::optional<double> metres_in(std::string_view text);
 
 /// Smallest positive number of steps that takes at least `time`, up to rounding.
-double steps_until(double time, const Conversion& conversion);
+double steps_until(double time, const UnitConversion& conversion);
 
 /// The parameters of a contact scene. Default fall height: the height of all fills together at a
 /// packing fraction of 0.8 in the widest of their regions, or more, so that what falls from the

@@ -16,16 +16,17 @@ lattice::Lattice lattice_of(const Box& box);
 /// The sites of the region inside the shape or at most 10^-6 spacings outside it, column by column
 /// from the left, upwards.
 /// A ring at least one spacing thick is closed: no chain of neighbouring sites crosses it.
-std::vector<lattice::Site> sites_in(const lattice::SweptRegion& swept_region, const Circle& circle);
+std::vector<lattice::Site> sites_in(const lattice::SweptRegion& swept_region,
+                                    const CircularPart& circle);
 
 /// Whether sites_in() of the box is empty. Does not build the list.
-bool holds_no_site(const lattice::Lattice& lattice, const Circle& circle);
+bool holds_no_site(const lattice::Lattice& lattice, const CircularPart& circle);
 /// Whether no site of the lattice lies in the rectangle, or on the straight wall.
 bool holds_no_site(const lattice::Lattice& lattice, const lattice::Rectangle& rectangle);
 bool holds_no_site(const lattice::Lattice& lattice, const lattice::Segment& segment);
 
 /// A rectangle that contains all sites of the circle.
-lattice::Rectangle bounding_rectangle(const Circle& circle);
+lattice::Rectangle bounding_rectangle(const CircularPart& circle);
 
 /// The region that enters the box as the wall moves; for a standing wall, the box.
 lattice::SweptRegion swept_region_of(const lattice::Lattice& lattice, const Wall& wall);

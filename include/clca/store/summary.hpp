@@ -78,7 +78,7 @@ struct RunSummary {
   std::string status;  ///< running, done, interrupted or failed
   std::uint64_t particles = 0;
   std::uint64_t steps = 0;
-  std::optional<scene::Conversion> units = {};  ///< of the contact model
+  std::optional<scene::UnitConversion> units = {};  ///< of the contact model
   std::vector<scene::DerivedMeasure> derived_measures = {};
   double wall_seconds = 0;     ///< of the run, by the clock
   double step_seconds = 0;     ///< of wall_seconds, in steps of the model

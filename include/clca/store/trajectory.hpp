@@ -26,7 +26,7 @@ struct ContactFrame {
   /// By id, lattice spacings a step: see contact::Velocity. NaN if read from a file of an earlier
   /// version, which has none.
   std::vector<double> spins = {};
-  std::vector<contact::Force> forces = {};  ///< with scene::TrajectoryOutput::contacts
+  std::vector<contact::Force> forces = {};  ///< with TrajectoryOutput::has_contacts
 
   bool operator==(const ContactFrame&) const = default;
 };

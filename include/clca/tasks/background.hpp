@@ -10,7 +10,7 @@ namespace clca::tasks {
 
 /// Makes one call at a time, on a thread of its own if one can be had; for writing while the caller
 /// goes on. At its end it waits for the call.
-class Background {
+class BackgroundCall {
  public:
   /// Waits until the call before has ended. Rethrows what that one has thrown.
   void start(std::function<void()> call) {

@@ -179,7 +179,7 @@ class Pool {
 
   std::optional<std::size_t> next_task() {
     if (own_.empty() && has_shared_) {
-      const std::uint64_t number = ranks_.next();
+      const std::uint64_t number = ranks_.next_number();
       has_shared_ = number < shared_.size();
       return has_shared_ ? std::optional(shared_[number]) : std::nullopt;
     }
@@ -217,9 +217,9 @@ class Pool {
 
   void take_messages(std::vector<Finished>& finished) {
     while (const auto message = ranks_.receive()) {
-      if (ranks_.is_stop(*message)) {
+      if (ranks_.is_stop_message(*message)) {
         stop();
-      } else if (message->number == Ranks::kEnd) {
+      } else if (message->number == Ranks::kEndOfWork) {
         --others_at_work_;
       } else {
         ++carried_out_[static_cast<std::size_t>(message->from)];
@@ -256,7 +256,7 @@ inline void send_results(Pool<Bytes>& pool, Ranks& ranks) {
       ranks.send(0, task, result);
     }
   }
-  ranks.send(0, Ranks::kEnd, {});
+  ranks.send(0, Ranks::kEndOfWork, {});
 }
 
 }  // namespace clca::tasks

@@ -29,12 +29,12 @@ class StartError : public std::runtime_error {
 ///
 /// All ranks call begin(). Rank 0 then sends work to each, as often as there is any, and at last
 /// dismisses them. For each work the others send the results, each under the number of its task,
-/// then kEnd. A rank that is stopped sends kStopped at once.
+/// then kEndOfWork. A rank that is stopped sends kStopped at once.
 class Ranks {
  public:
   /// Number of the last message: of rank 0, and of others about one work.
-  static constexpr std::uint64_t kEnd = UINT64_MAX;
-  static constexpr std::uint64_t kStopped = kEnd - 1;
+  static constexpr std::uint64_t kEndOfWork = UINT64_MAX;
+  static constexpr std::uint64_t kStopped = kEndOfWork - 1;
 
   virtual ~Ranks() = default;
 
@@ -46,8 +46,8 @@ class Ranks {
   virtual int size_on_this_machine() const = 0;
 
   /// The next number of a counter that all ranks share, from 0 on.
-  virtual std::uint64_t next() = 0;
-  /// Sets the counter of next() to 0. By rank 0, while no other rank works.
+  virtual std::uint64_t next_number() = 0;
+  /// Sets the counter of next_number() to 0. By rank 0, while no other rank works.
   virtual void reset_counter() = 0;
   /// Messages from one rank to another arrive in their order.
   virtual void send(int to, std::uint64_t number, const Bytes& bytes) = 0;
@@ -66,7 +66,7 @@ class Ranks {
   /// For rank 0: there is no more to do, and what others do is to be stopped. Once is enough.
   void dismiss();
   /// For rank 0: whether this is not about a task but says that another rank is stopped.
-  bool is_stop(const Message& message);
+  bool is_stop_message(const Message& message);
   /// For rank 0: the signal that has stopped another rank; 0: none has.
   int stop_signal() const { return stop_signal_; }
   /// For the others: tells rank 0, once, that a signal has stopped this one; null and 0: none has.
@@ -93,7 +93,7 @@ class OneRank : public Ranks {
   int rank() const override { return 0; }
   int size() const override { return 1; }
   int size_on_this_machine() const override { return 1; }
-  std::uint64_t next() override { return next_++; }
+  std::uint64_t next_number() override { return next_++; }
   void reset_counter() override { next_ = 0; }
   void send(int /*to*/, std::uint64_t /*number*/, const Bytes& /*bytes*/) override {}
   std::optional<Message> receive() override { return std::nullopt; }

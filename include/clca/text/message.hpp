@@ -22,17 +22,17 @@ std::string_view first_characters(std::string_view text, std::size_t count);
 std::string shortened(std::string_view text, std::size_t count = 120);
 
 /// `text` in single quotes, printable, shortened if long.
-std::string shown(std::string_view text);
+std::string quoted(std::string_view text);
 
 /// `path` for a command line: quoted where necessary, after `./` if it begins with `-`.
 std::string shell_word(std::string_view path);
 
 /// `names` separated by commas, shortened if many.
-std::string listed(std::span<const std::string_view> names);
+std::string comma_separated(std::span<const std::string_view> names);
 
 /// The name closest to `text`, if one is close.
-std::optional<std::string_view> nearest(std::string_view text,
-                                        std::span<const std::string_view> names);
+std::optional<std::string_view> nearest_name(std::string_view text,
+                                             std::span<const std::string_view> names);
 
 /// `; did you mean 'X'?` or nothing.
 std::string suggestion(std::string_view text, std::span<const std::string_view> names);

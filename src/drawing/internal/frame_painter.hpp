@@ -36,7 +36,8 @@ struct PictureContent {
 PictureContent current_content(const scene::Scene& scene, const model::SceneModel& model,
                                const record::Observers& observers);
 
-lattice::Rectangle view_rectangle(const scene::Frames& frames, const lattice::Lattice& lattice);
+lattice::Rectangle view_rectangle(const scene::PictureOutput& frames,
+                                  const lattice::Lattice& lattice);
 
 /// What later pictures need to know of earlier ones; part of a checkpoint.
 struct PictureHistory {
@@ -59,7 +60,7 @@ void begin_window(PictureHistory& history, const scene::Scene& scene, const grai
 
 /// Scales of overlays and colours, the same in all pictures of a run.
 struct OverlayScales {
-  std::optional<scene::Conversion> conversion = {};
+  std::optional<scene::UnitConversion> conversion = {};
   /// Drawn as the widest line, in picture_unit(scene::kContactForceUnit).
   double strongest_force = 1;
   /// Contact model: end of the colours by pressure, in picture_unit(scene::kStressUnit).
@@ -153,7 +154,7 @@ class FramePainter {
   render::Coloring coloring(const PictureContent& content, const PictureHistory& history) const;
 
   const scene::Scene& scene_;
-  const scene::Frames& frames_;
+  const scene::PictureOutput& frames_;
   OverlayScales scales_;
   render::Painter painter_;
 };

@@ -219,7 +219,7 @@ class DeferredErrorFile(io.FileIO):
 
     error: OSError | None = None
 
-    def write_format(self, data: Any) -> int:
+    def write(self, data: Any) -> int:
         rest = memoryview(data)
         try:
             while len(rest) and self.error is None:

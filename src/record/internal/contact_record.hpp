@@ -62,7 +62,7 @@ class ContactRecord : public SavedObserver<ContactRecord> {
 
   void prepare(const StageView& now) override;
 
-  scene::Contacts sampling_;
+  scene::ContactSampling sampling_;
   std::uint64_t most_;  // samples in a window
   bool has_tables_;
   ForceWindow stage_;      // the last steps of the stage

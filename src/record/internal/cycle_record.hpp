@@ -15,7 +15,7 @@ struct CycleRow {
   const StageView& now;
   std::uint64_t cycle;
   std::vector<double> profile;
-  double cell;
+  double cell_side;
 
   const grains::State& state() const { return now.model.state(); }
 };
@@ -33,11 +33,11 @@ class CycleRecord : public SavedObserver<CycleRecord> {
 
   /// Cycles completed in this stage by all periodic walls and the vessel. A wave counts from its
   /// position at the start of the stage; an interrupted shake completes its cycle first.
-  std::uint64_t cycles() const { return cycles_; }
+  std::uint64_t completed_cycles() const { return cycles_; }
   /// Null if no wall is periodic in this stage and the vessel does not turn or shake.
   const measure::Convection* convection() const { return convection_ ? &*convection_ : nullptr; }
   /// Side of the cells of Lacey's index and the convection, in lattice spacings.
-  double cell() const { return cell_; }
+  double cell_side() const { return cell_; }
 
   bool precedes(const grains::State& now) const;
   static constexpr const char* kPath = "records/cycles";
@@ -45,7 +45,7 @@ class CycleRecord : public SavedObserver<CycleRecord> {
 
  private:
   void prepare(const StageView& now) override;
-  std::uint64_t completed(const StageView& now) const;
+  std::uint64_t count_completed_cycles(const StageView& now) const;
   void add_row(const StageView& now);
 
   double cell_;
@@ -53,7 +53,7 @@ class CycleRecord : public SavedObserver<CycleRecord> {
   std::vector<grains::Travel> at_start_;  // by wall: when the stage began; cycles count from it
   std::optional<measure::Convection> convection_;
   TableWriter<CycleRow> cycles_table_;
-  TableWriter<measure::Arrow> convection_table_;
+  TableWriter<measure::ConvectionArrow> convection_table_;
 };
 
 }  // namespace clca::record

@@ -17,7 +17,7 @@ struct GasCase {
   std::vector<model::GasMember> members;
 
   /// Number of observations of the most advanced member.
-  std::size_t observations() const;
+  std::size_t observation_count() const;
   /// The members that have the observation of this number.
   std::vector<const model::GasMember*> members_with(std::size_t observation) const;
 

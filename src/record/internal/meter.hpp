@@ -23,7 +23,7 @@ class IntervalTimer {
  public:
   explicit IntervalTimer(std::chrono::milliseconds interval) : interval_(interval) {}
 
-  bool due() {
+  bool is_due() {
     const auto now = std::chrono::steady_clock::now();
     if (now < next_) {
       return false;
@@ -40,8 +40,7 @@ class IntervalTimer {
 /// Estimates the remaining time of a stage from its progress.
 class TimeEstimate {
  public:
-  /// `done`: share of the stage, in [0, 1], the first time what was done before. It may stay the
-  /// same for long, as between two cycles.
+  /// `done`: share of the stage, in [0, 1]; first the share done before. It may stay the same.
   void update(double done) {
     if (!clock_) {
       clock_.emplace();

@@ -36,9 +36,9 @@ struct StageHistory {
   std::size_t emitted = 0;
   measure::Outflow outflow = {};
   std::vector<measure::Outflow> outlets = {};           ///< outflow of each outlet
-  std::vector<std::uint64_t> discharged_at_start = {};  ///< measure::discharged_particles
+  std::vector<std::uint64_t> discharged_at_start = {};  ///< measure::discharged_counts
   bool resting = false;                                 ///< the last step was StepReport::settled
-  bool settled = false;                                 ///< the stage ended settled, or stalled
+  bool ended_at_rest = false;                           ///< the stage ended settled, or stalled
 
   /// Share of the particles present or emitted during the stage that have left.
   double discharged_share() const;
@@ -55,9 +55,9 @@ struct StageView {
   const model::SceneModel& model;
   const StageHistory& history;
   const Observers& observers;
-  std::size_t moving;                ///< in the last step
-  std::size_t stepped;               ///< in the box in that step, also those removed at its end
-  const store::OutputFolder* files;  ///< null: nothing is written
+  std::size_t moving_particles;   ///< in the last step
+  std::size_t stepped_particles;  ///< in the box in that step, also those removed at its end
+  const store::OutputFolder* output_folder;  ///< null: nothing is written
   /// Prints a warning.
   std::function<void(const std::string& line)> warn;
 };
@@ -142,7 +142,7 @@ class Observers {
     return nullptr;
   }
 
-  std::vector<store::TableSummary> summary() const;
+  std::vector<store::TableSummary> table_summaries() const;
   void open(const store::RunFolder& folder, const grains::State& now);
   void begin_stage(const StageView& now) { call(&Observer::begin_stage, now); }
   void after_step(const StageView& now);
@@ -213,6 +213,6 @@ std::vector<std::unique_ptr<Observer>> make_observers(const scene::Scene& scene)
 /// Memory that these observers take at most, with their share of a checkpoint.
 double observer_bytes(const scene::Scene& scene, double particles);
 
-bool requests(const scene::Scene& scene, scene::Measure measure);
+bool requests_measure(const scene::Scene& scene, scene::Measure measure);
 
 }  // namespace clca::record

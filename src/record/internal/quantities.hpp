@@ -47,8 +47,7 @@ std::vector<store::NamedMeasure> stage_measures(const StageView& stage);
 /// The values of one measure alone, which the scene asks for.
 std::vector<store::NamedMeasure> stage_measures(scene::Measure wanted, const StageView& stage);
 
-/// Notes, one line each: why the slope of a flank has no value, unless it is obvious, and that a
-/// side of the box limits the run-out.
+/// Lines that say why the slope of a flank has no value, or that the box limits the run-out.
 std::vector<std::string> measure_notes(const scene::Scene& scene, const model::SceneModel& model);
 
 /// One line per stalled wall: since when, its travel, its overlaps.
@@ -57,8 +56,7 @@ std::vector<std::string> stall_messages(const scene::Scene& scene, const model::
 
 /// `discharged.OUTLET` where there are several outlets, each followed by
 /// `discharged.OUTLET.SPECIES` where there are several species. None if they are so many that
-/// run.json would have too many measures. `particles`: measure::discharged_particles; without them
-/// all numbers are 0.
+/// run.json would have too many measures. `particles`: measure::discharged_counts; empty: all 0.
 std::vector<std::pair<std::string, std::uint64_t>> discharge_by_name(
     const scene::Scene& scene, std::vector<std::uint64_t> particles = {});
 

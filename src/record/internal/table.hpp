@@ -26,7 +26,7 @@
 
 namespace clca::record {
 
-bool is_contact(const scene::Scene& scene);
+bool is_contact_model(const scene::Scene& scene);
 inline constexpr std::string_view kContactModel = "with `model: contact`";
 
 // Quantities of several tables. The time follows the step where steps have a length.
@@ -40,18 +40,18 @@ inline constexpr Quantity kFluctuation = {"fluctuation", "Energy of fluctuations
                                           "(spacings/step)²", "½⟨|v - ⟨v⟩|²⟩, weighted by sites"};
 
 /// One lattice spacing per step, in the unit of velocities of the tables.
-double velocity_unit(const scene::Scene& scene);
+double velocity_factor(const scene::Scene& scene);
 
 /// Description of a column.
 struct ColumnInfo {
   Quantity quantity;
-  std::vector<std::string_view> endings = {""};  ///< columns KEY + ending: one, or two as below
-  std::string_view where = {};                   ///< as ColumnGroup::where
-  bool is_there = true;                          ///< in tables of the scene, where one is given
+  std::vector<std::string_view> suffixes = {""};  ///< columns KEY + ending: one, or two as below
+  std::string_view condition = {};                ///< as in ColumnGroup
+  bool is_present = true;                         ///< in tables of the scene, where one is given
   /// Not empty: columns KEY.NAME, of each wall or outlet; what NAME is.
   std::string_view of_each = {};
 
-  std::vector<std::string> names() const;
+  std::vector<std::string> column_names() const;
 };
 
 // Values with two columns: a mean, KEY and KEY_se (its standard error); a vector, KEYx and KEYy.
@@ -105,8 +105,8 @@ struct TableInfo {
 /// Columns that are there for some scenes.
 template <class Row>
 struct ColumnGroup {
-  std::string_view where;  ///< Markdown, as `with ...`; empty: all
-  bool is_there = false;   ///< for this scene
+  std::string_view condition;  ///< Markdown, as `with ...`; empty: all
+  bool is_present = false;     ///< for this scene
   std::vector<Column<Row>> columns;
 };
 
@@ -119,15 +119,15 @@ struct TableOf : TableInfo {
       : TableInfo{info.name, info.kind}, values(std::move(always)) {
     for (const ColumnGroup<Row>& group : sometimes) {
       for (Column<Row> column : group.columns) {
-        column.where = group.where;
-        column.is_there = group.is_there;
+        column.condition = group.condition;
+        column.is_present = group.is_present;
         values.push_back(column);
       }
     }
     for (const Column<Row>& column : values) {
       columns.push_back(column);
       if (column.quantity.key == kStep.key) {
-        columns.push_back({.quantity = kTime, .where = kContactModel});
+        columns.push_back({.quantity = kTime, .condition = kContactModel});
       }
     }
     columns.insert(columns.end(), info.columns.begin(), info.columns.end());
@@ -136,7 +136,7 @@ struct TableOf : TableInfo {
   /// Memory for so many rows as text, most numbers of which have fewer than ten characters.
   double bytes(double rows) const {
     return grains::kListCapacityRatio * 10 * rows *
-           static_cast<double>(std::ranges::count(values, true, &Column<Row>::is_there));
+           static_cast<double>(std::ranges::count(values, true, &Column<Row>::is_present));
   }
 
   std::vector<Column<Row>> values;
@@ -146,43 +146,43 @@ struct TableOf : TableInfo {
 class RunTable {
  public:
   const TableInfo& info() const { return info_; }
-  /// Sets Conversion::mean_mass for the rows from now on.
+  /// Sets UnitConversion::mean_mass for the rows from now on.
   void set_mean_mass(double sites) {
     if (conversion_) {
       conversion_->mean_mass = sites;
     }
   }
   /// Descriptions of its columns.
-  std::vector<store::ColumnSummary> summary() const;
+  std::vector<store::ColumnSummary> column_summaries() const;
 
   /// Bytes of a growing table that are on the disk when a run resumes.
-  std::uint64_t& bytes() { return bytes_; }
+  std::uint64_t& saved_bytes() { return bytes_; }
   /// Growing table: throws StoreError if these bytes are not on the disk.
-  void check(const store::OutputFolder& folder) const;
+  void check_saved_bytes(const store::OutputFolder& folder) const;
   /// Growing table: removes what was written beyond these bytes.
   void open(const store::OutputFolder& folder);
   /// Growing table: writes the new rows if they have `least` bytes; forgets them unless open.
   void write_rows(std::size_t least);
   /// Whether there is no row to write.
-  bool is_empty() const { return table_.pending_bytes() == 0; }
+  bool has_no_new_rows() const { return table_.pending_bytes() == 0; }
   /// Other tables: writes the rows since the last call, or forgets them without a folder.
   void write(const store::OutputFolder* folder, const std::string& part = "");
 
  protected:
   RunTable(TableInfo info, const scene::Scene& scene)
-      : conversion_(scene::conversion(scene)), info_(std::move(info)) {}
+      : conversion_(scene::unit_conversion(scene)), info_(std::move(info)) {}
   /// Table of a gas: has standard errors if the ensemble has several members.
   RunTable(TableInfo info, const scene::BoltzmannScene& scene)
-      : has_errors_(scene.ensemble > 1), info_(std::move(info)) {}
+      : has_errors_(scene.ensemble_size > 1), info_(std::move(info)) {}
 
   void set_columns(const std::vector<std::string>& names) { table_ = store::Table(names); }
   void add_row(std::vector<store::Cell> cells) { table_.add_row(std::move(cells)); }
   bool has_errors() const { return has_errors_; }
-  const std::optional<scene::Conversion>& conversion() const { return conversion_; }
+  const std::optional<scene::UnitConversion>& conversion() const { return conversion_; }
 
  private:
   bool has_errors_ = true;
-  std::optional<scene::Conversion> conversion_ = {};  // for the time behind each step
+  std::optional<scene::UnitConversion> conversion_ = {};  // for the time behind each step
   TableInfo info_;
   store::Table table_{{}};
   std::uint64_t bytes_ = 0;
@@ -198,11 +198,11 @@ class TableWriter : public RunTable {
       : RunTable(table.info(), scene) {
     std::vector<std::string> names;
     for (const Column<Row>& column : table.values) {
-      if (!column.is_there) {
+      if (!column.is_present) {
         continue;
       }
       columns_.push_back(column);
-      std::ranges::move(column.names(), std::back_inserter(names));
+      std::ranges::move(column.column_names(), std::back_inserter(names));
       if (lacks_error(column)) {
         names.pop_back();
       } else if (has_time(column)) {
@@ -236,7 +236,7 @@ class TableWriter : public RunTable {
 
  private:
   bool lacks_error(const Column<Row>& column) const {
-    return !has_errors() && column.endings.back() == kErrorSuffix;
+    return !has_errors() && column.suffixes.back() == kErrorSuffix;
   }
   bool has_time(const Column<Row>& column) const {
     return conversion() && column.quantity.key == kStep.key;

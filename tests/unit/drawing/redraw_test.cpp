@@ -356,7 +356,7 @@ image::Image shown(const fs::path& pdf) {
   const process::OutputCapture none;
   EXPECT_EQ(process::Program({process::find_program("pdftoppm").value(), "-r", "96", "-png",
                               "-singlefile", pdf.string(), picture.string()},
-                             {.err = &none})
+                             {.error_output = &none})
                 .wait(),
             0);
   return image::decode_png(testing::bytes_of(picture.string() + ".png")).image;

@@ -16,7 +16,7 @@ using lattice::Shape;
 
 bool is_clogged(const State& state, std::size_t outlet = 0,
                 Direction down = lattice::Direction::down) {
-  return clogged(state, grains::Occupancy(state), outlet, down);
+  return measure::is_clogged(state, grains::Occupancy(state), outlet, down);
 }
 
 void add_wall(State& state, int left, int right, int bottom, int top) {

@@ -22,7 +22,7 @@ using lattice::Shape;
 using ::testing::ElementsAre;
 
 std::vector<OverlapContact> contacts_of(const State& state) {
-  return contacts(state, Occupancy(state));
+  return overlap_contacts(state, Occupancy(state));
 }
 
 TEST(Contacts, AreAllPairsThatShareSitesWallsFirst) {
@@ -30,15 +30,15 @@ TEST(Contacts, AreAllPairsThatShareSitesWallsFirst) {
   ASSERT_EQ(found.size(), 2U);
   EXPECT_EQ(found[0].first, 0U);
   EXPECT_EQ(found[0].second, kFirstWall);
-  EXPECT_EQ(found[0].sites, 1);
+  EXPECT_EQ(found[0].shared_sites, 1);
   EXPECT_EQ(found[0].depth, 1);
-  EXPECT_EQ(found[0].source, 0U);
+  EXPECT_EQ(found[0].source_wall, 0U);
   EXPECT_TRUE(found[0].point.isApprox(Eigen::Vector2d(10 * kColumnPitch, 12)));
   EXPECT_EQ(found[1].first, 0U);
   EXPECT_EQ(found[1].second, 1);
-  EXPECT_EQ(found[1].sites, 1);
+  EXPECT_EQ(found[1].shared_sites, 1);
   EXPECT_EQ(found[1].depth, 1);
-  EXPECT_EQ(found[1].source, 0U);
+  EXPECT_EQ(found[1].source_wall, 0U);
   EXPECT_TRUE(found[1].point.isApprox(Eigen::Vector2d(10 * kColumnPitch, 10)));
   EXPECT_THAT(force_indices(3, found), ElementsAre(2, 1, 0));
 }
@@ -56,15 +56,15 @@ TEST(Contacts, KnowTheirSourceWhicheverOfThePairWasPushed) {
   state.pushes = {{.pushed = 0, .pusher = kFirstWall, .source = 0},
                   {.pushed = 0, .pusher = 1, .source = 1}};
   const auto found = contacts_of(state);
-  EXPECT_EQ(found.at(0).source, 0U);
-  EXPECT_EQ(found.at(1).source, 1U);
+  EXPECT_EQ(found.at(0).source_wall, 0U);
+  EXPECT_EQ(found.at(1).source_wall, 1U);
 }
 
 TEST(Contacts, OfAWallThatNoSingleMoveLeavesAreOfDepthTwo) {
   State state = testing::pushed_state();
   state.walls[0].sites = {{10, 11}, {10, 12}};
   const OverlapContact contact = contacts_of(state).at(0);
-  EXPECT_EQ(contact.sites, 2);
+  EXPECT_EQ(contact.shared_sites, 2);
   EXPECT_EQ(contact.depth, 2);
   EXPECT_TRUE(contact.point.isApprox(Eigen::Vector2d(10 * kColumnPitch, 11.5)));
 }
@@ -127,12 +127,12 @@ TEST(Contacts, CountTheSitesCommonToBothParticles) {
       const auto common = std::count_if(parts.begin(), parts.end(), [&](lattice::Axial part) {
         return state.shape(second).contains(first.site() + part - second.site());
       });
-      EXPECT_EQ(contact.sites, common);
+      EXPECT_EQ(contact.shared_sites, common);
       constexpr int kMost = 2;
       EXPECT_EQ(contact.depth,
                 testing::depth(state, testing::body_of(state, grains::as_owner(contact.first)),
                                testing::body_of(state, contact.second), kMost));
-      EXPECT_EQ(contact.source, 0U);
+      EXPECT_EQ(contact.source_wall, 0U);
     }
     EXPECT_TRUE(std::is_sorted(found.begin(), found.end(), [](const auto& a, const auto& b) {
       return std::pair(a.first, a.second) < std::pair(b.first, b.second);

@@ -101,7 +101,7 @@ TEST(Convection, ArrowsAreMeansPerCycle) {
     state.particles[0].row += up;
     convection.end_cycle(state);
   }
-  EXPECT_EQ(convection.cycles(), 2U);
+  EXPECT_EQ(convection.completed_cycles(), 2U);
   const auto arrows = convection.arrows();
   ASSERT_EQ(arrows.size(), 2U);
   EXPECT_NEAR(arrows[0].displacement.y(), 1.5, 1e-12);
@@ -123,7 +123,7 @@ TEST(Convection, LeavesOutWhatCameOrLeftAndWhatIsBetweenCycles) {
   convection.begin_cycle(state);
   convection.end_cycle(state);
   double weight = 0;
-  for (const Arrow& arrow : convection.arrows()) {
+  for (const ConvectionArrow& arrow : convection.arrows()) {
     EXPECT_NEAR(arrow.displacement.norm(), 0, 1e-12);
     weight += arrow.weight;
   }

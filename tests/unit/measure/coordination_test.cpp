@@ -19,7 +19,7 @@ TEST(Coordination, CountsEachNeighbourOnceAndAllSidesAsOne) {
   }
   state.particles.back().present = false;
   state.walls.push_back({.sites = {{6, 0}, {6, 1}, {6, 2}}});
-  EXPECT_EQ(coordination(state, grains::Occupancy(state)), (std::vector<int>{2, 3, 0, 0}));
+  EXPECT_EQ(coordination_numbers(state, grains::Occupancy(state)), (std::vector<int>{2, 3, 0, 0}));
 }
 
 TEST(Coordination, LooksAcrossAPeriodicBoundary) {
@@ -30,7 +30,7 @@ TEST(Coordination, LooksAcrossAPeriodicBoundary) {
     state.particles.push_back({.column = site.column, .row = site.row});
     state.origins.push_back(site);
   }
-  EXPECT_EQ(coordination(state, grains::Occupancy(state)), (std::vector<int>{1, 1}));
+  EXPECT_EQ(coordination_numbers(state, grains::Occupancy(state)), (std::vector<int>{1, 1}));
 }
 
 }  // namespace

@@ -52,7 +52,7 @@ TEST(ForceDistribution, OfWholeSitesHasABinForEachNumber) {
   EXPECT_DOUBLE_EQ(found.bins[4].high, 5.5);
   EXPECT_DOUBLE_EQ(found.bins[0].density, 1);
   EXPECT_DOUBLE_EQ(integral(found), 1);
-  EXPECT_EQ(found.tail, 2U);
+  EXPECT_EQ(found.tail_contacts, 2U);
   EXPECT_DOUBLE_EQ(found.beta.value(), 2 * std::log(2));  // 0 and 2 over 3: one in the mean
 }
 
@@ -62,7 +62,7 @@ TEST(ForceDistribution, OfAveragesHasBinsOfAQuarterOfTheMean) {
   EXPECT_DOUBLE_EQ(found.bins[1].density, 0.8);
   EXPECT_DOUBLE_EQ(found.bins[8].high, 4.5);
   EXPECT_DOUBLE_EQ(integral(found), 1);
-  EXPECT_EQ(found.tail, 2U);
+  EXPECT_EQ(found.tail_contacts, 2U);
   EXPECT_DOUBLE_EQ(found.beta.value(), 2 / 1.5);
 }
 
@@ -85,10 +85,10 @@ TEST(ForceDistribution, FindsTheSlopeOfAnExponential) {
 TEST(ForceDistribution, HasNoSlopeWithoutATail) {
   EXPECT_FALSE(force_distribution({}, StrengthKind::averaged).has_value());
   const auto alike = force_distribution({2, 2, 2}, StrengthKind::whole_sites).value();
-  EXPECT_EQ(alike.tail, 0U);
+  EXPECT_EQ(alike.tail_contacts, 0U);
   EXPECT_FALSE(alike.beta.has_value());
   const auto two_values = force_distribution({1, 1, 1, 3, 3}, StrengthKind::whole_sites).value();
-  EXPECT_EQ(two_values.tail, 2U);
+  EXPECT_EQ(two_values.tail_contacts, 2U);
   EXPECT_TRUE(two_values.beta.has_value());  // 3 is one above the first number of the tail
   EXPECT_FALSE(force_distribution({1, 1, 2, 2}, StrengthKind::whole_sites)->beta.has_value());
 }
@@ -96,12 +96,13 @@ TEST(ForceDistribution, HasNoSlopeWithoutATail) {
 TEST(ForceAverage, CountsAnAbsentContactAsZero) {
   ForceAverage average;
   EXPECT_TRUE(average.means().empty());
-  average.add({{.first = 3, .second = 5, .sites = 4}});
-  average.add({{.first = 1, .second = -2, .sites = 2}, {.first = 3, .second = 5, .sites = 2}});
+  average.add({{.first = 3, .second = 5, .shared_sites = 4}});
+  average.add({{.first = 1, .second = -2, .shared_sites = 2},
+               {.first = 3, .second = 5, .shared_sites = 2}});
   average.add({});
-  average.add({{.first = 1, .second = 4, .sites = 1}});
+  average.add({{.first = 1, .second = 4, .shared_sites = 1}});
   const auto means = average.means();
-  EXPECT_EQ(average.samples(), 4U);
+  EXPECT_EQ(average.sample_count(), 4U);
   EXPECT_THAT(
       means, ElementsAre(ForceAverage::Mean{1, -2, 0.5, 0.25}, ForceAverage::Mean{1, 4, 0.25, 0.25},
                          ForceAverage::Mean{3, 5, 1.5, 0.5}));

@@ -32,9 +32,9 @@ std::vector<LinePart> seen(const Line& line, const State& before, State now,
                            std::uint64_t steps = 1) {
   now.step = before.step + steps;
   const Snapshot snapshot(before);
-  LineSums sums(line.parts());
+  LineSums sums(line.part_count());
   line.observe(snapshot, now, grains::Occupancy(now), snapshot.velocities(now), sums);
-  return line.means(sums);
+  return line.part_means(sums);
 }
 
 /// Sites that have passed a line of this length.
@@ -73,7 +73,7 @@ TEST(Line, CountsSitesThatPassToTheRightLessThoseToTheLeft) {
   now.particles[3].row = 7;  // not as far
   const auto parts = seen(level(now, 0, 15), before, now, 4);
   EXPECT_NEAR(passed(parts, 15, 4), 1, 1e-12);
-  EXPECT_EQ(parts.front().particles, 3U) << "either way";
+  EXPECT_EQ(parts.front().passed_particles, 3U) << "either way";
   const Line back(now, {15, 5.2}, {0, 5.2}, 1);
   EXPECT_NEAR(passed(seen(back, before, now), 15), -1, 1e-12);
 }
@@ -97,8 +97,8 @@ TEST(Line, CountsEachSiteOfAParticleInThePartWhereItPasses) {
   const auto parts = seen(level(now, 0, 15, 5), before, now);
   EXPECT_NEAR(parts[2].flux.mean * 3, 2 * 1 + 3 * 0.8397 + 2 * 0, 0.08);
   EXPECT_NEAR(passed(parts, 15), 7, 1e-12);
-  EXPECT_EQ(parts[2].particles, 1U);
-  EXPECT_EQ(parts[3].particles, 0U);
+  EXPECT_EQ(parts[2].passed_particles, 1U);
+  EXPECT_EQ(parts[3].passed_particles, 0U);
 }
 
 TEST(Line, CountsAParticleThroughTheCommonEndOfTwoLinesOnce) {
@@ -150,9 +150,9 @@ TEST(Line, AveragesTheVelocitiesOfWhatItCutsOverItsLength) {
   now.particles[0].row = 5;
   now.particles[0].column = 5;
   const auto part = seen(level(now, 0, 17), before, now, 2).front();
-  EXPECT_NEAR(part.filling, 8 * lattice::kColumnPitch / 17, 0.02);
-  EXPECT_NEAR(part.across.mean, 1.75 * 5 / 8, 0.05);  // 3.5 spacings down in 2 steps
-  EXPECT_NEAR(part.along.mean, 0.433 * 5 / 8, 0.02);
+  EXPECT_NEAR(part.covered_share, 8 * lattice::kColumnPitch / 17, 0.02);
+  EXPECT_NEAR(part.across_velocity.mean, 1.75 * 5 / 8, 0.05);  // 3.5 spacings down in 2 steps
+  EXPECT_NEAR(part.along_velocity.mean, 0.433 * 5 / 8, 0.02);
 }
 
 TEST(Line, LeavesWallsOutOfTheFilling) {
@@ -160,15 +160,16 @@ TEST(Line, LeavesWallsOutOfTheFilling) {
   state.walls = {{.sites = {{0, 5}, {1, 5}, {2, 5}, {3, 5}}}};
   const auto parts = seen(level(state, 0, 10, 2), state, state);
   // One column of what four leave of 5 spacings, to a point of 8.
-  EXPECT_NEAR(parts[0].filling, lattice::kColumnPitch / (5 - 3.5 * lattice::kColumnPitch), 0.07);
-  EXPECT_EQ(seen(level(state, 0, 2), state, state).front().filling, 0);
+  EXPECT_NEAR(parts[0].covered_share, lattice::kColumnPitch / (5 - 3.5 * lattice::kColumnPitch),
+              0.07);
+  EXPECT_EQ(seen(level(state, 0, 2), state, state).front().covered_share, 0);
 }
 
 TEST(Line, HasNoVelocityWhereNothingIsOnIt) {
   const State state = box_of({});
   const auto part = seen(level(state, 0, 10), state, state).front();
-  EXPECT_TRUE(std::isnan(part.across.mean));
-  EXPECT_TRUE(std::isnan(part.along.mean));
+  EXPECT_TRUE(std::isnan(part.across_velocity.mean));
+  EXPECT_TRUE(std::isnan(part.along_velocity.mean));
   EXPECT_EQ(part.flux.mean, 0);
 }
 
@@ -184,13 +185,14 @@ TEST(Line, TakesItsErrorFromTheScatterOfBlocks) {
     line.observe(before, now, grains::Occupancy(now), before.velocities(now), sums);
     before = Snapshot(now);
     EXPECT_LE(sums.blocks().size(), LineSums::kMaxBlocks);
-    EXPECT_EQ(std::isnan(line.means(sums).front().flux.standard_error), i + 1 < 8) << i;
+    EXPECT_EQ(std::isnan(line.part_means(sums).front().flux.standard_error), i + 1 < 8) << i;
   }
   EXPECT_EQ(sums.blocks().size(), 13U) << "of 8 observations";
-  EXPECT_TRUE(sums.fit(1));
-  EXPECT_FALSE(sums.fit(2));
-  EXPECT_NEAR(line.means(sums).front().flux.mean, 0, 1e-12);
-  EXPECT_NEAR(line.means(sums).front().flux.standard_error, 0, 1e-12) << "all blocks are alike";
+  EXPECT_TRUE(sums.fits_part_count(1));
+  EXPECT_FALSE(sums.fits_part_count(2));
+  EXPECT_NEAR(line.part_means(sums).front().flux.mean, 0, 1e-12);
+  EXPECT_NEAR(line.part_means(sums).front().flux.standard_error, 0, 1e-12)
+      << "all blocks are alike";
 }
 
 TEST(LineSums, JoinBlocksInPairs) {
@@ -215,7 +217,7 @@ TEST(LineSums, HasTheStandardErrorOfIndependentBlocks) {
   for (int i = 0; i < 10; ++i) {
     sums.begin_observation(2).parts[0].sites += i % 2;
   }
-  const statistics::SampleStatistics flux = line.means(sums).front().flux;
+  const statistics::SampleStatistics flux = line.part_means(sums).front().flux;
   EXPECT_NEAR(flux.mean, 0.5 / 20, 1e-12);
   EXPECT_NEAR(flux.standard_error, 0.5 / 20 / std::sqrt(9.0), 1e-12);
 }

@@ -53,7 +53,7 @@ TEST(Profile, InGravityOfAnUprightBoxIsThatOfTheBox) {
 TEST(Profile, OfAnEmptyBoxIsZero) {
   const auto profile = surface_profile(stacks({0, 0}));
   EXPECT_EQ(mean_height(profile), 0);
-  EXPECT_FALSE(repose_angle(profile).mean().has_value());
+  EXPECT_FALSE(repose_angle(profile).mean_degrees().has_value());
 }
 
 TEST(Repose, AStraightFlankHasTheAngleOfItsSlope) {
@@ -105,7 +105,7 @@ TEST(Repose, AHeapHasTwoFlanksAndAFlatBedHasNone) {
               1e-9);
   EXPECT_NEAR(angle.right.degrees.value(), std::atan(0.8 / kColumnPitch) * 180 / std::numbers::pi,
               1e-9);
-  EXPECT_FALSE(repose_angle(std::vector<double>(80, 30.0)).mean().has_value());
+  EXPECT_FALSE(repose_angle(std::vector<double>(80, 30.0)).mean_degrees().has_value());
 }
 
 TEST(Repose, TwoHeapsAreNoFlank) {
@@ -118,9 +118,9 @@ TEST(Repose, TwoHeapsAreNoFlank) {
   }
   const ReposeAngle angle = repose_angle(profile);
   EXPECT_FALSE(angle.right.degrees.has_value());
-  EXPECT_TRUE(angle.right.uneven);
+  EXPECT_TRUE(angle.right.is_uneven);
   EXPECT_FALSE(angle.left.degrees.has_value());
-  EXPECT_FALSE(angle.left.uneven);  // there is none
+  EXPECT_FALSE(angle.left.is_uneven);  // there is none
 }
 
 /// A pile that falls to the right by 40 degrees, in a vessel turned by some degrees anticlockwise.
@@ -169,7 +169,7 @@ TEST(Packing, CountsASiteOfTwoWallsOnce) {
 TEST(Displacement, IsTheDistanceFromTheOrigin) {
   State state = stacks({1, 1, 1, 1});
   state.origins = {{0, 3}, {1, 0}, {0, 0}, {3, 0}};
-  const auto moved = displacements(state);
+  const auto moved = distances_from_origin(state);
   EXPECT_DOUBLE_EQ(moved[0], 3);
   EXPECT_DOUBLE_EQ(moved[1], 0);
   EXPECT_NEAR(moved[2], std::sqrt(3.0), 1e-12);
@@ -192,7 +192,7 @@ TEST(MovedShare, IsTheSameForEqualDistancesInAllDirections) {
       state.particles = {{.column = to.column, .row = to.row}};
       state.origins = {from};
       EXPECT_EQ(moved_share(state, distance), 0);
-      EXPECT_EQ(displacements(state)[0], distance);
+      EXPECT_EQ(distances_from_origin(state)[0], distance);
     }
   }
 }
@@ -210,8 +210,8 @@ TEST(Runout, IsMeasuredBeyondWhereTheMaterialStood) {
   }
   const Runout spread = runout(state).value();
   EXPECT_NEAR(spread.front, 100 * kColumnPitch, 1e-9);
-  EXPECT_NEAR(spread.percent_99, 98 * kColumnPitch, 1e-9);  // 1 % of 300 sites: two columns less
-  EXPECT_TRUE(spread.at_side);
+  EXPECT_NEAR(spread.percentile_99, 98 * kColumnPitch, 1e-9);  // 1 % of 300 sites: two columns less
+  EXPECT_TRUE(spread.reaches_side);
   EXPECT_FALSE(runout(stacks({0})).has_value());
 }
 
@@ -220,14 +220,14 @@ TEST(Runout, IsEndedByASideOfTheBoxWhereGrainsHaveComeToIt) {
   for (int id = 0; id < 3; ++id) {
     state.origins[static_cast<std::size_t>(id)] = {2, id};
   }
-  EXPECT_FALSE(runout(state)->at_side);
+  EXPECT_FALSE(runout(state)->reaches_side);
   state = stacks({0, 1, 1, 1});
   for (int id = 0; id < 3; ++id) {
     state.origins[static_cast<std::size_t>(id)] = {2, id};
   }
-  EXPECT_TRUE(runout(state)->at_side);
+  EXPECT_TRUE(runout(state)->reaches_side);
   state.origins = {{1, 0}, {2, 0}, {3, 0}};
-  EXPECT_FALSE(runout(state)->at_side) << "they stood there";
+  EXPECT_FALSE(runout(state)->reaches_side) << "they stood there";
 }
 
 TEST(Outflow, IsTheRateOfTheSteadyPart) {
@@ -273,9 +273,9 @@ TEST(Outflow, IsCountedByOutletAndSpecies) {
       {.column = 11, .row = 2, .kind = 2, .present = false},  // sticks out of the first
       {.column = 30, .row = 2, .kind = 0, .present = false},
       {.column = 2, .row = 9, .kind = 1}};
-  EXPECT_EQ(discharged_particles(state, 2), (std::vector<std::uint64_t>{1, 1, 1, 1}));
+  EXPECT_EQ(discharged_counts(state, 2), (std::vector<std::uint64_t>{1, 1, 1, 1}));
   state.outlets.pop_back();
-  EXPECT_THROW(discharged_particles(state, 2), std::invalid_argument);
+  EXPECT_THROW(discharged_counts(state, 2), std::invalid_argument);
 }
 
 TEST(Outflow, OfNothingIsZero) {

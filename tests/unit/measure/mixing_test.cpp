@@ -40,7 +40,7 @@ TEST(Mixing, FollowsThoseThatTouchOnly) {
   const grains::State row =
       grains_at(lattice::Lattice(20, 20, false), {{4, 10}, {4, 11}, {4, 12}, {6, 10}});
   const Mixing mixing(row);
-  EXPECT_NEAR(mixing.diameter(), 1.05, 0.0001);
+  EXPECT_NEAR(mixing.mean_diameter(), 1.05, 0.0001);
   ASSERT_EQ(mixing.pairs().size(), 2);  // of the column: (6, 10) is 1.73 away from the first
   EXPECT_EQ(mixing.pairs()[0].second, 1);
   EXPECT_EQ(mixing.pairs()[1].second, 2);
@@ -51,13 +51,13 @@ TEST(Mixing, CountsEachPairOnceWhereItHasFallenByADiameter) {
   Mixing mixing(state);
   step(state, {Direction::down, Direction::down, Direction::down, Direction::down});
   mixing.add(state);
-  EXPECT_TRUE(mixing.fallen().empty());  // by 1, less than 1.05
+  EXPECT_TRUE(mixing.fallen_pairs().empty());  // by 1, less than 1.05
   // The first two part by 2 x 0.866 in x, and are 2 apart; the others stay together.
   step(state, {Direction::down_left, Direction::down_right, Direction::down, Direction::down});
   mixing.add(state);
   mixing.add(state);
-  ASSERT_EQ(mixing.fallen().size(), 1);
-  const FallenPairs& row = mixing.fallen().front();
+  ASSERT_EQ(mixing.fallen_pairs().size(), 1);
+  const FallenPairs& row = mixing.fallen_pairs().front();
   EXPECT_EQ(row.pairs, 2);
   EXPECT_EQ(row.kept, 1);
   EXPECT_DOUBLE_EQ(row.kept_share(), 0.5);
@@ -74,9 +74,9 @@ TEST(Mixing, TakesTheNearestImageInAPeriodicBox) {
   step(state, {Direction::down_left, Direction::down_left});
   step(state, {Direction::down_left, Direction::down_left});
   mixing.add(state);
-  ASSERT_EQ(mixing.fallen().size(), 1);
-  EXPECT_EQ(mixing.fallen().front().kept, 1);
-  EXPECT_EQ(mixing.fallen().front().spread, 0);
+  ASSERT_EQ(mixing.fallen_pairs().size(), 1);
+  EXPECT_EQ(mixing.fallen_pairs().front().kept, 1);
+  EXPECT_EQ(mixing.fallen_pairs().front().spread, 0);
 }
 
 TEST(Mixing, EndsAPairWithTheRemovalOfOne) {
@@ -86,8 +86,8 @@ TEST(Mixing, EndsAPairWithTheRemovalOfOne) {
   step(state, {Direction::down, Direction::down, Direction::down, Direction::down});
   step(state, {Direction::down, Direction::down, Direction::down, Direction::down});
   mixing.add(state);
-  ASSERT_EQ(mixing.fallen().size(), 1);
-  EXPECT_EQ(mixing.fallen().front().pairs, 1);
+  ASSERT_EQ(mixing.fallen_pairs().size(), 1);
+  EXPECT_EQ(mixing.fallen_pairs().front().pairs, 1);
 }
 
 TEST(Mixing, OfAnEmptyBoxHasNoPairs) {
@@ -95,7 +95,7 @@ TEST(Mixing, OfAnEmptyBoxHasNoPairs) {
   Mixing mixing(state);
   mixing.add(state);
   EXPECT_TRUE(mixing.pairs().empty());
-  EXPECT_TRUE(mixing.fallen().empty());
+  EXPECT_TRUE(mixing.fallen_pairs().empty());
 }
 
 TEST(Mixing, RefusesAStateOfAnotherRun) {

@@ -47,7 +47,7 @@ TEST(ASnapshot, IsHeldAgainstAStateThatFollowedIt) {
   earlier.step = 4;
   for (const State& wrong : {fewer, earlier}) {
     EXPECT_THROW(Snapshot(begin).displacements(wrong), std::invalid_argument);
-    EXPECT_THROW(fields(Snapshot(begin), wrong, 5), std::invalid_argument);
+    EXPECT_THROW(field_cells(Snapshot(begin), wrong, 5), std::invalid_argument);
     Convection convection(begin.lattice, 5);
     convection.begin_cycle(begin);
     EXPECT_THROW(convection.end_cycle(wrong), std::invalid_argument);
@@ -65,10 +65,10 @@ TEST(ASnapshot, OfPlacesThatNoRunReachesIsRefused) {
 
 TEST(Displacements, NeedAnOriginOfEachParticle) {
   State state = two_particles();
-  EXPECT_EQ(displacements(state).size(), 2U);
+  EXPECT_EQ(distances_from_origin(state).size(), 2U);
   EXPECT_THROW(moved_share(state, kNaN), std::invalid_argument);
   state.origins.pop_back();
-  EXPECT_THROW(displacements(state), std::invalid_argument);
+  EXPECT_THROW(distances_from_origin(state), std::invalid_argument);
   EXPECT_THROW(moved_share(state, 1), std::invalid_argument);
   EXPECT_THROW(runout(state), std::invalid_argument);
 }
@@ -76,9 +76,9 @@ TEST(Displacements, NeedAnOriginOfEachParticle) {
 TEST(Contacts, AreLookedUpInTheOccupancyOfTheirState) {
   const State state = testing::pushed_state();
   const Occupancy other(testing::empty_state(4, 4));
-  EXPECT_THROW(contacts(state, other), std::invalid_argument);
+  EXPECT_THROW(overlap_contacts(state, other), std::invalid_argument);
   EXPECT_THROW(force_summary(state, other, {}), std::invalid_argument);
-  EXPECT_THROW(clogged(state, other, 0, lattice::Direction::down), std::invalid_argument);
+  EXPECT_THROW(is_clogged(state, other, 0, lattice::Direction::down), std::invalid_argument);
 }
 
 TEST(Contacts, OfParticlesThatAreNotThereAreRefused) {
@@ -100,7 +100,7 @@ TEST(ForceDistributions, AreOfPositiveNumbers) {
 
 TEST(Penetration, NeedsTheSurfaceOfItsBox) {
   const State state = testing::pushed_state();
-  EXPECT_THROW(penetration(state, state.walls.at(0), {}), std::invalid_argument);
+  EXPECT_THROW(penetration_depth(state, state.walls.at(0), {}), std::invalid_argument);
 }
 
 TEST(AnOutflow, DoesNotFlowBack) {
@@ -111,7 +111,7 @@ TEST(AnOutflow, DoesNotFlowBack) {
 }
 
 TEST(AnEmptyProfile, HasNoFlanks) {
-  EXPECT_FALSE(repose_angle({}).mean());
+  EXPECT_FALSE(repose_angle({}).mean_degrees());
   EXPECT_EQ(mean_height({}), 0);
 }
 

@@ -27,7 +27,7 @@ State points(const std::vector<lattice::Site>& sites, bool periodic = false) {
 constexpr lattice::Rectangle kLow = {0, 0, 100, 10};  // its middle line: y = 5
 
 double filling(const grains::State& state, const lattice::Rectangle& region) {
-  return fillings(state, std::array{region}).front();
+  return filled_shares(state, std::array{region}).front();
 }
 
 TEST(Filling, IsTheShareOfTheSitesWithoutWalls) {
@@ -43,12 +43,12 @@ TEST(MotionIn, IsWeightedBySites) {
   const std::vector<Displacement> displacements = {{.from = inside, .vector = {0, -4}, .sites = 1},
                                                    {.from = inside, .vector = {0, 0}, .sites = 3},
                                                    {.from = {1, 11}, .vector = {9, 9}, .sites = 5}};
-  const auto motion = motion_in(kLow, displacements, 2);
+  const auto motion = region_motion(kLow, displacements, 2);
   ASSERT_TRUE(motion);
   EXPECT_EQ(motion->particles, 2U);
   EXPECT_DOUBLE_EQ(motion->velocity.y(), -0.5);
   EXPECT_DOUBLE_EQ(motion->fluctuation, 0.5 * (1 * 1.5 * 1.5 + 3 * 0.5 * 0.5) / 4);
-  EXPECT_FALSE(motion_in({50, 50, 60, 60}, displacements, 2));
+  EXPECT_FALSE(region_motion({50, 50, 60, 60}, displacements, 2));
 }
 
 TEST(DownwardFlow, CountsWhatHasPassedTheMiddleEitherWay) {
@@ -56,11 +56,11 @@ TEST(DownwardFlow, CountsWhatHasPassedTheMiddleEitherWay) {
   const Snapshot before(state);
   state.particles[0].row = 4;
   state.particles[1].row = 4;
-  EXPECT_EQ(downward_flow(before, state, kLow), 2);
+  EXPECT_EQ(sites_moved_down(before, state, kLow), 2);
   state.particles[2].row = 7;  // upwards
   state.particles[3].row = 6;  // not as far
-  EXPECT_EQ(downward_flow(before, state, kLow), 1);
-  EXPECT_EQ(downward_flow(before, state, {0, 0, 1, 10}), 1);  // the first only
+  EXPECT_EQ(sites_moved_down(before, state, kLow), 1);
+  EXPECT_EQ(sites_moved_down(before, state, {0, 0, 1, 10}), 1);  // the first only
 }
 
 TEST(DownwardFlow, CountsWhatHasEnteredOrLeftSince) {
@@ -73,7 +73,7 @@ TEST(DownwardFlow, CountsWhatHasEnteredOrLeftSince) {
   state.origins.push_back({4, 9});  // came in above it
   state.particles.push_back({.column = 6, .row = 2});
   state.origins.push_back({6, 3});  // below
-  EXPECT_EQ(downward_flow(before, state, kLow), 2);
+  EXPECT_EQ(sites_moved_down(before, state, kLow), 2);
 }
 
 TEST(DownwardFlow, FollowsAParticleAcrossThePeriodicBoundary) {
@@ -81,8 +81,8 @@ TEST(DownwardFlow, FollowsAParticleAcrossThePeriodicBoundary) {
   const Snapshot before(state);
   state.particles[0].column = 14;  // column 4 of the box
   state.particles[0].row = 0;
-  EXPECT_EQ(downward_flow(before, state, {0, 0, 5, 10}), 1);
-  EXPECT_EQ(downward_flow(before, state, {5, 0, 8.6, 10}), 0);
+  EXPECT_EQ(sites_moved_down(before, state, {0, 0, 5, 10}), 1);
+  EXPECT_EQ(sites_moved_down(before, state, {5, 0, 8.6, 10}), 0);
 }
 
 TEST(MotionIn, AGrainOnTheEdgeOfAProbeIsInItInEveryImage) {
@@ -91,9 +91,9 @@ TEST(MotionIn, AGrainOnTheEdgeOfAProbeIsInItInEveryImage) {
     state.kinds = {{Shape::hexagon(2), 0}};
     const Snapshot before(state);
     state.step = 1;
-    EXPECT_TRUE(motion_in({0, 0, 4, 10}, before.displacements(state), 1));
+    EXPECT_TRUE(region_motion({0, 0, 4, 10}, before.displacements(state), 1));
     state.particles[0].row = 2;
-    EXPECT_EQ(downward_flow(before, state, {0, 0, 4, 7}), 19);
+    EXPECT_EQ(sites_moved_down(before, state, {0, 0, 4, 7}), 19);
   }
 }
 

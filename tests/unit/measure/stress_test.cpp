@@ -55,8 +55,8 @@ TEST(StressField, CellsShareABranchThatCrossesThem) {
       std::accumulate(cells.begin(), cells.end(), 0.0,
                       [](double total, const StressCell& cell) { return total + cell.yy; });
   EXPECT_NEAR(sum, whole, 1e-12);
-  EXPECT_NEAR(cells[grid.index({5, 1})].yy, whole * 3.6 / 8, whole / 32);
-  EXPECT_GT(cells[grid.index({5, 5})].yy, cells[grid.index({5, 1})].yy);
+  EXPECT_NEAR(cells[grid.cell_at({5, 1})].yy, whole * 3.6 / 8, whole / 32);
+  EXPECT_GT(cells[grid.cell_at({5, 5})].yy, cells[grid.cell_at({5, 1})].yy);
 }
 
 TEST(StressField, WithoutForcesThereIsNone) {
@@ -169,7 +169,7 @@ TEST(StressField, AWallInTheOpenCarriesAForceToItsFarSideOnly) {
   const Grid grid(state.lattice, 1);
   const double width = state.lattice.extent().x() / static_cast<double>(grid.columns());
   const auto carried = [&](double y) {
-    return width * cells[grid.index({6 * lattice::kColumnPitch, y})].yy;
+    return width * cells[grid.cell_at({6 * lattice::kColumnPitch, y})].yy;
   };
   EXPECT_NEAR(carried(10), 3, 1e-9);
   EXPECT_NEAR(carried(8.3), 3, 1e-9);

@@ -98,7 +98,7 @@ TEST(WeightPaths, TheBaseBearsTheWholeWeightByEachRule) {
     for (const contact::Force& force : found.forces) {
       sum += grains::is_particle(force.other) ? Vector2d::Zero() : force.on_upper();
     }
-    EXPECT_EQ(found.unsupported, 0);
+    EXPECT_EQ(found.unsupported_grains, 0);
     EXPECT_NEAR(sum.y(), static_cast<double>(state.particles.size()), 1e-9);
   }
 }
@@ -153,8 +153,8 @@ TEST(WeightPaths, CountsGrainsWhoseForceNothingHoldsOnOneSide) {
   state.particles = {particle_at(5, 3), particle_at(8, 3)};
   for (const WeightRule rule : kWeightRules) {
     const WeightPaths found = paths(state, rule);
-    EXPECT_EQ(found.outside, rule == WeightRule::q ? 0 : 1);
-    EXPECT_EQ(found.unsupported, 1);
+    EXPECT_EQ(found.one_sided_grains, rule == WeightRule::q ? 0 : 1);
+    EXPECT_EQ(found.unsupported_grains, 1);
     ASSERT_EQ(found.forces.size(), 1);
     EXPECT_EQ(found.forces.front().other, grains::wall_code(0));
     EXPECT_NEAR((found.forces.front().on_upper() - Vector2d(0, 1)).norm(), 0, 1e-12);
@@ -162,9 +162,9 @@ TEST(WeightPaths, CountsGrainsWhoseForceNothingHoldsOnOneSide) {
 }
 
 TEST(WeightPaths, ThePressureIsOverItsMeanAndOfTheBaseOnly) {
-  const Base base = {.left = 0, .right = 13};
+  const BedBase base = {.left = 0, .right = 13};
   std::vector<contact::Force> forces;
-  for (int i = 0; i < Base::kBins; ++i) {
+  for (int i = 0; i < BedBase::kBinCount; ++i) {
     forces.push_back({.other = contact::kFloor,
                       .point = {i + 0.5, 0},
                       .normal = {0, 1},
@@ -201,7 +201,7 @@ TEST(WeightPaths, BothEndsBelongToTheBaseAndHalfOfWhatIsBetweenTwoBinsToEach) {
 
 TEST(WeightPaths, TheBaseLeavesOutAHundredthOfTheSitesOnEitherSide) {
   const grains::State state = wedge();
-  const Base base = bed_base(state);
+  const BedBase base = bed_base(state);
   std::size_t left = 0;
   for (const grains::Particle& grain : state.particles) {
     left += lattice::kColumnPitch * grain.column < base.left ? 1U : 0U;

@@ -30,7 +30,7 @@ TEST(FirstFailure, OfOneThreadReachesTheCallerAfterAllHavePassedTheirBarriers) {
       }
     }
   }
-  EXPECT_TRUE(failure.failed());
+  EXPECT_TRUE(failure.has_failed());
   EXPECT_EQ(done, 0) << "work after the failure";
   EXPECT_THROW(failure.rethrow(), std::bad_alloc);
 }
@@ -47,7 +47,7 @@ TEST(FirstFailure, ThatDidNotComeThrowsNothing) {
   bool done = false;
   failure.guard([&] { done = true; });
   EXPECT_TRUE(done);
-  EXPECT_FALSE(failure.failed());
+  EXPECT_FALSE(failure.has_failed());
   EXPECT_NO_THROW(failure.rethrow());
 }
 

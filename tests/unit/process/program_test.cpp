@@ -34,7 +34,7 @@ TEST(ProgramTest, LeavesWhatItWritesAndItsExitCode) {
   const OutputCapture out;
   const OutputCapture err;
   Program program({"/bin/sh", "-c", "pwd; echo oh >&2; cat; exit 3"},
-                  {.folder = folder.path(), .out = &out, .err = &err});
+                  {.working_folder = folder.path(), .output = &out, .error_output = &err});
   EXPECT_EQ(program.wait(), 3);
   EXPECT_EQ(text(out), std::filesystem::canonical(folder.path()).string() + "\n");
   EXPECT_EQ(text(err), "oh\n");
@@ -46,7 +46,7 @@ TEST(ProgramTest, ASignalThatEndsItIsTold) {
 
 TEST(ProgramTest, ReadsAllThatItIsFedUntilTheEnd) {
   const OutputCapture out;
-  Program program({"/usr/bin/wc", "-c"}, {.out = &out, .fed = true});
+  Program program({"/usr/bin/wc", "-c"}, {.output = &out, .is_fed = true});
   const std::string much(1'000'000, 'x');
   EXPECT_TRUE(program.feed(bytes(much)));
   EXPECT_TRUE(program.feed(bytes("more")));
@@ -55,7 +55,7 @@ TEST(ProgramTest, ReadsAllThatItIsFedUntilTheEnd) {
 }
 
 TEST(ProgramTest, OneThatNoLongerReadsIsNoSignalButAnAnswer) {
-  Program program({"/bin/sh", "-c", "exit 7"}, {.fed = true});
+  Program program({"/bin/sh", "-c", "exit 7"}, {.is_fed = true});
   const std::string much(10'000'000, 'x');
   EXPECT_FALSE(program.feed(bytes(much)));
   EXPECT_EQ(program.wait(), 7);
@@ -63,7 +63,7 @@ TEST(ProgramTest, OneThatNoLongerReadsIsNoSignalButAnAnswer) {
 
 TEST(ProgramTest, OneThatIsFedIsOutOfReachOfTheTerminal) {
   const OutputCapture out;
-  Program fed({"/bin/sh", "-c", "cut -d' ' -f5 /proc/$$/stat"}, {.out = &out, .fed = true});
+  Program fed({"/bin/sh", "-c", "cut -d' ' -f5 /proc/$$/stat"}, {.output = &out, .is_fed = true});
   fed.wait();
   EXPECT_NE(std::stol(text(out)), ::getpgrp());
 }
@@ -89,14 +89,14 @@ TEST(ProgramTest, OneThatCannotBeStartedIsAnError) {
   const testing::ScratchFolder folder;
   const std::string missing = folder.path() / "missing";
   EXPECT_THROW(Program({missing}, {}), ProcessError);
-  EXPECT_THROW(Program({missing}, {.fed = true}), ProcessError);
+  EXPECT_THROW(Program({missing}, {.is_fed = true}), ProcessError);
 }
 
 TEST(ProgramTest, OneInAFolderThatIsNotThereNamesTheFolder) {
   const testing::ScratchFolder folder;
   const std::string missing = folder.path() / "missing";
   try {
-    Program({"/bin/sh", "-c", "true"}, {.folder = missing});
+    Program({"/bin/sh", "-c", "true"}, {.working_folder = missing});
     FAIL();
   } catch (const ProcessError& error) {
     EXPECT_EQ(error.what(), "cannot enter the folder " + missing + ": No such file or directory");
@@ -106,7 +106,7 @@ TEST(ProgramTest, OneInAFolderThatIsNotThereNamesTheFolder) {
 TEST(ProgramTest, OneThatHangsIsEndedOnceItIsToStop) {
   std::atomic<int> stop = 0;
   Program waits({"/bin/sleep", "1000"}, {.stop = &stop});
-  Program takes_nothing({"/bin/sleep", "1000"}, {.fed = true, .stop = &stop});
+  Program takes_nothing({"/bin/sleep", "1000"}, {.is_fed = true, .stop = &stop});
   stop = SIGINT;
   EXPECT_THROW(waits.wait(), StoppedError);
   const std::string much(10'000'000, 'x');
@@ -116,8 +116,9 @@ TEST(ProgramTest, OneThatHangsIsEndedOnceItIsToStop) {
 TEST(ProgramTest, OneThatComesToItsEndInTimeIsDone) {
   const std::atomic<int> stop = SIGINT;
   const OutputCapture out;
-  Program program({"/usr/bin/wc", "-c"},
-                  {.out = &out, .fed = true, .stop = &stop, .grace = std::chrono::minutes(1)});
+  Program program(
+      {"/usr/bin/wc", "-c"},
+      {.output = &out, .is_fed = true, .stop = &stop, .grace_period = std::chrono::minutes(1)});
   const std::string much(1'000'000, 'x');
   EXPECT_TRUE(program.feed(bytes(much)));
   EXPECT_EQ(program.wait(), 0);
@@ -127,9 +128,9 @@ TEST(ProgramTest, OneThatComesToItsEndInTimeIsDone) {
 TEST(ProgramTest, OneInheritsNoFilesButItsStreams) {
   const testing::ScratchFolder folder;
   const int open = ::open((folder.path() / "file").c_str(), O_WRONLY | O_CREAT, 0600);
-  const Program other({"/bin/sleep", "1000"}, {.fed = true});
+  const Program other({"/bin/sleep", "1000"}, {.is_fed = true});
   const OutputCapture out;
-  Program program({"/bin/ls", "/proc/self/fd"}, {.out = &out});
+  Program program({"/bin/ls", "/proc/self/fd"}, {.output = &out});
   EXPECT_EQ(program.wait(), 0);
   EXPECT_EQ(text(out), "0\n1\n2\n3\n");  // 3 is the folder that ls reads
   ::close(open);

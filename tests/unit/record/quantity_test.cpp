@@ -78,7 +78,8 @@ TEST(Quantity, OfASweepHasTheMeasuresOfStagesAndColumnsOfItsOwn) {
 }
 
 TEST(Quantity, HasTheUnitsOfARun) {
-  const scene::Conversion units = {.length_unit = "m", .time_unit = "s", .velocity_unit = "m/s"};
+  const scene::UnitConversion units = {
+      .length_unit = "m", .time_unit = "s", .velocity_unit = "m/s"};
   EXPECT_EQ(shown_unit("sites/time", units), "sites/s");
   EXPECT_EQ(shown_unit("(spacings/step)²", units), "(m/s)²");
   EXPECT_EQ(shown_unit("sites/time", {}), "sites/time");

@@ -40,7 +40,7 @@ class RestWatchTest : public ::testing::Test {
       state_.particles[id].column = column;
       state_.particles[id].previous = static_cast<grains::Move>(lattice::kDirections.front());
     }
-    return watch_.add(scene_, state_, ids.size());
+    return watch_.add_step(scene_, state_, ids.size());
   }
   /// Whether it warns while grains go to and fro over so many columns.
   bool warns(const std::vector<std::uint32_t>& ids, std::int32_t columns, std::uint64_t steps) {
@@ -66,32 +66,32 @@ class RestWatchTest : public ::testing::Test {
 };
 
 TEST_F(RestWatchTest, WarnsOnceOfGrainsThatAloneMoveOn) {
-  EXPECT_FALSE(warns({1, 3}, 3, UnsettledBedDetector::kSteps - 1));
+  EXPECT_FALSE(warns({1, 3}, 3, UnsettledBedDetector::kMinSteps - 1));
   EXPECT_THAT(step({1, 3}, 0).value_or(""),
               AllOf(HasSubstr("for 2000 steps nothing has moved but particle 1 (grain) at x ="),
                     HasSubstr(", particle 3 (grain) at x =")));
-  EXPECT_FALSE(warns({1, 3}, 3, 2 * UnsettledBedDetector::kSteps));
+  EXPECT_FALSE(warns({1, 3}, 3, 2 * UnsettledBedDetector::kMinSteps));
 }
 
 TEST_F(RestWatchTest, DoesNotWarnOfWhatSettles) {
-  EXPECT_FALSE(warns({2}, 2, 2 * UnsettledBedDetector::kSteps))
+  EXPECT_FALSE(warns({2}, 2, 2 * UnsettledBedDetector::kMinSteps))
       << "to a neighbouring site and back";
-  EXPECT_FALSE(warns({0, 1, 2, 3}, 3, 2 * UnsettledBedDetector::kSteps)) << "too many";
-  EXPECT_FALSE(warns({}, 1, 2 * UnsettledBedDetector::kSteps)) << "nothing moves";
+  EXPECT_FALSE(warns({0, 1, 2, 3}, 3, 2 * UnsettledBedDetector::kMinSteps)) << "too many";
+  EXPECT_FALSE(warns({}, 1, 2 * UnsettledBedDetector::kMinSteps)) << "nothing moves";
 }
 
 TEST_F(RestWatchTest, BeginsAnewWithOtherGrainsAndWithOneThatComesLower) {
-  EXPECT_FALSE(warns({0, 1, 2}, 3, UnsettledBedDetector::kSteps - 1));
-  EXPECT_FALSE(warns({3}, 3, UnsettledBedDetector::kSteps - 1));
+  EXPECT_FALSE(warns({0, 1, 2}, 3, UnsettledBedDetector::kMinSteps - 1));
+  EXPECT_FALSE(warns({3}, 3, UnsettledBedDetector::kMinSteps - 1));
   --state_.particles[3].row;
-  EXPECT_FALSE(warns({3}, 3, UnsettledBedDetector::kSteps - 1));
+  EXPECT_FALSE(warns({3}, 3, UnsettledBedDetector::kMinSteps - 1));
   EXPECT_TRUE(warns({3}, 3, 10));
 }
 
 TEST_F(RestWatchTest, BeginsAnewWithAGrainThatFlies) {
-  EXPECT_FALSE(warns({3}, 3, UnsettledBedDetector::kSteps - 1));
+  EXPECT_FALSE(warns({3}, 3, UnsettledBedDetector::kMinSteps - 1));
   state_.particles[3].row += 4;
-  EXPECT_FALSE(warns({3}, 3, UnsettledBedDetector::kSteps - 1));
+  EXPECT_FALSE(warns({3}, 3, UnsettledBedDetector::kMinSteps - 1));
   EXPECT_TRUE(warns({3}, 3, 10));
 }
 

@@ -243,7 +243,7 @@ TEST_F(SeriesForces, AreOnlyThereWhereTheSceneWantsThem) {
   const auto names = store::read_table(path() / "series.csv").column_names;
   EXPECT_THAT(names, ::testing::Not(::testing::Contains("force_x.plate")));
   EXPECT_THAT(names, ::testing::Not(::testing::Contains("mass_flow_rate")));
-  EXPECT_FALSE(store::read_summary(path() / "run.json").units->site);
+  EXPECT_FALSE(store::read_summary(path() / "run.json").units->site_mass);
 }
 
 }  // namespace

@@ -44,7 +44,7 @@ void write_movie(const fs::path& file, int width, int height) {
 std::string output_of(std::vector<std::string> arguments) {
   arguments[0] = process::find_program(arguments[0]).value().string();
   const process::OutputCapture out;
-  EXPECT_EQ(process::Program(arguments, {.out = &out}).wait(), 0);
+  EXPECT_EQ(process::Program(arguments, {.output = &out}).wait(), 0);
   const auto bytes = out.bytes();
   return {bytes.begin(), bytes.end()};
 }

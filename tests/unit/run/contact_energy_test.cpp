@@ -146,10 +146,10 @@ TEST_F(ContactEnergyTest, EnergyThatFallsWithoutEndIsMeasuredByItsFall) {
   record::EnergyRecord record(scene);
   record.begin(scene.stages.front(), model);
   const double start = model.contact()->energy().sum();
-  EXPECT_FALSE(record.add(model, {.sources = 100 * start}));
-  EXPECT_EQ(record.growth().value(), 0);
-  EXPECT_FALSE(record.add(model, {.outlets = 0.3 * start}));
-  EXPECT_NEAR(record.growth().value(), 0.003, 1e-12);
+  EXPECT_FALSE(record.add_step(model, {.sources = 100 * start}));
+  EXPECT_EQ(record.energy_growth().value(), 0);
+  EXPECT_FALSE(record.add_step(model, {.outlets = 0.3 * start}));
+  EXPECT_NEAR(record.energy_growth().value(), 0.003, 1e-12);
 }
 
 TEST_F(ContactEnergyTest, EnergyThatGrowsIsToldOnce) {
@@ -159,14 +159,14 @@ TEST_F(ContactEnergyTest, EnergyThatGrowsIsToldOnce) {
   record::EnergyRecord record(scene);
   record.begin(scene.stages.front(), model);
   const double start = model.contact()->energy().sum();
-  EXPECT_FALSE(record.add(model, {.outlets = 0.008 * start}));
-  EXPECT_THAT(record.add(model, {.outlets = 0.004 * start}).value(),
+  EXPECT_FALSE(record.add_step(model, {.outlets = 0.008 * start}));
+  EXPECT_THAT(record.add_step(model, {.outlets = 0.004 * start}).value(),
               HasSubstr(fmt::format("from {0:.0f} to {1:.0f}, by 1.2 % of the {0:.0f}", start,
                                     1.012 * start)));
-  EXPECT_NEAR(record.growth().value(), 0.012, 1e-12);
-  EXPECT_FALSE(record.add(model, {.outlets = start}));
+  EXPECT_NEAR(record.energy_growth().value(), 0.012, 1e-12);
+  EXPECT_FALSE(record.add_step(model, {.outlets = start}));
   record.begin(scene.stages.back(), model);  // with a source
-  EXPECT_FALSE(record.growth());
+  EXPECT_FALSE(record.energy_growth());
 }
 
 TEST_F(ContactEnergyTest, TheSeriesOfAnAutomatonHasNone) {

@@ -123,7 +123,7 @@ TEST_F(ContactTimeTest, AStageUntilATimeTakesItsStepsAndGoesOnToALaterOne) {
   };
   const auto first = run(timed("0.1"), {.folder = path()});
   EXPECT_EQ(first.stages[1].end_reason, "time");
-  EXPECT_EQ(first.stages[1].steps, *scene::steps_of(timed("0.1").stages[1].until));
+  EXPECT_EQ(first.stages[1].steps, *scene::fixed_steps(timed("0.1").stages[1].until));
   EXPECT_THAT([&] { resume(load_run(path(), kMuch, "{time: 0.05}"), {}); },
               ::testing::ThrowsMessage<scene::SceneError>(HasSubstr("has passed this end")));
   const auto later = resume(load_run(path(), kMuch, "{time: 0.2}"), {});

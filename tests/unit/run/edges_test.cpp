@@ -223,7 +223,7 @@ TEST_F(FrameForces, DoNotKnowTheEndThatAStageHadBefore) {
 TEST_F(FrameForces, AreThoseOfAnEndWrittenInStepsOrAsATime) {
   const std::vector<scene::Override> measured = {"measure=[force]"};
   const store::RunSummary steps = run_of(kOneGrain, measured, "steps");
-  const double time = scene::conversion(scene::parse(kOneGrain, "scene.yaml"))->time(120);
+  const double time = scene::unit_conversion(scene::parse(kOneGrain, "scene.yaml"))->time(120);
   const store::RunSummary in_time =
       run_of(kOneGrain, {measured[0], fmt::format("stages.s.until={{time: {}}}", time)}, "time");
   ASSERT_EQ(in_time.stages.front().steps, 120U);

@@ -25,7 +25,7 @@ double memory_with(const std::vector<scene::Override>& overrides) {
 
 TEST(MemoryOf, GrowsWithWhatIsWritten) {
   const double least = memory_with({});
-  EXPECT_GT(least, scene::size_of(scene::parse(kScene, "scene.yaml")).bytes);
+  EXPECT_GT(least, scene::model_size(scene::parse(kScene, "scene.yaml")).memory_bytes);
   EXPECT_GT(memory_with({"output.trajectory={}"}), least + 0x1p24);
   EXPECT_GT(memory_with({"measure=[mixing]"}), least + 400 * 100);
   const std::string picture = "width: 1000, height: 500, supersampling: 3";

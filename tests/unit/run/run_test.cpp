@@ -147,7 +147,8 @@ TEST(Run, DerivesMeasuresFromOthersAndSaysWhatTheyAre) {
   EXPECT_EQ(measures.back(), store::NamedMeasure("none", {})) << "the heap has no left flank";
   const auto read = store::read_summary(folder.path() / "out" / "run.json");
   EXPECT_TRUE(std::ranges::equal(read.derived_measures, summary.derived_measures, {},
-                                 &scene::DerivedMeasure::value, &scene::DerivedMeasure::value));
+                                 &scene::DerivedMeasure::expression,
+                                 &scene::DerivedMeasure::expression));
   EXPECT_EQ(read.stages[1].measures, measures);
   const record::KnownQuantities known = record::known_quantities(read);
   EXPECT_EQ(known.find("ratio")->name, "Reach");

@@ -41,8 +41,8 @@ TEST(BoltzmannScene, FillsInTheDefaults) {
   expected.title = "gas";
   expected.restitutions = {0.5};
   expected.friction = 0.3;
-  expected.histograms = {0, 15};
-  expected.checkpoint = Checkpoints{.every = {}, .seconds = 60};
+  expected.histogram_times = {0, 15};
+  expected.checkpoint = CheckpointIntervals{.every_steps = {}, .every_seconds = 60};
   EXPECT_EQ(to_yaml(scene), to_yaml(expected));
   EXPECT_EQ(scene.name, "gas");
   EXPECT_EQ(scene.location, "folder/gas.yaml:2:1");
@@ -53,17 +53,17 @@ TEST(BoltzmannScene, ReadsEverything) {
   EXPECT_EQ(scene.particles, 500U);
   EXPECT_EQ(scene.initial, boltzmann::InitialDistribution::equal_energy);
   EXPECT_FALSE(scene.exact_moments);
-  EXPECT_TRUE(scene.quasi);
+  EXPECT_TRUE(scene.quasi_random);
   EXPECT_THAT(scene.restitutions, ElementsAre(1, 0, 0.8349));
   EXPECT_TRUE(scene.has_restitution_list);
   EXPECT_EQ(scene.friction, 1e-7);
   EXPECT_EQ(scene.roughness, -0.25);
   EXPECT_EQ(scene.energy_ratio, 1e6);
   EXPECT_EQ(scene.scheme, boltzmann::Scheme(boltzmann::OgawaKato{1e-3, 7, true}));
-  EXPECT_EQ(scene.until, 1e9);
-  EXPECT_EQ(scene.ensemble, 12U);
-  EXPECT_EQ(scene.series_every, 1e5);
-  EXPECT_THAT(scene.histograms, IsEmpty());
+  EXPECT_EQ(scene.end_time, 1e9);
+  EXPECT_EQ(scene.ensemble_size, 12U);
+  EXPECT_EQ(scene.series_interval, 1e5);
+  EXPECT_THAT(scene.histogram_times, IsEmpty());
   EXPECT_EQ(std::get<UniformBins>(scene.bins).width, 0.3);
 }
 
@@ -81,11 +81,13 @@ TEST(BoltzmannScene, KeepsAListOfOne) {
 TEST(BoltzmannScene, TakesTheLastValuesThatAreAllowed) {
   EXPECT_EQ(std::get<QuantileBins>(gas_with("output: {bins: q2}").bins).count, 2);
   EXPECT_EQ(std::get<QuantileBins>(gas_with("output: {bins: q1000}").bins).count, 1000);
-  EXPECT_EQ(std::get<UniformBins>(gas_with("output: {bins: {width: 15, end: 15}}").bins).end, 15);
+  EXPECT_EQ(
+      std::get<UniformBins>(gas_with("output: {bins: {width: 15, end: 15}}").bins).last_bin_start,
+      15);
   const BinsSpec narrow = gas_with("output: {bins: {width: 0.0015, end: 15}}").bins;
   EXPECT_EQ(std::get<UniformBins>(narrow).width, 0.0015);
-  EXPECT_EQ(gas_with("output: {series: {every: 1.5e-5}}").series_every, 1.5e-5);
-  EXPECT_THAT(gas_with("output: {histograms: [15]}").histograms, ElementsAre(15));
+  EXPECT_EQ(gas_with("output: {series: {every: 1.5e-5}}").series_interval, 1.5e-5);
+  EXPECT_THAT(gas_with("output: {histograms: [15]}").histogram_times, ElementsAre(15));
 }
 
 TEST(BoltzmannScene, HasAtMostAThousandHistograms) {
@@ -93,7 +95,8 @@ TEST(BoltzmannScene, HasAtMostAThousandHistograms) {
   for (int i = 1; i < 1000; ++i) {
     times += fmt::format(", {}", 0.01 * i);
   }
-  EXPECT_EQ(gas_with(fmt::format("output: {{histograms: [{}]}}", times)).histograms.size(), 1000U);
+  EXPECT_EQ(gas_with(fmt::format("output: {{histograms: [{}]}}", times)).histogram_times.size(),
+            1000U);
   EXPECT_THAT([&] { gas_with(fmt::format("output: {{histograms: [{}, 15]}}", times)); },
               ThrowsMessage<SceneError>(::testing::StrEq(
                   "folder/gas.yaml:5:22: error: output.histograms: expected 0 to 1000 items, "
@@ -187,7 +190,7 @@ output:
 
 TEST(BytesOf, GrowWithParticlesAndMembersThatRunAtATime) {
   const auto bytes = [](const std::vector<Override>& overrides, int threads) {
-    return bytes_of(gas_with("", overrides), threads);
+    return gas_run_bytes(gas_with("", overrides), threads);
   };
   const std::string many = "boltzmann.particles=1000000";
   // At work 104 bytes a particle. While it is saved: itself, columns, file and what goes to the
@@ -205,10 +208,11 @@ TEST(BytesOf, GrowWithParticlesAndMembersThatRunAtATime) {
 }
 
 TEST(BytesOf, GrowWithTheTables) {
-  const double least = bytes_of(gas_with("output: {histograms: []}"), 1);
-  EXPECT_GE(bytes_of(gas_with("output: {histograms: [1, 2], bins: {width: 0.01, end: 15}}"), 1),
-            least + 2 * 1501 * 4 * 8.0);
-  EXPECT_GE(bytes_of(gas_with("output: {histograms: [], series: {every: 15e-4}}"), 1),
+  const double least = gas_run_bytes(gas_with("output: {histograms: []}"), 1);
+  EXPECT_GE(
+      gas_run_bytes(gas_with("output: {histograms: [1, 2], bins: {width: 0.01, end: 15}}"), 1),
+      least + 2 * 1501 * 4 * 8.0);
+  EXPECT_GE(gas_run_bytes(gas_with("output: {histograms: [], series: {every: 15e-4}}"), 1),
             least + 9900 * 20 * 8.0);
 }
 

@@ -66,28 +66,28 @@ TEST(ParseContact, BoundsAStageByTheStepsOfItsCycles) {
 TEST(ParseContact, FillsInTheDefaults) {
   const Scene scene = contact_with("");
   EXPECT_EQ(scene.model, Model::contact);
-  EXPECT_EQ(scene.contact, Parameters());
-  EXPECT_EQ(scene.contact, contact_with("contact: {}").contact);
-  EXPECT_EQ(scene.rules, automaton::Rules());
+  EXPECT_EQ(scene.contact_parameters, Parameters());
+  EXPECT_EQ(scene.contact_parameters, contact_with("contact: {}").contact_parameters);
+  EXPECT_EQ(scene.automaton_rules, automaton::Rules());
   EXPECT_FALSE(scene.walls[0].friction.has_value());
 }
 
 TEST(ParseContact, ReadsEveryKey) {
   const Scene scene = contact_with(kEverything);
-  EXPECT_EQ(scene.contact, (Parameters{.friction = 16384,
-                                       .wall_friction = 0,
-                                       .rolling = Rolling::none,
-                                       .rolling_friction = 1e-3,
-                                       .restitution = 0.99,
-                                       .sweeps = 64,
-                                       .resolution = 0.5,
-                                       .fall_height = 1e5}));
+  EXPECT_EQ(scene.contact_parameters, (Parameters{.friction = 16384,
+                                                  .wall_friction = 0,
+                                                  .rolling = Rolling::none,
+                                                  .rolling_friction = 1e-3,
+                                                  .restitution = 0.99,
+                                                  .sweeps = 64,
+                                                  .resolution = 0.5,
+                                                  .fall_height = 1e5}));
   EXPECT_EQ(scene.walls[0].friction, 0.25);
   EXPECT_FALSE(scene.walls[1].friction.has_value());
 }
 
 TEST(ParseContact, TakesAutoForAHeightThatIsEstimated) {
-  EXPECT_EQ(contact_with("contact: {fall_height: auto}").contact.fall_height, 0);
+  EXPECT_EQ(contact_with("contact: {fall_height: auto}").contact_parameters.fall_height, 0);
 }
 
 TEST(ParseContact, KnowsAHexagonHoweverItIsGiven) {
@@ -104,11 +104,11 @@ TEST(ParseContact, TakesTheScenesOfTheAutomatonWithoutRulesOrMotion) {
   const auto folder = std::filesystem::path(CLCA_SOURCE_DIR) / "scenes";
   const Scene scene = parse_file(folder / "wall-removal.yaml", {"model=contact"});
   EXPECT_EQ(scene.model, Model::contact);
-  EXPECT_EQ(scene.contact, Parameters());
+  EXPECT_EQ(scene.contact_parameters, Parameters());
 }
 
 TEST(ParseContact, TakesOverrides) {
-  EXPECT_EQ(contact_with("", {"contact.friction=0.1"}).contact.friction, 0.1);
+  EXPECT_EQ(contact_with("", {"contact.friction=0.1"}).contact_parameters.friction, 0.1);
   EXPECT_EQ(contact_with("", {"walls.left.friction=0.1"}).walls[0].friction, 0.1);
   const Scene scene = contact_with("contact: {fall_height: 9}", {"contact.fall_height=auto"});
   EXPECT_EQ(to_yaml(scene), to_yaml(contact_with("")));
@@ -143,7 +143,7 @@ TEST(ParseContact, GivesAStageAsManyStepsAsItsCyclesTake) {
   };
   EXPECT_EQ(turning(-0.01).stages.front().max_steps, 1'000'000U) << "the default is more";
   const Scene slow = turning(1e-7);
-  const double period = 1e7 / conversion(slow)->time_step;
+  const double period = 1e7 / unit_conversion(slow)->time_step;
   EXPECT_NEAR(static_cast<double>(slow.stages.front().max_steps), 3 * period, 1e-6 * period);
   EXPECT_THAT([&] { turning(1e-7, {"stages.first.max_steps=1000"}); },
               ThrowsMessage<SceneError>(HasSubstr("1000 is less than the ")));
@@ -151,11 +151,11 @@ TEST(ParseContact, GivesAStageAsManyStepsAsItsCyclesTake) {
 
 TEST(ParseContact, AveragesForcesOverAWindow) {
   EXPECT_FALSE(contact_with("").output.contacts);
-  const Contacts contacts =
+  const ContactSampling contacts =
       contact_with("", {"output.contacts={every: 2, window: 50}"}).output.contacts.value();
   EXPECT_EQ(contacts.every, 2U);
-  EXPECT_EQ(contacts.window, 50U);
-  EXPECT_EQ(contact_with("", {"output.contacts={}"}).output.contacts->window, 100U);
+  EXPECT_EQ(contacts.window_steps, 50U);
+  EXPECT_EQ(contact_with("", {"output.contacts={}"}).output.contacts->window_steps, 100U);
   const Scene scene = contact_with("", {"output.contacts={every: 2, window: 50}"});
   EXPECT_EQ(testing::reparsed(scene), to_yaml(scene));
 }
@@ -213,9 +213,9 @@ TEST(SizeOf, CountsVelocitiesAndContactsOfTheContactModel) {
   const std::string_view many =
       "stages: [{name: first, fill: {region: [0, 0, 50, 50], counts: {small: 100}},"
       " sources: [spout]}]";
-  const Size size = size_of(contact_with(many));
-  EXPECT_GT(size.bytes, size_of(contact_with(many, {"model=automaton"})).bytes +
-                            1000 * static_cast<double>(size.particles));
+  const ModelSize size = model_size(contact_with(many));
+  EXPECT_GT(size.memory_bytes, model_size(contact_with(many, {"model=automaton"})).memory_bytes +
+                                   1000 * static_cast<double>(size.max_particles));
 }
 
 }  // namespace clca::scene::contact_test

@@ -83,9 +83,9 @@ TEST(Fill, PixelsOfAFileHaveTheNearestColourOrAreEmpty) {
 
 TEST(Fill, OfAMixCountsInTheEstimateOfMemory) {
   const Scene scene = scene_with_fill("mix: {small: 1, large: 1}");
-  const Size size = size_of(scene);
-  EXPECT_GT(size.particles, 100U);
-  EXPECT_LT(size.particles, 1000U);  // of 13 sites in the mean
+  const ModelSize size = model_size(scene);
+  EXPECT_GT(size.max_particles, 100U);
+  EXPECT_LT(size.max_particles, 1000U);  // of 13 sites in the mean
 }
 
 }  // namespace

@@ -67,64 +67,66 @@ TEST(Format, ATableOfSeveralMapsHasTheirPaths) {
 }
 
 TEST(Format, ExplainsAKey) {
-  EXPECT_EQ(explain("rules.inertia"),
+  EXPECT_EQ(explanation("rules.inertia"),
             "rules.inertia: probability to keep the direction of the last step, if free\n"
             "  0 to 1; default: 0.9\n");
-  EXPECT_EQ(explain("box.width"),
+  EXPECT_EQ(explanation("box.width"),
             "box.width: width; columns stand 0.866 apart\n  1 to 866025; required\n");
-  EXPECT_THAT(explain("contact.rolling"),
+  EXPECT_THAT(explanation("contact.rolling"),
               EndsWith("none, resistance, free; default: resistance\n"));
 }
 
 TEST(Format, ExplainsAKeyByItsNameWhereverItIs) {
-  EXPECT_EQ(explain("inertia"), explain("rules.inertia") + "\n" + explain("stages.rules.inertia"));
-  EXPECT_EQ(explain("fall_height"), explain("contact.fall_height"));
-  EXPECT_EQ(explain("lines").find("stages"), std::string::npos);  // the one at the top
+  EXPECT_EQ(explanation("inertia"),
+            explanation("rules.inertia") + "\n" + explanation("stages.rules.inertia"));
+  EXPECT_EQ(explanation("fall_height"), explanation("contact.fall_height"));
+  EXPECT_EQ(explanation("lines").find("stages"), std::string::npos);  // the one at the top
 }
 
 TEST(Format, DotsAndSpacesAloneAreNoKey) {
-  EXPECT_EQ(explain("box."), explain("box"));
+  EXPECT_EQ(explanation("box."), explanation("box"));
   for (const std::string path : {".", "..", "box..", " ", "a"}) {
-    EXPECT_THAT([&] { explain(path); },
+    EXPECT_THAT([&] { explanation(path); },
                 ThrowsMessage<UnknownKeyError>("the scene format has no key '" + path + "'"));
   }
-  EXPECT_THROW(explain(" x"), UnknownKeyError);
-  EXPECT_THROW(explain("walls..box"), UnknownKeyError);
+  EXPECT_THROW(explanation(" x"), UnknownKeyError);
+  EXPECT_THROW(explanation("walls..box"), UnknownKeyError);
 }
 
 TEST(Format, LeavesOutWhereToReadOn) {
-  EXPECT_THAT(explain("model"), HasSubstr("or energies of velocities and axes\n"));
-  EXPECT_THAT(explain("begin"), HasSubstr("that this one begins with\n"));
-  EXPECT_THAT(explain("box"), HasSubstr("the box that everything happens in\n"));
+  EXPECT_THAT(explanation("model"), HasSubstr("or energies of velocities and axes\n"));
+  EXPECT_THAT(explanation("begin"), HasSubstr("that this one begins with\n"));
+  EXPECT_THAT(explanation("box"), HasSubstr("the box that everything happens in\n"));
 }
 
 TEST(Format, SaysADefaultThatIsNoValueInOtherWords) {
-  EXPECT_THAT(explain("output.view"), HasSubstr("; if left out: the whole box\n"));
-  EXPECT_THAT(explain("stages.fill"), HasSubstr("map; default: none\n"));
-  EXPECT_THAT(explain("stages.fill.picture.rows"), HasSubstr("list of texts; this or file\n"));
+  EXPECT_THAT(explanation("output.view"), HasSubstr("; if left out: the whole box\n"));
+  EXPECT_THAT(explanation("stages.fill"), HasSubstr("map; default: none\n"));
+  EXPECT_THAT(explanation("stages.fill.picture.rows"), HasSubstr("list of texts; this or file\n"));
 }
 
 TEST(Format, ExplainsTheKeysOfAMap) {
-  EXPECT_THAT(explain("output.fields"),
+  EXPECT_THAT(explanation("output.fields"),
               EndsWith("  cell: side of a cell in lattice spacings\n    1 to 1000; default: 8\n\n"
                        "  every: steps of a window\n    1 to 10^12; default: 100\n"));
 }
 
 TEST(Format, TakesThePathsOfSet) {
-  EXPECT_THAT(explain("walls.gate.motion.wave.period"), HasSubstr("walls.NAME.motion.wave.period"));
-  EXPECT_EQ(explain("stages.flow.until.steps"), explain("stages.until.steps"));
-  EXPECT_EQ(explain("walls.tray.parts.0.disc.radius"), explain("walls.parts.disc.radius"));
+  EXPECT_THAT(explanation("walls.gate.motion.wave.period"),
+              HasSubstr("walls.NAME.motion.wave.period"));
+  EXPECT_EQ(explanation("stages.flow.until.steps"), explanation("stages.until.steps"));
+  EXPECT_EQ(explanation("walls.tray.parts.0.disc.radius"), explanation("walls.parts.disc.radius"));
 }
 
 TEST(Format, SaysWhatBothKindsOfScenesHave) {
-  EXPECT_THAT(explain("output"), HasSubstr("In a scene of the Boltzmann equation:\n\noutput"));
-  EXPECT_THAT(explain("boltzmann:output.bins"), HasSubstr("q2 to q1000"));
+  EXPECT_THAT(explanation("output"), HasSubstr("In a scene of the Boltzmann equation:\n\noutput"));
+  EXPECT_THAT(explanation("boltzmann:output.bins"), HasSubstr("q2 to q1000"));
 }
 
 TEST(Format, RefusesAKeyThatItDoesNotHaveWithTheNearest) {
   const auto refusal = [](const std::string& path) -> std::string {
     try {
-      return explain(path);
+      return explanation(path);
     } catch (const UnknownKeyError& error) {
       return error.what();
     }

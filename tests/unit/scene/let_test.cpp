@@ -27,7 +27,7 @@ TEST(Let, NamesANumberForExpressionsWhereverANumberStands) {
   const Scene scene = scene_of(kLet);
   EXPECT_EQ(scene.box.width, 120);
   EXPECT_EQ(scene.box.height, 90);
-  EXPECT_EQ(scene.rules.inertia, 0.125);
+  EXPECT_EQ(scene.automaton_rules.inertia, 0.125);
 }
 
 TEST(Let, IsSetByItsNameAndMovesAllThatDependsOnIt) {
@@ -36,7 +36,7 @@ TEST(Let, IsSetByItsNameAndMovesAllThatDependsOnIt) {
     EXPECT_EQ(scene.box.width, 160) << name;
     EXPECT_EQ(scene.box.height, 120) << name;
   }
-  EXPECT_EQ(scene_of(kLet, {"rules.inertia==pull/2"}).rules.inertia, 0.25);
+  EXPECT_EQ(scene_of(kLet, {"rules.inertia==pull/2"}).automaton_rules.inertia, 0.25);
 }
 
 TEST(Let, TheResolvedSceneHasTheNumbers) {
@@ -51,8 +51,8 @@ TEST(Let, LargeWholeNumbersHaveNoExponent) {
 }
 
 TEST(Let, ConstantsHaveAllTheirDigits) {
-  EXPECT_EQ(scene_of("rules: {inertia: =_pi/4}").rules.inertia, std::numbers::pi / 4);
-  EXPECT_EQ(scene_of("rules: {inertia: =_e/4}").rules.inertia, std::numbers::e / 4);
+  EXPECT_EQ(scene_of("rules: {inertia: =_pi/4}").automaton_rules.inertia, std::numbers::pi / 4);
+  EXPECT_EQ(scene_of("rules: {inertia: =_e/4}").automaton_rules.inertia, std::numbers::e / 4);
 }
 
 TEST(Derived, HasTheNumbersOfNamesAndOfKeysInItsExpression) {
@@ -62,12 +62,12 @@ TEST(Derived, HasTheNumbersOfNamesAndOfKeysInItsExpression) {
       "          twice: {value: '=min(2*ratio, 1e-3)', unit: spacings, about: Twice it},\n"
       "          walls: =box.width*rules.inertia + discharged.drain}\n";
   const Scene scene = scene_of(kPart);
-  ASSERT_EQ(scene.derived.size(), 3U);
-  EXPECT_EQ(scene.derived[0].value, "=runout_99 / 30 ^ (-2)");
-  EXPECT_EQ(scene.derived[0].unit, "1");
-  EXPECT_EQ(scene.derived[1].value, "=min(2*ratio, 1e-3)");
-  EXPECT_EQ(scene.derived[1].about, "Twice it");
-  EXPECT_EQ(scene.derived[2].value, "=100*0.9 + discharged.drain");
+  ASSERT_EQ(scene.derived_measures.size(), 3U);
+  EXPECT_EQ(scene.derived_measures[0].expression, "=runout_99 / 30 ^ (-2)");
+  EXPECT_EQ(scene.derived_measures[0].unit, "1");
+  EXPECT_EQ(scene.derived_measures[1].expression, "=min(2*ratio, 1e-3)");
+  EXPECT_EQ(scene.derived_measures[1].about, "Twice it");
+  EXPECT_EQ(scene.derived_measures[2].expression, "=100*0.9 + discharged.drain");
   EXPECT_EQ(scene.measures.size(), 11U) << "beside all others";
   EXPECT_EQ(testing::reparsed(scene), to_yaml(scene));
 }
@@ -75,9 +75,10 @@ TEST(Derived, HasTheNumbersOfNamesAndOfKeysInItsExpression) {
 TEST(Derived, StandsInTheListOfMeasuresToo) {
   const Scene scene = scene_of("measure: [runout, {ratio: =runout_99 / 3}, {half: =ratio / 2}]");
   EXPECT_EQ(scene.measures, std::vector{Measure::runout});
-  ASSERT_EQ(scene.derived.size(), 2U);
-  EXPECT_EQ(scene.derived[1].name, "half");
-  EXPECT_EQ(scene_of("measure: [runout]", {"measure={ratio: =runout_99}"}).derived.size(), 1U);
+  ASSERT_EQ(scene.derived_measures.size(), 2U);
+  EXPECT_EQ(scene.derived_measures[1].name, "half");
+  EXPECT_EQ(scene_of("measure: [runout]", {"measure={ratio: =runout_99}"}).derived_measures.size(),
+            1U);
 }
 
 TEST(Let, ATitleMayBeginWithAnEqualsSign) {

@@ -97,21 +97,21 @@ TEST(ParseMotion, ReadsOneBodyOfSeveralPartsAndItsPassiveRule) {
   ASSERT_EQ(tray.parts.size(), 2U);
   EXPECT_EQ(std::get<lattice::Rectangle>(tray.parts[0]), (lattice::Rectangle{0, 0, 100, 2}));
   EXPECT_EQ(std::get<lattice::Segment>(tray.parts[1]), (lattice::Segment{{0, 2}, {0, 60}, 1}));
-  EXPECT_EQ(tray.passive, grains::PassiveRule::overlap);
+  EXPECT_EQ(tray.passive_rule, grains::PassiveRule::overlap);
   EXPECT_EQ(tray.location, "scene.yaml:9:5");
-  EXPECT_EQ(scene.walls[1].passive, grains::PassiveRule::rigid);
+  EXPECT_EQ(scene.walls[1].passive_rule, grains::PassiveRule::rigid);
   EXPECT_FALSE(scene.walls[2].motion.has_value());
 }
 
 TEST(ParseMotion, ReadsWhatStagesInsertAndMove) {
   const Scene scene = scene_with(kTray);
-  EXPECT_THAT(scene.stages[0].insert, ElementsAre(1));
+  EXPECT_THAT(scene.stages[0].inserted_walls, ElementsAre(1));
   EXPECT_EQ(scene.stages[0].insert_location, "scene.yaml:17:45");
-  EXPECT_THAT(scene.stages[0].move, ElementsAre(0, 1));
+  EXPECT_THAT(scene.stages[0].moving_walls, ElementsAre(0, 1));
   EXPECT_EQ(std::get<UntilCycles>(scene.stages[0].until).cycles, 3);
   EXPECT_EQ(scene.stages[0].max_steps, 1'000'000);
   EXPECT_TRUE(scene.stages[1].insert_location.empty());
-  EXPECT_TRUE(scene.stages[2].move.empty());
+  EXPECT_TRUE(scene.stages[2].moving_walls.empty());
 }
 
 TEST(ParseMotion, ADefaultBoundGivesWayToTheCyclesOfTheLongestWave) {
@@ -129,10 +129,10 @@ TEST(ParseMotion, ReadsNewMeasuresAndOutputs) {
                                           Measure::convection));
   EXPECT_EQ(scene.output.frames->color_by, ColorBy::force);
   EXPECT_EQ(scene.output.frames->overlay, Overlay::arrows);
-  EXPECT_EQ(scene.output.fields->cell, 2.5);
+  EXPECT_EQ(scene.output.fields->cell_side, 2.5);
   EXPECT_EQ(scene.output.fields->every, 100);
   EXPECT_EQ(scene.output.contacts->every, 3);
-  EXPECT_EQ(scene_with("output: {fields: {}, contacts: none}").output.fields->cell, 8);
+  EXPECT_EQ(scene_with("output: {fields: {}, contacts: none}").output.fields->cell_side, 8);
 }
 
 TEST(ParseMotion, ToYamlAndBackIsTheSameScene) {

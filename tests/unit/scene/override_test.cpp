@@ -82,7 +82,7 @@ constexpr auto kBad = std::to_array<BadOverride>({
 }  // namespace
 
 TEST(Override, ReplacesAValue) {
-  EXPECT_EQ(overridden({"rules.inertia=0.5"}).rules.inertia, 0.5);
+  EXPECT_EQ(overridden({"rules.inertia=0.5"}).automaton_rules.inertia, 0.5);
   const Box box = overridden({"box={width: 99, height: 60}"}).box;
   EXPECT_EQ(box.width, 99);
   EXPECT_EQ(box.height, 60);
@@ -90,7 +90,7 @@ TEST(Override, ReplacesAValue) {
 }
 
 TEST(Override, AddsAKey) {
-  EXPECT_EQ(overridden({"rules.scatter=1"}).rules.scatter, 1);
+  EXPECT_EQ(overridden({"rules.scatter=1"}).automaton_rules.scatter, 1);
   EXPECT_EQ(overridden({"walls.new={box: [9, 0, 12, 9]}"}).walls.back().name, "new");
   EXPECT_EQ(overridden({"output.frames.view=[0, 0, 9, 9]"}).output.frames->every, 10);
 }
@@ -106,10 +106,10 @@ TEST(Override, FindsStagesByNumberAndByName) {
 }
 
 TEST(Override, PutsAnEndInPlaceOfAnother) {
-  const Until by_steps = overridden({"stages.flow.until.steps=50"}).stages[1].until;
+  const EndCondition by_steps = overridden({"stages.flow.until.steps=50"}).stages[1].until;
   EXPECT_EQ(std::get<UntilSteps>(by_steps).steps, 50);
-  const Until by_share = overridden({"stages.first.until.discharged=1"}).stages[0].until;
-  EXPECT_EQ(std::get<UntilDischarged>(by_share).share, 1);
+  const EndCondition by_share = overridden({"stages.first.until.discharged=1"}).stages[0].until;
+  EXPECT_EQ(std::get<UntilDischarged>(by_share).discharged_share, 1);
 }
 
 TEST(Override, PutsAMotionOfTheVesselInPlaceOfAnother) {
@@ -183,7 +183,7 @@ TEST(Override, OfADefaultThatIsExplainedIsAValueOfTheKey) {
                          bool is_gas) -> void {
     for (const AnyKey& key : *keys) {
       const std::string path = above + key.name;
-      const std::string text = explain((is_gas ? "boltzmann:" : "") + path);
+      const std::string text = explanation((is_gas ? "boltzmann:" : "") + path);
       const std::string first = text.substr(0, text.find("\n", text.find('\n') + 1));
       constexpr std::string_view kDefault = "; default: ";
       if (const std::size_t at = first.find(kDefault); at != std::string::npos) {

@@ -45,7 +45,7 @@ TEST(Parse, FillsInTheDefaultsOfTheLeastScene) {
   EXPECT_EQ(scene.title, "least");
   EXPECT_EQ(scene.seed, 1);
   EXPECT_FALSE(scene.box.periodic);
-  EXPECT_EQ(scene.rules, automaton::Rules());
+  EXPECT_EQ(scene.automaton_rules, automaton::Rules());
   EXPECT_TRUE(scene.walls.empty());
   EXPECT_THAT(scene.species[0].orientations, ElementsAre(0));
   EXPECT_FALSE(scene.species[0].color.has_value());
@@ -156,13 +156,13 @@ TEST(Parse, ReadsEveryRule) {
       "update_priority: [gravity, rest, inertia], ties: direction}\n"
       "stages: [{name: first, sources: [spout], max_steps: 9}]");
   using automaton::UpdateClass;
-  EXPECT_EQ(scene.rules.inertia, 1);
-  EXPECT_EQ(scene.rules.scatter, 0.25);
-  EXPECT_EQ(scene.rules.candidates, automaton::CandidateDirections::all);
-  EXPECT_EQ(scene.rules.gravity, lattice::Direction::up_left);
-  EXPECT_THAT(scene.rules.update_priority,
+  EXPECT_EQ(scene.automaton_rules.inertia, 1);
+  EXPECT_EQ(scene.automaton_rules.scatter, 0.25);
+  EXPECT_EQ(scene.automaton_rules.candidates, automaton::CandidateDirections::all);
+  EXPECT_EQ(scene.automaton_rules.gravity, lattice::Direction::up_left);
+  EXPECT_THAT(scene.automaton_rules.update_priority,
               ElementsAre(UpdateClass::gravity, UpdateClass::rest, UpdateClass::inertia));
-  EXPECT_EQ(scene.rules.ties, automaton::TieBreaking::direction);
+  EXPECT_EQ(scene.automaton_rules.ties, automaton::TieBreaking::direction);
 }
 
 TEST(Parse, ReadsWallsOfBothForms) {
@@ -197,8 +197,8 @@ TEST(Parse, ReadsRoundWalls) {
   EXPECT_EQ(arc.ring.centre, Eigen::Vector2d(20, 25));
   EXPECT_EQ(arc.ring.radius, 9);
   EXPECT_EQ(arc.ring.thickness, 2);
-  EXPECT_EQ(arc.from, -200);
-  EXPECT_EQ(arc.to, 20);
+  EXPECT_EQ(arc.from_degrees, -200);
+  EXPECT_EQ(arc.to_degrees, 20);
 }
 
 TEST(Parse, AcceptsAWallThatOnlyGrazesTheBox) {
@@ -215,12 +215,12 @@ TEST(Parse, ReadsSourcesAtPointsAndInRegions) {
       "  rain: {region: [0, 40, 100, 50], species: {large: 3}, rate: 2}\n"
       "stages: [{name: first, sources: [rain, spout], until: {steps: 9}}]");
   EXPECT_EQ(std::get<Eigen::Vector2d>(scene.sources[0].position), Eigen::Vector2d(20, 40));
-  EXPECT_THAT(scene.sources[0].weights, ElementsAre(1, 1));
-  EXPECT_EQ(scene.sources[0].count, 9);
-  EXPECT_THAT(scene.sources[1].weights, ElementsAre(0, 3));
-  EXPECT_EQ(scene.sources[1].rate, 2);
-  EXPECT_FALSE(scene.sources[1].count.has_value());
-  EXPECT_THAT(scene.stages[0].sources, ElementsAre(1, 0));
+  EXPECT_THAT(scene.sources[0].species_weights, ElementsAre(1, 1));
+  EXPECT_EQ(scene.sources[0].max_particles, 9);
+  EXPECT_THAT(scene.sources[1].species_weights, ElementsAre(0, 3));
+  EXPECT_EQ(scene.sources[1].particles_per_step, 2);
+  EXPECT_FALSE(scene.sources[1].max_particles.has_value());
+  EXPECT_THAT(scene.stages[0].open_sources, ElementsAre(1, 0));
 }
 
 TEST(Parse, ReadsStages) {
@@ -235,11 +235,11 @@ TEST(Parse, ReadsStages) {
       "    until: {discharged: 0.9}\n"
       "    max_steps: 50\n");
   EXPECT_EQ(scene.stages[0].fill->region, (lattice::Rectangle{0, 0, 50, 50}));
-  EXPECT_THAT(scene.stages[0].fill->counts, ElementsAre(0, 4));
+  EXPECT_THAT(scene.stages[0].fill->species_counts, ElementsAre(0, 4));
   EXPECT_EQ(std::get<UntilSteps>(scene.stages[0].until).steps, 2'000'000);
   EXPECT_EQ(scene.stages[0].max_steps, 2'000'000) << "the default bound gives way";
-  EXPECT_THAT(scene.stages[1].remove, ElementsAre(1, 0));
-  EXPECT_EQ(std::get<UntilDischarged>(scene.stages[1].until).share, 0.9);
+  EXPECT_THAT(scene.stages[1].removed_walls, ElementsAre(1, 0));
+  EXPECT_EQ(std::get<UntilDischarged>(scene.stages[1].until).discharged_share, 0.9);
   EXPECT_EQ(scene.stages[1].max_steps, 50);
 }
 
@@ -252,18 +252,18 @@ TEST(Parse, ReadsMeasuresAndOutput) {
       "  series: {every: 3}\n"
       "  trajectory: {every: 7}");
   EXPECT_THAT(scene.measures, ElementsAre(Measure::moved, Measure::profile));
-  Frames frames = *scene.output.frames;
+  PictureOutput frames = *scene.output.frames;
   frames.location.clear();
-  EXPECT_EQ(frames, (Frames{.every = 5,
-                            .width = 640,
-                            .height = 480,
-                            .color_by = ColorBy::stage_layer,
-                            .layers = 4,
-                            .view = lattice::Rectangle{-5, 0, 50, 40},
-                            .drawing = Drawing::lookup,
-                            .supersampling = 4,
-                            .caption = false,
-                            .location = {}}));
+  EXPECT_EQ(frames, (PictureOutput{.every = 5,
+                                   .width = 640,
+                                   .height = 480,
+                                   .color_by = ColorBy::stage_layer,
+                                   .layer_count = 4,
+                                   .view = lattice::Rectangle{-5, 0, 50, 40},
+                                   .drawing = DrawingMethod::lookup,
+                                   .supersampling = 4,
+                                   .has_caption = false,
+                                   .location = {}}));
   EXPECT_EQ(scene.output.series->every, 3);
   EXPECT_EQ(scene.output.trajectory->every, 7);
 }
@@ -286,16 +286,17 @@ TEST(Parse, TakesAnEmptyMapForDefaults) {
 }
 
 TEST(Parse, SavesEveryMinuteUnlessTheSceneSaysOtherwise) {
-  EXPECT_EQ(scene_with("").output.checkpoint->seconds, kDefaultCheckpoints.seconds);
-  EXPECT_EQ(scene_with("output: {}").output.checkpoint->seconds, kDefaultCheckpoints.seconds);
+  EXPECT_EQ(scene_with("").output.checkpoint->every_seconds, kDefaultCheckpoints.every_seconds);
+  EXPECT_EQ(scene_with("output: {}").output.checkpoint->every_seconds,
+            kDefaultCheckpoints.every_seconds);
   EXPECT_FALSE(scene_with("output: {checkpoint: none}").output.checkpoint.has_value());
   const auto by_steps = scene_with("output: {checkpoint: {every: 9}}").output.checkpoint;
-  EXPECT_EQ(by_steps->every, 9);
-  EXPECT_EQ(by_steps->seconds, std::nullopt);
+  EXPECT_EQ(by_steps->every_steps, 9);
+  EXPECT_EQ(by_steps->every_seconds, std::nullopt);
   const auto by_both =
       scene_with("output: {checkpoint: {every: 9, seconds: 0.5}}").output.checkpoint;
-  EXPECT_EQ(by_both->every, 9);
-  EXPECT_EQ(by_both->seconds, 0.5);
+  EXPECT_EQ(by_both->every_steps, 9);
+  EXPECT_EQ(by_both->every_seconds, 0.5);
   EXPECT_EQ(scene_with("output: {frames: {}}").output.frames->every, 10);
 }
 

@@ -208,40 +208,43 @@ TEST(Scenes, DifferWhenAnyPartDiffers) {
 }
 
 TEST(SizeOf, CountsSitesAndParticles) {
-  const Size size = size_of(scene_with(""));
+  const ModelSize size = model_size(scene_with(""));
   EXPECT_EQ(size.columns, 116);  // 100 / 0.866 = 115.5
   EXPECT_EQ(size.rows, 50);
-  EXPECT_EQ(size.particles, 14);
+  EXPECT_EQ(size.max_particles, 14);
 }
 
 TEST(SizeOf, BoundsASourceThatNeverEndsByTheStepsOfItsStages) {
-  const Size size =
-      size_of(scene_with("sources: {spout: {at: [20, 40], rate: 0.25}}\n"
-                         "stages:\n"
-                         "  - {name: first, sources: [spout], until: {steps: 1000}}\n"
-                         "  - {name: second}\n"
-                         "  - {name: third, sources: [spout], max_steps: 201}\n"));
-  EXPECT_EQ(size.particles, 301);  // 1201 / 4 = 300.25
+  const ModelSize size =
+      model_size(scene_with("sources: {spout: {at: [20, 40], rate: 0.25}}\n"
+                            "stages:\n"
+                            "  - {name: first, sources: [spout], until: {steps: 1000}}\n"
+                            "  - {name: second}\n"
+                            "  - {name: third, sources: [spout], max_steps: 201}\n"));
+  EXPECT_EQ(size.max_particles, 301);  // 1201 / 4 = 300.25
 }
 
 TEST(SizeOf, BoundsParticlesThatCannotLeaveByTheSitesOfTheBox) {
-  const Size size =
-      size_of(scene_with("sources: {spout: {at: [20, 40], rate: 1000}}\noutlets: {}\n"
-                         "stages: [{name: first, sources: [spout], max_steps: 1000000}]"));
-  EXPECT_EQ(size.particles, 116U * 50U);
+  const ModelSize size =
+      model_size(scene_with("sources: {spout: {at: [20, 40], rate: 1000}}\noutlets: {}\n"
+                            "stages: [{name: first, sources: [spout], max_steps: 1000000}]"));
+  EXPECT_EQ(size.max_particles, 116U * 50U);
 }
 
 TEST(SizeOf, GrowsWithBoxParticlesAndFill) {
-  const double least = size_of(scene_with("output: {}")).bytes;
-  EXPECT_GT(size_of(scene_with("output: {}\nbox: {width: 200, height: 50}")).bytes, least + 2e4);
-  EXPECT_GE(size_of(scene_with("output: {}\nsources: {spout: {at: [20, 40], rate: 1, count: "
-                               "1009}}"))
-                .bytes,
+  const double least = model_size(scene_with("output: {}")).memory_bytes;
+  EXPECT_GT(model_size(scene_with("output: {}\nbox: {width: 200, height: 50}")).memory_bytes,
+            least + 2e4);
+  EXPECT_GE(model_size(scene_with("output: {}\nsources: {spout: {at: [20, 40], rate: 1, count: "
+                                  "1009}}"))
+                .memory_bytes,
             least + 1000.0 * 130);
 }
 
 TEST(SizeOf, CountsShapesAndRegionsOfSources) {
-  const auto bytes = [](const std::string& part) { return size_of(scene_with(part)).bytes; };
+  const auto bytes = [](const std::string& part) {
+    return model_size(scene_with(part)).memory_bytes;
+  };
   EXPECT_GE(bytes("species: {small: {shape: {hexagon: 100}, orientations: any}}"),
             bytes("species: {small: {shape: {hexagon: 1}}}") + 30'301.0 * (8 + 6 * 24));
   EXPECT_GE(bytes("sources: {spout: {region: [0, 0, 100, 50], rate: 0.5, count: 9}}"),
@@ -249,10 +252,10 @@ TEST(SizeOf, CountsShapesAndRegionsOfSources) {
 }
 
 TEST(SizeOf, HoldsForTheLargestBox) {
-  const Size size = size_of(scene_with("box: {width: 866025, height: 1000000}"));
+  const ModelSize size = model_size(scene_with("box: {width: 866025, height: 1000000}"));
   EXPECT_EQ(size.columns, 1'000'000);
   EXPECT_EQ(size.rows, 1'000'000);
-  EXPECT_GT(size.bytes, 4e12);
+  EXPECT_GT(size.memory_bytes, 4e12);
 }
 
 }  // namespace clca::scene::resolve_test

@@ -33,7 +33,7 @@ Moments moments_of(const SizeDistribution& sizes) {
   for (const SizeClass& one : size_classes(sizes)) {
     const lattice::Shape shape = shape_of(one, sizes.shape);
     const double weight =
-        one.share * (sizes.by == SharesBy::area ? static_cast<double>(shape.size()) : 1);
+        one.share * (sizes.shares_by == SharesBy::area ? static_cast<double>(shape.size()) : 1);
     all += weight;
     sum += weight * shape.diameter();
     squares += weight * shape.diameter() * shape.diameter();
@@ -48,8 +48,8 @@ TEST(Sizes, HaveTheMeanAndSpreadOfTheirLaw) {
       const SizeDistribution sizes = {.law = law,
                                       .mean = 20,
                                       .sd = 5,
-                                      .by = by,
-                                      .kinds = 12,
+                                      .shares_by = by,
+                                      .class_count = 12,
                                       .diameters = {},
                                       .shares = {},
                                       .shape = RoundShape::disc};
@@ -81,8 +81,8 @@ TEST(Sizes, HaveTheMeanOfTheirLawByNumberAndByArea) {
           const SizeDistribution sizes = {.law = law,
                                           .mean = mean,
                                           .sd = sd,
-                                          .by = by,
-                                          .kinds = kinds,
+                                          .shares_by = by,
+                                          .class_count = kinds,
                                           .diameters = {},
                                           .shares = {},
                                           .shape = shape};
@@ -106,7 +106,7 @@ TEST(Sizes, OfAClassBetweenTwoHexagonsAreDividedByAreaWhereTheLawIs) {
                 "10000}}}]"),
             "scene.yaml");
   // Diameters 6.3874 (37 sites) and 8.2014 (61): 0.4969 / 37 to 0.5031 / 61.
-  EXPECT_EQ(scene.stages[0].fill->counts, (std::vector<std::size_t>{6195, 3805}));
+  EXPECT_EQ(scene.stages[0].fill->species_counts, (std::vector<std::size_t>{6195, 3805}));
 }
 
 TEST(Sizes, OfWhichACountLeavesNoneAreLeftOut) {
@@ -119,7 +119,7 @@ TEST(Sizes, OfWhichACountLeavesNoneAreLeftOut) {
   double sites = 0;
   double sum = 0;
   for (std::size_t i = 0; i < scene.species.size(); ++i) {
-    const auto count = static_cast<double>(scene.stages[0].fill->counts[i]);
+    const auto count = static_cast<double>(scene.stages[0].fill->species_counts[i]);
     EXPECT_GT(count, 0);
     const auto size = static_cast<double>(scene.species[i].shape.size());
     sites += count * size;
@@ -134,7 +134,7 @@ TEST(Sizes, OfRareLargeParticlesHaveTheirAreaInAMix) {
                           "[1.05, 20.87], shares: [1, 1], by: area}}}\n"
                           "stages: [{name: a, fill: {region: [0, 0, 100, 50], mix: {g: 1}}}]"),
       "scene.yaml");
-  const std::vector<std::uint32_t>& mix = scene.stages[0].fill->mix;
+  const std::vector<std::uint32_t>& mix = scene.stages[0].fill->species_weights;
   const std::size_t large = scene.species[1].shape.size();
   ASSERT_EQ(large, 397U);
   EXPECT_NEAR(static_cast<double>(mix[0]) / mix[1], static_cast<double>(large), 0.1);
@@ -144,8 +144,8 @@ TEST(Sizes, OfAListAreThoseNearestToIt) {
   const SizeDistribution sizes = {.law = SizeLaw::list,
                                   .mean = {},
                                   .sd = {},
-                                  .by = SharesBy::area,
-                                  .kinds = 8,
+                                  .shares_by = SharesBy::area,
+                                  .class_count = 8,
                                   .diameters = {2.8, 4.6, 4.5},
                                   .shares = {7, 10, 9},
                                   .shape = RoundShape::hexagon};
@@ -160,8 +160,8 @@ TEST(Sizes, DiscsOfDifferentSizesDiffer) {
   const SizeDistribution sizes = {.law = SizeLaw::uniform,
                                   .mean = 50,
                                   .sd = 20,
-                                  .by = SharesBy::number,
-                                  .kinds = 64,
+                                  .shares_by = SharesBy::number,
+                                  .class_count = 64,
                                   .diameters = {},
                                   .shares = {},
                                   .shape = RoundShape::disc};
@@ -190,7 +190,7 @@ TEST(Sizes, DivideCountsWithoutALoss) {
   ASSERT_EQ(scene.species.size(), 3U);
   EXPECT_EQ(scene.species[0].name, "small-1");
   EXPECT_EQ(scene.species[1].name, "small-2");
-  EXPECT_EQ(scene.stages[0].fill->counts, (std::vector<std::size_t>{7, 3, 2}));
+  EXPECT_EQ(scene.stages[0].fill->species_counts, (std::vector<std::size_t>{7, 3, 2}));
   EXPECT_EQ(testing::reparsed(scene), to_yaml(scene));
 }
 
@@ -201,7 +201,7 @@ TEST(Sizes, DivideLargeCountsWithoutALossToo) {
                                 "stages: [{name: a, fill: {region: [0, 0, 19000, 19000], counts: "
                                 "{small: 12345679}}}]"),
             "scene.yaml");
-  const auto& counts = scene.stages[0].fill->counts;
+  const auto& counts = scene.stages[0].fill->species_counts;
   EXPECT_EQ(std::accumulate(counts.begin(), counts.end(), std::size_t{0}), 12345679U);
 }
 
@@ -213,9 +213,10 @@ TEST(Sizes, DivideWeightsOfMixesPicturesAndSources) {
       "  - {name: b, fill: {region: [0, 0, 100, 50], picture: {rows: [AB], pixels: {A: small, B: "
       "large}}}}");
   const std::vector<std::uint32_t> alike = {666667, 333333, 1000000};
-  EXPECT_EQ(scene.sources[0].weights, alike);
-  EXPECT_EQ(scene.stages[0].fill->mix, (std::vector<std::uint32_t>{333333, 166667, 1000000}));
-  const auto& weights = scene.stages[1].fill->picture->weights;
+  EXPECT_EQ(scene.sources[0].species_weights, alike);
+  EXPECT_EQ(scene.stages[0].fill->species_weights,
+            (std::vector<std::uint32_t>{333333, 166667, 1000000}));
+  const auto& weights = scene.stages[1].fill->picture->weights_by_letter;
   EXPECT_EQ(weights.at('A'), (std::vector<std::uint32_t>{666667, 333333, 0}));
   EXPECT_EQ(weights.at('B'), (std::vector<std::uint32_t>{0, 0, 1}));
   EXPECT_EQ(testing::reparsed(scene), to_yaml(scene));

@@ -100,13 +100,13 @@ TEST(Units, TurnLengthsIntoSpacings) {
 // √3/2 mm² of 2.5 kg/m².
 TEST(Units, WithADensityHaveTheMassAndTheWeightOfASite) {
   const Scene scene = contact_with("units: {spacing: 1 mm, gravity: 10, density: 2.5}");
-  const Conversion units = *conversion(scene);
-  EXPECT_NEAR(units.site->mass, 2.16506351e-6, 1e-14);
-  EXPECT_NEAR(units.site->weight, 2.16506351e-5, 1e-13);
-  EXPECT_EQ(units.si(kForceUnit)->name, "N");
-  EXPECT_DOUBLE_EQ(units.in_si(2, kMomentUnit), 2 * units.site->weight * 0.001);
+  const UnitConversion units = *unit_conversion(scene);
+  EXPECT_NEAR(units.site_mass->mass, 2.16506351e-6, 1e-14);
+  EXPECT_NEAR(units.site_mass->weight, 2.16506351e-5, 1e-13);
+  EXPECT_EQ(units.si_unit(kForceUnit)->name, "N");
+  EXPECT_DOUBLE_EQ(units.in_si(2, kMomentUnit), 2 * units.site_mass->weight * 0.001);
   EXPECT_EQ(units.in_si(2, "spacings"), 2);
-  EXPECT_FALSE(conversion(contact_with("units: {spacing: 1 mm}"))->si(kForceUnit));
+  EXPECT_FALSE(unit_conversion(contact_with("units: {spacing: 1 mm}"))->si_unit(kForceUnit));
   EXPECT_EQ(testing::reparsed(scene), to_yaml(scene));
 }
 
@@ -132,10 +132,10 @@ TEST(Units, TakeOverrides) {
   EXPECT_EQ(to_yaml(contact_with("", {"units={spacing: 2 mm}", "units.gravity=1.62"})), expected);
 }
 
-TEST(Conversion, OfASceneWithUnitsIsToMetresAndSeconds) {
+TEST(UnitConversion, OfASceneWithUnitsIsToMetresAndSeconds) {
   const Scene scene =
       contact_with("units: {spacing: 2 mm, gravity: 5}\ncontact: {fall_height: 80}");
-  const Conversion units = *conversion(scene);
+  const UnitConversion units = *unit_conversion(scene);
   EXPECT_EQ(units.length_unit, "m");
   EXPECT_EQ(units.time_unit, "s");
   EXPECT_EQ(units.velocity_unit, "m/s");
@@ -148,9 +148,9 @@ TEST(Conversion, OfASceneWithUnitsIsToMetresAndSeconds) {
   EXPECT_NEAR(units.velocity(step_gravity(scene) * steps), 5, 1e-12);
 }
 
-TEST(Conversion, WithoutUnitsIsByTheSpacingAndGravity) {
+TEST(UnitConversion, WithoutUnitsIsByTheSpacingAndGravity) {
   const Scene scene = contact_with("contact: {fall_height: 80}");
-  const Conversion units = *conversion(scene);
+  const UnitConversion units = *unit_conversion(scene);
   EXPECT_EQ(units.length_unit, "spacing");
   EXPECT_EQ(units.time_unit, "√(spacing/gravity)");
   EXPECT_EQ(units.velocity_unit, "√(spacing·gravity)");
@@ -159,12 +159,12 @@ TEST(Conversion, WithoutUnitsIsByTheSpacingAndGravity) {
   EXPECT_NEAR(units.velocity(step_gravity(scene) / units.time_step), 1, 1e-12);
 }
 
-TEST(Conversion, IsNoneForTheAutomaton) {
-  EXPECT_FALSE(conversion(parse(testing::small_scene(), "scene.yaml")).has_value());
+TEST(UnitConversion, IsNoneForTheAutomaton) {
+  EXPECT_FALSE(unit_conversion(parse(testing::small_scene(), "scene.yaml")).has_value());
 }
 
-TEST(Conversion, WritesTimesWithDecimalsThatTellStepsApart) {
-  Conversion units = {.length_unit = "m", .time_unit = "s", .velocity_unit = "m/s"};
+TEST(UnitConversion, WritesTimesWithDecimalsThatTellStepsApart) {
+  UnitConversion units = {.length_unit = "m", .time_unit = "s", .velocity_unit = "m/s"};
   const auto text = [&](double time_step, std::uint64_t steps) {
     units.time_step = time_step;
     return units.time_text(steps);
@@ -177,7 +177,7 @@ TEST(Conversion, WritesTimesWithDecimalsThatTellStepsApart) {
 }
 
 TEST(UntilTime, TakesTheStepsThatItNeedsRoundedUp) {
-  const Conversion units = {
+  const UnitConversion units = {
       .length_unit = "m", .time_unit = "s", .velocity_unit = "m/s", .time_step = 0.1};
   EXPECT_EQ(steps_until(0.25, units), 3);
   EXPECT_EQ(steps_until(0.001, units), 1);
@@ -188,11 +188,11 @@ TEST(UntilTime, TakesTheStepsThatItNeedsRoundedUp) {
   const auto& until = std::get<UntilTime>(scene.stages[0].until);
   EXPECT_EQ(until.time, 2.5);
   EXPECT_EQ(until.steps, 80);
-  EXPECT_EQ(steps_of(scene.stages[0].until), 80U);
+  EXPECT_EQ(fixed_steps(scene.stages[0].until), 80U);
   const Scene real = contact_with("contact: {fall_height: 80}\nunits: {spacing: 1 cm}\n" +
                                   std::string(kUntilTime));
-  EXPECT_EQ(steps_of(real.stages[0].until),
-            static_cast<std::uint64_t>(std::ceil(2.5 / conversion(real)->time_step)));
+  EXPECT_EQ(fixed_steps(real.stages[0].until),
+            static_cast<std::uint64_t>(std::ceil(2.5 / unit_conversion(real)->time_step)));
 }
 
 TEST(UntilTime, ToYamlAndBackIsTheSame) {
@@ -206,8 +206,8 @@ TEST(UntilTime, ToYamlAndBackIsTheSame) {
 TEST(UntilTime, RaisesTheBoundOnSteps) {
   const Scene scene = contact_with("units: {spacing: 1 um}\n" + std::string(kUntilTime),
                                    {"stages.first.until.time=1000"});
-  EXPECT_GT(*steps_of(scene.stages[0].until), 1'000'000U);
-  EXPECT_EQ(scene.stages[0].max_steps, *steps_of(scene.stages[0].until));
+  EXPECT_GT(*fixed_steps(scene.stages[0].until), 1'000'000U);
+  EXPECT_EQ(scene.stages[0].max_steps, *fixed_steps(scene.stages[0].until));
 }
 
 }  // namespace clca::scene::units_test

@@ -181,12 +181,13 @@ TEST(CheckWalls, TakesLittleForAPlateThatIsVeryHigh) {
           "line: {from: [60, 40], to: [60, 1e6]}, motion: {direction: down, distance: 20}") +
       kNoOutput + kBoth);
   EXPECT_EQ(refusal(scene), "accepted");
-  EXPECT_LT(size_of(scene).bytes, 3e5);
+  EXPECT_LT(model_size(scene).memory_bytes, 3e5);
 }
 
 TEST(SizeOf, CountsAllPartsTheWayOutsideAndSecondOwners) {
   const auto bytes = [](const std::string& wall) {
-    return size_of(scene_with("walls: {plate: {" + wall + "}}\n" + kNoOutput + kOne)).bytes;
+    return model_size(scene_with("walls: {plate: {" + wall + "}}\n" + kNoOutput + kOne))
+        .memory_bytes;
   };
   const double least = bytes(std::string("box: [0, 49, 100, 50], ") + kDown);
   EXPECT_GE(bytes(std::string("box: [0, 49, 100, 1e6], ") + kDown), least + 8.0 * 116 * 9);
@@ -200,7 +201,7 @@ TEST(SizeOf, CountsAllPartsTheWayOutsideAndSecondOwners) {
 TEST(SizeOf, IsNeverBelowTheSitesOfAWallThatMoves) {
   const lattice::Lattice lattice(116, 50, false);
   const double still =
-      size_of(scene_with("walls: {}\nstages: [{name: first, sources: [spout]}]")).bytes;
+      model_size(scene_with("walls: {}\nstages: [{name: first, sources: [spout]}]")).memory_bytes;
   for (const std::string direction :
        {"up", "up_right", "down_right", "down", "down_left", "up_left"}) {
     for (const std::string form :
@@ -212,7 +213,7 @@ TEST(SizeOf, IsNeverBelowTheSitesOfAWallThatMoves) {
       const Scene scene = scene_with(
           fmt::format("walls: {{plate: {{{}, motion: {{direction: {}, distance: 300}}}}}}\n{}",
                       form, direction, kOne));
-      EXPECT_GE(size_of(scene).bytes - still,
+      EXPECT_GE(model_size(scene).memory_bytes - still,
                 8.0 * static_cast<double>(wall_sites(lattice, scene.walls[0]).size()))
           << form << ' ' << direction;
     }

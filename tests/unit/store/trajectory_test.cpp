@@ -169,7 +169,7 @@ TEST_F(TrajectoryTest, AnAutomatonCanBeMadeOfAnyFrame) {
   write(scene, 4, 10);
   const Trajectory trajectory(run(), scene, model::initial_state(scene), kMuch);
   for (std::size_t frame = 0; frame < trajectory.frames().size(); ++frame) {
-    EXPECT_NO_THROW(automaton::Automaton(trajectory.state(frame), scene.rules).step());
+    EXPECT_NO_THROW(automaton::Automaton(trajectory.state(frame), scene.automaton_rules).step());
   }
 }
 

@@ -37,8 +37,8 @@ TEST(Plan, IsTheGridOfAllValuesTheLastVariationFastestAndSeedsWithin) {
   EXPECT_EQ(grid.run_name(1), "rules.inertia=0,rules.scatter=0.1,seed=2");
   EXPECT_EQ(grid.run_name(11), "rules.inertia=0.9,rules.scatter=0.3,seed=2");
   const scene::Scene last = grid.scene(11);
-  EXPECT_EQ(last.rules.inertia, 0.9);
-  EXPECT_EQ(last.rules.scatter, 0.3);
+  EXPECT_EQ(last.automaton_rules.inertia, 0.9);
+  EXPECT_EQ(last.automaton_rules.scatter, 0.3);
   EXPECT_EQ(last.seed, 2U);
 }
 
@@ -47,7 +47,7 @@ TEST(Plan, WithoutVariationsItHasOneRunASeed) {
   ASSERT_EQ(seeds.run_count(), 3U);
   EXPECT_EQ(seeds.run_name(1), "seed=5");
   EXPECT_EQ(seeds.scene(1).seed, 5U);
-  EXPECT_EQ(seeds.scene(1).rules.inertia, 0.5);
+  EXPECT_EQ(seeds.scene(1).automaton_rules.inertia, 0.5);
 }
 
 TEST(Plan, RefusesASceneOfTheBoltzmannEquation) {

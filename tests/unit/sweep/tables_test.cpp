@@ -98,7 +98,7 @@ RunResult with_steps(std::uint64_t packing) {
 class MeanTablesTest : public ::testing::Test {
  protected:
   MeanTablesTest() : plan_(bare_plan(1, 2)) {
-    plan_.variants[0].scene.output.series = scene::Series{2};
+    plan_.variants[0].scene.output.series = scene::SeriesOutput{2};
     results_ = {with_steps(3), with_steps(4)};
   }
   void write(std::size_t run, const std::string& file, const std::string& text) const {

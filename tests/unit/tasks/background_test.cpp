@@ -8,10 +8,10 @@
 namespace clca::tasks::background_test {
 namespace {
 
-TEST(Background, MakesOneCallAfterAnother) {
+TEST(BackgroundCall, MakesOneCallAfterAnother) {
   std::vector<int> calls;
   {
-    Background background;
+    BackgroundCall background;
     for (int call = 0; call < 20; ++call) {
       background.start([&calls, call] { calls.push_back(call); });
     }
@@ -20,9 +20,9 @@ TEST(Background, MakesOneCallAfterAnother) {
   EXPECT_EQ(calls.back(), 19);
 }
 
-TEST(Background, WhatACallThrowsIsThrownByTheNextOrAtTheEnd) {
+TEST(BackgroundCall, WhatACallThrowsIsThrownByTheNextOrAtTheEnd) {
   const auto fail = [] { throw std::runtime_error("full disk"); };
-  Background background;
+  BackgroundCall background;
   background.start(fail);
   EXPECT_THROW(background.start([] {}), std::runtime_error);
   background.start(fail);

@@ -77,10 +77,10 @@ TEST(Ranks, TheOthersWorkUntilTheyAreDismissed) {
   const auto first = all.seen_from(0);
   const auto number = [](int rank) { return Bytes{static_cast<std::uint8_t>(rank)}; };
   first->hand_out_work(number);
-  EXPECT_EQ(first->next(), 0U);
-  EXPECT_EQ(first->next(), 1U);
+  EXPECT_EQ(first->next_number(), 0U);
+  EXPECT_EQ(first->next_number(), 1U);
   first->hand_out_work(number);
-  EXPECT_EQ(first->next(), 0U);
+  EXPECT_EQ(first->next_number(), 0U);
   EXPECT_FALSE(first->is_dismissed());
   first->dismiss();
   first->dismiss();

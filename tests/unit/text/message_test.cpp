@@ -15,16 +15,16 @@ constexpr std::array<std::string_view, 4> kWords = {"width", "height", "periodic
 }  // namespace
 
 TEST(Nearest, FindsAWordWithASlip) {
-  EXPECT_EQ(nearest("wdith", kWords), "width");
-  EXPECT_EQ(nearest("hight", kWords), "height");
-  EXPECT_EQ(nearest("Periodical", kWords), "periodic");
-  EXPECT_EQ(nearest("upleft", kWords), "up_left");
+  EXPECT_EQ(nearest_name("wdith", kWords), "width");
+  EXPECT_EQ(nearest_name("hight", kWords), "height");
+  EXPECT_EQ(nearest_name("Periodical", kWords), "periodic");
+  EXPECT_EQ(nearest_name("upleft", kWords), "up_left");
 }
 
 TEST(Nearest, FindsNothingForAWordThatIsNotLikeAny) {
-  EXPECT_FALSE(nearest("colour", kWords).has_value());
-  EXPECT_FALSE(nearest("", kWords).has_value());
-  EXPECT_FALSE(nearest(std::string(100'000, 'w'), kWords).has_value());
+  EXPECT_FALSE(nearest_name("colour", kWords).has_value());
+  EXPECT_FALSE(nearest_name("", kWords).has_value());
+  EXPECT_FALSE(nearest_name(std::string(100'000, 'w'), kWords).has_value());
 }
 
 TEST(ShellWord, MeansThePathItself) {
@@ -48,13 +48,13 @@ TEST(Shown, CutsLongTextBetweenCharacters) {
     long_text += "ö";
     cut += i < 40 ? "ö" : "";
   }
-  EXPECT_EQ(shown(long_text), "'" + cut + "...'");
+  EXPECT_EQ(text::quoted(long_text), "'" + cut + "...'");
 }
 
 TEST(Listed, CutsLongLists) {
   const std::vector<std::string_view> many(17, "a");
-  EXPECT_EQ(listed(std::span(many).first(2)), "a, a");
-  EXPECT_TRUE(listed(many).ends_with("a, ..."));
+  EXPECT_EQ(comma_separated(std::span(many).first(2)), "a, a");
+  EXPECT_TRUE(comma_separated(many).ends_with("a, ..."));
 }
 
 }  // namespace clca::text::message_test
