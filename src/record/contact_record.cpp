@@ -108,8 +108,8 @@ void ContactRecord::after_step(const StageView& now) {
   const contact::ContactModel& model = *now.model.contact();
   const contact::State& state = model.state_with_old_contacts();
   const bool quiet = state.quiet_steps > 1 ||
-                     (state.unmoved_steps > 1 &&
-                      state.unmoved_steps + sampling_.window >= model.unmoved_steps_at_rest());
+                     (state.unmoved_steps > 1 && state.unmoved_steps + sampling_.window_steps >=
+                                                     model.unmoved_steps_at_rest());
   const bool ends_soon = (has_tables_ || is_shown) &&
                          may_end_soon(now.stage, steps_in_stage, sampling_.window_steps, quiet);
   if (!ends_soon) {
