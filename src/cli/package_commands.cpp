@@ -178,7 +178,8 @@ void add_plot_command(CLI::App& program) {
        {"--height", "TEXT", "The same of the height [as the figure needs]",
         figure_length_validator()},
        {"--x", "NAME", "Sweep: a varied key or measure; run: a column [the first key; time]"},
-       {"--y", "NAME,...", "Sweep: only these measures; run: columns, in place of its figures"},
+       {"--y", "NAME,...",
+        "Sweep: only these measures, also as STAGE.MEASURE; run: columns, in place of its figures"},
        {"--over", "NAME,...",
         "Sweep: keys with a curve for each value, the others with a figure; run: a column [all "
         "keys but x; the stage]"},

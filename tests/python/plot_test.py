@@ -207,6 +207,12 @@ class SweepTest(ScratchTest):
             self.assertEqual([line.get_color() for line in ax.lines], ["#123456", "#654321"])
         other = sweep.plot(x="rules.inertia", y="flow.runout_99")
         self.assertEqual((other.get_xlabel(), other.get_ylabel()), ("rules.inertia", "Run-out of 99 % (spacings)"))
+        several = sweep.plot(y=["flow.runout_99", "packing.height_mean"]), sweep.plot(y="height_mean"), run.plot(y=["moving", "step"])
+        found = [[(ax.get_title(loc="left"), ax.get_ylabel().partition(" (")[0]) for ax in axes] for axes in several]
+        self.assertEqual(found, [[("packing", "Mean height"), ("flow", "Run-out of 99 %")],
+                                 [("packing", "Mean height"), ("flow", "Mean height")], [("", "Moving"), ("", "Step")]])
+        with self.assertRaisesRegex(clca.Error, "2 figures, more than the one that ax takes: .*; there are moving, step"):
+            run.plot(y=["moving", "step"], ax=ax)
         pyplot.close("all")
 
 

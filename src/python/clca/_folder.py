@@ -208,7 +208,8 @@ class Result(ShownInNotebook, Folder):
     ) -> Axes:
         """A figure of `clca plot`, such as `profile`, or what the options of that command choose: of a run columns `y`
         against `x`, of a sweep measures `y`, also as `STAGE.MEASURE`, against a key or a measure `x`. It has the style of
-        matplotlib that is set. Draws into `ax` if given. Returns Axes, or a list if there are several. Throws Error.
+        matplotlib that is set. Draws into `ax` if given, else each figure, at most 20, into a new one. Returns Axes, or a
+        list of those of all figures and panels if there are several. Throws Error.
         """
         from ._figures import FigureChoice
         from ._plot import plot

@@ -9,32 +9,36 @@ from ._error import Error
 from ._figures import FigureChoice
 from ._folder import Run, Sweep, open
 
+MOST_FIGURES = 20  # of one call: pyplot keeps them all
+
 
 def plot(folder: Run | Sweep, name: str, ax: Any, choice: FigureChoice) -> Any:
-    """Draws one figure into the given axes, or into new ones of pyplot in the style of the user. Returns Axes."""
+    """Draws figures into the given axes, or into new ones of pyplot in the style of the user. Returns Axes."""
     from matplotlib import pyplot  # type: ignore[import]
 
     if not isinstance(ax, (pyplot.Axes, type(None))):
         raise argument_error("ax", "Axes of matplotlib", ax)
-    if isinstance(folder, Sweep):
-        of_runs = [one.partition(".") for one in choice.y if "." in one and one in folder.runs.names]
-        if of_runs:
-            choice = choice._replace(stages=[of_runs[0][0]], y=[measure for _, _, measure in of_runs])
     found = _figures.chosen_charts(folder, [name] if name else [], choice)
-    chart = next((chart for chart in found if chart.name == name), found[0])
-    panels = chart.panels()
-    if ax is not None and len(panels) > 1:
-        raise Error(f"{chart.name} has {len(panels)} panels: call without ax, or choose by over")
-    axes: Any = [ax]
-    if ax is None:
-        wide, high = pyplot.rcParams["figure.figsize"]
-        size = (wide * min(len(panels), 3), high)
-        axes = pyplot.subplots(1, len(panels), squeeze=False, sharey=True, layout="constrained", figsize=size)[1][0]
-    for one, panel in zip(axes, panels):
-        handles, names = legend_entries([draw_panel(one, panel)], [panel])
-        if names:
-            one.legend(handles, names)
-    return axes[0] if len(axes) == 1 else list(axes)
+    if len(found) > (most := MOST_FIGURES if ax is None else 1):
+        there = ", ".join(chart.name for chart in found)
+        takes = f"the {most} of one call" if ax is None else "the one that ax takes"
+        raise Error(f"{folder.folder}: {len(found)} figures, more than {takes}: choose by name, y or stage; there are {there}")
+    drawn: list[Any] = []
+    for chart in found:
+        panels = chart.panels()
+        if ax is not None and len(panels) > 1:
+            raise Error(f"{chart.name} has {len(panels)} panels: call without ax, or choose by over")
+        axes: Any = [ax]
+        if ax is None:
+            wide, high = pyplot.rcParams["figure.figsize"]
+            size = (wide * min(len(panels), 3), high)
+            axes = pyplot.subplots(1, len(panels), squeeze=False, sharey=True, layout="constrained", figsize=size)[1][0]
+        for one, panel in zip(axes, panels):
+            handles, names = legend_entries([draw_panel(one, panel)], [panel])
+            if names:
+                one.legend(handles, names)
+        drawn.extend(axes)
+    return drawn[0] if len(drawn) == 1 else drawn
 
 
 def parsed_limits(text: str) -> tuple[float | None, float | None]:

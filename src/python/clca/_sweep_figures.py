@@ -93,7 +93,7 @@ def sweep_charts(source: ChosenTables, sweep: Sweep) -> list[Chart]:
     averaged = {name.removesuffix("_se") for mean in means for name in source.table(mean).names if name.endswith("_se")}
     for chosen, what, shown, known in (
         ([choice.x] if choice.x else [], "varied key or measure", [*keys, *measures], {*keys, *measures}),
-        (choice.y, "measure", measures, {*measures, *averaged}),
+        (choice.y, "measure", measures, {*measures, *averaged, *map(".".join, rows_of(table, ("stage", "measure")))}),
         (choice.over, "varied key", keys, {*keys}),
     ):
         for name in chosen:
@@ -138,7 +138,8 @@ def measure_charts(source: ChosenTables, sweep: Sweep, table: Table) -> list[Cha
 
     charts = []
     for stage, measure in dict.fromkeys(rows_of(table, ("stage", "measure"))):
-        if not (measure in choice.y if choice.y else measure != x_name) or not set(stage + measure) <= LABEL_CHARACTERS:
+        is_chosen = {measure, f"{stage}.{measure}"} & {*choice.y} if choice.y else measure != x_name
+        if not is_chosen or not set(stage + measure) <= LABEL_CHARACTERS:
             continue
         rows = table[(table["stage"] == stage) & (table["measure"] == measure) & numpy.isfinite(table["mean"])]
         what = of(measure)
