@@ -179,6 +179,8 @@ class ExportTest(ScratchTest):
             chosen_frames(frames, 17, None, 1)
         with self.assertRaisesRegex(clca.Error, "no frames yet"):
             chosen_frames([], None, None, 1)
+        with self.assertRaisesRegex(clca.Error, "the last step 5 is before the first, 12"):
+            chosen_frames(frames, 12, 5, 1)
 
     def test_walls_may_have_holes_and_parts(self):
         def area(sites):
@@ -249,7 +251,7 @@ class ExportTest(ScratchTest):
             (["run", "--format", "gsd", "--from", "101"], "from step 0 to 100"),
             (["run", "--format", "xyz", "-o", "run/run.json"], "a file of that name belongs to what clca has left in "),
             (["run", "--format", "h5md", "-o", "run/trajectory.h5"], "a file of that name belongs to what clca has left in "),
-            (["run", "--format", "gsd", "--from", "9", "--to", "8", "-o", "new/a.gsd"], "no frame"),
+            (["run", "--format", "gsd", "--from", "9", "--to", "8", "-o", "new/a.gsd"], "the last step 8 is before the first, 9"),
         ]:
             self.assertIn(reason, refused(*arguments))
         self.assertFalse(Path("run/export").exists())

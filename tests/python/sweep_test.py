@@ -107,6 +107,17 @@ class SweepTest(ScratchTest):
             with self.assertRaises(clca.Error):
                 clca.sweep(SCENE, **wrong)
 
+    def test_a_folder_of_another_kind_is_named(self):
+        clca.sweep(SCENE, seeds=[1], output="sweep")
+        for read, said in ((lambda: clca.Sweep("sweep/runs/seed=1"), "sweep.json.* is the folder of a run$"),
+                           (lambda: clca.Run("sweep"), "run.json.* is the folder of a sweep$"),
+                           (lambda: clca.Sweep("."), "is not the folder of a sweep$")):
+            with self.assertRaisesRegex(clca.Error, said):
+                read()
+        (self.folder / "sweep/sweep.json").unlink()
+        with self.assertRaisesRegex(clca.Error, "not the folder of a run; clca sweep --collect makes tables of the runs in it$"):
+            clca.open("sweep")
+
     def test_a_cell_that_is_no_number_is_told_with_its_line(self):
         needs("matplotlib")
         clca.sweep(SCENE, seeds=[1, 2, 3], output="sweep", vary={"rules.inertia": [0.1, 0.5]})

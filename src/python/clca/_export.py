@@ -127,6 +127,8 @@ def chosen_frames(frames: list[tuple[int, str]], first: int | None, last: int | 
             result.append(number)
     if not frames:
         raise Error("the trajectory has no frames yet")
+    if last is not None and (first or 0) > last:
+        raise Error(f"the last step {last} is before the first, {first}")
     if not result:
         raise Error(f"no frame at these steps; the trajectory goes from step {frames[0][0]} to {frames[-1][0]}")
     return result

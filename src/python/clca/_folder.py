@@ -83,7 +83,9 @@ def read_json(file: Path) -> dict[str, Any]:
     except OSError as error:
         folder, usual = file.parent, file.parent.parent / "renders" / file.parent.name
         is_folder = folder.is_dir() and not file.exists()
-        more = f"; {folder} is not the folder of a run" if is_folder else ""
+        kind = next((f"the folder of a {Path(name).stem}" for name in SHAPES if (folder / name).exists()), "")
+        more = f"; {folder} is {kind or f'not the folder of a {file.stem}'}" if is_folder else ""
+        more += "; clca sweep --collect makes tables of the runs in it" if not kind and any(folder.glob("runs/*/run.json")) else ""
         more += f"; did you mean {usual}?" if (usual / file.name).is_file() else ""
         raise Error(f"cannot read {file}: {error.strerror}{more}") from None
     except (ValueError, RecursionError):
