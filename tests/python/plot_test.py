@@ -216,6 +216,29 @@ class SweepTest(ScratchTest):
         pyplot.close("all")
 
 
+    def test_a_figure_too_small_for_its_panels_is_a_warning(self):
+        x = numpy.arange(5.0)
+        axis = Axis("Energy of the fluctuations ((√(spacing·gravity))²)")
+        chart = Chart("many", "b", 0, lambda: [Panel([Curve("a", x, x)], Axis("Time (s)"), axis, "p") for _ in range(2)])
+        for width, height, what in ((60, 40, "height"), (89, 45, "height"), (20, None, "width")):
+            with self.assertWarnsRegex(UserWarning, f"^many: the {what} is too small for the panels and their labels$"):
+                figure_bytes(chart, FileFormat(in_mm=True, width=width, height=height))
+        figure_bytes(chart, FileFormat(in_mm=True, width=89, height=70))
+        self.assertEqual(_chart.wrapped(axis.label, 0.2, 8).split("\n"), ["Energy of the", "fluctuations", "((√(spacing·", "gravity))²)"])
+
+    def test_points_that_a_logarithmic_axis_leaves_out_are_a_warning(self):
+        run = clca.run(SCENE, output="run")
+        with self.assertWarnsRegex(UserWarning, "^Moving .particles.: points at 0 or below are not on the logarithmic axis y$"):
+            panel = panel_of(run, "moving", y=["moving"], log="y")
+        self.assertTrue((panel.curves[0].y == 0).any())
+        ax = pyplot.figure().add_subplot()
+        _chart.draw_panel(ax, panel)
+        transformed = ax.transData.transform(ax.lines[0].get_xydata())
+        pyplot.close()
+        self.assertFalse(numpy.isfinite(transformed[panel.curves[0].y == 0, 1]).any())  # no stroke from the edge
+        panel_of(run, "mean_height", y=["mean_height"], log="y")
+
+
 class LegendTest(unittest.TestCase):
     def page(self, count, width, height=None, name="rules.ties={}"):
         x = numpy.array([0.0, 1.0])
@@ -332,7 +355,7 @@ class CommandTest(ScratchTest):
         self.refused(2, "mine/run.json: No such file or directory; did you mean .*/renders/mine.", "mine")
         self.refused(2, "no figure 'x'", "run", "--only", "x")
         self.refused(2, "--x-range.*two numbers", "run", "--x-range", "5")
-        log = ["run", "--y", "moving", "--log", "y", "--y-range"]
+        log = ["run", "--y", "mean_height", "--log", "y", "--y-range"]
         self.refused(2, "the limits of the logarithmic axis y are above 0", *log, "0:1")
         self.refused(2, "the limits of the logarithmic axis y are above 0", *log, ":-1")
         self.refused(1, "nowhere", "run", environment={"CLCA_PYTHON": str(self.folder / "nowhere")})

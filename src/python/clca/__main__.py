@@ -5,6 +5,7 @@ import json
 import os
 import signal
 import sys
+import warnings
 
 PACKAGES = ("gsd", "h5py", "jinja2", "matplotlib", "numpy", "scipy", "sklearn", "yaml")  # python3-NAME of Debian
 PIP = {"sklearn": "scikit-learn", "yaml": "PyYAML"}  # where it has another name
@@ -30,6 +31,7 @@ def main() -> int:
         from clca._error import Error, WriteError, printable
     except ImportError as error:
         return report_missing_module(error)
+    warnings.showwarning = lambda text, *_: print(f"clca: warning: {printable(str(text))}", file=sys.stderr, flush=True)
     try:
         importlib.import_module(f"clca._{sys.argv[1]}").command(json.loads(sys.argv[2]), *sys.argv[3:])
     except Error as error:

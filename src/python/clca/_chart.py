@@ -5,6 +5,7 @@ import io
 import math
 import re
 import textwrap
+import warnings
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from typing import Any, NamedTuple
@@ -23,6 +24,7 @@ from ._error import Error
 INCH = 25.4  # mm
 PRINT_WIDTH = 150 / INCH  # inches: as wide as a figure is taken to be printed, whatever its pixels; letters scale with it
 LETTER_SIZE = 8.0  # points
+LEAST_LETTERS = 14  # of a line, so that few words have to be broken
 MOST_COLORS = 7  # of the palette; more take steps of a scale
 # Okabe & Ito 2008: told apart by colour-blind people too.
 PALETTE = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000"]
@@ -111,17 +113,17 @@ def wrapped(text: str, inches: float, letter: float) -> str:
     """Breaks the text into lines that fit; a unit goes to the next line first."""
     if "\n" in text:
         return "\n".join(wrapped(line, inches, letter) for line in text.split("\n"))
-    most = max(int(inches * 72 / (0.6 * letter)), 8)
+    most = max(int(inches * 72 / (0.6 * letter)), LEAST_LETTERS)
     head, mark, unit = text.rpartition(" (")
     parts = [head, mark[1:] + unit] if mark and len(text) > most else [text]
     return "\n".join(line for part in parts for line in lines_of_length(part, most) or [""])
 
 
 def lines_of_length(text: str, most: int) -> list[str]:
-    """Breaks a text into lines of at most `most` letters: between words; long words behind `=` or dots if possible."""
+    """Breaks a text into lines of at most `most` letters: between words; long words behind `=`, `·`, `/` or dots if possible."""
     lines = []
     for line in textwrap.wrap(text, most, break_long_words=False):
-        parts = re.sub(r"=|\.(?=[A-Za-z])", r"\g<0> ", line)
+        parts = re.sub(r"[=·/]|\.(?=[A-Za-z])", r"\g<0> ", line)
         lines += [line] if len(line) <= most else [part.replace(" ", "") for part in textwrap.wrap(parts, most)]
     return lines
 
@@ -174,7 +176,7 @@ def draw_axis(ax: Any, which: str, axis: Axis, values: list[NDArray[Any]], given
         of.set_ticks(range(len(axis.words)), labels=[plain_for_matplotlib(word) for word in axis.words])
         set_limits(-0.5, len(axis.words) - 0.5)
     elif axis.log and (flat > 0).any():
-        getattr(ax, f"set_{which}scale")("log")
+        getattr(ax, f"set_{which}scale")("log", nonpositive="mask")
         flat = flat[flat > 0]
         if (ratio := flat.max() / flat.min()) < 300:
             of.set_major_locator(ticker.LogLocator(subs=(1, 2, 5) if ratio > 3 else range(1, 10)))
@@ -266,7 +268,9 @@ def figure_bytes(chart: Chart, look: FileFormat) -> bytes:
         figure = page_figure(chart, look, width, height, LETTER_SIZE * scale)
         out = io.BytesIO()
         none = {"png": {"Software": None}, "pdf": {"CreationDate": None}, "svg": {"Date": None}}
-        figure.savefig(out, format=look.format, dpi=300 if look.in_mm else 96, metadata=none[look.format])
+        with warnings.catch_warnings():
+            warnings.filterwarnings("ignore", "constrained_layout not applied")  # page_figure() has said so
+            figure.savefig(out, format=look.format, dpi=300 if look.in_mm else 96, metadata=none[look.format])
         return out.getvalue()
 
 
@@ -300,6 +304,9 @@ def page_figure(chart: Chart, look: FileFormat, width: float, height: float | No
     total = height or above * line + rows * room + extra
     figure.set_size_inches(width, total)
     tall = max(total - above * line, 4 * line) / rows - 3 * line
+    if min(tall, wide) < 3 * line:
+        what = "width" if wide < tall else "height"
+        warnings.warn(f"{chart.name}: the {what} is too small for the panels and their labels", stacklevel=2)
     for number, (those, panel) in enumerate(zip(axes, panels)):
         set_labels(those, panel, max(wide, 3 * line), max(tall, 3 * line), letter)
         panel_title = wrapped(plain_for_matplotlib(panel.title), width / columns - 3 * line, letter) if len(panels) > 1 else ""

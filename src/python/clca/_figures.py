@@ -6,6 +6,7 @@ A new figure is one row of FIGURES, or a row with a function where it is special
 from __future__ import annotations
 
 import math
+import warnings
 from collections.abc import Callable, Iterable, Sequence
 from functools import partial
 from typing import Any, NamedTuple
@@ -603,6 +604,10 @@ def with_second_axis(source: ChosenTables, figure: Figure, table: Table, panel: 
 
 
 def log_scaled(panel: Panel, log: str) -> Panel:
+    for name in {*log}:
+        cells = numpy.concatenate([NO_POINTS, *(getattr(curve, name) for curve in panel.curves)])
+        if (cells <= 0).any() and (cells > 0).any() and not getattr(panel, name).words:
+            warnings.warn(f"{panel.y.label}: points at 0 or below are not on the logarithmic axis {name}", stacklevel=2)
     x, y = (axis._replace(log=axis.log or name in log) for name, axis in (("x", panel.x), ("y", panel.y)))
     return panel._replace(x=x, y=y)
 

@@ -20,7 +20,7 @@ from markupsafe import Markup, escape
 
 from . import _answer
 from ._chart import FileFormat, figure_bytes
-from ._error import Error, printable
+from ._error import Error
 from ._figures import charts
 from ._folder import Run, Sweep, open, refuse_files_of_clca, write_file
 from ._notebook import MEDIA, png_bytes
@@ -443,5 +443,5 @@ def command(options: dict[str, Any], folder_name: str) -> None:
         refuse_files_of_clca(Path(options["output"]))
     page, left_out = report_page(open(folder_name), int(options["max-frames"]) if "max-frames" in options else None)
     for text in left_out:
-        print(f"clca: warning: {printable(text)}", file=sys.stderr, flush=True)
+        warnings.warn(text)
     _answer.send_file("report.html", page)
