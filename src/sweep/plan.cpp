@@ -23,14 +23,25 @@ std::string option_text(const Variation& variation) {
                                                  fmt::join(variation.value_rows.front(), ",")));
 }
 
-/// The seed is no key of a sweep.
+/// The seed is no key of a sweep, nor is what has the name of a column of its tables.
 void check_keys(const Request& request) {
+  const std::map<std::string_view, std::vector<std::string>> none = {{"KEY", {}},
+                                                                     {"STAGE.MEASURE", {}}};
+  std::vector<std::string> columns = record::sweep_column_names("runs", none);
+  std::ranges::copy(record::sweep_column_names("measures", none), std::back_inserter(columns));
   const auto refuse_seed = [](const std::string& option) {
     throw scene::SceneError(option + ": error: the seeds of a sweep are given by --seeds");
   };
   for (const Variation& variation : request.variations) {
     if (std::ranges::count(variation.keys, "seed") > 0) {
       refuse_seed(option_text(variation));
+    }
+    const auto taken = std::ranges::find_first_of(variation.keys, columns);
+    if (taken != variation.keys.end()) {
+      throw scene::SceneError(fmt::format(
+          "{}: error: tables of a sweep have a column '{}' of their own; a number under let can be "
+          "varied as let.{}",
+          option_text(variation), *taken, *taken));
     }
   }
   for (const scene::Override& text : request.overrides) {

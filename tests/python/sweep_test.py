@@ -107,6 +107,14 @@ class SweepTest(ScratchTest):
             with self.assertRaises(clca.Error):
                 clca.sweep(SCENE, **wrong)
 
+    def test_names_under_let_may_be_those_of_columns(self):
+        scene = SCENE | {"let": {"wall": 1, "steps": 1}}
+        sweep = clca.sweep(scene, seeds=[1], vary={"wall": [1, 2, 10], "let.steps": [3, 40]}, output="sweep")
+        self.assertEqual(sweep.runs["wall"].tolist(), [1, 1, 2, 2, 10, 10])
+        self.assertEqual(sweep.measures["let.steps"].tolist()[0], 3)
+        with self.assertRaisesRegex(clca.Error, "a column 'steps' of their own; .* as let.steps$"):
+            clca.sweep(scene, seeds=[1], vary={"steps": [3, 40]}, output="refused")
+
     def test_a_folder_of_another_kind_is_named(self):
         clca.sweep(SCENE, seeds=[1], output="sweep")
         for read, said in ((lambda: clca.Sweep("sweep/runs/seed=1"), "sweep.json.* is the folder of a run$"),

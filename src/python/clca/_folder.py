@@ -186,7 +186,7 @@ class Folder:
             raise Error(f"{self.folder}: no table {name!r}; there are {', '.join(self.tables) or 'none'}")
         known = self.summary.get("tables", {})
         kind = max((kind for kind in known if name == kind or name.startswith(f"{kind}-")), key=len, default="")
-        return read_table(self.folder / f"{name}.csv", quantities(known.get(kind, [])))
+        return read_table(self.folder / f"{name}.csv", quantities(known.get(kind, [])), getattr(self, "keys", ()))
 
 
 class Result(ShownInNotebook, Folder):

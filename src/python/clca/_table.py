@@ -190,8 +190,8 @@ def check_regular(file: Path) -> None:
         raise Error(f"cannot read {file}: it is not a regular file")
 
 
-def read_table(file: Path, known: Mapping[str, Quantity]) -> Table:
-    """Reads a table that clca has written. Throws Error."""
+def read_table(file: Path, known: Mapping[str, Quantity], keys: Sequence[str] = ()) -> Table:
+    """Reads a table that clca has written; `keys` are columns of what varies, whatever their names. Throws Error."""
     check_regular(file)
     try:
         with file.open(encoding="utf-8", newline="") as lines:
@@ -207,6 +207,6 @@ def read_table(file: Path, known: Mapping[str, Quantity]) -> Table:
         raise Error(f"cannot read {file}: line {1 if wrong is None else 2 + wrong}: cut off or no row of the table")
     columns = list(zip(*cells)) if cells else [()] * len(names)
     what = [known.get(name, Quantity(name)) for name in names]
-    named = zip(names, columns, what)
-    read = (list(column) if name in TEXT_COLUMNS else parsed_numbers(column, of.unit) for name, column, of in named)
+    named, texts = zip(names, columns, what), TEXT_COLUMNS - {*keys}
+    read = (list(column) if name in texts else parsed_numbers(column, of.unit) for name, column, of in named)
     return Table(zip(names, read, what), str(file))

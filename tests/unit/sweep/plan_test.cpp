@@ -105,6 +105,14 @@ TEST(Plan, ARangeMayHaveAUnitOfLength) {
       ThrowsMessage<scene::SceneError>(::testing::EndsWith("; a range is FIRST:LAST:STEP")));
 }
 
+TEST(Plan, AKeyWithTheNameOfAColumnOfItsTablesIsRefused) {
+  for (const char* key : {"steps", "status", "folder", "mean", "low", "stage", "measure"}) {
+    EXPECT_THAT([&] { plan(request({std::string(key) + "=1,2"})); },
+                ThrowsMessage<scene::SceneError>(
+                    HasSubstr("tables of a sweep have a column '" + std::string(key) + "'")));
+  }
+}
+
 TEST(Plan, AKeyIsSetInOnePlaceOnlyAndTheSeedNowhereElse) {
   EXPECT_THAT(
       [] { plan(request({"seed=1,2"})); },
