@@ -173,6 +173,24 @@ int launch_sweep(std::vector<std::string> command, const std::string& launcher,
   return kDone;
 }
 
+/// One that Python asks for. Throws scene::SceneError with the place of the test in the study where
+/// its scene does not take the ends of the ranges.
+SweepCommandOptions sweep_of(const nlohmann::json& asked, SweepCommandOptions wanted) {
+  wanted.scene.file = run::scene_file(asked.at("scene"));
+  wanted.scene.overrides = asked.at("set");
+  wanted.variations = {asked.at("ends")};
+  try {
+    plan_of(wanted);
+  } catch (const scene::SceneError& error) {
+    throw scene::SceneError(
+        fmt::format("{}: error: {}", asked.at("place").get<std::string>(), error.what()));
+  }
+  wanted.variations = {asked.at("vary")};
+  wanted.seeds = asked.at("seeds");
+  wanted.sweep.folder = asked.at("folder").get<std::string>();
+  return wanted;
+}
+
 int calibrate(const std::string& study_file, const std::string& launcher,
               const SweepCommandOptions& options) {
   std::filesystem::path path = options.sweep.folder;
@@ -200,14 +218,12 @@ int calibrate(const std::string& study_file, const std::string& launcher,
     if (code != kDone || sweeps.empty()) {
       return code;
     }
+    std::vector<SweepCommandOptions> all;
+    for (const nlohmann::json& asked : sweeps) {
+      all.push_back(sweep_of(asked, options));
+    }
     folder.make_clca_folder();
-    for (const nlohmann::json& sweep : sweeps) {
-      SweepCommandOptions wanted = options;
-      wanted.scene.file = run::scene_file(sweep.at("scene"));
-      wanted.scene.overrides = sweep.at("set");
-      wanted.variations = {sweep.at("vary")};
-      wanted.seeds = sweep.at("seeds");
-      wanted.sweep.folder = sweep.at("folder").get<std::string>();
+    for (const SweepCommandOptions& wanted : all) {
       code = launcher.empty() ? run_sweep(wanted) : launch_sweep(command, launcher, wanted);
       if (code != kDone) {
         return code;

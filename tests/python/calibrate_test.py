@@ -199,6 +199,11 @@ class CalibrateTest(ScratchTest):
             self.assertTrue(str(caught.exception).startswith(message), caught.exception)
 
     def test_scenes_are_checked_before_anything_runs(self):
+        told = self.study(vary={"rules.inertia": [0.1, 1.9]})
+        self.assertRegex(told.stderr, "^study.yaml:1:[0-9]+: error: --vary rules.inertia=1.9: error: .* from 0 to 1.*\n$")
+        with self.assertRaisesRegex(clca.Error, "rules.inertia=1.9: error: .* from 0 to 1"):
+            clca.calibrate("scene.yaml", {"flow.runout_99": (12, 1)}, {"rules.inertia": (0.1, 1.9)}, output="found")
+        self.assertFalse((self.folder / "found").exists())
         told = self.study(vary={"rules.nosuch": [0, 1]})
         self.assertEqual(told.returncode, 2)
         self.assertIn("unknown key 'nosuch'", told.stderr)

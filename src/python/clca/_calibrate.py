@@ -231,7 +231,7 @@ def calibrate(
     by default; runs that are there already are not run again. `jobs` and `progress` (of each round) are as for `sweep`.
     Throws Error. It needs SciPy and scikit-learn.
     """
-    from ._scene import sweep
+    from ._scene import Scene, sweep
 
     is_alone = tests is None or isinstance(tests, (list, tuple)) and not tests
     if (scene is None) == is_alone:
@@ -248,6 +248,9 @@ def calibrate(
     checked_workers("jobs", jobs), checked_progress(progress)
     folder = absolute_path(output if output is not None else Path("renders") / f"{study.tests[0].name}-calibration")
     refuse_other_kind(folder, "calibration.json")
+    for test in study.tests:  # before anything runs
+        for ends in zip(*study.vary.values()):
+            Scene.of(test.scene, set=test.set | dict(zip(study.vary, ends)))
     make_clca_folder(folder)
     number = 0
     while not isinstance(following := next_step(study, folder, number), Answer):
@@ -268,12 +271,17 @@ def command(options: dict[str, Any], folder: str) -> None:
         lines = summary_lines(tables["parameters"], tables["targets"], summary["notes"])
         _answer.send_files_and_lines(files_of(summary, tables), lines)
         return
-    separator = "," if len(study.vary) == 1 else "; "
+
+    def varied(rows: Iterable[Sequence[float]]) -> str:
+        return f"{','.join(study.vary)}={('; ' if len(study.vary) > 1 else ',').join(','.join(map(repr, row)) for row in rows)}"
+
     sweeps = [
         {
             "scene": test.scene,
             "set": [f"{key}={to_yaml(key, value)}" for key, value in test.set.items()],
-            "vary": f"{','.join(study.vary)}={separator.join(','.join(map(repr, row)) for row in rows)}",
+            "vary": varied(rows),
+            "ends": varied(zip(*study.vary.values())),
+            "place": test.place,
             "seeds": f"{seeds[0]}..{seeds[-1]}",
             "folder": os.fspath(there),
         }

@@ -23,6 +23,7 @@ class CalibrationTest(NamedTuple):
     scene: Any
     set: dict[str, Any]
     targets: dict[str, tuple[float, float]]  #: by STAGE.MEASURE: value and standard deviation
+    place: str = ""  #: in the file of the study
 
 
 class Study(NamedTuple):
@@ -181,5 +182,9 @@ def read_study(file: Path) -> Study:
     for index, test in enumerate(study.tests):
         if not isinstance(test.scene, str):
             raise refuse(("tests", index, "scene"), "expected the name of a scene or its file")
-    beside = [test._replace(scene=str(file.parent / test.scene)) for test in study.tests]
-    return study._replace(tests=[there if Path(there.scene).is_file() else test for there, test in zip(beside, study.tests)])
+    tests = []
+    for index, test in enumerate(study.tests):
+        there, mark = file.parent / test.scene, marks["tests", index]
+        place = f"{file}:{mark.line + 1}:{mark.column + 1}"
+        tests.append(test._replace(scene=str(there) if there.is_file() else test.scene, place=place))
+    return study._replace(tests=tests)
