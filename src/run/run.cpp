@@ -284,7 +284,7 @@ std::unique_ptr<Run> resumed_run(const scene::Scene& scene, RunOptions options,
   const std::filesystem::path folder = saved.folder.path();
   try {
     options.pictures = wanted_pictures_of(saved);
-    return std::make_unique<Run>(scene, options, events, saved, saved_parts(scene, saved));
+    return std::make_unique<Run>(scene, options, events, saved, saved_parts(saved));
   } catch (const reflection::ColumnMismatch& error) {
     throw mismatched_checkpoint(folder, error.what());
   } catch (const std::invalid_argument& error) {

@@ -8,6 +8,7 @@
 #include "clca/run/setup.hpp"
 #include "clca/text/message.hpp"
 #include "clca/text/read.hpp"
+#include "run/stage.hpp"
 
 namespace clca::run {
 
@@ -45,15 +46,17 @@ bool is_possible_outflow(const record::StageHistory& history, const grains::Stat
                             std::less_equal<>());
 }
 
-void require_end_not_passed(const std::string& until, const scene::Stage& stage,
-                            const record::StageHistory& history) {
-  const auto steps = scene::fixed_steps(stage.until);
-  const auto* cycles = std::get_if<scene::UntilCycles>(&stage.until);
-  if ((steps && *steps < history.steps) || (cycles != nullptr && cycles->cycles < history.cycles)) {
+/// Raises the bound of a last stage that has reached it. Throws scene::SceneError for an end that
+/// the stage has met before.
+void require_end_not_passed(const std::string& until, scene::Stage& stage,
+                            const grains::State& state, const record::StageHistory& history) {
+  if (history.steps >= stage.max_steps) {
+    stage.max_steps = std::min(history.steps + scene::Stage().max_steps, scene::kMaxSteps);
+  }
+  if (stage_end(stage, state, history) && scene::fixed_steps(stage.until) != history.steps) {
     throw scene::SceneError(
-        fmt::format("--until {}: error: stage {} has passed this end: it is at step {}{}",
-                    text::shortened(until), stage.name, history.steps,
-                    cycles != nullptr ? fmt::format(", cycle {}", history.cycles) : ""));
+        fmt::format("--until {}: error: stage {} has passed this end: it is at step {}",
+                    text::shortened(until), stage.name, history.steps));
   }
 }
 
@@ -119,7 +122,8 @@ WantedPictures wanted_pictures_of(const SavedRun& saved) {
   return pictures;
 }
 
-SavedParts saved_parts(const scene::Scene& scene, const SavedRun& saved) {
+SavedParts saved_parts(SavedRun& saved) {
+  auto& scene = std::get<scene::Scene>(saved.scene);
   SavedParts parts = {
       .state = model::state_from_checkpoint(scene, saved.checkpoint.fields, saved.max_bytes)};
   const reflection::Columns& columns = saved.checkpoint.fields;
@@ -137,8 +141,9 @@ SavedParts saved_parts(const scene::Scene& scene, const SavedRun& saved) {
       parts.history.profile_at_start.size() != columns_of_lattice) {
     throw reflection::ColumnMismatch("its stages differ from those of the scene");
   }
-  if (saved.new_end && parts.counters.stage + 1 == scene.stages.size()) {
-    require_end_not_passed(*saved.new_end, scene.stages.back(), parts.history);
+  if (saved.new_end && parts.counters.stage + 1 == scene.stages.size() &&
+      scene::to_yaml(scene) != saved.checkpoint.scene_text) {
+    require_end_not_passed(*saved.new_end, scene.stages.back(), grains, parts.history);
   }
   return parts;
 }

@@ -38,9 +38,10 @@ struct SavedParts {
   std::vector<store::StageSummary> ended_stages = {};  ///< those that have ended
 };
 
-/// Throws reflection::ColumnMismatch or std::invalid_argument if no run of the scene can have saved
-/// it.
-SavedParts saved_parts(const scene::Scene& scene, const SavedRun& saved);
+/// May raise the bound of the last stage of `saved`. Throws reflection::ColumnMismatch or
+/// std::invalid_argument if no run of the scene can have saved it, scene::SceneError for an end
+/// that it has passed.
+SavedParts saved_parts(SavedRun& saved);
 
 store::UnusableCheckpointError mismatched_checkpoint(const std::filesystem::path& folder,
                                                      const std::string& reason);

@@ -269,6 +269,26 @@ TEST_F(ResumeTest, AnEndThatTheRunHasPassedIsRefusedAndNothingIsChanged) {
   EXPECT_EQ(testing::bytes_of(path() / "run.json"), summary);
 }
 
+TEST_F(ResumeTest, AnEndThatTheRunHasMetBeforeIsRefusedToo) {
+  run(small({"outlets={o: {region: [20, 0, 40, 20]}}", "stages.flow.until={steps: 2000}"}),
+      {.folder = path()});
+  for (const char* end : {"settled", "{discharged: 0.1}"}) {
+    EXPECT_THAT([&] { resume(load_run(path(), kMuch, end), {}); },
+                ::testing::ThrowsMessage<scene::SceneError>(HasSubstr("has passed this end")))
+        << end;
+  }
+}
+
+TEST_F(ResumeTest, ARunThatHasEndedAtItsBoundGoesOnToAnotherEnd) {
+  const auto whole = run(small(), {.folder = folder_.path() / "whole"});
+  run(small({"stages.flow.until={steps: 7}", "stages.flow.max_steps=7"}), {.folder = path()});
+  for (int time = 0; time < 2; ++time) {
+    EXPECT_EQ(resume(load_run(path(), kMuch, "settled"), {}).state_hash, whole.state_hash);
+  }
+  const auto scene = std::get<scene::Scene>(load_run(path(), kMuch, "settled").scene);
+  EXPECT_EQ(scene.stages.back().max_steps, 1'000'007);
+}
+
 TEST_F(ResumeTest, AFileThatDoesNotFitIsRefusedAndNothingIsChanged) {
   const auto files = [&] {
     std::map<fs::path, decltype(testing::bytes_of({}))> all;
