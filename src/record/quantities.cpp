@@ -235,9 +235,9 @@ KnownQuantities known_quantities(const store::RunSummary& summary) {
           .derived_measures = summary.derived_measures};
 }
 
-std::vector<store::ColumnSummary> sweep_column_summaries(std::string_view table,
-                                                         const std::vector<std::string>& columns,
-                                                         const KnownQuantities& known) {
+std::vector<store::ColumnSummary> sweep_column_summaries(
+    std::string_view table, const std::vector<std::string>& columns,
+    const std::vector<KnownQuantities>& known) {
   const bool is_of_means = table.starts_with("mean-");
   const std::vector<TableInfo>& tables = declared(KnownQuantities::Kind::sweep).tables;
   const auto info =
@@ -247,10 +247,21 @@ std::vector<store::ColumnSummary> sweep_column_summaries(std::string_view table,
     const std::size_t ending = key.ends_with(kErrorSuffix) ? kErrorSuffix.size() : 0;
     const std::string of = key.substr(0, key.size() - ending);
     const Quantity* own = info != tables.end() ? find_column({&*info, 1}, key) : nullptr;
-    auto found = own != nullptr ? std::optional(summary_of(key, *own, known.units))
-                                : known.find(of.substr(of.find('.') + 1));
-    found = found ? found : known.find(of);
-    result.push_back(found.value_or(store::ColumnSummary{.key = key, .name = key}));
+    const auto column = [&](const KnownQuantities& of_runs) {
+      auto found = own != nullptr ? std::optional(summary_of(key, *own, of_runs.units))
+                                  : of_runs.find(of.substr(of.find('.') + 1));
+      found = found ? found : of_runs.find(of);
+      return found.value_or(store::ColumnSummary{.key = key, .name = key});
+    };
+    result.push_back(column(known.front()));
+    for (const KnownQuantities& others : known) {
+      const std::string unit = column(others).unit;
+      // Runs without units have velocities, but no times and masses.
+      const bool is_there = others.units || unit.find("spacings/step") != std::string::npos;
+      if (is_there && unit != result.back().unit) {
+        result.back().unit = "units differ";
+      }
+    }
     result.back().key = key;
     if (is_of_means && (key == kStep.key || key == "time")) {
       result.back().meaning = "since the stage began";

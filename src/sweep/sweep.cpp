@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <mutex>
 #include <nlohmann/json.hpp>
@@ -315,22 +316,31 @@ class Sweep {
     }
   }
 
-  /// Of a finished run: of one with units, if there is one, since not all models have them.
-  store::RunSummary described_run() const {
-    store::RunSummary found;
+  /// Of finished runs, one for each set of units; that of runs without any comes last.
+  std::vector<record::KnownQuantities> known_quantities_by_units() const {
+    std::map<std::string, store::RunSummary, std::greater<>> by_units;
     for (const RunResult& result : results_) {
-      if (result.status == Status::done && !found.units) {
-        found = result.summary;
+      if (result.status == Status::done) {
+        const auto& units = result.summary.units;
+        by_units.try_emplace(units ? units->time_unit + (units->site_mass ? ", kg" : "") : "",
+                             result.summary);
       }
     }
-    return found;
+    if (by_units.empty()) {
+      by_units.emplace();
+    }
+    std::vector<record::KnownQuantities> all;
+    for (const auto& [units, summary] : by_units) {
+      all.push_back(record::known_quantities(summary));
+      all.back().kind = record::KnownQuantities::Kind::sweep;
+    }
+    return all;
   }
 
   void write_tables(const std::vector<NamedTable>& means = {}) {
     const std::vector<NamedTable> tables = {runs_table(plan_, results_),
                                             measures_table(plan_, results_)};
-    auto known = record::known_quantities(described_run());
-    known.kind = record::KnownQuantities::Kind::sweep;
+    const std::vector<record::KnownQuantities> known = known_quantities_by_units();
     std::vector<store::TableSummary> summaries;
     for (const auto* list : {&tables, &means}) {
       for (const auto& [name, table] : *list) {

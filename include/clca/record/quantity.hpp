@@ -56,10 +56,11 @@ const Quantity* find_quantity(std::string_view key,
 
 KnownQuantities known_quantities(const store::RunSummary& summary);
 
-/// The columns of a table of a sweep, or its measures if `table` is empty; `known`: of the runs.
+/// The columns of a table of a sweep, or its measures if `table` is empty; `known`: of the runs, of
+/// those without units last. The unit is `units differ` where runs have several.
 std::vector<store::ColumnSummary> sweep_column_summaries(std::string_view table,
                                                          const std::vector<std::string>& columns,
-                                                         const KnownQuantities& known);
+                                                         const std::vector<KnownQuantities>& known);
 /// Measures that only a sweep has.
 std::vector<std::string> sweep_measure_names();
 

@@ -85,5 +85,23 @@ TEST(Quantity, HasTheUnitsOfARun) {
   EXPECT_EQ(shown_unit("sites/time", {}), "sites/time");
 }
 
+TEST(Quantities, OfASweepSayWhereTheUnitsOfItsRunsDiffer) {
+  const KnownQuantities with_units = {
+      .kind = Kind::sweep,
+      .units = scene::UnitConversion{.length_unit = "m", .time_unit = "s", .velocity_unit = "m/s"}};
+  const auto units = [&](const std::vector<KnownQuantities>& known) {
+    std::vector<std::string> found;
+    for (const auto& column :
+         sweep_column_summaries("runs", {"flow.fluctuation_energy", "flow.time"}, known)) {
+      found.push_back(column.unit);
+    }
+    return found;
+  };
+  EXPECT_THAT(units({with_units}), ::testing::ElementsAre("(m/s)²", "s"));
+  EXPECT_THAT(units({with_units, {.kind = Kind::sweep}}),
+              ::testing::ElementsAre("units differ", "s"))
+      << "runs without units have no time";
+}
+
 }  // namespace
 }  // namespace clca::record::quantity_test
