@@ -23,6 +23,7 @@ constexpr double kTallest = 1.4;  // height of a view in widths of its cell
 // In text sizes.
 constexpr double kSheetGap = 1.2;
 constexpr double kLabelStrip = 1.7;
+constexpr double kNextLine = 1.3;
 constexpr double kTitleStrip = 2.6;
 constexpr double kSheetTitleSize = 1.4;
 constexpr double kLegendStrip = 2.95;
@@ -46,6 +47,23 @@ std::optional<Legend> legend_of_all(const std::vector<Tile>& tiles) {
   return legend.value_or(Legend());
 }
 
+/// A label in lines that fit into `room`, as far as it has commas to end them.
+std::vector<std::string> in_lines(const std::string& label, double size, double room) {
+  Graphics graphics(1, 1);
+  std::vector<std::string> lines = {""};
+  for (std::size_t start = 0; start < label.size();) {
+    const std::size_t comma = label.find(", ", start);
+    const std::size_t end = comma == std::string::npos ? label.size() : comma + 2;
+    const std::string part = label.substr(start, end - start);
+    if (!lines.back().empty() && graphics.text(lines.back() + part, size).width() > room) {
+      lines.emplace_back();
+    }
+    lines.back() += part;
+    start = end;
+  }
+  return lines;
+}
+
 class Sheet {
  public:
   Sheet(const std::vector<Tile>& tiles, int columns, int cell_width, bool titled)
@@ -57,6 +75,13 @@ class Sheet {
         own_text_size_(std::max(9.0, std::round(kOwnLegendSize * text_size_))),
         has_font_(font_warning().empty()),
         legend_(legend_of_all(tiles)) {
+    std::size_t lines = 1;
+    for (const Tile& tile : tiles) {
+      labels_.push_back(has_font_ ? in_lines(tile.label, text_size_, cell_width_)
+                                  : std::vector<std::string>());
+      lines = std::max(lines, labels_.back().size());
+    }
+    const double strip = kLabelStrip + kNextLine * static_cast<double>(lines - 1);
     double top = em(titled ? kTitleStrip : kSheetGap);
     double height = cell_width * 9.0 / 16;  // of a row without pictures
     for (std::size_t first = 0; first < tiles.size(); first += columns_) {
@@ -67,7 +92,7 @@ class Sheet {
       height = highest > 0 ? highest : height;
       tops_.push_back(top);
       heights_.push_back(height);
-      top += height + em(kLabelStrip) + em(kSheetGap);
+      top += height + em(strip) + em(kSheetGap);
     }
     height_ = top + (legend_ && *legend_ != Legend() ? em(kLegendStrip) : 0);
     if (!(width() * height_ <= static_cast<double>(kMaxPixels))) {
@@ -83,7 +108,13 @@ class Sheet {
     for (std::size_t i = 0; i < tiles_.size(); ++i) {
       const double left =
           em(kSheetGap) + static_cast<double>(i % columns_) * (cell_width_ + em(kSheetGap));
-      draw_tile(graphics, tiles_[i], left, tops_[i / columns_], heights_[i / columns_]);
+      double baseline =
+          draw_tile(graphics, tiles_[i], left, tops_[i / columns_], heights_[i / columns_]) +
+          em(1.2);
+      for (const std::string& line : labels_[i]) {
+        draw_text(graphics, line, text_size_, cell_width_, left, baseline);
+        baseline += em(kNextLine);
+      }
     }
     if (legend_) {
       const auto shown = std::ranges::find_if_not(tiles_, is_missing);
@@ -125,8 +156,9 @@ class Sheet {
     }
   }
 
-  void draw_tile(Graphics& graphics, const Tile& tile, double left, double top,
-                 double height) const {
+  /// Returns where it ends.
+  double draw_tile(Graphics& graphics, const Tile& tile, double left, double top,
+                   double height) const {
     double bottom = top + height;
     if (is_missing(tile)) {
       graphics.fill_box(left, top, left + cell_width_, bottom, kMissing);
@@ -140,7 +172,7 @@ class Sheet {
                     top + tile.view_image.height, cell_width_, own_text_size_);
       }
     }
-    draw_text(graphics, tile.label, text_size_, cell_width_, left, bottom + em(1.2));
+    return bottom;
   }
 
   const std::vector<Tile>& tiles_;
@@ -149,7 +181,8 @@ class Sheet {
   double text_size_;
   double own_text_size_;  // of the legend of a tile
   bool has_font_;
-  std::optional<Legend> legend_;  // of all tiles
+  std::optional<Legend> legend_;                  // of all tiles
+  std::vector<std::vector<std::string>> labels_;  // in lines, of each tile; none without a font
   double height_ = 0;
   std::vector<double> tops_;  // of rows
   std::vector<double> heights_;

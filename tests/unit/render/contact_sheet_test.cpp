@@ -111,6 +111,9 @@ TEST(ContactSheet, WritesLabelsUnderPicturesAndATitleAbove) {
   const Image long_label = sheet(std::string(500, 'w'), std::string(500, 'W'));
   EXPECT_EQ(long_label.width, bare.width);
   EXPECT_EQ(around(sheet("", ""), kBlue).height(), 100);
+  const Image several_lines = sheet("wall_friction=0.1, restitution=0.4, seed 3", "Sweep");
+  EXPECT_GT(several_lines.height, bare.height);
+  EXPECT_GT(ink(several_lines, bare.height - 12, several_lines.height), 20);
 }
 
 /// Pictures with a patch of this colour in their legends, and a colour bar to this value.
