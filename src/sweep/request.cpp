@@ -158,7 +158,7 @@ void check_rows(std::string_view text, const Variation& variation) {
   std::set<std::vector<std::string>> known;
   for (const std::vector<std::string>& row : variation.value_rows) {
     if (std::ranges::count(row, std::string()) > 0) {
-      fail("--vary", text, "a value is missing; write null for an empty value");
+      fail("--vary", text, "a value is missing; write none to leave the key out");
     }
     if (row.size() != variation.keys.size()) {
       fail("--vary", text,

@@ -118,7 +118,7 @@ TEST(Variation, WithoutKeyOrWithMissingOrRepeatedValuesItIsRefused) {
       {"", "expected KEY=V1,V2"},
       {"rules.inertia", "expected KEY=V1,V2"},
       {"=1,2", "expected KEY=V1,V2"},
-      {"a=", "a value is missing"},
+      {"a=", "a value is missing; write none"},
       {"a=1,,2", "a value is missing"},
       {"a=1,", "a value is missing"},
       {"a=1,2,1", "the value 1 is named twice"},
