@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "clca/scene/output.hpp"
+#include "clca/scene/units.hpp"
 #include "scene/sections.hpp"
 #include "scene/types.hpp"
 
@@ -158,7 +159,8 @@ void put_numbers_into_derived(Scene& scene) {
         document::with_names_replaced(derived.expression, [&](std::string_view name) {
           const Value* value =
               name.find('.') != std::string_view::npos ? whole.find_path(name) : nullptr;
-          return value != nullptr ? number_in<double>(value->text) : std::nullopt;
+          const auto number = value != nullptr ? number_in<double>(value->text) : std::nullopt;
+          return number || value == nullptr ? number : metres_in(value->text);
         });
   }
 }

@@ -195,6 +195,11 @@ TEST(UntilTime, TakesTheStepsThatItNeedsRoundedUp) {
             static_cast<std::uint64_t>(std::ceil(2.5 / unit_conversion(real)->time_step)));
 }
 
+TEST(DerivedMeasure, MayNameTheSpacingWhichIsInMetres) {
+  const Scene scene = contact_with("units: {spacing: 2 mm}\nmeasure: {e: =3*units.spacing}\n");
+  EXPECT_EQ(scene.derived_measures.front().expression, "=3*0.002");
+}
+
 TEST(UntilTime, ToYamlAndBackIsTheSame) {
   for (const char* units : {"", "units: {spacing: 1 mm}\n"}) {
     const Scene scene = contact_with(units + std::string(kUntilTime));
