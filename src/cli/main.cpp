@@ -67,6 +67,27 @@ void check_command_name(const CLI::App& program, std::string_view given) {
   }
 }
 
+/// Throws for the first argument that has not been taken; CLI11 names all, the last one first.
+void refuse_unknown(const CLI::App& program) {
+  const std::vector<std::string> unknown = program.remaining(true);
+  if (unknown.empty() || unknown.front() == "--") {
+    return;
+  }
+  const auto commands = program.get_subcommands();
+  const CLI::App& command = commands.empty() ? program : *commands.front();
+  std::vector<std::string> options;
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& name : option->get_lnames()) {
+      options.push_back("--" + name);
+    }
+  }
+  const std::string given = unknown.front().substr(0, unknown.front().find('='));
+  const std::vector<std::string_view> names(options.begin(), options.end());
+  throw CLI::ParseError(
+      fmt::format("{} was not expected{}", text::quoted(given), text::suggestion(given, names)),
+      CLI::ExitCodes::ExtrasError);
+}
+
 void parse(CLI::App& program, const std::vector<const char*>& arguments) {
   check_command_name(program, arguments.size() > 1 ? arguments[1] : "");
   if (std::ranges::any_of(arguments, [](const char* text) { return *text == '\0'; })) {
@@ -74,11 +95,13 @@ void parse(CLI::App& program, const std::vector<const char*>& arguments) {
   }
   try {
     program.parse(static_cast<int>(arguments.size()), arguments.data());
+  } catch (const CLI::ExtrasError&) {
+    refuse_unknown(program);
+    throw;
   } catch (const CLI::RequiredError&) {
     // CLI11 asks for a command first, even if it has seen an option that it does not know.
-    const std::vector<std::string> unknown = program.remaining();
-    if (program.get_subcommands().empty() && !unknown.empty() && unknown.front() != "--") {
-      throw CLI::ExtrasError(unknown);
+    if (program.get_subcommands().empty()) {
+      refuse_unknown(program);
     }
     throw;
   }

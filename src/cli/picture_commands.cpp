@@ -63,10 +63,10 @@ void check_memory_of_all(const std::vector<drawing::RunToDraw>& runs, double lim
     bytes += run::estimated_run_bytes(run.scene);
   }
   if (bytes > limit) {
-    throw drawing::RedrawError(fmt::format(
-        "{} runs need about {:.0f} MiB of memory together, more than the limit of {:.0f} "
-        "MiB; draw fewer of them or raise --memory-limit",
-        runs.size(), bytes / kMebibyte, limit / kMebibyte));
+    throw drawing::RedrawError(
+        fmt::format("{} runs need about {:.0f} MiB of memory together, more than the limit of {:g} "
+                    "MiB; draw fewer of them or raise --memory-limit",
+                    runs.size(), bytes / kMebibyte, limit / kMebibyte));
   }
 }
 

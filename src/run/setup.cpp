@@ -87,7 +87,7 @@ void check_memory(const scene::Scene& scene, double limit) {
         limit;
     throw scene::SceneError(fmt::format(
         "{}: error: the scene needs about {:.0f} MiB of memory for {} x {} sites and {} particles, "
-        "more than the limit of {:.0f} MiB; make the {} smaller or raise --memory-limit",
+        "more than the limit of {:g} MiB; make the {} smaller or raise --memory-limit",
         pictures_are_too_large ? scene.output.frames->location : scene.box.location,
         bytes / kMebibyte, size.columns, size.rows, size.max_particles, limit / kMebibyte,
         pictures_are_too_large ? "pictures" : "box"));
@@ -103,7 +103,7 @@ void check_memory(const scene::AnyScene& scene, double limit, int threads) {
   if (const double bytes = scene::gas_run_bytes(gas, threads); bytes > limit) {
     throw scene::SceneError(fmt::format(
         "{}: error: the scene needs about {:.0f} MiB of memory for {} particles on {} threads, "
-        "more than the limit of {:.0f} MiB; take fewer particles or threads, write fewer rows and "
+        "more than the limit of {:g} MiB; take fewer particles or threads, write fewer rows and "
         "bins, or raise --memory-limit",
         gas.location, bytes / kMebibyte, gas.particles, threads, limit / kMebibyte));
   }

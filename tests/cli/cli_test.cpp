@@ -170,9 +170,10 @@ TEST_F(CliTest, AnUnknownOptionIsNamedWithOrWithoutACommand) {
        {std::vector<std::string>{"--no"}, {"run", "a.yaml", "--no"}, {"--no", "run", "a.yaml"}}) {
     const auto result = run(arguments);
     EXPECT_EQ(result.code, 2);
-    EXPECT_EQ(result.err,
-              "clca: error: The following argument was not expected: --no (see clca --help)\n");
+    EXPECT_EQ(result.err, "clca: error: '--no' was not expected (see clca --help)\n");
   }
+  EXPECT_THAT(run({"run", "a.yaml", "--sed", "3"}).err,
+              HasSubstr("'--sed' was not expected; did you mean '--seed'?"));
 }
 
 TEST_F(CliTest, TheHelpOfEachCommandIsPlainText) {
@@ -451,7 +452,8 @@ TEST_F(CliTest, AFillThatDoesNotFitIsWrongInputWithItsPlace) {
 TEST_F(CliTest, ASceneBeyondTheMemoryLimitIsRefusedBeforeAnythingIsAllocated) {
   write("small.yaml", kScene);
   expect_refused(run({"run", "small.yaml", "--memory-limit", "64KiB"}), 2,
-                 AllOf(StartsWith("small.yaml:3:"), HasSubstr("--memory-limit")));
+                 AllOf(StartsWith("small.yaml:3:"), HasSubstr("limit of 0.0625 MiB"),
+                       HasSubstr("--memory-limit")));
   expect_refused(
       run({"run", "small.yaml", "--set", "box.width=800000", "--set", "box.height=1000000"}), 2,
       HasSubstr("MiB of memory"));
