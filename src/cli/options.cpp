@@ -75,7 +75,8 @@ CLI::Validator unit_validator(const std::string& what, const CLI::AsNumberWithUn
 /// current folder.
 scene::Override override_of_begin(const std::string& folder) {
   const std::string path = std::filesystem::absolute(folder).string();
-  return fmt::format("begin={{run: '{}'}}", std::regex_replace(path, std::regex("'"), "''"));
+  return {fmt::format("begin={{run: '{}'}}", std::regex_replace(path, std::regex("'"), "''")),
+          "--begin " + folder};
 }
 
 std::string standard_input() {
@@ -168,7 +169,8 @@ std::vector<scene::Override> overrides_of(const SceneOptions& options) {
     overrides.push_back(fmt::format("seed={}", *options.seed));
   }
   if (options.frames_every.value_or(0) > 0) {
-    overrides.push_back(fmt::format("output.frames.every={}", *options.frames_every));
+    overrides.emplace_back(fmt::format("output.frames.every={}", *options.frames_every),
+                           fmt::format("--frames-every {}", *options.frames_every));
   }
   return overrides;
 }

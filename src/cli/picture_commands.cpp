@@ -170,8 +170,8 @@ void add_frames_option(CLI::App* command, RenderOptions& options, const char* na
   command
       ->add_option_function<std::string>(
           name,
-          [&options, path](const std::string& value) {
-            options.look.push_back(path + "=" + value);
+          [&options, path, name](const std::string& value) {
+            options.look.emplace_back(path + "=" + value, fmt::format("{} {}", name, value));
           },
           what)
       ->type_name(type)

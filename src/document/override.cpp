@@ -90,12 +90,14 @@ Value& child(Value& parent, const std::vector<std::string>& above, const std::st
 }  // namespace
 
 void apply_override(Value& root, const std::string& text, std::string_view option,
-                    IsChoice is_choice, bool after_others) {
+                    const std::string& given, IsChoice is_choice, bool after_others) {
   const std::size_t equals = text.find('=');
   const std::string value_shown =
       equals == std::string::npos ? "" : "=" + text::shortened(text.substr(equals + 1));
-  const auto origin = std::make_shared<const Origin>(Origin{
-      fmt::format("{} {}{}", option, text::shortened(text.substr(0, equals)), value_shown), false});
+  const std::string label =
+      fmt::format("{} {}{}", option, text::shortened(text.substr(0, equals)), value_shown);
+  const auto origin =
+      std::make_shared<const Origin>(Origin{given.empty() ? label : text::shortened(given), false});
   const TextLocation location = {origin, 1, 1};
   const std::string_view whole = text;
   std::vector<std::string> parts = path_parts(whole.substr(0, equals));

@@ -17,11 +17,11 @@
 namespace clca::python {
 
 LoadedScene::LoadedScene(const std::string& source, const std::optional<std::string>& given,
-                         const std::vector<scene::Override>& overrides)
+                         const std::vector<std::string>& overrides)
     : file(given ? source : run::scene_file(source)),
       text(given ? *given : scene::read_scene_text(file)),
       absolute_path(std::filesystem::absolute(file)),
-      scene(scene::parse_any(text, file, overrides)) {
+      scene(scene::parse_any(text, file, {overrides.begin(), overrides.end()})) {
   run::prepare_scene(scene, file, run::default_memory_limit(), run::machine_thread_count());
 }
 
@@ -49,7 +49,7 @@ namespace {
 
 void add_scene(py::module_& module) {
   py::class_<LoadedScene>(module, "Scene")
-      .def(py::init<std::string, std::optional<std::string>, std::vector<scene::Override>>(),
+      .def(py::init<std::string, std::optional<std::string>, std::vector<std::string>>(),
            py::call_guard<ReleasedInterpreter>())
       .def("__reduce__", refuse_pickle)
       .def_property_readonly(

@@ -26,7 +26,7 @@ struct LoadedScene : HeldByPython {
   /// `source`: a file or a name; with a `given` text, the file that it is from or what messages
   /// call it.
   LoadedScene(const std::string& source, const std::optional<std::string>& given,
-              const std::vector<scene::Override>& overrides);
+              const std::vector<std::string>& overrides);
 
   std::string file;  ///< for messages
   std::string text;  ///< as it was read

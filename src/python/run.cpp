@@ -142,15 +142,15 @@ void check_variations_and_seeds(const std::vector<VariedKeys>& varied,
 }
 
 void sweep_scene(const std::string& source, const std::optional<std::string>& text,
-                 const std::vector<scene::Override>& overrides,
-                 const std::vector<VariedKeys>& varied, std::vector<std::uint64_t> seeds,
-                 const fs::path& folder, const std::optional<int>& jobs, const py::object& report) {
+                 const std::vector<std::string>& overrides, const std::vector<VariedKeys>& varied,
+                 std::vector<std::uint64_t> seeds, const fs::path& folder,
+                 const std::optional<int>& jobs, const py::object& report) {
   Reporter work(report);
   work.run_without_interpreter([&] {
     check_variations_and_seeds(varied, seeds);
     std::ranges::sort(seeds);
     sweep::Request request = {.scene_file = text ? source : run::scene_file(source),
-                              .overrides = overrides,
+                              .overrides = {overrides.begin(), overrides.end()},
                               .variations = {},
                               .seeds = std::move(seeds),
                               .scene_text = text};
@@ -176,16 +176,16 @@ void sweep_scene(const std::string& source, const std::optional<std::string>& te
   });
 }
 
-drawing::RunToDraw run_to_draw(const fs::path& folder,
-                               const std::vector<scene::Override>& overrides) {
-  drawing::RunToDraw drawn = {.scene = drawing::scene_for_drawing(folder, overrides),
-                              .run_folder = folder};
+drawing::RunToDraw run_to_draw(const fs::path& folder, const std::vector<std::string>& overrides) {
+  drawing::RunToDraw drawn = {
+      .scene = drawing::scene_for_drawing(folder, {overrides.begin(), overrides.end()}),
+      .run_folder = folder};
   run::check_memory(drawn.scene, run::default_memory_limit());
   return drawn;
 }
 
 py::array picture(const fs::path& folder, std::uint64_t step,
-                  const std::vector<scene::Override>& overrides) {
+                  const std::vector<std::string>& overrides) {
   image::Image image;
   {
     const ReleasedInterpreter free;
@@ -197,7 +197,7 @@ py::array picture(const fs::path& folder, std::uint64_t step,
 
 void movie(const fs::path& folder, const fs::path& file, int frames_per_second,
            std::optional<double> duration, const std::optional<std::string>& stage,
-           const std::vector<scene::Override>& overrides) {
+           const std::vector<std::string>& overrides) {
   SignalWatch interrupt;
   interrupt.run_without_interpreter([&] {
     drawing::Redraw redraw({run_to_draw(folder, overrides)},

@@ -131,14 +131,15 @@ py::dict summary(const Simulation& simulation) {
 
 /// `output.frames` of the scene with these overrides; defaults where it has none. Throws
 /// scene::SceneError.
-scene::PictureOutput frames_of(const scene::Scene& scene, std::vector<scene::Override> overrides) {
+scene::PictureOutput frames_of(const scene::Scene& scene, std::vector<std::string> overrides) {
   if (!scene.output.frames) {
     overrides.insert(overrides.begin(), "output.frames={}");
   }
-  return *scene::parse(scene::to_yaml(scene), scene.name, overrides).output.frames;
+  return *scene::parse(scene::to_yaml(scene), scene.name, {overrides.begin(), overrides.end()})
+              .output.frames;
 }
 
-py::array picture_now(Simulation& simulation, const std::vector<scene::Override>& overrides) {
+py::array picture_now(Simulation& simulation, const std::vector<std::string>& overrides) {
   const BusyScope change(simulation.busy);
   image::Image image;
   {

@@ -17,16 +17,18 @@ namespace {
 /// The saved scene with another end, and with a bound of steps that is not below it.
 scene::AnyScene scene_with_new_end(const scene::AnyScene& saved, const std::string& text,
                                    const std::string& file, const std::string& until) {
+  const std::string option = "--until " + until;
   const auto* automaton = std::get_if<scene::Scene>(&saved);
   if (automaton == nullptr) {
-    return scene::parse_any(text, file, {"boltzmann.until=" + until});
+    return scene::parse_any(text, file, {{"boltzmann.until=" + until, option}});
   }
   const std::string stage = fmt::format("stages.{}.", automaton->stages.size() - 1);
   const bool plain = !until.empty() && until.find_first_not_of("0123456789") == std::string::npos;
   const auto with_bound = [&](std::uint64_t max_steps) {
-    return scene::parse(text, file,
-                        {stage + "until=" + (plain ? fmt::format("{{steps: {}}}", until) : until),
-                         fmt::format("{}max_steps={}", stage, max_steps)});
+    return scene::parse(
+        text, file,
+        {{stage + "until=" + (plain ? fmt::format("{{steps: {}}}", until) : until), option},
+         fmt::format("{}max_steps={}", stage, max_steps)});
   };
   const scene::Scene longer = with_bound(scene::kMaxSteps);
   return with_bound(std::max(automaton->stages.back().max_steps,

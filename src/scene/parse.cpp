@@ -62,11 +62,12 @@ bool is_choice(const std::vector<std::string>& path) {
 }
 
 /// The view of pictures stays where they are set to none, for what is drawn of the run later.
-void override_with(Value& root, const Override& text, bool varies) {
+void override_with(Value& root, const Override& given, bool varies) {
   const Value* view =
-      text.starts_with("output.frames=") ? root.find_path("output.frames.view") : nullptr;
+      given.text.starts_with("output.frames=") ? root.find_path("output.frames.view") : nullptr;
   const std::optional<Value> kept = view != nullptr ? std::optional(*view) : std::nullopt;
-  document::apply_override(root, text, varies ? "--vary" : "--set", is_choice, varies);
+  document::apply_override(root, given.text, varies ? "--vary" : "--set", given.option, is_choice,
+                           varies);
   const Value* frames = root.find_path("output.frames");
   if (kept && !frames->quoted && frames->text == "none") {
     Value& output = *root.find("output");
@@ -131,11 +132,11 @@ AnyScene parse_any(std::string_view text, const std::string& file,
     fail(root.location, "expected a scene, which begins with 'clca: {}', found {}", kVersion,
          found(root));
   }
-  for (const Override& text_of_override : overrides) {
-    override_with(root, text_of_override, /*varies=*/false);
+  for (const Override& given : overrides) {
+    override_with(root, given, /*varies=*/false);
   }
-  for (const Override& text_of_override : varied) {
-    override_with(root, text_of_override, /*varies=*/true);
+  for (const Override& given : varied) {
+    override_with(root, given, /*varies=*/true);
   }
   std::vector<std::string_view> keys = names_of(*scene_type().keys);
   std::ranges::copy(names_of(*boltzmann_type().keys), std::back_inserter(keys));

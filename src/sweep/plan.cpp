@@ -44,9 +44,9 @@ void check_keys(const Request& request) {
           option_text(variation), *taken, *taken));
     }
   }
-  for (const scene::Override& text : request.overrides) {
-    if (text.starts_with("seed=")) {
-      refuse_seed("--set " + text::shortened(text));
+  for (const scene::Override& given : request.overrides) {
+    if (given.text.starts_with("seed=")) {
+      refuse_seed("--set " + text::shortened(given.text));
     }
   }
 }

@@ -75,10 +75,12 @@ std::string to_json(const Plan& plan, const std::vector<store::TableSummary>& ta
   for (const Variation& variation : plan.request.variations) {
     variations.push_back({{"keys", variation.keys}, {"rows", variation.value_rows}});
   }
+  Json set = Json::array();
+  std::ranges::transform(plan.request.overrides, std::back_inserter(set), &scene::Override::text);
   const Json object = {{"clca", store::version()},
                        {"scene", plan.request.scene_file.string()},
                        {"title", plan.title()},
-                       {"set", plan.request.overrides},
+                       {"set", std::move(set)},
                        {"vary", std::move(variations)},
                        {"seeds", to_text(plan.request.seeds)},
                        {"runs", plan.run_count()},

@@ -60,7 +60,7 @@ class RenderCommandTest : public ::testing::Test {
   RenderCommandTest() { store("run", {}); }
 
   fs::path path(const fs::path& name) const { return folder_.path() / name; }
-  void store(const char* run, const std::vector<std::string>& settings) const {
+  void store(const char* run, const std::vector<scene::Override>& settings) const {
     testing::run_and_store(scene::parse(kScene, "small.yaml", settings), path(run), 2);
   }
   testing::ProgramResult render(std::vector<std::string> arguments,

@@ -41,7 +41,7 @@ std::vector<scene::Override> take_override(std::string_view& text) {
     return {};
   }
   const std::size_t end = std::min(text.find('\n'), text.size());
-  const scene::Override override(text.substr(kOption.size(), end - kOption.size()));
+  const scene::Override override(std::string(text.substr(kOption.size(), end - kOption.size())));
   text.remove_prefix(end);
   return {override};
 }

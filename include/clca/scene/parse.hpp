@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -20,8 +21,17 @@ using SceneError = document::Error;
 
 /// Replaces a value of the file: `rules.inertia=0`, `stages.1.until.steps=50` (list items by number
 /// from 0, or by `name`: `stages.flow.max_steps=9`).
-/// The value is YAML. Errors in it have `--set KEY=VALUE` as location.
-using Override = std::string;
+/// The value is YAML. Errors in it have the `option` as location; without one, `--set KEY=VALUE`.
+struct Override {
+  // NOLINTBEGIN(google-explicit-constructor): mostly it is its text.
+  Override(std::string key_and_value, std::string given_as = "")
+      : text(std::move(key_and_value)), option(std::move(given_as)) {}
+  Override(const char* key_and_value) : text(key_and_value) {}
+  // NOLINTEND(google-explicit-constructor)
+
+  std::string text;
+  std::string option;  ///< as it was given
+};
 
 /// A scene of grains, or one of the Boltzmann equation (a block `boltzmann`).
 using AnyScene = std::variant<Scene, BoltzmannScene>;

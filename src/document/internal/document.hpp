@@ -121,8 +121,10 @@ Value read_value(std::string_view text, const std::shared_ptr<const Origin>& ori
 
 /// Puts the value of `text` into the tree. In a map at a path that `is_choice`, which holds one key
 /// out of several, a new key takes the place of the old one. `after_others`: refuse to replace what
-/// an earlier option has set. Throws Error that names `OPTION KEY=VALUE`.
+/// an earlier option has set. Throws Error that names `OPTION KEY=VALUE`, or `given` if it has
+/// text.
 void apply_override(Value& root, const std::string& text, std::string_view option,
+                    const std::string& given,
                     bool (*is_choice)(const std::vector<std::string>& path), bool after_others);
 
 /// Evaluates what stands under `let`, in its order, then replaces each `=EXPRESSION` of the tree

@@ -54,11 +54,11 @@ output: {frames: {every: 10, width: 200, height: 160, supersampling: 1}}
 
 class RedrawTest : public ::testing::Test {
  protected:
-  scene::Scene parse(const std::string& text, const std::vector<std::string>& settings = {}) {
+  scene::Scene parse(const std::string& text, const std::vector<scene::Override>& settings = {}) {
     return scene::parse(text, "tried.yaml", settings);
   }
   /// Draws again what a run with these settings has drawn, and compares all bytes.
-  void expect_same_pictures(const std::string& text, const std::vector<std::string>& settings) {
+  void expect_same_pictures(const std::string& text, const std::vector<scene::Override>& settings) {
     SCOPED_TRACE(::testing::PrintToString(settings));
     const testing::ScratchFolder scratch;
     const fs::path run = scratch.path() / "run";
@@ -303,10 +303,10 @@ TEST_F(RedrawTest, AskedToStopItLeavesWhatIsDrawnWhole) {
 }
 
 TEST_F(RedrawTest, SeveralRunsShareTheEndsOfTheirColourBars) {
-  const std::vector<std::string> look = {"output.frames.color_by=displacement",
-                                         "output.frames.caption=false"};
+  const std::vector<scene::Override> look = {"output.frames.color_by=displacement",
+                                             "output.frames.caption=false"};
   const scene::Scene high = parse(kDrained, look);
-  std::vector<std::string> settings = look;
+  std::vector<scene::Override> settings = look;
   settings.emplace_back("stages.packing.fill={region: [0, 0, 30, 20], counts: {small: 20}}");
   const scene::Scene lower = parse(kDrained, settings);
   testing::run_and_store(high, at("high"), 10);

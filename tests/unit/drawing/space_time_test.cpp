@@ -54,7 +54,7 @@ TEST(TimeMeans, KnowsWhereThereIsNothing) {
   EXPECT_FALSE(means.is_known(3));
 }
 
-scene::Scene falling(const std::vector<std::string>& settings) {
+scene::Scene falling(const std::vector<scene::Override>& settings) {
   return scene::parse(kFalling, "tried.yaml", settings);
 }
 
@@ -116,8 +116,8 @@ TEST_F(SpaceTimeTest, TheSurfaceOverTimeIsWhiteWhereThereAreNoGrains) {
 }
 
 TEST_F(SpaceTimeTest, WhatCannotBeShownOverTimeIsRefused) {
-  const auto refusal = [&](const SpaceTimeOptions& options, const std::vector<std::string>& keys,
-                           std::uint64_t to = 100) {
+  const auto refusal = [&](const SpaceTimeOptions& options,
+                           const std::vector<scene::Override>& keys, std::uint64_t to = 100) {
     try {
       const Redraw none({{falling(keys), run_.run_folder}},
                         {.space_time = options, .last_step = to});

@@ -315,7 +315,7 @@ TEST_F(GasResumeTest, ProlongedItIsARunThatWasAsLongFromTheBeginning) {
                                        {"boltzmann.until=1.97", "boltzmann.scheme=ogawa-kato"},
                                        {"boltzmann.until=0.03", "output.histograms=[]"}};
   for (Overrides overrides : ends) {
-    SCOPED_TRACE(overrides.front());
+    SCOPED_TRACE(overrides.front().text);
     overrides.insert(overrides.end(), {"boltzmann.restitution=[0.8, 1]", "boltzmann.ensemble=2"});
     run(gas(overrides), {.folder = folder_.path()});
     for (const std::string until : {"2.31", "3"}) {

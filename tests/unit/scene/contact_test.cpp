@@ -134,8 +134,8 @@ TEST(ParseContact, DrawsArrowsWhereTheVesselGoesThroughCycles) {
 }
 
 TEST(ParseContact, GivesAStageAsManyStepsAsItsCyclesTake) {
-  const auto turning = [](double rate, const std::vector<std::string>& more = {}) {
-    std::vector<std::string> overrides = {
+  const auto turning = [](double rate, const std::vector<Override>& more = {}) {
+    std::vector<Override> overrides = {
         fmt::format("stages.first.vessel={{rotate: {{rate: {}}}}}", rate),
         "stages.first.until={cycles: 3}"};
     overrides.insert(overrides.end(), more.begin(), more.end());

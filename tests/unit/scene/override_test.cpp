@@ -228,4 +228,8 @@ TEST(Override, WithAnErrorNamesItself) {
   }
 }
 
+TEST(Override, WithAnErrorNamesTheOptionThatStandsForIt) {
+  EXPECT_THAT(refusal({{"seed=x", "--start x"}}), ::testing::StartsWith("--start x: error: "));
+}
+
 }  // namespace clca::scene::override_test
