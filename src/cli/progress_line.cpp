@@ -62,7 +62,7 @@ std::string to_text(const run::Progress& progress) {
 std::string to_text(const run::GasProgress& progress) {
   return fmt::format("{} ({}/{}): gas {} of {}{}, time {:.4g} of {}, {:.3g} million collisions/s",
                      progress.stage, progress.stage_number, progress.stage_count,
-                     std::min(progress.gases_done + 1, progress.gas_count), progress.gas_count,
+                     std::min(progress.done_gases + 1, progress.gas_count), progress.gas_count,
                      left_text_of_stage(progress), progress.time, progress.end_time,
                      progress.collisions_per_second / 1e6);
 }

@@ -62,7 +62,7 @@ void check_valid(const State& state) {
           ("two grains may touch on both sides in a periodic box of " +
            std::to_string(lattice.columns()) + " columns: it needs " + std::to_string(needed))
               .c_str());
-  require(!grains::may_overlap(state.grains), "the contact model lets no walls overlap");
+  require(!grains::walls_may_overlap(state.grains), "the contact model lets no walls overlap");
   require(state.wall_remainders.size() == walls, "there is not one remainder for each wall");
   for (std::size_t number = 0; number < walls; ++number) {
     const grains::Wall& wall = state.grains.walls[number];
@@ -101,8 +101,9 @@ void check_valid(const State& state) {
     const auto is_sound = [&](const Impulse<>& impulse) {
       return in_range(kMaxImpulse, impulse.normal, impulse.shear, impulse.rolling);
     };
-    require(is_sound(contact.impulse) && is_sound(contact.impact) && contact.impulse.normal >= 0 &&
-                contact.impulse.normal + contact.impact.normal >= 0,
+    require(is_sound(contact.impulse) && is_sound(contact.transient) &&
+                contact.impulse.normal >= 0 &&
+                contact.impulse.normal + contact.transient.normal >= 0,
             "an impulse is out of range");
     pairs.push_back(sorted_bodies(contact.upper, contact.other));
   }
@@ -111,7 +112,7 @@ void check_valid(const State& state) {
 }
 
 double step_bytes(double grains) {
-  return grains * Engine::kGrainBytes;
+  return grains * Engine::kBytesPerGrain;
 }
 
 ContactModel::ContactModel(State state, const Parameters& parameters, const Options& options)

@@ -54,7 +54,7 @@ Sum sum_of(const Force& force) {
           .normal = force.normal,
           .branch = force.branch,
           .force = force.on_upper(),
-          .steps = force.share};
+          .touching_steps = force.share};
 }
 
 void add_sum(ForceSums& sums, Sum later) {
@@ -65,7 +65,7 @@ void add_sum(ForceSums& sums, Sum later) {
   }
   Sum& sum = sums.sums[found->second];
   later.force += (sum.upper == later.upper ? 1.0 : -1.0) * sum.force;
-  later.steps += sum.steps;
+  later.touching_steps += sum.touching_steps;
   sum = later;
 }
 
@@ -117,8 +117,8 @@ std::vector<Force> forces(const grains::State& grains, std::span<const Contact> 
     force.upper = contact.upper;
     force.other = contact.other;
     force.normal = as_double(contact.normal);
-    force.normal_force = (contact.impulse.normal + contact.impact.normal) / weight;
-    force.shear_force = (contact.impulse.shear + contact.impact.shear) / weight;
+    force.normal_force = (contact.impulse.normal + contact.transient.normal) / weight;
+    force.shear_force = (contact.impulse.shear + contact.transient.shear) / weight;
     put_geometry(grains, force);
   }
   return result;
@@ -165,7 +165,7 @@ std::vector<Force> mean_forces(const ForceSums& sums) {
                       .branch = sum.branch,
                       .normal_force = mean.dot(sum.normal),
                       .shear_force = mean.dot(Eigen::Vector2d(-sum.normal.y(), sum.normal.x())),
-                      .share = sum.steps / static_cast<double>(sums.steps)});
+                      .share = sum.touching_steps / static_cast<double>(sums.steps)});
   }
   return result;
 }

@@ -132,8 +132,8 @@ Acceleration acceleration(const Vessel& vessel, std::int32_t gravity, bool perio
   const Vector swing = vector_along(
       vessel.sideways ? UnitVector{-along.y, along.x} : UnitVector{-along.x, -along.y}, shaking);
   result.gravity = {result.gravity.x + swing.x, result.gravity.y + swing.y};
-  result.rotates = vessel.turn_steps > 0 && !periodic;
-  if (result.rotates) {
+  result.has_centrifugal = vessel.turn_steps > 0 && !periodic;
+  if (result.has_centrifugal) {
     const double radians =
         static_cast<double>(static_cast<std::int64_t>(vessel.turn)) * 2 * std::numbers::pi;
     result.angular_velocity =

@@ -62,7 +62,7 @@ void take_border(OccupancyTable& occupancy, const lattice::Lattice& lattice) {
 OccupancyTable::OccupancyTable(const State& state)
     : taken_(state.lattice),
       inverted_memory_(state.lattice.index_count()),
-      second_memory_(may_overlap(state) ? state.lattice.index_count() : 0, kFree) {
+      second_memory_(walls_may_overlap(state) ? state.lattice.index_count() : 0, kFree) {
   inverted_owners_ = {inverted_memory_.data(), inverted_memory_.size()};
   second_owners_ = second_memory_;
   const lattice::Lattice& lattice = state.lattice;

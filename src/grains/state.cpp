@@ -79,7 +79,7 @@ std::vector<lattice::Site> current_sites(const lattice::Lattice& lattice, const 
   return sites;
 }
 
-bool may_overlap(const State& state) {
+bool walls_may_overlap(const State& state) {
   return std::ranges::any_of(state.walls, [](const Wall& wall) { return wall.lets_overlap(); });
 }
 

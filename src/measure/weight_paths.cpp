@@ -140,7 +140,7 @@ std::map<grains::Owner, lattice::Axial> touched_bodies(const grains::State& stat
 std::vector<SupportedGrain> supported_grains(const grains::State& state,
                                              const grains::Occupancy& occupancy) {
   check_occupancy(state, occupancy);
-  require(!grains::may_overlap(state), "particles that overlap do not rest on one another");
+  require(!grains::walls_may_overlap(state), "particles that overlap do not rest on one another");
   std::vector<double> heights;
   std::vector<SupportedGrain> result;
   heights.reserve(state.particles.size());  // as weight_paths_bytes() has it

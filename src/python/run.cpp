@@ -74,7 +74,7 @@ fs::path carry_out(run::RunOptions options, const py::object& report, RunIt run_
       work.report(now.stage, now.step, {}, now.seconds_left);
     };
     events.gas_progress = [&](const run::GasProgress& now) {
-      work.report(now.stage, now.gases_done, now.gas_count, now.seconds_left);
+      work.report(now.stage, now.done_gases, now.gas_count, now.seconds_left);
     };
     events.folder_known = [&](const fs::path& folder) { used = folder; };
     events.warning = work.warning();

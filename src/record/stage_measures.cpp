@@ -258,7 +258,7 @@ void StageHistory::begin(const grains::State& state) {
 
 void StageHistory::add_step(const grains::StepReport& report, const grains::State& state) {
   ++steps;
-  resting = report.settled;
+  is_at_rest = report.settled;
   emitted += report.emitted_count;
   add_discharge(*this, state, &measure::Outflow::add);
 }

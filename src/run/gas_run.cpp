@@ -78,7 +78,7 @@ class GasRun : public RunBase {
                  .title = scene.title,
                  .seed = scene.seed,
                  .scene_text = scene::to_yaml(scene),
-                 .checkpoints = scene.checkpoint},
+                 .checkpoint_intervals = scene.checkpoint},
                 with_threads(options, parallel::startable_threads(options.threads), events),
                 events),
         scene_(scene),
@@ -133,7 +133,7 @@ class GasRun : public RunBase {
   SavedGasRun course_;
   std::uint64_t cases_logged_;               // by the lines of log.txt that were there
   std::uint64_t participations_before_ = 0;  // of the cases before
-  std::uint64_t gases_done_ = 0;
+  std::uint64_t done_gases_ = 0;
   std::vector<MemberProgress> progress_;    // one for each member of a case
   std::mutex checkpoint_mutex_;             // of checkpoint_due_by_clock()
   std::atomic<bool> is_save_due_ = false;   // a checkpoint is written once no gas is advanced here
@@ -193,13 +193,13 @@ void GasRun::run_cases() {
 }
 
 void GasRun::run_case(record::GasCase& gas_case) {
-  gases_done_ = 0;
+  done_gases_ = 0;
   tell(fmt::format("restitution {}: {} gases of {} particles", gas_case.restitution,
                    gas_case.members.size(), scene_.particles));
   participations_before_ = participations();
   progress_ = std::vector<MemberProgress>(gas_case.members.size());
   for (std::size_t number = 0; number < gas_case.members.size(); ++number) {
-    gases_done_ += is_done(gas_case.members[number]) ? 1 : 0;
+    done_gases_ += is_done(gas_case.members[number]) ? 1 : 0;
     progress_[number].participations = gas_case.members[number].participations;
   }
   forecast_ = record::TimeEstimate();
@@ -218,7 +218,7 @@ void GasRun::run_case(record::GasCase& gas_case) {
   }
   while (!pool.finished()) {
     for (const auto& [number, is_done] : pool.take_finished(kPause)) {
-      gases_done_ += is_done ? 1 : 0;
+      done_gases_ += is_done ? 1 : 0;
       if (!is_done) {
         pool.add(number);
       }
@@ -321,13 +321,13 @@ void GasRun::show_progress(double restitution) {
     latest = std::max(latest, time);
   }
   const auto gases = static_cast<double>(scene_.ensemble_size);
-  forecast_.update((static_cast<double>(gases_done_) + sum / scene_.end_time) / gases);
+  forecast_.update((static_cast<double>(done_gases_) + sum / scene_.end_time) / gases);
   events().gas_progress({.stage = case_name(restitution),
                          .stage_number = course_.cases_ended + 1,
                          .stage_count = scene_.restitutions.size(),
                          .time = latest,
                          .end_time = scene_.end_time,
-                         .gases_done = gases_done_,
+                         .done_gases = done_gases_,
                          .gas_count = scene_.ensemble_size,
                          .collisions_per_second = collisions() / wall_seconds(),
                          .seconds_left = forecast_.seconds_left()});

@@ -255,7 +255,7 @@ void take_contacts(const contact::State& other, const std::vector<std::size_t>& 
       contact.other = wall_in_place_of(contact.other, here.particles[contact.upper]);
     }
     if (contact.other != grains::kFree && known.emplace(contact.upper, contact.other).second) {
-      for (contact::Impulse<>* part : {&contact.impulse, &contact.impact}) {
+      for (contact::Impulse<>* part : {&contact.impulse, &contact.transient}) {
         *part = {impulse(part->normal), impulse(part->shear), impulse(part->rolling)};
       }
       state.contacts.push_back(contact);

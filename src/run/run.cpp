@@ -70,7 +70,7 @@ class Run : public RunBase {
                  .title = scene.title,
                  .seed = scene.seed,
                  .scene_text = scene::to_yaml(scene),
-                 .checkpoints = scene.output.checkpoint},
+                 .checkpoint_intervals = scene.output.checkpoint},
                 options, events),
         scene_(scene),
         conversion_(scene::unit_conversion(scene)),

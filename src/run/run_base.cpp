@@ -88,7 +88,7 @@ store::RunSummary RunBase::execute() {
   }
   store::RunSummary last = summary(is_complete_ ? "done" : "interrupted");
   write(last);
-  if (is_complete_ && !identity_.checkpoints) {
+  if (is_complete_ && !identity_.checkpoint_intervals) {
     store::remove_checkpoints(folder_->output_folder());
   }
   return last;
@@ -128,7 +128,7 @@ void RunBase::go_on(store::RunFolder folder, std::uint64_t log_bytes, double sec
 }
 
 bool RunBase::checkpoint_due(std::uint64_t step) {
-  const auto& when = identity_.checkpoints;
+  const auto& when = identity_.checkpoint_intervals;
   return (when && when->every_steps && step % *when->every_steps == 0) || checkpoint_due_by_clock();
 }
 

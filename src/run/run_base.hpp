@@ -41,7 +41,7 @@ class RunBase {
     std::string title;
     std::uint64_t seed = 0;
     std::string scene_text;  ///< resolved
-    std::optional<scene::CheckpointIntervals> checkpoints;
+    std::optional<scene::CheckpointIntervals> checkpoint_intervals;
   };
 
   RunBase(Identity identity, RunOptions options, const RunEvents& events)
@@ -49,9 +49,9 @@ class RunBase {
         options_(std::move(options)),
         events_(events),
         progress_timer_(events.progress_interval) {
-    if (identity_.checkpoints && identity_.checkpoints->every_seconds) {
+    if (identity_.checkpoint_intervals && identity_.checkpoint_intervals->every_seconds) {
       checkpoint_timer_.emplace(std::chrono::duration_cast<std::chrono::milliseconds>(
-          std::chrono::duration<double>(*identity_.checkpoints->every_seconds)));
+          std::chrono::duration<double>(*identity_.checkpoint_intervals->every_seconds)));
     }
   }
 

@@ -114,10 +114,10 @@ std::optional<StageEnd> stage_end(const scene::Stage& stage, const grains::State
     return StageEnd::discharged;
   }
   const auto* cycles = std::get_if<scene::UntilCycles>(&stage.until);
-  if (cycles != nullptr && history.cycles >= cycles->cycles) {
+  if (cycles != nullptr && history.completed_cycles >= cycles->cycles) {
     return StageEnd::cycles;
   }
-  if (history.resting) {
+  if (history.is_at_rest) {
     return has_stalled(state) ? StageEnd::stalled : StageEnd::settled;
   }
   return history.steps >= stage.max_steps ? std::optional(StageEnd::bound) : std::nullopt;
@@ -139,7 +139,7 @@ grains::StepReport StageRunner::step() {
   present_particles = counters.stepped - report.removed_count;
   counters.updates += static_cast<double>(counters.stepped);
   observers.after_step(view());
-  history.cycles = observers.find<record::CycleRecord>()->completed_cycles();
+  history.completed_cycles = observers.find<record::CycleRecord>()->completed_cycles();
   return report;
 }
 
@@ -156,7 +156,7 @@ std::optional<double> done_share(const scene::Stage& stage, const record::StageH
     return std::min(1.0, history.discharged_share() / discharged->discharged_share);
   }
   if (const auto* cycles = std::get_if<scene::UntilCycles>(&stage.until)) {
-    return static_cast<double>(history.cycles) / static_cast<double>(cycles->cycles);
+    return static_cast<double>(history.completed_cycles) / static_cast<double>(cycles->cycles);
   }
   return std::nullopt;
 }

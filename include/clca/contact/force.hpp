@@ -55,10 +55,10 @@ struct ForceSums {
     Eigen::Vector2d branch = Eigen::Vector2d::Zero();
     /// Sum over all steps of the force on the upper grain.
     Eigen::Vector2d force = Eigen::Vector2d::Zero();
-    double steps = 0;  ///< in which they touched
+    double touching_steps = 0;
 
     bool operator==(const Sum&) const = default;
-    CLCA_FIELDS(upper, other, point, normal, branch, force, steps);
+    CLCA_FIELDS(upper, other, point, normal, branch, force, touching_steps);
   };
   std::vector<Sum> sums = {};  ///< two bodies have one
   std::uint64_t steps = 0;

@@ -86,11 +86,11 @@ struct Contact {
   Impulse<> impulse = {};  ///< of the last step; the next one begins with it
   /// Part of the impulse of the last step that is not carried over to the next: from an impact
   /// solved on its own, or from extra sweeps of a small group. The normal impulses of `impulse` and
-  /// `impact` have a sum that is not negative.
-  Impulse<> impact = {};
+  /// `transient` have a sum that is not negative.
+  Impulse<> transient = {};
 
   bool operator==(const Contact&) const = default;
-  CLCA_FIELDS(upper, other, normal, impulse, impact);
+  CLCA_FIELDS(upper, other, normal, impulse, transient);
 };
 
 /// Contacts per grain, for estimates of memory; lists that double have room for 3, as in crystals.

@@ -11,8 +11,8 @@ namespace clca::grains {
 class OccupancyTable;
 
 /// The owner of each site, by lattice::Lattice::index. If walls may overlap particles
-/// (may_overlap), a site has up to two owners. The occupancy of a model is a live view, as are its
-/// copies: none may outlive the model.
+/// (walls_may_overlap), a site has up to two owners. The occupancy of a model is a live view, as
+/// are its copies: none may outlive the model.
 class Occupancy {
  public:
   /// The present owners in a state that has no model. Throws std::invalid_argument if a particle

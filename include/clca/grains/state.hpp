@@ -161,7 +161,7 @@ std::size_t present_count(const State& state);
 std::vector<lattice::Site> current_sites(const lattice::Lattice& lattice, const Wall& wall);
 
 /// True if some wall may overlap particles.
-bool may_overlap(const State& state);
+bool walls_may_overlap(const State& state);
 
 /// The push of `pusher` onto the particle `pushed`; null if there is none.
 const Push* find_push(const State& state, std::uint32_t pushed, Owner pusher);

@@ -37,7 +37,7 @@ struct GasProgress {
   std::size_t stage_count = 0;
   double time = 0;  ///< of one gas of the ensemble
   double end_time = 0;
-  std::uint64_t gases_done = 0;  ///< of this stage
+  std::uint64_t done_gases = 0;  ///< of this stage
   std::uint64_t gas_count = 0;
   double collisions_per_second = 0;  ///< of pairs
   std::optional<double> seconds_left;

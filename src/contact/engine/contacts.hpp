@@ -28,7 +28,7 @@ struct ContactSlot {
 class ContactSlots {
  public:
   /// Bytes for a grain and its contacts.
-  static constexpr double kGrainBytes =
+  static constexpr double kBytesPerGrain =
       2 * sizeof(std::int32_t) + kContactsPerGrain * grains::kListCapacityRatio *
                                      (sizeof(ContactSlot) + sizeof(Batch) / double{kLanes});
 
@@ -107,8 +107,8 @@ class ContactSlots {
 class SmallGroups {
  public:
   /// Bytes for a grain.
-  static constexpr double kGrainBytes = sizeof(std::uint64_t) + sizeof(std::uint8_t) +
-                                        grains::kListCapacityRatio * sizeof(std::uint32_t);
+  static constexpr double kBytesPerGrain = sizeof(std::uint64_t) + sizeof(std::uint8_t) +
+                                           grains::kListCapacityRatio * sizeof(std::uint32_t);
 
   /// Nothing is known any more.
   void clear() { may_be_small_.clear(); }
@@ -142,8 +142,8 @@ class SmallGroups {
 class ContactFinder {
  public:
   /// Bytes for a grain, with those of ContactSlots.
-  static constexpr double kGrainBytes =
-      ContactSlots::kGrainBytes + sizeof(std::uint8_t) +
+  static constexpr double kBytesPerGrain =
+      ContactSlots::kBytesPerGrain + sizeof(std::uint8_t) +
       kContactsPerGrain * sizeof(std::pair<std::int64_t, std::int32_t>) +
       grains::kListCapacityRatio *
           (2 * sizeof(std::uint32_t) +

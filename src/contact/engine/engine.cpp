@@ -125,7 +125,7 @@ void Engine::for_each_group(Solve solve) {
     }
     solve(pointers);
     for (std::size_t i = 0; i < group.size(); ++i) {
-      impacts_[group[i]] = touches[i].contact.impact;
+      impacts_[group[i]] = touches[i].contact.transient;
     }
   }
 }
@@ -193,7 +193,7 @@ std::vector<Contact> Engine::contacts(bool with_grains) const {
 Contact Engine::contact(std::int32_t at) const {
   Contact result = slots_.contact(at);
   if (const auto impact = impacts_.find(at); impact != impacts_.end()) {
-    result.impact = impact->second;
+    result.transient = impact->second;
   }
   return result;
 }

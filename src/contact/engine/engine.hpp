@@ -19,7 +19,7 @@ namespace clca::contact {
 class Mover {
  public:
   /// Bytes for a grain.
-  static constexpr double kGrainBytes =
+  static constexpr double kBytesPerGrain =
       sizeof(std::uint8_t) + (3 * lattice::kDirectionCount + 1) * sizeof(std::int32_t) +
       sizeof(std::uint64_t) + grains::kListCapacityRatio * 4 * sizeof(std::uint32_t);
 
@@ -82,9 +82,9 @@ class Mover {
 class Engine final : public ContactMechanics {
  public:
   /// Bytes for a grain, with its motion and its contacts in the state.
-  static constexpr double kGrainBytes =
-      sizeof(Velocity<>) + sizeof(Vector) + sizeof(lattice::Axial) + ContactSlots::kGrainBytes +
-      ContactFinder::kGrainBytes + SmallGroups::kGrainBytes + Mover::kGrainBytes +
+  static constexpr double kBytesPerGrain =
+      sizeof(Velocity<>) + sizeof(Vector) + sizeof(lattice::Axial) + ContactSlots::kBytesPerGrain +
+      ContactFinder::kBytesPerGrain + SmallGroups::kBytesPerGrain + Mover::kBytesPerGrain +
       sizeof(AlignedVelocity) +
       grains::kListCapacityRatio * (3 * sizeof(std::uint32_t) +
                                     kContactsPerGrain * (sizeof(Contact) + sizeof(std::int32_t)));

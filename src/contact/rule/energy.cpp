@@ -60,9 +60,10 @@ double wall_work(const State& state, std::span<const Contact> contacts,
     if (const auto& motion = state.grains.walls[wall].motion) {
       const Eigen::Vector2d normal = as_double(contact.normal);
       const Eigen::Vector2d tangent(-normal.y(), normal.x());
-      const Eigen::Vector2d impulse = ((contact.impulse.normal + contact.impact.normal) * normal +
-                                       (contact.impulse.shear + contact.impact.shear) * tangent) /
-                                      kSpacing;
+      const Eigen::Vector2d impulse =
+          ((contact.impulse.normal + contact.transient.normal) * normal +
+           (contact.impulse.shear + contact.transient.shear) * tangent) /
+          kSpacing;
       sum += (now[wall] - before[wall]) *
              impulse.dot(lattice::position(lattice::unit(motion->direction)));
     }

@@ -138,9 +138,10 @@ void solve_impact(std::span<StepContact* const> contacts, const BodyVelocities& 
   }
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const Impulse<>& impulse = impulses[i];
-    contacts[i]->contact.impact = {.normal = more(impulse.normal, impulse.normal, kMaxImpulse),
-                                   .shear = more(impulse.shear, impulse.shear, kMaxImpulse),
-                                   .rolling = more(impulse.rolling, impulse.rolling, kMaxImpulse)};
+    contacts[i]->contact.transient = {
+        .normal = more(impulse.normal, impulse.normal, kMaxImpulse),
+        .shear = more(impulse.shear, impulse.shear, kMaxImpulse),
+        .rolling = more(impulse.rolling, impulse.rolling, kMaxImpulse)};
     contacts[i]->bounce_velocity = 0;
   }
 }
@@ -154,8 +155,8 @@ void converge_group(std::span<StepContact* const> contacts, const BodyVelocities
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     Contact& contact = contacts[i]->contact;
     const auto add = [&](std::int32_t Impulse<>::*part) {
-      contact.impact.*part =
-          clamped(std::int64_t{contact.impact.*part} + impulses[i].*part - contact.impulse.*part,
+      contact.transient.*part =
+          clamped(std::int64_t{contact.transient.*part} + impulses[i].*part - contact.impulse.*part,
                   -kMaxImpulse, kMaxImpulse);
     };
     add(&Impulse<>::normal);

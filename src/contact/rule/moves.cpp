@@ -273,7 +273,7 @@ void collide_blocked(State& state, const SiteMoves& moves, const BodyVelocities&
                                  (its != nullptr ? its->pushes * inverse_mass(other) : 0);
     const std::int32_t impulse =
         clamped((std::int64_t{closing(push)} << kInverseMassBits) / inverse, 0, kMaxImpulse);
-    push.impact.normal = impulse;
+    push.transient.normal = impulse;
     const std::int32_t x = rounded(product(impulse, -push.normal.x), kUnitBits);
     const std::int32_t y = rounded(product(impulse, -push.normal.y), kUnitBits);
     own.x -= x;

@@ -25,7 +25,7 @@ inline constexpr int kSquaredRateBits = 40;  ///< of squared angular velocities
 /// Acceleration in one step; depends on a grain only through position and velocity.
 struct Acceleration {
   Vector gravity;                     ///< and shaking, in 2^-23 lattice spacings per step squared
-  bool rotates = false;               ///< the vessel rotates and the box is not periodic
+  bool has_centrifugal = false;       ///< the vessel rotates and the box is not periodic
   std::int32_t angular_velocity = 0;  ///< of the vessel, in 2^-30 radians per step
   std::int64_t squared_angular_velocity = 0;  ///< in 2^-40
   std::int32_t centre_x = 0;                  ///< of turning, in 2^-8 lattice spacings
@@ -55,7 +55,7 @@ void accelerate_all(const State& state, std::int32_t gravity, VelocityOf velocit
     Velocity<>& velocity = velocity_of(id);
     std::int64_t x = by.gravity.x;
     std::int64_t y = by.gravity.y;
-    if (by.rotates) {
+    if (by.has_centrifugal) {
       const std::int32_t from_centre_x =
           rounded(product(grain.column, unit_vector(lattice::Direction::up_right).x),
                   kUnitBits - kCentreBits) -

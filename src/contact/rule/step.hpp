@@ -101,7 +101,7 @@ inline constexpr std::size_t kMaxSmallGroup = 8;
 std::vector<std::vector<StepContact*>> active_small_groups(std::span<StepContact> contacts,
                                                            std::size_t grains);
 
-/// Where a contact of a small group bounces, sets `impact` of all of them and changes the
+/// Where a contact of a small group bounces, sets `transient` of all of them and changes the
 /// velocities. First the bodies are stopped, by sweeps until the impulses hardly change any more;
 /// then the same impulses act again, times the restitution (Poisson's hypothesis with one ratio for
 /// the whole impact), or less, so that the kinetic energy does not rise. The contacts do not bounce
@@ -109,7 +109,7 @@ std::vector<std::vector<StepContact*>> active_small_groups(std::span<StepContact
 void solve_impact(std::span<StepContact* const> contacts, const BodyVelocities& bodies);
 
 /// Goes on sweeping a small group until its impulses hardly change any more. What the sweeps of the
-/// step have left is added to `impact`: the next step begins with the impulses of these sweeps
+/// step have left is added to `transient`: the next step begins with the impulses of these sweeps
 /// alone, which stay soft where the group becomes part of a bed.
 void converge_group(std::span<StepContact* const> contacts, const BodyVelocities& bodies);
 

@@ -59,7 +59,7 @@ class ChosenTables:
                 raise Error(f"{folder.folder}: no stage '{stage}'{near}")
         self._tables: dict[str, Table] = {}
 
-    def is_wanted(self, stage: str) -> bool:
+    def is_chosen_stage(self, stage: str) -> bool:
         known = self.folder.stages.get(stage) if isinstance(self.folder, Run) else None
         is_left_out = known is not None and known.fills and not self.choice.filling
         return not is_left_out and (not self.choice.stages or stage in self.choice.stages)
@@ -69,7 +69,7 @@ class ChosenTables:
             table, choice = self.folder.table(name), self.choice
             keep = numpy.ones(len(table), bool)
             if "stage" in table.names:
-                keep &= numpy.array([self.is_wanted(str(stage)) for stage in table["stage"]], bool)
+                keep &= numpy.array([self.is_chosen_stage(str(stage)) for stage in table["stage"]], bool)
             time = "time" if "time" in table.names else "step"
             if time in table.names and is_numeric(table[time]):
                 if choice.first is not None:
@@ -94,7 +94,7 @@ class ChosenTables:
             return (self.stages.index(label) if label in self.stages else len(self.stages), number, label)
 
         labels = sorted((label for label in labels if label and set(label) <= LABEL_CHARACTERS), key=order)
-        return [(one, self.table(begin + one)) for one in labels if one not in self.stages or self.is_wanted(one)]
+        return [(one, self.table(begin + one)) for one in labels if one not in self.stages or self.is_chosen_stage(one)]
 
 
 def has_values(table: Table, column: str) -> bool:

@@ -262,7 +262,7 @@ def chosen_pictures(pictures: list[PagePicture], most: int, size: float) -> list
         count = min(count - 1, int(count * size / total))
 
 
-def drawn_pictures(run: Run, ends: list[int]) -> list[PagePicture]:
+def draw_pictures(run: Run, ends: list[int]) -> list[PagePicture]:
     """Draws pictures from the trajectory: at ends of stages, and others at equal distances. Throws Error."""
     steps = run.frames.steps.tolist()
     wanted = {*evenly_chosen(steps, MOST_DRAWN), *evenly_chosen([step for step in ends if step in steps], MOST_DRAWN_ENDS)}
@@ -304,7 +304,7 @@ def pictures_of(page: Page, run: Run, most: int | None) -> dict[str, Any]:
     pictures, frames_drawn, undrawn = pictures_in(run.folder / "frames"), 0, False
     if not pictures and (run.folder / "trajectory").is_dir():
         try:
-            pictures, frames_drawn = drawn_pictures(run, ends), len(run.frames)
+            pictures, frames_drawn = draw_pictures(run, ends), len(run.frames)
         except ImportError:  # also of the compiled part
             undrawn = True
         except Error as error:

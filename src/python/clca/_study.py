@@ -75,7 +75,7 @@ class StudyValue(NamedTuple):
             raise self.error(f"expected {what}, found '{found}'{hint}") from None
 
 
-def parsed_test(said: StudyValue, vary: Mapping[str, Any], names: Sequence[str]) -> CalibrationTest:
+def parsed_calibration_test(said: StudyValue, vary: Mapping[str, Any], names: Sequence[str]) -> CalibrationTest:
     """Returns a checked test. `names`: of the tests before it."""
     items = said.checked_map("scene and targets", ("scene", "set", "targets"), ("scene", "targets"))
     scene = items["scene"].value
@@ -115,7 +115,7 @@ def parsed_study(said: Mapping[str, Any], refuse: Refuse) -> Study:
         raise items["tests"].error("expected a list of tests")
     tests: list[CalibrationTest] = []
     for index, test in enumerate(listed):
-        tests.append(parsed_test(StudyValue(test, ("tests", index), refuse), vary, [before.name for before in tests]))
+        tests.append(parsed_calibration_test(StudyValue(test, ("tests", index), refuse), vary, [before.name for before in tests]))
     numbers = {}
     for key, (usual, *limits) in COUNT_LIMITS.items():
         try:

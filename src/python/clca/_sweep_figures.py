@@ -156,13 +156,13 @@ def measure_charts(source: ChosenTables, sweep: Sweep, table: Table) -> list[Cha
             about += f", against {x_axis.label}, at the end of stage {where}. "
             about += "Bars are one standard error over the seeds."
             name = f"sweep-{stage}-{measure}" + (f"-{number}" if ways.apart else "")
-            rank = contrast(part) + (DERIVED_RANK if measure in derived else 0)
+            rank = spread_in_errors(part) + (DERIVED_RANK if measure in derived else 0)
             panels = partial(ways.panels, part, curve, x_axis, Axis(what.label()), where, log)
             charts.append(Chart(name, about, rank, panels, source.title, "sweep"))
     return charts
 
 
-def contrast(rows: Table) -> float:
+def spread_in_errors(rows: Table) -> float:
     """Returns the spread of the means in units of their errors, to show large effects first."""
     means, errors = rows["mean"], numpy.nan_to_num((rows["high"] - rows["low"]) / 2)
     return float(numpy.ptp(means) / (errors.mean() + 0.01 * numpy.abs(means).max() + 1e-300))

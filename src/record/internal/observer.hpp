@@ -32,18 +32,18 @@ struct StageHistory {
   std::vector<double> profile_at_start;  ///< measure::surface_profile
   std::size_t particles_at_start = 0;
   std::uint64_t steps = 0;
-  std::uint64_t cycles = 0;  ///< completed by all periodic walls and the vessel
+  std::uint64_t completed_cycles = 0;  ///< by all periodic walls and the vessel
   std::size_t emitted = 0;
   measure::Outflow outflow = {};
   std::vector<measure::Outflow> outlets = {};           ///< outflow of each outlet
   std::vector<std::uint64_t> discharged_at_start = {};  ///< measure::discharged_counts
-  bool resting = false;                                 ///< the last step was StepReport::settled
+  bool is_at_rest = false;                              ///< the last step was StepReport::settled
   bool ended_at_rest = false;                           ///< the stage ended settled, or stalled
 
   /// Share of the particles present or emitted during the stage that have left.
   double discharged_share() const;
-  CLCA_FIELDS(profile_at_start, particles_at_start, steps, cycles, emitted, outflow, outlets,
-              discharged_at_start, resting);
+  CLCA_FIELDS(profile_at_start, particles_at_start, steps, completed_cycles, emitted, outflow,
+              outlets, discharged_at_start, is_at_rest);
 };
 
 class Observers;

@@ -93,7 +93,7 @@ TEST(TheContactModel, RefusesNumbersOutOfRange) {
   EXPECT_EQ(refusal_of([](State& state) { state.contacts[0].impulse.rolling = kMaxImpulse + 1; }),
             impulse);
   EXPECT_EQ(refusal_of([](State& state) {
-              state.contacts[0].impact.normal = -state.contacts[0].impulse.normal - 1;
+              state.contacts[0].transient.normal = -state.contacts[0].impulse.normal - 1;
             }),
             impulse);
 }
@@ -237,7 +237,7 @@ TEST(TheHash, TellsOfEverythingThatARunChanges) {
            },
            [](State& state) { std::swap(state.contacts[0], state.contacts[1]); },
            [](State& state) { ++state.contacts[1].impulse.rolling; },
-           [](State& state) { ++state.contacts[1].impact.normal; },
+           [](State& state) { ++state.contacts[1].transient.normal; },
            [](State& state) { state.changed = false; }, [](State& state) { ++state.unmoved_steps; },
            [](State& state) { ++state.quiet_steps; }}) {
     State state = good_state();

@@ -47,9 +47,10 @@ double vertical(const ContactModel& model, std::size_t id) {
 }
 
 bool has_impact(const ContactModel& model) {
-  return std::any_of(model.state().contacts.begin(), model.state().contacts.end(),
-                     // Seven sites at 1/32; what sweeps have left is less.
-                     [](const Contact& contact) { return contact.impact.normal > kSpacing / 8; });
+  return std::any_of(
+      model.state().contacts.begin(), model.state().contacts.end(),
+      // Seven sites at 1/32; what sweeps have left is less.
+      [](const Contact& contact) { return contact.transient.normal > kSpacing / 8; });
 }
 
 // The momentum goes through those at rest to the floor and back, in the one step of the impact.
@@ -137,7 +138,7 @@ TEST_P(ImpactsTest, AllImpulsesOfTheFloorTogetherCarryTheWeight) {
   for (bool settled = false; !settled && steps < 5000; ++steps) {
     settled = two.step().settled;
     for (const Contact& contact : two.state().contacts) {
-      sum += contact.other == kFloor ? contact.impulse.normal + contact.impact.normal : 0;
+      sum += contact.other == kFloor ? contact.impulse.normal + contact.transient.normal : 0;
     }
     hit = hit || has_impact(two);
   }

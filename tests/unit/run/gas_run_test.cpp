@@ -277,7 +277,7 @@ TEST_F(GasRunTest, AnEnsembleThatIsStoppedLeavesWhatItsMembersHaveComeTo) {
   std::atomic<int> stop = 0;
   const RunEvents events = {.gas_progress =
                                 [&](const GasProgress& progress) {
-                                  stop = progress.gases_done == 1 && progress.time > 0 ? 2 : 0;
+                                  stop = progress.done_gases == 1 && progress.time > 0 ? 2 : 0;
                                 },
                             .progress_interval = {}};
   run_gas({"boltzmann.ensemble=3", "boltzmann.particles=2000", "boltzmann.until=200",
