@@ -172,8 +172,8 @@ TEST_F(CliTest, AnUnknownOptionIsNamedWithOrWithoutACommand) {
     EXPECT_EQ(result.code, 2);
     EXPECT_EQ(result.err, "clca: error: '--no' was not expected (see clca --help)\n");
   }
-  EXPECT_THAT(run({"run", "a.yaml", "--sed", "3"}).err,
-              HasSubstr("'--sed' was not expected; did you mean '--seed'?"));
+  EXPECT_THAT(run({"run", "a.yaml", "--seeed", "3"}).err,
+              HasSubstr("'--seeed' was not expected; did you mean '--seed'?"));
 }
 
 TEST_F(CliTest, TheHelpOfEachCommandIsPlainText) {

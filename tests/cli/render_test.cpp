@@ -307,7 +307,7 @@ TEST_F(RenderCommandTest, OptionsOfAPictureOverTimeGoTogether) {
 
 TEST_F(RenderCommandTest, SettingsAreThoseOfTheSceneFormat) {
   expect_refused(render({"run", "--color-by", "mood"}), 2,
-                 HasSubstr("--set output.frames.color_by=mood"));
+                 HasSubstr("--color-by mood: error: output.frames.color_by: "));
   expect_refused(render({"run", "--width", "3"}), 2, HasSubstr("output.frames.width"));
   expect_refused(render({"run", "--overlay", "forces"}), 2, HasSubstr("passive: overlap"));
   expect_refused(render({"run", "--set", "rules.inertia=0"}), 2, HasSubstr("run the scene anew"));
