@@ -98,8 +98,8 @@ std::optional<ConvectionRolls> Convection::rolls() const {
   }
   return ConvectionRolls{
       .centre_minus_wall = inside_.sum.y() / inside_.weight - at_walls_.sum.y() / at_walls_.weight,
-      .circulation_left = halves_[0].rotation(),
-      .circulation_right = halves_[1].rotation()};
+      .rotation_left = halves_[0].rotation(),
+      .rotation_right = halves_[1].rotation()};
 }
 
 }  // namespace clca::measure

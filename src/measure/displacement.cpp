@@ -123,7 +123,7 @@ std::vector<Displacement> Snapshot::displacements(const grains::State& now) cons
   return result;
 }
 
-std::vector<double> distances_from_origin(const grains::State& state) {
+std::vector<double> distances_from_origins(const grains::State& state) {
   check_origins(state);
   std::vector<double> result(state.particles.size(), 0.0);
   for (std::size_t id = 0; id < result.size(); ++id) {
@@ -146,7 +146,7 @@ std::optional<double> moved_share(const grains::State& state, double distance) {
   return static_cast<double>(far) / static_cast<double>(present);
 }
 
-double smallest_diameter(const grains::State& state) {
+double smallest_kind_diameter(const grains::State& state) {
   double smallest = INFINITY;
   for (const grains::Kind& kind : state.kinds) {
     smallest = std::min(smallest, kind.shape.diameter());

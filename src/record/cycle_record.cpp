@@ -46,9 +46,9 @@ MeasureValues convection(const StageView& stage) {
     return {};
   }
   const auto rolls = convection->rolls();
-  return rolls ? MeasureValues{rolls->centre_minus_wall, rolls->circulation_left,
-                               rolls->circulation_right}
-               : MeasureValues(3);
+  return rolls
+             ? MeasureValues{rolls->centre_minus_wall, rolls->rotation_left, rolls->rotation_right}
+             : MeasureValues(3);
 }
 
 bool has_cycles(const scene::Scene& scene, const scene::Stage& stage) {

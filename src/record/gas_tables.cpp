@@ -260,9 +260,9 @@ std::vector<const model::GasMember*> GasCase::members_with(std::size_t observati
 }
 
 std::vector<store::TableSummary> gas_table_summaries(const GasScene& scene) {
-  return {{"series", GasSeries(scene, gas_series_table(scene)).column_summaries()},
-          {"histogram", GasHistogram(scene, gas_histogram_table(scene)).column_summaries()},
-          {"closure", Closure(scene, gas_closure_table(scene)).column_summaries()}};
+  return {{"series", GasSeries(scene, gas_series_table(scene)).column_descriptions()},
+          {"histogram", GasHistogram(scene, gas_histogram_table(scene)).column_descriptions()},
+          {"closure", Closure(scene, gas_closure_table(scene)).column_descriptions()}};
 }
 
 void write_gas_tables(const GasScene& scene, const std::vector<GasCase>& cases,

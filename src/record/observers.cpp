@@ -62,7 +62,7 @@ Observers::Observers(std::vector<std::unique_ptr<Observer>> all) : all_(std::mov
 std::vector<store::TableSummary> Observers::table_summaries() const {
   std::vector<store::TableSummary> all;
   for (const RunTable* table : tables_) {
-    all.emplace_back(table->info().name, table->column_summaries());
+    all.emplace_back(table->info().name, table->column_descriptions());
   }
   return all;
 }

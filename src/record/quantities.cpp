@@ -294,7 +294,7 @@ std::vector<std::string> sweep_column_names(
   return columns;
 }
 
-std::vector<store::ColumnSummary> RunTable::column_summaries() const {
+std::vector<store::ColumnSummary> RunTable::column_descriptions() const {
   std::vector<store::ColumnSummary> result;
   for (const std::string& name : table_.column_names()) {
     const Quantity* column = find_column({&info_, 1}, name);

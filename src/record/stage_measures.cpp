@@ -95,9 +95,9 @@ std::vector<QuantityGroup> made_groups() {
         {"moved_share_2", "Share moved, 2 spacings", "", "by more than 2 spacings"}},
        [](const StageView& stage) -> MeasureValues {
          const grains::State& state = stage.model.state();
-         return {
-             store::value_or_null(measure::moved_share(state, measure::smallest_diameter(state))),
-             store::value_or_null(measure::moved_share(state, 2))};
+         return {store::value_or_null(
+                     measure::moved_share(state, measure::smallest_kind_diameter(state))),
+                 store::value_or_null(measure::moved_share(state, 2))};
        }}};
   const auto add = [&groups](std::vector<QuantityGroup> more) {
     groups.insert(groups.end(), more.begin(), more.end());

@@ -208,8 +208,8 @@ RC_GTEST_PROP(MirrorProperty, OfConvection, ()) {
   RC_ASSERT(one.rolls().has_value() == image.rolls().has_value());
   if (one.rolls()) {
     RC_ASSERT(is_near(one.rolls()->centre_minus_wall, image.rolls()->centre_minus_wall));
-    RC_ASSERT(is_near(one.rolls()->circulation_left, -image.rolls()->circulation_right));
-    RC_ASSERT(is_near(one.rolls()->circulation_right, -image.rolls()->circulation_left));
+    RC_ASSERT(is_near(one.rolls()->rotation_left, -image.rolls()->rotation_right));
+    RC_ASSERT(is_near(one.rolls()->rotation_right, -image.rolls()->rotation_left));
   }
 }
 

@@ -28,8 +28,8 @@ struct ConvectionRolls {
   /// Mean rotation of each half of the bed about its centre of mass, radians per cycle,
   /// anticlockwise positive: the best-fitting rigid rotation, half the curl of the drift.
   /// Up inside and down at the walls: left positive, right negative.
-  double circulation_left = 0;
-  double circulation_right = 0;
+  double rotation_left = 0;
+  double rotation_right = 0;
 };
 
 /// The state at the start of a cycle. Not nested in Convection: clang 14 takes a nested struct with

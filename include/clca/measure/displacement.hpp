@@ -57,14 +57,14 @@ class Snapshot {
 // Since the start of the stage. All throw std::invalid_argument unless each particle has an origin.
 
 /// Distance of each particle from its origin by id, in lattice spacings; 0 for removed ones.
-std::vector<double> distances_from_origin(const grains::State& state);
+std::vector<double> distances_from_origins(const grains::State& state);
 
 /// Share of the present particles further than `distance` (lattice spacings) from their origin;
 /// none if none is present. Throws std::invalid_argument for NaN.
 std::optional<double> moved_share(const grains::State& state, double distance);
 
 /// Diameter of the smallest kind (lattice::Shape::diameter); infinite if there are none.
-double smallest_diameter(const grains::State& state);
+double smallest_kind_diameter(const grains::State& state);
 
 /// How far the material has spread beyond the columns of its origins, lattice spacings. The larger
 /// of both sides; negative if it receded on both.

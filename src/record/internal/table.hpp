@@ -153,7 +153,7 @@ class RunTable {
     }
   }
   /// Descriptions of its columns.
-  std::vector<store::ColumnSummary> column_summaries() const;
+  std::vector<store::ColumnSummary> column_descriptions() const;
 
   /// Bytes of a growing table that are on the disk when a run resumes.
   std::uint64_t& saved_bytes() { return bytes_; }

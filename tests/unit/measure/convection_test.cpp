@@ -52,19 +52,19 @@ ConvectionRolls rolls_between(const State& begin, const State& end) {
 TEST(Convection, UpInsideAndDownAtTheWallsIsPositive) {
   const ConvectionRolls rolls = rolls_between(bed(), rolled(bed(), 0));
   EXPECT_NEAR(rolls.centre_minus_wall, 2, 1e-12);
-  EXPECT_GT(rolls.circulation_left, 0.01);
-  EXPECT_NEAR(rolls.circulation_right, -rolls.circulation_left, 1e-12);
+  EXPECT_GT(rolls.rotation_left, 0.01);
+  EXPECT_NEAR(rolls.rotation_right, -rolls.rotation_left, 1e-12);
   const ConvectionRolls back = rolls_between(rolled(bed(), 0), bed());
   EXPECT_NEAR(back.centre_minus_wall, -2, 1e-12);
-  EXPECT_LT(back.circulation_left, -0.01);
+  EXPECT_LT(back.rotation_left, -0.01);
 }
 
 TEST(Convection, ADriftOfTheWholeBedDropsOut) {
   const ConvectionRolls plain = rolls_between(bed(), rolled(bed(), 0));
   const ConvectionRolls lifted = rolls_between(bed(), rolled(bed(), 7));
   EXPECT_NEAR(lifted.centre_minus_wall, plain.centre_minus_wall, 1e-12);
-  EXPECT_NEAR(lifted.circulation_left, plain.circulation_left, 1e-12);
-  EXPECT_NEAR(lifted.circulation_right, plain.circulation_right, 1e-12);
+  EXPECT_NEAR(lifted.rotation_left, plain.rotation_left, 1e-12);
+  EXPECT_NEAR(lifted.rotation_right, plain.rotation_right, 1e-12);
 }
 
 /// Adds a ring of six sites, turned clockwise by `sixths`.
@@ -87,8 +87,8 @@ State rings(int sixths) {
 TEST(Convection, TwoRingsTurnAgainstEachOther) {
   const ConvectionRolls rolls = rolls_between(rings(0), rings(1));
   const double sine = std::sqrt(3.0) / 2;
-  EXPECT_NEAR(rolls.circulation_left, sine, 1e-12);
-  EXPECT_NEAR(rolls.circulation_right, -sine, 1e-12);
+  EXPECT_NEAR(rolls.rotation_left, sine, 1e-12);
+  EXPECT_NEAR(rolls.rotation_right, -sine, 1e-12);
   EXPECT_NEAR(rolls.centre_minus_wall, 1.5, 1e-12);
 }
 

@@ -169,7 +169,7 @@ TEST(Packing, CountsASiteOfTwoWallsOnce) {
 TEST(Displacement, IsTheDistanceFromTheOrigin) {
   State state = stacks({1, 1, 1, 1});
   state.origins = {{0, 3}, {1, 0}, {0, 0}, {3, 0}};
-  const auto moved = distances_from_origin(state);
+  const auto moved = distances_from_origins(state);
   EXPECT_DOUBLE_EQ(moved[0], 3);
   EXPECT_DOUBLE_EQ(moved[1], 0);
   EXPECT_NEAR(moved[2], std::sqrt(3.0), 1e-12);
@@ -192,7 +192,7 @@ TEST(MovedShare, IsTheSameForEqualDistancesInAllDirections) {
       state.particles = {{.column = to.column, .row = to.row}};
       state.origins = {from};
       EXPECT_EQ(moved_share(state, distance), 0);
-      EXPECT_EQ(distances_from_origin(state)[0], distance);
+      EXPECT_EQ(distances_from_origins(state)[0], distance);
     }
   }
 }
@@ -200,7 +200,7 @@ TEST(MovedShare, IsTheSameForEqualDistancesInAllDirections) {
 TEST(Displacement, SmallestDiameterIsThatOfTheCircleOfEqualArea) {
   State state = empty_state(9, 9);
   state.kinds = {{Shape::hexagon(2), 0}, {Shape::hexagon(1), 1}};
-  EXPECT_NEAR(smallest_diameter(state), 2.778, 1e-3);
+  EXPECT_NEAR(smallest_kind_diameter(state), 2.778, 1e-3);
 }
 
 TEST(Runout, IsMeasuredBeyondWhereTheMaterialStood) {

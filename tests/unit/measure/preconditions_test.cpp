@@ -65,10 +65,10 @@ TEST(ASnapshot, OfPlacesThatNoRunReachesIsRefused) {
 
 TEST(Displacements, NeedAnOriginOfEachParticle) {
   State state = two_particles();
-  EXPECT_EQ(distances_from_origin(state).size(), 2U);
+  EXPECT_EQ(distances_from_origins(state).size(), 2U);
   EXPECT_THROW(moved_share(state, kNaN), std::invalid_argument);
   state.origins.pop_back();
-  EXPECT_THROW(distances_from_origin(state), std::invalid_argument);
+  EXPECT_THROW(distances_from_origins(state), std::invalid_argument);
   EXPECT_THROW(moved_share(state, 1), std::invalid_argument);
   EXPECT_THROW(runout(state), std::invalid_argument);
 }
