@@ -70,7 +70,7 @@ void check_command_name(const CLI::App& program, std::string_view given) {
 /// Throws for the first argument that has not been taken; CLI11 names all, the last one first.
 void refuse_unknown(const CLI::App& program) {
   const std::vector<std::string> unknown = program.remaining(true);
-  if (unknown.empty() || unknown.front() == "--") {
+  if (unknown.empty() || std::ranges::count(unknown, "--") > 0) {
     return;
   }
   const auto commands = program.get_subcommands();

@@ -143,6 +143,9 @@ void add(ForceSums& sums, std::span<const Force> forces_of_a_step, double mean_m
 }
 
 void add(ForceSums& sums, const ForceSums& later) {
+  if (later.steps == 0) {
+    return;
+  }
   rebuild_index(sums);
   set_mean_mass(sums, later.mean_mass);
   for (const Sum& sum : later.sums) {

@@ -28,7 +28,7 @@ bool is_sound(const contact::ForceSums::Sum& sum, const grains::State& state) {
                                             (grains::is_obstacle(sum.other) &&
                                              grains::wall_number(sum.other) < state.walls.size()));
   return there && sum.point.allFinite() && sum.normal.allFinite() && sum.branch.allFinite() &&
-         sum.force.allFinite();
+         sum.force.allFinite() && sum.touching_steps >= 0 && std::isfinite(sum.touching_steps);
 }
 
 }  // namespace

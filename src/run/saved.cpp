@@ -52,7 +52,7 @@ bool is_possible_outflow(const record::StageHistory& history, const grains::Stat
 /// the stage has met before.
 void require_end_not_passed(const std::string& until, scene::Stage& stage,
                             const grains::State& state, const record::StageHistory& history) {
-  if (history.steps >= stage.max_steps) {
+  if (stage_end(stage, state, history) == StageEnd::bound) {
     stage.max_steps = std::min(history.steps + scene::Stage().max_steps, scene::kMaxSteps);
   }
   if (stage_end(stage, state, history) && scene::fixed_steps(stage.until) != history.steps) {
@@ -144,7 +144,8 @@ SavedParts saved_parts(SavedRun& saved) {
     throw reflection::ColumnMismatch("its stages differ from those of the scene");
   }
   if (saved.new_end && parts.counters.stage + 1 == scene.stages.size() &&
-      scene::to_yaml(scene) != saved.checkpoint.scene_text) {
+      (scene::to_yaml(scene) != saved.checkpoint.scene_text ||
+       stage_end(scene.stages.back(), grains, parts.history) == StageEnd::bound)) {
     require_end_not_passed(*saved.new_end, scene.stages.back(), grains, parts.history);
   }
   return parts;

@@ -32,7 +32,7 @@ struct SizeClass {
   double share = 0;          ///< of all particles, by number
 };
 
-/// ModelSize classes from the smallest to the largest, each once. List: the lattice sizes nearest
+/// Size classes from the smallest to the largest, each once. List: the lattice sizes nearest
 /// to its diameters. Uniform and lognormal: the range is divided into equal classes (lognormal:
 /// without half a percent at each end); each is represented by the two lattice sizes around its
 /// mean diameter, weighted to keep that mean (by number or by area, as the law).

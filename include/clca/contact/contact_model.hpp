@@ -99,7 +99,7 @@ struct EnergyExchange {
 struct LastStep {
   EnergyExchange exchange = {};
   /// Collisions of grains that were held up with the bodies in their way, see collide_blocked().
-  /// Contact::impact is the impulse, along a direction of the lattice. A pair may have several.
+  /// Contact::transient is the impulse, along a direction of the lattice. A pair may have several.
   std::vector<Contact> blocked_collisions = {};
   bool had_too_fast_grain = false;  ///< a grain was faster than it can move, and lost velocity
 };

@@ -53,7 +53,8 @@ struct ProgramOptions {
   const OutputCapture* error_output = nullptr;
   /// Standard input: what feed() writes, else empty.
   bool is_fed = false;
-  /// Once not zero, the program gets `signal`, unless that is 0, and is killed after `grace`.
+  /// Once not zero, the program gets `stop_signal`, unless that is 0, and is killed after
+  /// `grace_period`.
   const std::atomic<int>* stop = nullptr;
   int stop_signal = 0;
   std::chrono::milliseconds grace_period{0};

@@ -69,7 +69,7 @@ std::vector<std::string> sweep_measure_names();
 void check_derived(const scene::Scene& scene);
 
 /// `unit` with the unit of velocity for `spacings/step`, that of time for `time` and that of
-/// scene::UnitConversion::si() for one of masses, where a run has them.
+/// scene::UnitConversion::si_unit() for one of masses, where a run has them.
 std::string shown_unit(std::string_view unit, const std::optional<scene::UnitConversion>& units);
 
 /// A body in tables of contacts: number of a grain, name of a wall, or a side such as `box.floor`.

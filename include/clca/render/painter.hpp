@@ -79,7 +79,7 @@ class Painter {
   Image rasterize(const Capture& captured, const Caption& caption, const Overlay& overlay = {},
                   double turn = 0);
 
-  /// The same as vector graphics, which stay sharp in any size; of captures in Style::vector.
+  /// The same as vector graphics, which stay sharp in any size; of captures with Style::for_pdf.
   std::vector<std::uint8_t> pdf(const Capture& captured, const Caption& caption,
                                 const Overlay& overlay = {}, double turn = 0);
 

@@ -23,7 +23,7 @@ struct UniformBins {
 };
 using BinsSpec = std::variant<QuantileBins, UniformBins>;
 
-/// Observation times that differ by less than this share of `series_every` are equal.
+/// Observation times that differ by less than this share of `series_interval` are equal.
 inline constexpr double kTimeTolerance = 1e-9;
 
 struct BoltzmannScene {
@@ -45,7 +45,7 @@ struct BoltzmannScene {
   double end_time = 15;
   std::uint64_t ensemble_size = 1;
   double series_interval = 0.5;
-  std::vector<double> histogram_times;  ///< times, ascending, none beyond `until`
+  std::vector<double> histogram_times;  ///< times, ascending, none beyond `end_time`
   BinsSpec bins;
   std::optional<CheckpointIntervals> checkpoint = kDefaultCheckpoints;
   std::string location;  ///< FILE:LINE:COLUMN of the block `boltzmann`, for messages

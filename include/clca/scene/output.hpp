@@ -52,7 +52,7 @@ enum class DrawingMethod : std::uint8_t {
   automatic,
   polygons,
   lookup
-};  ///< how: see render::Drawing
+};  ///< how: see render::DrawingMethod
 /// Drawn over the grains. velocity: mean since the last picture; weight_*: see measure::WeightRule.
 enum class Overlay : std::uint8_t {
   none,

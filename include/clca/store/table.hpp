@@ -20,7 +20,7 @@ class Table {
   /// Throws std::invalid_argument unless there is one cell per column.
   void add_row(std::vector<Cell> cells);
 
-  std::string to_csv() const;  ///< rFC 4180 with a header line; lines end with a line feed
+  std::string to_csv() const;  ///< RFC 4180 with a header line; lines end with a line feed
 
   /// Bytes that take_csv_rows() would return.
   std::size_t pending_bytes() const { return rows_.size(); }

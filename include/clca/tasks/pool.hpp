@@ -145,6 +145,9 @@ class Pool {
     failure_ = failure ? failure : failure_;
     ++begun_;
     changed_.notify_all();
+    if (failure) {
+      return;  // take_finished() throws it
+    }
     while (changed_.wait(lock, over, [this] { return !queued_.empty(); })) {
       const std::size_t task = queued_.front();
       queued_.pop_front();

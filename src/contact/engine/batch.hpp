@@ -43,7 +43,7 @@ enum class Pass : std::uint8_t {
   backwards,   ///< solves them from the last to the first
 };
 
-/// Carries out a pass over the batches. `pairs`: Rule::pairs.
+/// Carries out a pass over the batches. `pairs`: Rule::pair_coefficients.
 using PassFunction = void (*)(Pass pass, std::span<Batch> batches, AlignedVelocity* bodies,
                               const PairCoefficients* pairs, const LawConstants& law);
 /// One contact after the other.

@@ -63,7 +63,7 @@ class ContactSlots {
   std::int32_t normal_impulse(std::int32_t at) const {
     return batch(at).impulse.normal[lane_in_batch(at)];
   }
-  /// StepContact::bounce of the contact.
+  /// StepContact::bounce_velocity of the contact.
   std::int32_t& bounce_velocity(std::int32_t at) {
     return batch(at).bounce_velocity[lane_in_batch(at)];
   }

@@ -101,8 +101,8 @@ inline bool advance_remainder(Vector& remainder, const Velocity<>& velocity, boo
   return true;
 }
 
-/// Calls advance() for the remainders of all grains. Returns whether all grains are at rest.
-/// `touches(id)`: whether a grain touches anything.
+/// Calls advance_remainder() for the remainders of all grains. Returns whether all grains are at
+/// rest. `touches(id)`: whether a grain touches anything.
 template <class VelocityOf, class Touches>
 bool advance_remainders(State& state, std::int32_t rest_speed, VelocityOf velocity,
                         Touches touches) {

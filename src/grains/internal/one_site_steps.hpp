@@ -12,7 +12,8 @@ namespace clca::grains {
 
 class OneSiteMechanics : public Mechanics {
  public:
-  /// Throws std::invalid_argument see check_valid(), check_one_site() and Occupancy.
+  /// Throws std::invalid_argument for invalid options, or as check_valid(), check_one_site(),
+  /// Occupancy.
   OneSiteMechanics(State initial, const Options& options)
       : state_(checked_state(std::move(initial), options)), box_(state_) {
     for (std::uint32_t id = 0; id < state_.particles.size(); ++id) {

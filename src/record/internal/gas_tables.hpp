@@ -24,7 +24,8 @@ struct GasCase {
   CLCA_FIELDS(restitution, members);
 };
 
-/// Writes series.csv, histogram-TIME.csv and, if closed forms exist, closure.csv; or StoreError.
+/// Writes series.csv, histogram-TIME.csv and, if closed forms exist, closure.csv. Throws
+/// store::StoreError.
 void write_gas_tables(const scene::BoltzmannScene& scene, const std::vector<GasCase>& cases,
                       const store::OutputFolder& folder);
 std::vector<store::TableSummary> gas_table_summaries(const scene::BoltzmannScene& scene);

@@ -138,7 +138,7 @@ TEST(Shake, WithoutAWaitRisesAgainOnlyWhenNoParticleMoves) {
 }
 
 TEST(Shake, OfTheContactModelTakesItsPeriodForEachSite) {
-  for (const std::uint64_t period : {1, 7, 10, 100'000, 700'000, 1'000'000}) {
+  for (const std::uint64_t period : {1U, 7U, 10U, 100'000U, 700'000U, 1'000'000U}) {
     const WallMotion motion{.program = Shake{.amplitude = 2, .wait = 1, .period = period}};
     Travel travel{.active = true};
     std::int64_t position = 0;

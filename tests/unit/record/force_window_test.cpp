@@ -16,7 +16,7 @@ double steps_held(std::uint64_t most, int steps) {
 }
 
 TEST(ForceWindow, HoldsTheLastHalfToWholeOfItsSteps) {
-  for (const std::uint64_t most : {1, 2, 3, 4, 5, 9, 100}) {
+  for (const std::uint64_t most : {1U, 2U, 3U, 4U, 5U, 9U, 100U}) {
     const auto whole = static_cast<double>(most);
     EXPECT_EQ(steps_held(most, static_cast<int>(most)), whole);
     for (int steps = static_cast<int>(most) + 1; steps < 300; ++steps) {

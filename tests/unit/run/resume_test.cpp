@@ -289,6 +289,14 @@ TEST_F(ResumeTest, ARunThatHasEndedAtItsBoundGoesOnToAnotherEnd) {
   EXPECT_EQ(scene.stages.back().max_steps, 1'000'007);
 }
 
+TEST_F(ResumeTest, ARunThatHasEndedAtItsBoundGoesOnToTheSameEnd) {
+  const auto whole = run(small(), {.folder = folder_.path() / "whole"});
+  run(small({"stages.flow.max_steps=7"}), {.folder = path()});
+  for (int time = 0; time < 2; ++time) {
+    EXPECT_EQ(resume(load_run(path(), kMuch, "settled"), {}).state_hash, whole.state_hash);
+  }
+}
+
 TEST_F(ResumeTest, AFileThatDoesNotFitIsRefusedAndNothingIsChanged) {
   const auto files = [&] {
     std::map<fs::path, decltype(testing::bytes_of({}))> all;
