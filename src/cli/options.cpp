@@ -166,7 +166,7 @@ std::vector<scene::Override> overrides_of(const SceneOptions& options) {
   }
   overrides.insert(overrides.end(), options.overrides.begin(), options.overrides.end());
   if (options.seed) {
-    overrides.push_back(fmt::format("seed={}", *options.seed));
+    overrides.emplace_back(fmt::format("seed={}", *options.seed));
   }
   if (options.frames_every.value_or(0) > 0) {
     overrides.emplace_back(fmt::format("output.frames.every={}", *options.frames_every),

@@ -74,9 +74,9 @@ std::vector<Grid::PathPart> Grid::path_parts(const Eigen::Vector2d& from,
   return parts;
 }
 
-Eigen::Vector2d Grid::cell_centre(std::size_t index) const {
-  const std::size_t row = index / columns_;
-  const std::size_t column = index % columns_;
+Eigen::Vector2d Grid::cell_centre(std::size_t cell) const {
+  const std::size_t row = cell / columns_;
+  const std::size_t column = cell % columns_;
   const Eigen::Vector2d share((static_cast<double>(column) + 0.5) / static_cast<double>(columns_),
                               (static_cast<double>(row) + 0.5) / static_cast<double>(rows_));
   return low_ + extents_.cwiseProduct(share);

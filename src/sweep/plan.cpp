@@ -90,7 +90,7 @@ Variant parsed_variant(const Request& request, std::string_view text,
                        const std::vector<std::string>& keys, std::vector<std::string> values) {
   std::vector<scene::Override> varied;
   for (std::size_t i = 0; i < values.size(); ++i) {
-    varied.push_back(fmt::format("{}={}", keys[i], values[i]));
+    varied.emplace_back(fmt::format("{}={}", keys[i], values[i]));
   }
   scene::AnyScene any;
   try {
