@@ -12,6 +12,7 @@
 #include "clca/measure/displacement.hpp"
 #include "clca/measure/mixing.hpp"
 #include "clca/measure/profile.hpp"
+#include "clca/scene/format.hpp"
 #include "clca/scene/output.hpp"
 #include "clca/scene/parse.hpp"
 #include "clca/text/message.hpp"

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "scene/sections.hpp"
 #include "scene/sizes.hpp"
 #include "scene/types.hpp"
 
