@@ -43,16 +43,16 @@ AnyRules rules_in(const scene::Scene& scene, const scene::Stage& stage) {
   return stage.automaton_rules.value_or(scene.automaton_rules);
 }
 
-/// Forces of contacts in the last step, with blocked_collisions. One for each pair.
-std::vector<contact::Force> forces_with_pushes(const contact::ContactModel& model,
-                                               std::span<const contact::Contact> contacts) {
+/// Forces of contacts and of blocked collisions in the last step, one for each pair.
+std::vector<contact::Force> forces_with_blocked(const contact::ContactModel& model,
+                                                std::span<const contact::Contact> contacts) {
   std::vector<contact::Force> of_contacts =
       contact::forces(model.grains(), contacts, model.gravity());
-  const std::vector<contact::Contact>& pushes = model.last_step().blocked_collisions;
-  if (pushes.empty()) {
+  const std::vector<contact::Contact>& blocked = model.last_step().blocked_collisions;
+  if (blocked.empty()) {
     return of_contacts;
   }
-  std::vector<contact::Force> all = contact::forces(model.grains(), pushes, model.gravity());
+  std::vector<contact::Force> all = contact::forces(model.grains(), blocked, model.gravity());
   all.insert(all.end(), of_contacts.begin(), of_contacts.end());  // last: theirs are the normals
   contact::ForceSums sums;
   contact::add(sums, all, contact::mean_grain_mass(model.grains()));
@@ -142,12 +142,12 @@ void SceneModel::save(reflection::Columns& columns) const {
 }
 
 std::vector<contact::Force> SceneModel::forces() const {
-  return contact() != nullptr ? forces_with_pushes(*contact(), contact()->state().contacts)
+  return contact() != nullptr ? forces_with_blocked(*contact(), contact()->state().contacts)
                               : std::vector<contact::Force>();
 }
 
 std::vector<contact::Force> SceneModel::wall_forces() const {
-  return contact() != nullptr ? forces_with_pushes(*contact(), contact()->wall_contacts())
+  return contact() != nullptr ? forces_with_blocked(*contact(), contact()->wall_contacts())
                               : std::vector<contact::Force>();
 }
 

@@ -104,9 +104,9 @@ void ContactRecord::after_step(const StageView& now) {
   pictures_.begin_step(steps_in_stage);
   frames_.begin_step(steps_in_stage);
   const bool is_shown = pictures_.every > 0 || frames_.every > 0;
-  // Nothing moved in the last two steps: impulses are those of rest, not of impacts.
   const contact::ContactModel& model = *now.model.contact();
   const contact::State& state = model.state_with_old_contacts();
+  // Nothing moved in the last two steps: impulses are those of rest, not of impacts.
   const bool quiet = state.quiet_steps > 1 ||
                      (state.unmoved_steps > 1 && state.unmoved_steps + sampling_.window_steps >=
                                                      model.unmoved_steps_at_rest());

@@ -48,10 +48,10 @@ bool is_possible_outflow(const record::StageHistory& history, const grains::Stat
                             std::less_equal<>());
 }
 
-/// Raises the bound of a last stage that has reached it. Throws scene::SceneError for an end that
-/// the stage has met before.
-void require_end_not_passed(const std::string& until, scene::Stage& stage,
-                            const grains::State& state, const record::StageHistory& history) {
+/// Checks a new end of the last stage, and raises the bound of the stage if that has ended it.
+/// Throws scene::SceneError for an end that the stage has met before.
+void accept_new_end(const std::string& until, scene::Stage& stage, const grains::State& state,
+                    const record::StageHistory& history) {
   if (stage_end(stage, state, history) == StageEnd::bound) {
     stage.max_steps = std::min(history.steps + scene::Stage().max_steps, scene::kMaxSteps);
   }
@@ -146,7 +146,7 @@ SavedParts saved_parts(SavedRun& saved) {
   if (saved.new_end && parts.counters.stage + 1 == scene.stages.size() &&
       (scene::to_yaml(scene) != saved.checkpoint.scene_text ||
        stage_end(scene.stages.back(), grains, parts.history) == StageEnd::bound)) {
-    require_end_not_passed(*saved.new_end, scene.stages.back(), grains, parts.history);
+    accept_new_end(*saved.new_end, scene.stages.back(), grains, parts.history);
   }
   return parts;
 }
